@@ -7,8 +7,8 @@
 
 namespace understudy {
 
-// Base of every error that a user can cause. what() is one line that names file, line, key or value, what was
-// expected, what was found, and the nearest valid word where there is one.
+// Base of every error that a user can cause. what() is one line that names file, line, key or
+// value, what was expected, what was found, and the nearest valid word where there is one.
 class SetupError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

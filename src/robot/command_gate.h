@@ -1,0 +1,71 @@
+// Decides which command the motors follow.
+#ifndef UNDERSTUDY_ROBOT_COMMAND_GATE_H_
+#define UNDERSTUDY_ROBOT_COMMAND_GATE_H_
+
+#include <array>
+#include <cstdint>
+
+#include "robot/refusal.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+struct GateConfig {
+  bool lenient = false;   // take commands whose form is wrong; they are counted all the same
+  double timeout = 0.2;   // s without a taken command until damping
+  double damping_kd = 2;  // N·m·s/rad of that damping
+};
+
+// Who moves the motors now.
+enum class GateState : std::uint8_t {
+  kStart,      // the start command: nobody has commanded yet
+  kFollowing,  // the last taken command
+  kDamping,    // commands stopped
+};
+
+struct GateCounts {
+  std::uint64_t accepted = 0;
+  std::array<std::uint64_t, kRefusals> refused{};  // by Refusal; kNone stays 0
+  std::uint64_t timeouts = 0;                      // times that commands stopped
+};
+
+// Takes commands or refuses them with a reason. There is always a current command, never "none":
+// the start command until one is taken, the last one taken while it is fresh, damping after that. A
+// refused command changes nothing. Lenient lets pass what is wrong in form (crc, head,
+// mode_machine, mode_pr, motor mode); values that would harm (kNotFinite, kGain) are refused in any
+// case.
+class CommandGate {
+ public:
+  // `start` is what the motors do before the first command; its size is the number of motors.
+  CommandGate(const GateConfig& config, RobotCommand start);
+
+  // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
+  // Returns kNone when taken, else the reason. `command` must hold as many motors as the start
+  // command.
+  Refusal Offer(const RobotCommand& command, Refusal wire, double t);
+
+  // What the motors follow at time t [s], not before the last call's t.
+  const RobotCommand& Current(double t);
+
+  // Back to the start command, counters kept.
+  void Restart();
+
+  GateState state() const { return state_; }
+  const GateCounts& counts() const { return counts_; }
+
+ private:
+  GateConfig config_;
+  RobotCommand start_;
+  RobotCommand taken_;
+  RobotCommand damping_;
+  GateState state_ = GateState::kStart;
+  GateCounts counts_;
+  double taken_at_ = 0;
+};
+
+// A command under which every motor only brakes: kd [N·m·s/rad] on its rate.
+RobotCommand DampingCommand(std::size_t motors, double kd);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_COMMAND_GATE_H_

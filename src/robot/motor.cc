@@ -1,0 +1,62 @@
+#include "robot/motor.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace understudy {
+
+double DesiredTorque(const MotorCommand& command, double q, double dq) {
+  if (!command.enabled) return 0;
+  double tau = command.tau;
+  if (command.q != kNoPosition) tau += command.kp * (command.q - q);
+  if (command.dq != kNoVelocity) tau += command.kd * (command.dq - dq);
+  return tau;
+}
+
+double AvailableTorque(const MotorSpec& spec, double tau, double dq) {
+  double limit = spec.torque_limit;
+  const double speed = std::abs(dq);
+  const bool drives = tau * dq > 0;
+  if (drives && spec.knee_speed > 0 && speed > spec.knee_speed) {
+    const double left = (spec.no_load_speed - speed) / (spec.no_load_speed - spec.knee_speed);
+    limit *= std::max(left, 0.0);
+  }
+  return std::clamp(tau, -limit, limit);
+}
+
+MotorBank::MotorBank(const RobotSpec& spec)
+    : spec_(spec),
+      torque_(spec.motors.size()),
+      winding_c_(spec.motors.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
+  for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
+}
+
+std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
+                                        std::span<const double> dq, double dt) {
+  for (std::size_t i = 0; i < torque_.size(); ++i) {
+    torque_[i] = DesiredTorque(command.motors[i], q[i], dq[i]);
+  }
+  if (command.joint_space == JointSpace::kMotors) {
+    for (const ParallelJoint& joint : parallel_) {
+      const auto pitch = static_cast<std::size_t>(joint.pitch());
+      const auto roll = static_cast<std::size_t>(joint.roll());
+      const ParallelJoint::Motors x = joint.ToMotors({q[pitch], q[roll]});
+      const ParallelJoint::Motors v = joint.ToMotors({dq[pitch], dq[roll]});
+      const ParallelJoint::Serial tau =
+          joint.TorqueToSerial({DesiredTorque(command.motors[roll], x.a, v.a),
+                                DesiredTorque(command.motors[pitch], x.b, v.b)});
+      torque_[pitch] = tau.pitch;
+      torque_[roll] = tau.roll;
+    }
+  }
+  const ThermalSpec& thermal = spec_.thermal;
+  for (std::size_t i = 0; i < torque_.size(); ++i) {
+    torque_[i] = AvailableTorque(spec_.motors[i], torque_[i], dq[i]);
+    const double steady =
+        thermal.ambient_c + thermal.rest_rise_c + thermal.rise_per_nm2_c * torque_[i] * torque_[i];
+    winding_c_[i] += (steady - winding_c_[i]) * dt / thermal.time_constant;
+  }
+  return torque_;
+}
+
+}  // namespace understudy

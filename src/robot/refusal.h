@@ -1,0 +1,34 @@
+// Why a command was not taken.
+#ifndef UNDERSTUDY_ROBOT_REFUSAL_H_
+#define UNDERSTUDY_ROBOT_REFUSAL_H_
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace understudy {
+
+enum class Refusal : std::uint8_t {
+  kNone,
+  kCrc,          // the crc word does not fit the rest
+  kHead,         // go: head is not FE EF, or level_flag not FF
+  kModeMachine,  // hg: not the machine LowState announces
+  kModePr,       // hg: neither PR (0) nor AB (1)
+  kMotorMode,    // a motor's mode byte is none that the robot knows
+  kNotFinite,    // NaN or infinity in a motor's command
+  kGain,         // a negative kp or kd
+  kCount,
+};
+
+inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCount);
+
+// The word that logs, counters and the control plane use.
+constexpr std::string_view Name(Refusal refusal) {
+  constexpr std::array<std::string_view, kRefusals> kNames = {
+      "none", "crc", "head", "mode_machine", "mode_pr", "motor_mode", "not_finite", "gain"};
+  return kNames[static_cast<std::size_t>(refusal)];
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_REFUSAL_H_

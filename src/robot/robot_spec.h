@@ -1,0 +1,120 @@
+// What a robot is: read from config/robots/<robot>.yaml, never changed afterwards. Every field is a
+// YAML key of the same name; meaning, unit, range and default of each stand in
+// config/robot_keys.cc, which reads them.
+#ifndef UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
+#define UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace understudy {
+
+// Which of the vendor's two IDL families the robot speaks on rt/lowcmd and rt/lowstate.
+enum class WireFamily : std::uint8_t { kGo, kHg };
+
+struct MotorSpec {
+  std::string joint;         // MJCF joint
+  int slot = 0;              // index in LowCmd.motor_cmd and LowState.motor_state
+  double torque_limit = 0;   // N·m at the joint
+  double knee_speed = 0;     // rad/s up to which torque_limit is to be had
+  double no_load_speed = 0;  // rad/s at which no driving torque is left
+  double q_step = 0;         // rad, encoder lattice; 0 = none
+  double dq_step = 0;        // rad/s
+  double tau_step = 0;       // N·m
+  double hold_kp = 0;        // N·m/rad, gains that hold a start pose
+  double hold_kd = 0;        // N·m·s/rad
+};
+
+// Two serial joints driven by two parallel motors A and B. Indices in motor order.
+struct ParallelSpec {
+  int pitch = 0;          // the slot of B in AB mode
+  int roll = 0;           // the slot of A in AB mode
+  double roll_ratio = 1;  // how far A and B part per radian of roll
+};
+
+struct FootSpec {
+  std::string name;
+  std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
+};
+
+// A start pose: joint angles [rad] in motor order and the height of the base [m] over the ground.
+struct PoseSpec {
+  std::vector<double> q;
+  double height = 0;
+};
+
+struct RateSpec {
+  double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
+  double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
+  double lf_hz = 20;         // all rt/lf/*
+};
+
+// Lattice and noise of the inertial unit; encoder lattices are MotorSpec's.
+struct ImuSpec {
+  std::string site;            // MJCF site of LowState's unit
+  std::string secondary_site;  // "" where the robot has none
+  double gyro_step = 0;        // rad/s
+  double accel_step = 0;       // m/s²
+  double gyro_noise = 0;       // rad/s, standard deviation
+  double accel_noise = 0;      // m/s²
+  double temperature_c = 0;    // what it shows when warm
+};
+
+// Standard deviation of motor readings at rest, in steps of the motor's own lattice.
+struct EncoderNoiseSpec {
+  double q_steps = 0;
+  double dq_steps = 0;
+  double tau_steps = 0;
+};
+
+struct FootSensorSpec {
+  double offset_counts = 0;  // raw value of an unloaded foot
+  double counts_per_newton = 0;
+};
+
+struct BatterySpec {
+  int cells = 0;
+  double capacity_ah = 0;
+  double start_soc = 0.9;  // 0..1
+  double cell_full_v = 4.2;
+  double cell_empty_v = 3.2;
+  double internal_ohm = 0;  // of the pack
+  double idle_a = 0;        // drawn with all motors passive
+  double watt_per_nm2 = 0;  // heat per square of joint torque, over all motors
+};
+
+struct ThermalSpec {
+  double ambient_c = 25;
+  double rest_rise_c = 0;      // how much warmer an idle motor is
+  double rise_per_nm2_c = 0;   // steady rise per (N·m)² of that motor
+  double time_constant = 600;  // s
+};
+
+struct RobotSpec {
+  std::string name;
+  std::string description;
+  std::string model;      // MJCF, below models/, or absolute
+  std::string base_body;  // MJCF body with the free joint
+  WireFamily family = WireFamily::kGo;
+  int mode_machine = 0;           // hg only: what LowState announces and LowCmd must echo
+  std::vector<MotorSpec> motors;  // motor order: ascending slot
+  std::vector<ParallelSpec> parallel;
+  ImuSpec imu;
+  EncoderNoiseSpec encoder_noise;
+  std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force
+  FootSensorSpec foot_sensor;
+  RateSpec rates;
+  BatterySpec battery;
+  ThermalSpec thermal;
+  PoseSpec lying;  // on the ground, passive
+  PoseSpec standing;
+  PoseSpec hanging;        // on the crane or clamped; height is that of the base
+  std::string crane_body;  // MJCF body the crane's hook is in
+  std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
+  std::string default_start;                    // damped | standing | hanging | clamped
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_ROBOT_SPEC_H_

@@ -1,0 +1,94 @@
+// What a robot is told and what it tells, as plain values in SI units. Quaternions are w, x, y, z.
+#ifndef UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
+#define UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+namespace understudy {
+
+// The vendor's "no position" and "no velocity" marks (sdk_surface: PosStopF, VelStopF). A command
+// that carries one leaves out that term of the motor law, whatever the gain beside it says.
+inline constexpr double kNoPosition = 2.146e9;
+inline constexpr double kNoVelocity = 16000.0;
+
+// What one motor is asked to do. Joint side, positive along the MJCF axis.
+struct MotorCommand {
+  bool enabled = false;  // false: the motor gives no torque, whatever the other fields hold
+  double q = 0;          // rad, or kNoPosition
+  double dq = 0;         // rad/s, or kNoVelocity
+  double tau = 0;        // N·m, feed-forward
+  double kp = 0;         // N·m/rad
+  double kd = 0;         // N·m·s/rad
+
+  friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
+};
+
+// How the commands of a parallel mechanism (ankle, waist) are meant: `mode_pr` on the hg wire.
+enum class JointSpace : std::uint8_t {
+  kPitchRoll = 0,  // PR: the serial joints of the MJCF
+  kMotors = 1,     // AB: the two motors that drive them
+};
+
+// One command to the whole robot, in motor order (RobotSpec::motors).
+struct RobotCommand {
+  std::vector<MotorCommand> motors;
+  JointSpace joint_space = JointSpace::kPitchRoll;
+};
+
+// What one motor reports. Joint side, signs as in MotorCommand.
+struct MotorReading {
+  bool enabled = false;
+  double q = 0;          // rad
+  double dq = 0;         // rad/s
+  double tau = 0;        // N·m, what the motor gives before joint friction
+  double casing_c = 0;   // degrees Celsius
+  double winding_c = 0;  // degrees Celsius
+};
+
+// One inertial unit, I, in the world, W. `f` is the specific force: at rest +g along the upward
+// axis.
+struct ImuReading {
+  Eigen::Quaterniond R_WI{1, 0, 0, 0};
+  Eigen::Vector3d w_WI_I{0, 0, 0};  // rad/s
+  Eigen::Vector3d f_WI_I{0, 0, 0};  // m/s²
+  double temperature_c = 0;
+};
+
+struct BatteryReading {
+  double voltage = 0;  // V, sum of the cells
+  double current = 0;  // A, negative while the pack gives
+  double soc = 1;      // 0..1
+  double temperature_c = 25;
+};
+
+// Where the base, B, is and how it moves. Truth of the simulation; ports decide who may see it.
+struct BaseReading {
+  Eigen::Vector3d p_WB{0, 0, 0};    // m
+  Eigen::Vector3d v_WB_W{0, 0, 0};  // m/s
+};
+
+// The 40 bytes of the remote controller; all zero while no remote is there (measured.md, section
+// c).
+using RemoteBytes = std::array<std::uint8_t, 40>;
+
+// Everything the robot can tell about one instant. Before the first sample: default values.
+struct RobotState {
+  std::int64_t tick_ms = 0;  // simulated milliseconds since start
+  std::vector<MotorReading> motors;
+  JointSpace joint_space = JointSpace::kPitchRoll;
+  ImuReading imu;                  // the one LowState carries
+  ImuReading secondary_imu;        // where the robot has one
+  std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
+  BatteryReading battery;
+  BaseReading base;
+  RemoteBytes remote{};
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_ROBOT_VALUES_H_

@@ -1,0 +1,41 @@
+// Wall time, injected so that tests own it.
+#ifndef UNDERSTUDY_TIME_CLOCK_H_
+#define UNDERSTUDY_TIME_CLOCK_H_
+
+#include <chrono>
+
+namespace understudy {
+
+class Clock {
+ public:
+  using Time = std::chrono::nanoseconds;  // since an arbitrary start, never goes back
+
+  virtual ~Clock() = default;
+  virtual Time Now() = 0;
+  // Returns at `deadline` or later; at once when it has passed. A signal may end it early.
+  virtual void SleepUntil(Time deadline) = 0;
+};
+
+// CLOCK_MONOTONIC.
+class SteadyClock final : public Clock {
+ public:
+  Time Now() override;
+  void SleepUntil(Time deadline) override;
+};
+
+// Stands still until told; sleeping moves it to the deadline.
+class ManualClock final : public Clock {
+ public:
+  Time Now() override { return now_; }
+  void SleepUntil(Time deadline) override {
+    if (deadline > now_) now_ = deadline;
+  }
+  void Advance(Time by) { now_ += by; }
+
+ private:
+  Time now_{0};
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TIME_CLOCK_H_

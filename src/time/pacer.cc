@@ -1,0 +1,49 @@
+#include "time/pacer.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace understudy {
+namespace {
+
+double Seconds(Clock::Time t) { return std::chrono::duration<double>(t).count(); }
+
+}  // namespace
+
+Pacer::Pacer(Clock* clock, Clock::Time period, double speed)
+    : clock_(clock), period_(period), speed_(speed), start_(clock->Now()), window_start_(start_) {}
+
+void Pacer::WaitFor(std::int64_t step) {
+  Clock::Time now = clock_->Now();
+  if (speed_ > 0) {
+    const double wall = static_cast<double>((step - start_step_) * period_.count()) / speed_;
+    const Clock::Time deadline = start_ + Clock::Time(std::llround(wall));
+    if (now < deadline) {
+      clock_->SleepUntil(deadline);
+      now = clock_->Now();
+    }
+    reading_.lateness = std::max(0.0, Seconds(now - deadline));
+    reading_.worst_lateness = std::max(reading_.worst_lateness, reading_.lateness);
+    if (reading_.lateness > Seconds(period_) / speed_) ++reading_.overruns;
+  }
+  Measure(step, now);
+}
+
+void Pacer::Resume(std::int64_t step, double speed) {
+  speed_ = speed;
+  start_ = clock_->Now();
+  start_step_ = step;
+  window_start_ = start_;
+  window_step_ = step;
+  reading_.lateness = 0;
+}
+
+void Pacer::Measure(std::int64_t step, Clock::Time now) {
+  const Clock::Time wall = now - window_start_;
+  if (wall < std::chrono::seconds(1)) return;
+  reading_.real_time_factor = Seconds((step - window_step_) * period_) / Seconds(wall);
+  window_start_ = now;
+  window_step_ = step;
+}
+
+}  // namespace understudy

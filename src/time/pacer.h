@@ -1,0 +1,53 @@
+// Keeps simulated time beside wall time.
+#ifndef UNDERSTUDY_TIME_PACER_H_
+#define UNDERSTUDY_TIME_PACER_H_
+
+#include <cstdint>
+
+#include "time/clock.h"
+
+namespace understudy {
+
+// What a run may know of its own punctuality.
+struct PaceReading {
+  std::uint64_t overruns = 0;  // ticks that began more than one period late
+  double lateness = 0;         // s, of the last tick; 0 when on time
+  double worst_lateness = 0;   // s, since start
+  double real_time_factor =
+      0;  // simulated / wall time over the last second; 0 until one has passed
+};
+
+// Every deadline is absolute: start + step · period / speed. A late tick is therefore made up for
+// by the next ones and nothing is dropped; how late each began is measured and counted. With speed
+// 0 the pacer never waits.
+class Pacer {
+ public:
+  // period: simulated time of one step. speed: simulated seconds per wall second, 0 for as fast as
+  // possible. `clock` must outlive the pacer. The deadlines count from this moment.
+  Pacer(Clock* clock, Clock::Time period, double speed);
+
+  // Waits for the deadline of step `step` (0 is due at once) and notes how late it was reached.
+  void WaitFor(std::int64_t step);
+
+  // Counts from now on, so that `step` is due at once: after a pause, or a new speed.
+  void Resume(std::int64_t step, double speed);
+
+  const PaceReading& reading() const { return reading_; }
+  double speed() const { return speed_; }
+
+ private:
+  void Measure(std::int64_t step, Clock::Time now);
+
+  Clock* clock_;
+  Clock::Time period_;
+  double speed_;
+  Clock::Time start_;
+  std::int64_t start_step_ = 0;
+  Clock::Time window_start_;
+  std::int64_t window_step_ = 0;
+  PaceReading reading_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TIME_PACER_H_
