@@ -1,4 +1,5 @@
-// Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name, unit, range, meaning.
+// Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name,
+// unit, range, meaning.
 #ifndef UNDERSTUDY_CONFIG_CONFIG_H_
 #define UNDERSTUDY_CONFIG_CONFIG_H_
 
@@ -7,6 +8,8 @@
 
 #include "robot/command_gate.h"
 #include "robot/robot_spec.h"
+#include "sim/crane.h"
+#include "sim/sensors.h"
 
 namespace understudy {
 
@@ -34,19 +37,6 @@ enum class DivergenceAction { kStop, kReset };
 struct PhysicsConfig {
   double timestep = 0.001;  // s; also the period of the motor law
   DivergenceAction on_divergence = DivergenceAction::kStop;
-};
-
-struct SensorConfig {
-  bool quantise = true;
-  bool noise = true;
-  int seed = 1;
-};
-
-struct CraneConfig {
-  double height = 0;         // m, of the anchor over the ground; 0 = as high as the hanging pose needs
-  double stiffness = 20000;  // N/m of the tether
-  double damping = 1000;     // N·s/m, only while it is taut
-  double lower_speed = 0.1;  // m/s at which it is lowered or raised
 };
 
 struct StartConfig {

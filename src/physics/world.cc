@@ -1,6 +1,7 @@
 #include "physics/world.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "physics/world_model.h"
 #include "robot/errors.h"
@@ -112,6 +113,10 @@ PointReading PhysicsWorld::Point(int body, const Eigen::Vector3d& p_BP) const {
   return point;
 }
 
+double PhysicsWorld::tilt() const {
+  return std::acos(std::clamp(data_->xmat[9 * base_body_ + 8], -1.0, 1.0));
+}
+
 void PhysicsWorld::FootForces(std::span<double> force) const {
   std::fill(force.begin(), force.end(), 0.0);
   for (int i = 0; i < data_->ncon; ++i) {
@@ -126,7 +131,9 @@ void PhysicsWorld::FootForces(std::span<double> force) const {
   }
 }
 
-double PhysicsWorld::total_mass() const { return model_->body_subtreemass[base_body_]; }
+double PhysicsWorld::weight() const {
+  return model_->body_subtreemass[base_body_] * mju_norm3(model_->opt.gravity);
+}
 
 PhysicsWorld::ImuAddress PhysicsWorld::FindImu(const std::string& site, const char* gyro,
                                                const char* accel) const {

@@ -62,13 +62,14 @@ class PhysicsWorld {
   std::span<const double> q() const { return q_; }    // rad, motor order
   std::span<const double> dq() const { return dq_; }  // rad/s, motor order
   const BaseReading& base() const { return base_; }
+  double tilt() const;  // rad between the base's up and the world's
   ImuReading Imu() const { return Read(imu_); }
   ImuReading SecondaryImu() const { return Read(secondary_imu_); }  // default where there is none
   // Sum of the normal contact forces [N] on each foot, in spec order.
   void FootForces(std::span<double> force) const;
 
   double timestep() const { return model_->opt.timestep; }
-  double total_mass() const;  // kg, of the robot
+  double weight() const;  // N, of the robot
   // For a test or a viewer to copy from; never to write.
   const mjModel& model() const { return *model_; }
   const mjData& data() const { return *data_; }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstring>
+#include <mutex>
 #include <vector>
 
 #include "robot/errors.h"
@@ -10,7 +11,8 @@
 namespace understudy {
 namespace {
 
-// MuJoCo's hooks are plain C globals, so what they note is one too. A run has one physics thread.
+// MuJoCo's hooks are plain C globals, so what they note is one too.
+std::mutex warning_mutex;
 std::array<char, 512> last_warning{};
 
 // mju_error must not return. Throwing is safe here: MuJoCo's C code holds nothing but its own arena
@@ -18,6 +20,7 @@ std::array<char, 512> last_warning{};
 void OnMujocoError(const char* message) { throw ModelError(std::string("MuJoCo: ") + message); }
 
 void OnMujocoWarning(const char* message) {
+  const std::lock_guard lock(warning_mutex);
   std::strncpy(last_warning.data(), message, last_warning.size() - 1);
 }
 
@@ -155,6 +158,7 @@ void InstallMujocoHooks() {
 }
 
 std::optional<std::string> TakeMujocoWarning() {
+  const std::lock_guard lock(warning_mutex);
   if (last_warning[0] == '\0') return std::nullopt;
   std::string text(last_warning.data());
   last_warning.fill('\0');

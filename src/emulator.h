@@ -1,0 +1,88 @@
+// The robot: everything that happens to it in a tick happens in Tick(), in one direction, as plain
+// values.
+#ifndef UNDERSTUDY_EMULATOR_H_
+#define UNDERSTUDY_EMULATOR_H_
+
+#include <cstdint>
+
+#include "config/config.h"
+#include "control/inbox.h"
+#include "control/status.h"
+#include "physics/world.h"
+#include "robot/command_gate.h"
+#include "robot/motor.h"
+#include "sim/battery.h"
+#include "sim/crane.h"
+#include "sim/sensors.h"
+#include "wire/robot_port.h"
+
+namespace understudy {
+
+// Owns every part of one robot but the port and the inbox. Knows no wall clock: who calls Tick
+// decides the pace. The integer step count is the master of time. Two emulators with equal config
+// that get equal commands at equal steps send equal states, bit for bit.
+class Emulator {
+ public:
+  // `config` has been validated, `world` was made for config.robot; `port` and `inbox` must outlive
+  // the emulator.
+  Emulator(const Config& config, PhysicsWorld world, RobotPort* port, Inbox* inbox);
+  Emulator(const Emulator&) = delete;
+  Emulator& operator=(const Emulator&) = delete;
+
+  // One physics step. After the first few it allocates nothing. On kDiverged nothing was sent for
+  // this step and, with on_divergence = reset, the robot is back at its start pose while time goes
+  // on.
+  StepHealth Tick();
+
+  // Stops or resumes sending; the robot goes on moving.
+  void Silence(bool on) { silenced_ = on; }
+
+  std::int64_t step() const { return step_; }
+  double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
+  // Everything of Status but what only the run loop knows: ready and pace.
+  Status status() const;
+  const PhysicsWorld& world() const { return world_; }
+
+ private:
+  struct Start {
+    RobotCommand command;
+    PoseSpec pose;
+    bool on_crane = false;
+    bool clamped = false;
+  };
+
+  static Start StartOf(const Config& config);
+  std::int64_t Every(double hz) const;
+  void ToStart();
+  Due DueNow() const;
+  void PullCrane();
+  void HangFromCrane();
+  Answer CarryOut(const Order& order);
+
+  Config config_;
+  Start start_;
+  PhysicsWorld world_;
+  RobotPort* port_;
+  Inbox* inbox_;
+  MotorBank motors_;
+  Battery battery_;
+  Sensors sensors_;
+  Crane crane_;
+  CommandGate gate_;
+  int crane_body_;
+  Eigen::Vector3d crane_point_;
+  std::int64_t step_ns_;
+  std::int64_t lowstate_every_, motion_every_, lf_every_;  // in steps
+
+  std::int64_t step_ = 0;
+  RobotCommand offered_;
+  RobotState state_;
+  bool silenced_ = false;
+  Refusal last_refusal_ = Refusal::kNone;
+  std::uint64_t published_ = 0;
+  std::uint64_t divergences_ = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_EMULATOR_H_
