@@ -1,0 +1,130 @@
+#include "reporter.h"
+
+#include <cstdio>
+#include <string_view>
+
+#include <spdlog/spdlog.h>
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+using std::chrono::seconds;
+
+// Causes beside the refusals.
+enum Cause : std::size_t { kWriters = kRefusals, kUnusedSlots, kTimeouts, kOverruns, kDivergence };
+
+constexpr std::string_view Name(GateState state) {
+  switch (state) {
+    case GateState::kFollowing:
+      return "following";
+    case GateState::kDamping:
+      return "damping";
+    case GateState::kStart:
+      break;
+  }
+  return "waiting";
+}
+
+}  // namespace
+
+Reporter::Reporter(double expected_hz, bool status_line)
+    : expected_hz_(expected_hz), status_line_(status_line) {
+  spoken_.fill(-seconds(10));
+}
+
+Reporter::~Reporter() {
+  if (line_drawn_) std::fputs("\r\033[K", stderr);
+}
+
+std::string Reporter::Explain(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kCrc:
+      return "its crc does not fit its content; fill crc last, over everything before it";
+    case Refusal::kHead:
+      return "head must be FE EF and level_flag FF";
+    case Refusal::kModeMachine:
+      return "mode_machine must repeat the one in LowState";
+    case Refusal::kModePr:
+      return "mode_pr must be 0 (PR) or 1 (AB)";
+    case Refusal::kMotorMode:
+      return "a motor's mode byte is none that this robot knows";
+    case Refusal::kNotFinite:
+      return "a motor's q, dq, tau, kp or kd is not a finite number";
+    case Refusal::kGain:
+      return "a motor's kp or kd is negative";
+    case Refusal::kNone:
+    case Refusal::kCount:
+      break;
+  }
+  return {};
+}
+
+void Reporter::Update(const Status& status, WallTime now) {
+  for (std::size_t i = 1; i < kRefusals; ++i) {
+    const std::uint64_t fresh = status.commands.refused[i] - said_refused_[i];
+    if (fresh == 0 || !MaySpeak(i, now)) continue;
+    const auto refusal = static_cast<Refusal>(i);
+    spdlog::warn("refused {} LowCmd ({}): {}", fresh, understudy::Name(refusal), Explain(refusal));
+    said_refused_[i] = status.commands.refused[i];
+  }
+  if (status.command_writers > 1 && status.command_writers != last_.command_writers &&
+      MaySpeak(kWriters, now)) {
+    spdlog::warn("{} programs write rt/lowcmd; the robot follows whichever wrote last",
+                 status.command_writers);
+  }
+  if (status.unused_slot_commands != 0 && last_.unused_slot_commands == 0 &&
+      MaySpeak(kUnusedSlots, now)) {
+    spdlog::warn(
+        "a LowCmd sets gains or torque in a slot without a motor; the robot ignores it. Is the "
+        "program's motor order this robot's?");
+  }
+  if (status.commands.timeouts != last_.commands.timeouts && MaySpeak(kTimeouts, now)) {
+    spdlog::warn("commands stopped: motors are damping until the next one");
+  }
+  if (status.gate == GateState::kFollowing && last_.commands.accepted == 0 &&
+      status.commands.accepted > 0) {
+    spdlog::info("following LowCmd");
+  }
+  if (status.pace.overruns != said_overruns_ && MaySpeak(kOverruns, now)) {
+    spdlog::warn("{} ticks began late, the worst by {:.1f} ms; real-time factor {:.2f}",
+                 status.pace.overruns - said_overruns_, status.pace.worst_lateness * 1e3,
+                 status.pace.real_time_factor);
+    said_overruns_ = status.pace.overruns;
+  }
+  if (status.divergences != last_.divergences && MaySpeak(kDivergence, now)) {
+    spdlog::error("the physics diverged at {:.3f} s", status.time);
+  }
+  if (status_line_) DrawStatusLine(status, now);
+  last_ = status;
+}
+
+bool Reporter::MaySpeak(std::size_t cause, WallTime now) {
+  if (now - spoken_[cause] < seconds(1)) return false;
+  spoken_[cause] = now;
+  return true;
+}
+
+void Reporter::DrawStatusLine(const Status& status, WallTime now) {
+  if (now - drawn_at_ < milliseconds(500)) return;
+  const double wall = std::chrono::duration<double>(now - drawn_at_).count();
+  const auto rate = [wall](std::uint64_t to, std::uint64_t from) {
+    return static_cast<double>(to - from) / wall;
+  };
+  const std::string refusal =
+      status.last_refusal == Refusal::kNone
+          ? ""
+          : "  last refusal " + std::string(understudy::Name(status.last_refusal));
+  std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s",
+               status.time, status.pace.real_time_factor, rate(status.published, drawn_published_),
+               expected_hz_ * status.pace.real_time_factor,
+               rate(status.commands.accepted, drawn_accepted_), Name(status.gate).data(),
+               status.silenced ? "  SILENCED" : "", refusal.c_str());
+  std::fflush(stderr);
+  line_drawn_ = true;
+  drawn_at_ = now;
+  drawn_published_ = status.published;
+  drawn_accepted_ = status.commands.accepted;
+}
+
+}  // namespace understudy

@@ -1,0 +1,52 @@
+// Says what a run is doing: log lines for what changed, a status line on a terminal.
+#ifndef UNDERSTUDY_REPORTER_H_
+#define UNDERSTUDY_REPORTER_H_
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+
+#include "control/status.h"
+
+namespace understudy {
+
+// Compares each status with the one before and logs what is new, every cause at most once a second.
+// Lives in the housekeeping thread, never in the tick.
+class Reporter {
+ public:
+  // `expected_hz`: LowState samples per simulated second. `status_line`: redraw a line on standard
+  // error.
+  Reporter(double expected_hz, bool status_line);
+  ~Reporter();  // clears the status line
+  Reporter(const Reporter&) = delete;
+  Reporter& operator=(const Reporter&) = delete;
+
+  using WallTime = std::chrono::nanoseconds;
+  // `now` only has to grow.
+  void Update(const Status& status, WallTime now);
+
+  // One line for a refusal reason: what it means and what to do about it.
+  static std::string Explain(Refusal refusal);
+
+ private:
+  // True at most once a second for each cause.
+  bool MaySpeak(std::size_t cause, WallTime now);
+  void DrawStatusLine(const Status& status, WallTime now);
+
+  double expected_hz_;
+  bool status_line_;
+  bool line_drawn_ = false;
+  Status last_;
+  static constexpr std::size_t kCauses = kRefusals + 5;
+  std::array<WallTime, kCauses> spoken_;
+  std::array<std::uint64_t, kRefusals> said_refused_{};
+  std::uint64_t said_overruns_ = 0;
+  std::uint64_t drawn_published_ = 0;
+  std::uint64_t drawn_accepted_ = 0;
+  WallTime drawn_at_{};
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REPORTER_H_

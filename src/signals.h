@@ -1,0 +1,16 @@
+// SIGINT and SIGTERM as a flag.
+#ifndef UNDERSTUDY_SIGNALS_H_
+#define UNDERSTUDY_SIGNALS_H_
+
+namespace understudy {
+
+// From now on SIGINT and SIGTERM only raise the flag, once; a second one ends the process the
+// ordinary way. SIGPIPE is ignored.
+void CatchStopSignals();
+
+// The signal that asked us to stop, 0 for none yet.
+int StopSignal();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SIGNALS_H_
