@@ -22,7 +22,8 @@ struct NetworkConfig {
 enum class StrangerAction { kSilence, kWarn, kStop };
 
 struct GuardConfig {
-  double listen = 0.2;  // s to listen for another robot before the first word
+  double listen_loopback = 0.2;  // s to listen for another robot before the first word, on lo
+  double listen_network = 1;     // s, on any other interface
   StrangerAction on_stranger = StrangerAction::kSilence;
 };
 

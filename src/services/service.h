@@ -23,7 +23,7 @@ inline constexpr std::int32_t kRpcApiParameter = 3204;
 
 struct ServiceReply {
   std::int32_t code = kRpcOk;
-  std::string data;  // JSON, or "" where the vendor's clients ignore it
+  std::string data{};  // JSON, or "" where the vendor's clients ignore it
 };
 
 class Service {

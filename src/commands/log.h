@@ -1,0 +1,24 @@
+// How a run logs.
+#ifndef UNDERSTUDY_COMMANDS_LOG_H_
+#define UNDERSTUDY_COMMANDS_LOG_H_
+
+#include <string>
+
+namespace understudy {
+
+struct LogOptions {
+  std::string level = "info";  // debug | info | warn | error
+  bool json = false;           // {"time":..., "level":..., "message":...} a line
+  bool status_line = false;    // a line is being redrawn on the same terminal
+};
+
+// Log lines go to standard error through a queue and a thread of their own, so that a stuck
+// terminal stops nobody: when the queue is full the oldest lines are lost.
+void StartLog(const LogOptions& options);
+
+// Writes what is queued and ends the thread.
+void StopLog();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_LOG_H_

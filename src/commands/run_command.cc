@@ -1,0 +1,165 @@
+#include "commands/run_command.h"
+
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "commands/log.h"
+#include "config/load.h"
+#include "exec/child_process.h"
+#include "exec/private_network.h"
+#include "robot/errors.h"
+#include "run.h"
+#include "signals.h"
+
+namespace understudy {
+namespace {
+
+// An option that is short for a --set: its value goes to `key`.
+void AddSetOption(CLI::App* app, RunArguments* arguments, const std::string& option,
+                  const std::string& key, const std::string& type, const std::string& help) {
+  app->add_option_function<std::string>(
+         option,
+         [arguments, key](const std::string& value) {
+           // In front: what the user sets by --set has the last word.
+           arguments->sets.insert(arguments->sets.begin(), key + "=" + value);
+         },
+         help)
+      ->type_name(type);
+}
+
+void AddRunOptions(CLI::App* app, RunArguments* arguments) {
+  app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
+      ->required()
+      ->type_name("ROBOT");
+  AddSetOption(app, arguments, "--interface", "network.interface", "NAME",
+               "Network interface to speak on [lo]");
+  AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
+  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE", "Ground to stand on [flat]");
+  AddSetOption(app, arguments, "--speed", "time.speed", "X",
+               "Simulated seconds per wall second; max = as fast as possible [1]");
+  AddSetOption(app, arguments, "--duration", "time.duration", "S",
+               "End after so many simulated seconds [never]");
+  AddSetOption(app, arguments, "--start", "start.pose", "POSE",
+               "damped, standing, hanging or clamped [the robot's own]");
+  app->add_option("--config", arguments->config_files,
+                  "YAML file laid over the robot's own; may be given again")
+      ->type_name("FILE")
+      ->take_all();
+  app->add_option_function<std::vector<std::string>>(
+         "--set",
+         [arguments](const std::vector<std::string>& sets) {
+           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
+         },
+         "Sets one key, e.g. --set gate.timeout=0.5; may be given again")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+  app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
+  app->add_option("--log-level", arguments->log_level,
+                  "debug, info, warn or error [info; exec: warn]")
+      ->check(CLI::IsMember({"debug", "info", "warn", "error"}));
+  app->add_flag("--print-config", arguments->print_config,
+                "Print the configuration in effect as YAML and exit");
+  app->add_flag("--help-config", arguments->help_config, "Print every configuration key and exit");
+  app->add_flag("--json", arguments->json, "Log as one JSON object a line");
+}
+
+Config Load(const RunArguments& arguments) {
+  return LoadConfig(
+      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets});
+}
+
+}  // namespace
+
+CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
+  CLI::App* run = app->add_subcommand("run", "Play a robot on the network until Ctrl-C");
+  AddRunOptions(run, arguments);
+  run->footer(
+      "Examples:\n"
+      "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
+      "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run go2 --speed 0.2            in slow motion\n"
+      "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
+      "In another terminal: understudy ctl status --watch");
+  return run;
+}
+
+CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments) {
+  CLI::App* exec = app->add_subcommand(
+      "exec", "Play a robot in a private network, run a command beside it, exit with its code");
+  AddRunOptions(exec, arguments);
+  exec->add_option("--network", arguments->network,
+                   "private: a network namespace of its own; host: the machine's network")
+      ->check(CLI::IsMember({"private", "host"}));
+  exec->add_option("command", arguments->command, "The command and its arguments, after --")
+      ->type_name("CMD...")
+      ->required();
+  exec->positionals_at_end();
+  exec->footer(
+      "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
+      "Any number of these run side by side; none hears another, nor any real robot.\n"
+      "Examples:\n"
+      "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
+      "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
+      "Exits with the command's code, 128+n when signal n ended it, 126 or 127 when it could not\n"
+      "be run, or with one of our own codes when the robot could not be played.");
+  return exec;
+}
+
+int RunCommand(const RunArguments& arguments) {
+  if (arguments.help_config) {
+    std::fputs(ConfigReference().c_str(), stdout);
+    return 0;
+  }
+  const Config config = Load(arguments);
+  if (arguments.print_config) {
+    std::fputs(PrintConfig(config, true).c_str(), stdout);
+    return 0;
+  }
+  RunOptions options;
+  options.name = arguments.name;
+  options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
+  StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
+            .json = arguments.json,
+            .status_line = options.status_line});
+  CatchStopSignals();
+  return static_cast<int>(RunRobot(config, options));
+}
+
+int ExecCommand(const RunArguments& arguments) {
+  if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
+  const Config config = Load(arguments);
+  if (arguments.network == "private") EnterPrivateNetwork();
+
+  // The command is forked before any thread exists, and runs nothing until the robot is ready.
+  const std::string name =
+      arguments.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : arguments.name;
+  ChildProcess child(arguments.command, {"UNDERSTUDY_CONTROL=" + ControlSocketPath(name)});
+
+  StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
+            .json = arguments.json,
+            .status_line = false});
+  CatchStopSignals();
+  std::optional<int> code;
+  RunOptions options;
+  options.name = name;
+  options.on_ready = [&child] { child.Release(); };
+  options.should_stop = [&child, &code] {
+    code = child.Poll();
+    return code.has_value();
+  };
+  const ExitCode robot = RunRobot(config, options);
+  if (!code) {
+    // The robot ended first: by a signal, its duration, or a divergence.
+    child.Terminate(std::chrono::milliseconds(500));
+    code = child.Poll();
+  }
+  if (robot != ExitCode::kOk) return static_cast<int>(robot);
+  if (StopSignal() != 0) return 128 + StopSignal();
+  return code.value_or(static_cast<int>(ExitCode::kExecFailed));
+}
+
+}  // namespace understudy

@@ -1,0 +1,39 @@
+// `understudy run` and `understudy exec`: what they share of the command line, and what they do.
+#ifndef UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
+#define UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "exit_code.h"
+
+namespace understudy {
+
+// The command line of a run, as typed.
+struct RunArguments {
+  std::string robot;
+  std::string name;
+  std::vector<std::string> config_files;
+  std::vector<std::string> sets;  // "key=value"; options such as --speed are put in front of them
+  bool print_config = false;
+  bool help_config = false;
+  bool json = false;
+  std::string log_level;
+  // exec only
+  std::string network = "private";
+  std::vector<std::string> command;
+};
+
+// Adds the subcommand. `arguments` is filled by parsing and must outlive the app.
+CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments);
+CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments);
+
+// Throw SetupError. ExecCommand returns the command's own exit code.
+int RunCommand(const RunArguments& arguments);
+int ExecCommand(const RunArguments& arguments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_RUN_COMMAND_H_

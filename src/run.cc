@@ -1,0 +1,201 @@
+#include "run.h"
+
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "bus/neighbours.h"
+#include "bus/participant.h"
+#include "config/data_dir.h"
+#include "control/server.h"
+#include "emulator.h"
+#include "physics/world_model.h"
+#include "reporter.h"
+#include "robot/errors.h"
+#include "services/motion_switcher.h"
+#include "services/service_host.h"
+#include "time/pacer.h"
+#include "time/realtime.h"
+#include "wire/go_port.h"
+#include "wire/hg_port.h"
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kHousekeeping(20);
+// The loop looks at the clock, the stop flag and the board only so often when it does not wait.
+constexpr std::int64_t kStepsPerPost = 10;
+
+std::unique_ptr<RobotPort> MakePort(const Participant& participant, const RobotSpec& robot) {
+  if (robot.family == WireFamily::kGo) return std::make_unique<GoPort>(participant, robot);
+  return std::make_unique<HgPort>(participant, robot);
+}
+
+PhysicsWorld MakeWorld(const Config& config) {
+  const std::filesystem::path models = DataDir() / "models";
+  const bool named = std::filesystem::path(config.scene).extension().empty();
+  const std::filesystem::path scene =
+      named ? models / "scene" / (config.scene + ".xml") : std::filesystem::path(config.scene);
+  // An absolute path in the description replaces `models`.
+  return {LoadWorldModel(config.robot, models / config.robot.model, scene, config.physics.timestep),
+          config.robot};
+}
+
+// Somebody else's writer of rt/lowstate, if one is heard within the time to listen.
+void RefuseToStartBeside(NeighbourWatch* watch, const Participant& participant,
+                         const GuardConfig& guard, Clock* clock) {
+  const double listen =
+      participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
+  const Clock::Time until =
+      clock->Now() + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
+  do {
+    for (const Neighbour& neighbour : watch->Poll()) {
+      throw NeighbourError("a robot is already on " + participant.interface() + ", domain " +
+                           std::to_string(participant.domain()) + ": " + Describe(neighbour) +
+                           " writes rt/lowstate; nothing was sent. Use another --domain or "
+                           "--interface, or `understudy exec`");
+    }
+    clock->SleepUntil(std::min(until, clock->Now() + milliseconds(10)));
+  } while (clock->Now() < until);
+}
+
+// Watches the network and talks to the log and the terminal, beside the loop.
+class Housekeeper {
+ public:
+  Housekeeper(const Config& config, bool status_line, NeighbourWatch watch,
+              const StatusBoard* board)
+      : action_(config.guard.on_stranger),
+        watch_(std::move(watch)),
+        board_(board),
+        reporter_(config.robot.rates.lowstate_hz, status_line),
+        thread_([this](const std::stop_token& stop) { Run(stop); }) {}
+
+  // A stranger appeared, and the configured answer is this.
+  bool must_silence() const { return must_silence_; }
+  bool must_stop() const { return must_stop_; }
+
+ private:
+  void Run(const std::stop_token& stop) {
+    SteadyClock clock;
+    while (!stop.stop_requested()) {
+      Watch();
+      reporter_.Update(board_->Read(), clock.Now());
+      if (const auto warning = TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
+      clock.SleepUntil(clock.Now() + kHousekeeping);
+    }
+    reporter_.Update(board_->Read(), clock.Now());
+  }
+
+  void Watch() {
+    const auto& strangers = watch_.Poll();
+    if (strangers.size() == known_) return;
+    known_ = strangers.size();
+    if (strangers.empty()) {
+      spdlog::info("the other robot has gone");
+      must_silence_ = false;
+      return;
+    }
+    constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
+                                         "we stop"};
+    for (const Neighbour& stranger : strangers) {
+      spdlog::critical("another robot is on this network: {} writes rt/lowstate; {}",
+                       Describe(stranger), kWhatWeDo[static_cast<int>(action_)]);
+    }
+    must_silence_ = action_ == StrangerAction::kSilence;
+    must_stop_ = action_ == StrangerAction::kStop;
+  }
+
+  StrangerAction action_;
+  NeighbourWatch watch_;
+  const StatusBoard* board_;
+  Reporter reporter_;
+  std::size_t known_ = 0;
+  std::atomic<bool> must_silence_{false};
+  std::atomic<bool> must_stop_{false};
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace
+
+ExitCode RunRobot(const Config& config, const RunOptions& options) {
+  SteadyClock clock;
+  // First the network: discovery listens while the model compiles.
+  const Participant participant(config.network.interface, config.network.domain);
+  if (!participant.multicast()) {
+    spdlog::info(
+        "{} has no multicast: about ten programs find each other. `ip link set {} multicast on` as "
+        "root, or `understudy exec`, lifts that",
+        config.network.interface, config.network.interface);
+  }
+  NeighbourWatch watch(participant, "rt/lowstate");
+  PhysicsWorld world = MakeWorld(config);
+  RefuseToStartBeside(&watch, participant, config.guard, &clock);
+
+  const auto port = MakePort(participant, config.robot);
+  std::vector<std::unique_ptr<Service>> services;
+  services.push_back(std::make_unique<MotionSwitcher>());
+  ServiceHost host(participant, std::move(services));
+  RobotMode mode;
+
+  Inbox inbox;
+  StatusBoard board;
+  Emulator robot(config, std::move(world), port.get(), &inbox);
+  const std::string name =
+      options.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : options.name;
+  const ControlServer control(name, config.robot.name, &board, &inbox);
+  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
+
+  if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
+  Pacer pacer(&clock, Clock::Time(std::llround(config.physics.timestep * 1e9)), config.time.speed);
+
+  ExitCode code = ExitCode::kOk;
+  bool ready = false;
+  while (true) {
+    pacer.WaitFor(robot.step());
+    const StepHealth health = robot.Tick();
+    host.Poll(&mode, clock.Now());
+
+    if (!ready) {
+      ready = true;
+      spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
+                   config.network.interface, config.network.domain, control.socket_path());
+      if (options.on_ready) options.on_ready(control.socket_path());
+      pacer.Resume(robot.step(), config.time.speed);
+    }
+    const bool diverged =
+        health == StepHealth::kDiverged && config.physics.on_divergence == DivergenceAction::kStop;
+    if (robot.step() % kStepsPerPost != 0 && !diverged) continue;
+
+    Status status = robot.status();
+    status.ready = true;
+    status.speed = config.time.speed;
+    status.pace = pacer.reading();
+    board.Post(status);
+    robot.Silence(housekeeper.must_silence());
+    if (diverged) {
+      spdlog::critical("the physics diverged at {:.3f} s and physics.on_divergence is stop",
+                       robot.time());
+      code = ExitCode::kDiverged;
+      break;
+    }
+    if (housekeeper.must_stop()) {
+      code = ExitCode::kNeighbour;
+      break;
+    }
+    if (config.time.duration > 0 && robot.time() >= config.time.duration) break;
+    if (options.should_stop()) break;
+  }
+  spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
+               robot.time());
+  return code;
+}
+
+}  // namespace understudy
