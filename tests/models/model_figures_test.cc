@@ -80,6 +80,14 @@ std::vector<double> InertiaInBodyFrame(const mjModel& model, int body) {
   return {at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)};
 }
 
+TEST_P(ModelFiguresTest, LoadsBesideTheFlatScene) {
+  const ModelPtr world = LoadTogether({GetParam().file, kFlat});
+  ASSERT_TRUE(world != nullptr);
+  EXPECT_EQ(world->nbody, model_->nbody);
+  EXPECT_EQ(world->ngeom, model_->ngeom + 1);
+  EXPECT_GE(Id(*world, mjOBJ_GEOM, "floor"), 0);
+}
+
 TEST_P(ModelFiguresTest, TotalMassIsThePublishedOne) {
   EXPECT_NEAR(mj_getTotalmass(model_.get()), figures_["total_mass"].get<double>(), 1e-5);
 }
