@@ -1,15 +1,10 @@
-// Draws one frame of an MJCF model into a PNG without a window (OSMesa). Documentation images only; not installed.
+// Draws one frame of an MJCF model into a PNG without a window (OSMesa). Documentation images only;
+// not installed.
 //
 //   render_model --model go2.xml --model flat.xml --out go2.png --qpos 0 --qpos 0 ...
 //
-// Several --model files are included into one world in the order given. Without --qpos the model stands in its
-// reference configuration.
-
-#include <GL/osmesa.h>
-#include <mujoco/mujoco.h>
-#include <png.h>
-
-#include <CLI/CLI.hpp>
+// Several --model files are included into one world in the order given. Without --qpos the model
+// stands in its reference configuration.
 
 #include <cmath>
 #include <cstdio>
@@ -21,6 +16,11 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include <CLI/CLI.hpp>
+#include <GL/osmesa.h>
+#include <mujoco/mujoco.h>
+#include <png.h>
 
 namespace {
 
@@ -69,7 +69,9 @@ ModelPtr Load(const std::vector<std::string>& paths) {
     AddFile(vfs.get(), name, text.str());
     outer += "<include file=\"" + name + "\"/>";
   }
-  outer += "<visual><global offwidth=\"2048\" offheight=\"2048\"/><quality offsamples=\"4\"/></visual></mujoco>";
+  outer +=
+      "<visual><global offwidth=\"2048\" offheight=\"2048\"/><quality "
+      "offsamples=\"4\"/></visual></mujoco>";
   AddFile(vfs.get(), "outer.xml", outer);
   char error[1024] = "";
   ModelPtr model(mj_loadXML("outer.xml", vfs.get(), error, sizeof(error)));

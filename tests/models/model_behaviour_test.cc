@@ -1,14 +1,13 @@
 // What the models do when they are stepped: stand, hang, lie, keep clear of themselves.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/models/model_fixture.h"
@@ -86,7 +85,7 @@ TEST_F(Go2Test, DoesNotTouchItselfStandingOrLying) {
   EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty()) << "lying";
 }
 
-TEST_F(Go2Test, SettlesLyingWithItsFeetInReachOfTheCrouch) {
+TEST_F(Go2Test, LiesDownFoldedWhenItsMotorsOnlyBrake) {
   JointPd damping = Pd(0, 3);  // motors only brake
   Place(&damping, 0, 1.36, -2.65, 0.12);
   for (int i = 0; i < 5 * kSecond; ++i) damping.Step(*model_, data_.get());
@@ -150,7 +149,8 @@ TEST_F(G1Test, DoesNotTouchItselfStanding) {
   EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty());
 }
 
-// The SDK example only swings ankles: everything else hangs on soft gains and sags under its weight.
+// The SDK example only swings ankles: everything else hangs on soft gains and sags under its
+// weight.
 
 TEST_F(G1Test, HangsStillAtTheZeroPoseUnderTheGainsOfTheExample) {
   const nlohmann::json hang = ReadFigures("g1_29dof")["hang"];

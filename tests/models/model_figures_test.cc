@@ -1,9 +1,5 @@
 // Walks every published figure of tests/data/figures and looks it up in the compiled model.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
 #include "tests/models/model_fixture.h"

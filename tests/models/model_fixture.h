@@ -1,13 +1,12 @@
 #ifndef UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_
 #define UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_
 
-#include <gtest/gtest.h>
-#include <mujoco/mujoco.h>
-
 #include <memory>
 #include <string>
 #include <vector>
 
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
 namespace understudy {
@@ -35,7 +34,8 @@ class ModelTest : public testing::Test {
   // Compiles one file on its own. Fails the test and returns null when it does not load cleanly.
   static ModelPtr Load(const std::string& path);
   // Compiles several files into one world, `extra` (MJCF elements) after them.
-  static ModelPtr LoadTogether(const std::vector<std::string>& paths, const std::string& extra = "");
+  static ModelPtr LoadTogether(const std::vector<std::string>& paths,
+                               const std::string& extra = "");
 };
 
 // tests/data/figures/<robot>.json
