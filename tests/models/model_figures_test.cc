@@ -1,0 +1,221 @@
+// Walks every published figure of tests/data/figures and looks it up in the compiled model.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+#include <nlohmann/json.hpp>
+
+#include "tests/models/model_fixture.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+// The figures carry seven digits or fewer; the compiler normalises quaternions and diagonalises
+// inertia in double precision.
+constexpr double kRelative = 1e-6;
+
+struct Robot {
+  std::string figures;
+  std::string file;
+};
+
+void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.figures; }
+
+class ModelFiguresTest : public ModelTest, public testing::WithParamInterface<Robot> {
+ protected:
+  ModelFiguresTest() : figures_(ReadFigures(GetParam().figures)), model_(Load(GetParam().file)) {}
+
+  void SetUp() override { ASSERT_TRUE(model_ != nullptr); }
+
+  json figures_;
+  ModelPtr model_;
+};
+
+std::vector<double> Take(const mjtNum* from, int count) {
+  return std::vector<double>(from, from + count);
+}
+
+// `scale` is the size against which the relative error counts: for a component near zero that of
+// the whole vector.
+void ExpectVector(const std::vector<double>& got, const json& figure, const std::string& what,
+                  double scale) {
+  ASSERT_EQ(got.size(), figure.size()) << what;
+  for (std::size_t i = 0; i < got.size(); ++i) {
+    EXPECT_NEAR(got[i], figure[i].get<double>(), kRelative * scale) << what << "[" << i << "]";
+  }
+}
+
+// q and -q are the same rotation.
+void ExpectRotation(const std::vector<double>& got, const json& figure, const std::string& what) {
+  ASSERT_EQ(figure.size(), 4u) << what;
+  double dot = 0;
+  for (std::size_t i = 0; i < 4; ++i) dot += got[i] * figure[i].get<double>();
+  EXPECT_NEAR(std::abs(dot), 1.0, kRelative) << what;
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(got[i] * (dot < 0 ? -1 : 1), figure[i].get<double>(), kRelative)
+        << what << "[" << i << "]";
+  }
+}
+
+// xx yy zz xy xz yz about the centre of mass in the body frame: R diag(I) R^T.
+std::vector<double> InertiaInBodyFrame(const mjModel& model, int body) {
+  std::array<mjtNum, 9> r{};
+  mju_quat2Mat(r.data(), model.body_iquat + 4 * body);
+  const mjtNum* d = model.body_inertia + 3 * body;
+  const auto at = [&](std::size_t i, std::size_t j) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += r[3 * i + k] * d[k] * r[3 * j + k];
+    return sum;
+  };
+  return {at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)};
+}
+
+TEST_P(ModelFiguresTest, LoadsBesideTheFlatScene) {
+  const ModelPtr world = LoadTogether({GetParam().file, kFlat});
+  ASSERT_TRUE(world != nullptr);
+  EXPECT_EQ(world->nbody, model_->nbody);
+  EXPECT_EQ(world->ngeom, model_->ngeom + 1);
+  EXPECT_GE(Id(*world, mjOBJ_GEOM, "floor"), 0);
+}
+
+TEST_P(ModelFiguresTest, TotalMassIsThePublishedOne) {
+  EXPECT_NEAR(mj_getTotalmass(model_.get()), figures_["total_mass"].get<double>(), 1e-5);
+}
+
+TEST_P(ModelFiguresTest, HasThePublishedBodiesAndNoOthers) {
+  EXPECT_EQ(model_->nbody, static_cast<int>(figures_["bodies"].size()) + 1);
+}
+
+TEST_P(ModelFiguresTest, BodiesStandWhereTheirParentsHoldThem) {
+  for (const json& body : figures_["bodies"]) {
+    const std::string name = body["name"];
+    const int id = Id(*model_, mjOBJ_BODY, name);
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->body_parentid[id], Id(*model_, mjOBJ_BODY, body["parent"])) << name;
+    ExpectVector(Take(model_->body_pos + 3 * id, 3), body["pos"], name + " pos", 1.0);
+    ExpectRotation(Take(model_->body_quat + 4 * id, 4), body["quat"], name + " quat");
+  }
+}
+
+TEST_P(ModelFiguresTest, BodiesWeighWhatIsPublished) {
+  for (const json& body : figures_["bodies"]) {
+    const std::string name = body["name"];
+    const int id = Id(*model_, mjOBJ_BODY, name);
+    ASSERT_GE(id, 0);
+    const double mass = body["mass"];
+    EXPECT_NEAR(model_->body_mass[id], mass, kRelative * mass) << name << " mass";
+    ExpectVector(Take(model_->body_ipos + 3 * id, 3), body["com"], name + " com", 0.1);
+    double largest = 0;
+    for (const json& entry : body["inertia"]) {
+      largest = std::max(largest, std::abs(entry.get<double>()));
+    }
+    ExpectVector(InertiaInBodyFrame(*model_, id), body["inertia"], name + " inertia", largest);
+  }
+}
+
+TEST_P(ModelFiguresTest, JointsTurnAsPublished) {
+  for (const json& joint : figures_["joints"]) {
+    const std::string name = joint["name"];
+    const int id = Id(*model_, mjOBJ_JOINT, name);
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->jnt_type[id], mjJNT_HINGE) << name;
+    EXPECT_EQ(model_->jnt_bodyid[id], Id(*model_, mjOBJ_BODY, joint["body"])) << name;
+    EXPECT_TRUE(model_->jnt_limited[id]) << name;
+    ExpectVector(Take(model_->jnt_axis + 3 * id, 3), joint["axis"], name + " axis", 1.0);
+    ExpectVector(Take(model_->jnt_pos + 3 * id, 3), joint["pos"], name + " pos", 1.0);
+    ExpectVector(Take(model_->jnt_range + 2 * id, 2), joint["range"], name + " range", 1.0);
+  }
+}
+
+TEST_P(ModelFiguresTest, OnlyTheBaseIsFree) {
+  EXPECT_EQ(model_->njnt, static_cast<int>(figures_["joints"].size()) + 1);
+  const int base = Id(*model_, mjOBJ_JOINT, "base_joint");
+  ASSERT_GE(base, 0);
+  EXPECT_EQ(model_->jnt_type[base], mjJNT_FREE);
+  EXPECT_EQ(model_->jnt_bodyid[base], 1);
+}
+
+TEST_P(ModelFiguresTest, MotorsStopAtThePublishedTorque) {
+  EXPECT_EQ(model_->nu, static_cast<int>(figures_["joints"].size()));
+  for (const json& joint : figures_["joints"]) {
+    const std::string name = joint["name"];
+    const int id = Id(*model_, mjOBJ_ACTUATOR, name.substr(0, name.rfind("_joint")));
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->actuator_trnid[2 * id], Id(*model_, mjOBJ_JOINT, name)) << name;
+    EXPECT_EQ(model_->actuator_gear[6 * id], 1.0) << name;
+    EXPECT_TRUE(model_->actuator_ctrllimited[id]) << name;
+    const double limit = joint["torque_limit"];
+    EXPECT_EQ(model_->actuator_ctrlrange[2 * id], -limit) << name;
+    EXPECT_EQ(model_->actuator_ctrlrange[2 * id + 1], limit) << name;
+  }
+}
+
+TEST_P(ModelFiguresTest, EveryMotorOfTheSdkHasAJoint) {
+  std::vector<std::string> published;
+  for (const json& joint : figures_["joints"]) published.push_back(joint["name"]);
+  const auto order = figures_["motor_order"].get<std::vector<std::string>>();
+  EXPECT_THAT(order, testing::UnorderedElementsAreArray(published));
+}
+
+TEST_P(ModelFiguresTest, ImusSitWhereTheyAreMounted) {
+  for (const json& imu : figures_["imus"]) {
+    const std::string name = imu["name"];
+    const int id = Id(*model_, mjOBJ_SITE, name);
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->site_bodyid[id], Id(*model_, mjOBJ_BODY, imu["body"])) << name;
+    ExpectVector(Take(model_->site_pos + 3 * id, 3), imu["pos"], name + " pos", 1.0);
+    ExpectRotation(Take(model_->site_quat + 4 * id, 4), imu["quat"], name + " quat");
+  }
+}
+
+TEST_P(ModelFiguresTest, SensorsAreThoseOfTheImusAndNothingElse) {
+  EXPECT_EQ(model_->nsensor, 3 * static_cast<int>(figures_["imus"].size()));
+  const std::vector<std::pair<std::string, mjtSensor>> kinds = {
+      {"_gyro", mjSENS_GYRO}, {"_accel", mjSENS_ACCELEROMETER}, {"_quat", mjSENS_FRAMEQUAT}};
+  for (const json& imu : figures_["imus"]) {
+    const std::string name = imu["name"];
+    for (const auto& [suffix, type] : kinds) {
+      const int id = Id(*model_, mjOBJ_SENSOR, name + suffix);
+      ASSERT_GE(id, 0);
+      EXPECT_EQ(model_->sensor_type[id], type) << name + suffix;
+      EXPECT_EQ(model_->sensor_objtype[id], mjOBJ_SITE) << name + suffix;
+      EXPECT_EQ(model_->sensor_objid[id], Id(*model_, mjOBJ_SITE, name)) << name + suffix;
+    }
+  }
+}
+
+TEST_P(ModelFiguresTest, FeetAreThePublishedSpheres) {
+  for (const json& foot : figures_["feet"]) {
+    const std::string name = foot["name"];
+    const int id = Id(*model_, mjOBJ_GEOM, name);
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->geom_type[id], mjGEOM_SPHERE) << name;
+    EXPECT_EQ(model_->geom_bodyid[id], Id(*model_, mjOBJ_BODY, foot["body"])) << name;
+    ExpectVector(Take(model_->geom_pos + 3 * id, 3), foot["pos"], name + " pos", 1.0);
+    EXPECT_NEAR(model_->geom_size[3 * id], foot["radius"].get<double>(), 1e-9) << name;
+  }
+}
+
+TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
+  for (int i = 0; i < model_->ngeom; ++i) {
+    const bool collides = model_->geom_contype[i] != 0 || model_->geom_conaffinity[i] != 0;
+    EXPECT_EQ(model_->geom_group[i], collides ? 3 : 2) << "geom " << i;
+    EXPECT_NE(model_->geom_type[i], mjGEOM_MESH) << "geom " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
+                         testing::Values(Robot{"go2", kGo2}, Robot{"g1_29dof", kG1}),
+                         [](const auto& test) { return test.param.figures; });
+
+}  // namespace
+}  // namespace understudy
