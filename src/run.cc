@@ -2,7 +2,6 @@
 
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -12,12 +11,12 @@
 
 #include "bus/neighbours.h"
 #include "bus/participant.h"
-#include "config/data_dir.h"
 #include "control/server.h"
 #include "emulator.h"
 #include "physics/world_model.h"
 #include "reporter.h"
 #include "robot/errors.h"
+#include "scene.h"
 #include "services/motion_switcher.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
@@ -40,12 +39,8 @@ std::unique_ptr<RobotPort> MakePort(const Participant& participant, const RobotS
 }
 
 PhysicsWorld MakeWorld(const Config& config) {
-  const std::filesystem::path models = DataDir() / "models";
-  const bool named = std::filesystem::path(config.scene).extension().empty();
-  const std::filesystem::path scene =
-      named ? models / "scene" / (config.scene + ".xml") : std::filesystem::path(config.scene);
-  // An absolute path in the description replaces `models`.
-  return {LoadWorldModel(config.robot, models / config.robot.model, scene, config.physics.timestep),
+  return {LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene),
+                         config.physics.timestep),
           config.robot};
 }
 
@@ -167,7 +162,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
       ready = true;
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
                    config.network.interface, config.network.domain, control.socket_path());
-      if (options.on_ready) options.on_ready(control.socket_path());
+      if (options.on_ready) options.on_ready();
       pacer.Resume(robot.step(), config.time.speed);
     }
     const bool diverged =

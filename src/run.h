@@ -17,11 +17,11 @@ struct RunOptions {
   // Called once in the loop's thread when the first LowState is out; gets the control socket's
   // path.
   std::function<void(const std::string& control_socket)> on_ready;
-  // Asked some 100 times a second; a value ends the run.
+  // Asked every 10 steps; true ends the run.
   std::function<bool()> should_stop;
 };
 
-// Plays the robot until SIGINT, SIGTERM, should_stop, the configured duration or a divergence.
+// Plays the robot until should_stop, the configured duration or a divergence.
 // Throws SetupError before the first word is said; afterwards it returns. `config` has been
 // validated.
 ExitCode RunRobot(const Config& config, const RunOptions& options);

@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include "commands/log.h"
+#include "config/data_dir.h"
 #include "config/load.h"
+#include "config/reference.h"
+#include "control/socket_path.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
 #include "robot/errors.h"
@@ -69,7 +72,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
 
 Config Load(const RunArguments& arguments) {
   return LoadConfig(
-      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets});
+      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets},
+      DataDir());
 }
 
 }  // namespace
@@ -125,6 +129,7 @@ int RunCommand(const RunArguments& arguments) {
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
             .json = arguments.json,
             .status_line = options.status_line});
+  options.should_stop = [] { return StopSignal() != 0; };
   CatchStopSignals();
   return static_cast<int>(RunRobot(config, options));
 }
@@ -137,29 +142,32 @@ int ExecCommand(const RunArguments& arguments) {
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
   const std::string name =
       arguments.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : arguments.name;
-  ChildProcess child(arguments.command, {"UNDERSTUDY_CONTROL=" + ControlSocketPath(name)});
+  ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", ControlSocketPath(name)}});
 
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
             .status_line = false});
   CatchStopSignals();
+  constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
+  bool terminating = false;
   RunOptions options;
   options.name = name;
   options.on_ready = [&child] { child.Release(); };
-  options.should_stop = [&child, &code] {
+  options.should_stop = [&] {
+    if (StopSignal() != 0 && !terminating) {
+      terminating = true;
+      child.Terminate(kGrace);  // the robot goes on until the command has ended
+    }
     code = child.Poll();
     return code.has_value();
   };
   const ExitCode robot = RunRobot(config, options);
   if (!code) {
-    // The robot ended first: by a signal, its duration, or a divergence.
-    child.Terminate(std::chrono::milliseconds(500));
-    code = child.Poll();
+    child.Terminate(kGrace);
+    code = child.Wait();
   }
-  if (robot != ExitCode::kOk) return static_cast<int>(robot);
-  if (StopSignal() != 0) return 128 + StopSignal();
-  return code.value_or(static_cast<int>(ExitCode::kExecFailed));
+  return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
 }
 
 }  // namespace understudy
