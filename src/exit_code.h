@@ -13,7 +13,6 @@ enum class ExitCode {
   kBus = 5,           // interface, domain, namespace
   kNeighbour = 6,     // another robot is on this network
   kDiverged = 7,      // the physics diverged and physics.on_divergence is stop
-  kExecFailed = 125,  // exec: ended before the command could run
 };
 
 }  // namespace understudy
