@@ -1,4 +1,5 @@
-// Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name, unit, range, meaning.
+// Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name,
+// unit, range, meaning.
 #ifndef UNDERSTUDY_CONFIG_CONFIG_H_
 #define UNDERSTUDY_CONFIG_CONFIG_H_
 
@@ -43,7 +44,7 @@ struct SensorConfig {
 };
 
 struct CraneConfig {
-  double height = 0;         // m, of the anchor over the ground; 0 = as high as the hanging pose needs
+  double height = 0;  // m, of the anchor over the ground; 0 = as high as the hanging pose needs
   double stiffness = 20000;  // N/m of the tether
   double damping = 1000;     // N·s/m, only while it is taut
   double lower_speed = 0.1;  // m/s at which it is lowered or raised
