@@ -28,7 +28,8 @@ void AddSetOption(CLI::App* app, RunArguments* arguments, const std::string& opt
          option,
          [arguments, key](const std::string& value) {
            // In front: what the user sets by --set has the last word.
-           arguments->sets.insert(arguments->sets.begin(), key + "=" + value);
+           arguments->sets.insert(arguments->sets.begin(),
+                                  key + "=" + (value == "max" ? "0" : value));
          },
          help)
       ->type_name(type);
