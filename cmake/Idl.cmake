@@ -41,7 +41,7 @@ function(understudy_idl_library name)
 
   add_library(${name} STATIC ${sources})
   target_include_directories(${name} SYSTEM PUBLIC ${root})
-  target_link_libraries(${name} PUBLIC ${ARG_LINK} CycloneDDS::ddsc)
+  target_link_libraries(${name} PUBLIC ${ARG_LINK} cyclonedds)
   target_compile_options(${name} PRIVATE -w)
   set_target_properties(${name} PROPERTIES UNDERSTUDY_IDL_FILES "${known_files}")
 endfunction()

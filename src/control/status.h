@@ -1,0 +1,57 @@
+// What a running robot says of itself, as plain values, and the board it is read from.
+#ifndef UNDERSTUDY_CONTROL_STATUS_H_
+#define UNDERSTUDY_CONTROL_STATUS_H_
+
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "robot/command_gate.h"
+#include "time/pacer.h"
+
+namespace understudy {
+
+struct Status {
+  bool ready = false;     // the first LowState is out
+  bool silenced = false;  // another robot appeared and we stopped sending
+  double time = 0;        // simulated s
+  std::int64_t steps = 0;
+  double speed = 1;  // wanted; 0 = as fast as possible
+  PaceReading pace;
+  GateState gate = GateState::kStart;
+  GateCounts commands;
+  Refusal last_refusal = Refusal::kNone;
+  std::uint64_t unused_slot_commands = 0;
+  int command_writers = 0;
+  std::uint64_t published = 0;  // LowState samples
+  std::uint64_t divergences = 0;
+  double crane_tension = 0;  // N
+  double crane_length = 0;   // m
+  bool crane_attached = false;
+  bool clamped = false;
+  double base_height = 0;  // m
+  double tilt = 0;         // rad between the base's up and the world's
+};
+
+// One writer, the tick, which never waits: a post that finds the board being read is left out. Any
+// number of readers.
+class StatusBoard {
+ public:
+  // The tick. Copies plain values only.
+  void Post(const Status& status) {
+    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) status_ = status;
+  }
+  // Any thread. Default values before the first post.
+  Status Read() const {
+    const std::lock_guard lock(mutex_);
+    return status_;
+  }
+
+ private:
+  mutable std::mutex mutex_;
+  Status status_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONTROL_STATUS_H_

@@ -1,0 +1,160 @@
+#include "physics/world.h"
+
+#include <algorithm>
+
+#include "physics/world_model.h"
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+// MuJoCo resets the state by itself when it finds one of these, and counts it.
+constexpr int kDivergenceWarnings[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
+
+Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
+
+}  // namespace
+
+PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
+    : model_(std::move(model)),
+      data_(mj_makeData(model_.get())),
+      foot_of_geom_(static_cast<std::size_t>(model_->ngeom), -1),
+      q_(spec.motors.size()),
+      dq_(spec.motors.size()) {
+  for (const MotorSpec& motor : spec.motors) {
+    const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
+    q_address_.push_back(model_->jnt_qposadr[joint]);
+    dq_address_.push_back(model_->jnt_dofadr[joint]);
+  }
+  for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
+    for (const std::string& geom : spec.feet[foot].geoms) {
+      const int id = mj_name2id(model_.get(), mjOBJ_GEOM, geom.c_str());
+      foot_of_geom_[static_cast<std::size_t>(id)] = static_cast<int>(foot);
+    }
+  }
+  base_body_ = Body(spec.base_body);
+  const int joint = model_->body_jntadr[base_body_];
+  base_q_ = model_->jnt_qposadr[joint];
+  base_dq_ = model_->jnt_dofadr[joint];
+  clamp_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, kClampName);
+  imu_ = FindImu(spec.imu.site, kImuGyroName, kImuAccelName);
+  secondary_imu_ = FindImu(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
+  ReadKinematics();
+}
+
+void PhysicsWorld::Reset(std::span<const double> q, double height) {
+  mj_resetData(model_.get(), data_.get());
+  Clamp(false);
+  mjtNum* base = data_->qpos + base_q_;
+  const mjtNum pose[7] = {0, 0, height, 1, 0, 0, 0};
+  mju_copy(base, pose, 7);
+  for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = q[i];
+  mj_forward(model_.get(), data_.get());
+  ReadKinematics();
+}
+
+void PhysicsWorld::BeginStep() {
+  mj_step1(model_.get(), data_.get());
+  ReadKinematics();
+}
+
+StepHealth PhysicsWorld::EndStep(std::span<const double> tau) {
+  for (std::size_t i = 0; i < dq_address_.size(); ++i) {
+    data_->qfrc_applied[dq_address_[i]] = tau[i];
+  }
+  mj_step2(model_.get(), data_.get());
+  mju_zero(data_->xfrc_applied, 6 * model_->nbody);
+  StepHealth health = StepHealth::kFine;
+  for (const int warning : kDivergenceWarnings) {
+    if (data_->warning[warning].number != 0) health = StepHealth::kDiverged;
+    data_->warning[warning].number = 0;
+  }
+  return health;
+}
+
+void PhysicsWorld::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
+  const Eigen::Vector3d arm = p_WP - Vector(data_->xipos + 3 * body);
+  const Eigen::Vector3d torque = arm.cross(force_W);
+  mjtNum* wrench = data_->xfrc_applied + 6 * body;
+  mju_addTo3(wrench, force_W.data());
+  mju_addTo3(wrench + 3, torque.data());
+}
+
+void PhysicsWorld::Clamp(bool on) {
+  model_->eq_active[clamp_] = on ? 1 : 0;
+  if (!on) return;
+  // The world as seen from the base: R_BW and p_BW. data = anchor, relative position, relative
+  // quaternion, scale.
+  mjtNum* pose = model_->eq_data + mjNEQDATA * clamp_;
+  mjtNum p[3], quat[4];
+  mju_negPose(p, quat, data_->qpos + base_q_, data_->qpos + base_q_ + 3);
+  mju_zero3(pose);
+  mju_copy3(pose + 3, p);
+  mju_copy4(pose + 6, quat);
+}
+
+bool PhysicsWorld::clamped() const { return model_->eq_active[clamp_] != 0; }
+
+int PhysicsWorld::Body(const std::string& name) const {
+  const int body = mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
+  if (body < 0) throw ModelError("the model has no body '" + name + "'");
+  return body;
+}
+
+PointReading PhysicsWorld::Point(int body, const Eigen::Vector3d& p_BP) const {
+  PointReading point;
+  const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(data_->xmat + 9 * body);
+  const Eigen::Vector3d offset = R_WB * p_BP;
+  point.p_WP = Vector(data_->xpos + 3 * body) + offset;
+  mjtNum velocity[6];  // angular, linear, at the body's origin, world axes
+  mj_objectVelocity(model_.get(), data_.get(), mjOBJ_XBODY, body, velocity, 0);
+  point.v_WP_W = Vector(velocity + 3) + Vector(velocity).cross(offset);
+  return point;
+}
+
+void PhysicsWorld::FootForces(std::span<double> force) const {
+  std::fill(force.begin(), force.end(), 0.0);
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    for (const int geom : {contact.geom1, contact.geom2}) {
+      const int foot = foot_of_geom_[static_cast<std::size_t>(geom)];
+      if (foot < 0) continue;
+      mjtNum wrench[6];  // normal force first
+      mj_contactForce(model_.get(), data_.get(), i, wrench);
+      force[static_cast<std::size_t>(foot)] += wrench[0];
+    }
+  }
+}
+
+double PhysicsWorld::total_mass() const { return model_->body_subtreemass[base_body_]; }
+
+PhysicsWorld::ImuAddress PhysicsWorld::FindImu(const std::string& site, const char* gyro,
+                                               const char* accel) const {
+  if (site.empty()) return {};
+  const auto address = [this](const char* name) {
+    return model_->sensor_adr[mj_name2id(model_.get(), mjOBJ_SENSOR, name)];
+  };
+  return {mj_name2id(model_.get(), mjOBJ_SITE, site.c_str()), address(gyro), address(accel)};
+}
+
+ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
+  ImuReading imu;
+  if (address.site < 0) return imu;
+  mjtNum quat[4];
+  mju_mat2Quat(quat, data_->site_xmat + 9 * address.site);
+  imu.R_WI = Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]);
+  imu.w_WI_I = Vector(data_->sensordata + address.gyro);
+  imu.f_WI_I = Vector(data_->sensordata + address.accel);
+  return imu;
+}
+
+void PhysicsWorld::ReadKinematics() {
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    q_[i] = data_->qpos[q_address_[i]];
+    dq_[i] = data_->qvel[dq_address_[i]];
+  }
+  base_.p_WB = Vector(data_->qpos + base_q_);
+  base_.v_WB_W = Vector(data_->qvel + base_dq_);
+}
+
+}  // namespace understudy

@@ -1,0 +1,101 @@
+// The simulated world around one robot. Nothing outside this folder sees MuJoCo.
+#ifndef UNDERSTUDY_PHYSICS_WORLD_H_
+#define UNDERSTUDY_PHYSICS_WORLD_H_
+
+#include <span>
+#include <vector>
+
+#include "physics/mujoco_handles.h"
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// A point fixed to a body, as it is now, in the world frame.
+struct PointReading {
+  Eigen::Vector3d p_WP{0, 0, 0};    // m
+  Eigen::Vector3d v_WP_W{0, 0, 0};  // m/s
+};
+
+// How a step went.
+enum class StepHealth {
+  kFine,
+  kDiverged,  // a position, rate or acceleration was not finite or beyond reason; the world now
+              // holds no valid state
+};
+
+// Advances by fixed steps, split so that the motor law sits between positions and forces:
+//
+//   BeginStep()      kinematics at t: q(), dq(), base(), Point() are of t
+//   EndStep(tau)     forces at t, then the state of t + dt; Imu() and FootForces() are of t
+//
+// Between EndStep and the next BeginStep every reading still belongs to t. After Reset and before
+// the first BeginStep readings are those of the start state. Allocates in the constructor only.
+class PhysicsWorld {
+ public:
+  // `model` comes from LoadWorldModel with the same spec.
+  PhysicsWorld(ModelHandle model, const RobotSpec& spec);
+
+  // Puts the base at `height` [m] over the origin, upright and at rest, with joint angles q [rad]
+  // in motor order.
+  void Reset(std::span<const double> q, double height);
+
+  void BeginStep();
+
+  // tau: joint torques [N·m] in motor order; finite. External forces set before act in this step
+  // and are then gone.
+  [[nodiscard]] StepHealth EndStep(std::span<const double> tau);
+
+  // A force [N] on a point that is fixed to a body, for the coming EndStep. Adds up.
+  void AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W);
+
+  // Holds the base where it is now, as a stand does, or lets go.
+  void Clamp(bool on);
+  bool clamped() const;
+
+  // Body index by name. Throws ModelError when there is none.
+  int Body(const std::string& name) const;
+
+  // The point p [m] in the frame of a body.
+  PointReading Point(int body, const Eigen::Vector3d& p_BP) const;
+
+  std::span<const double> q() const { return q_; }    // rad, motor order
+  std::span<const double> dq() const { return dq_; }  // rad/s, motor order
+  const BaseReading& base() const { return base_; }
+  ImuReading Imu() const { return Read(imu_); }
+  ImuReading SecondaryImu() const { return Read(secondary_imu_); }  // default where there is none
+  // Sum of the normal contact forces [N] on each foot, in spec order.
+  void FootForces(std::span<double> force) const;
+
+  double timestep() const { return model_->opt.timestep; }
+  double total_mass() const;  // kg, of the robot
+  // For a test or a viewer to copy from; never to write.
+  const mjModel& model() const { return *model_; }
+  const mjData& data() const { return *data_; }
+
+ private:
+  struct ImuAddress {
+    int site = -1;
+    int gyro = -1;  // in sensordata
+    int accel = -1;
+  };
+
+  ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
+  ImuReading Read(const ImuAddress& address) const;
+  void ReadKinematics();
+
+  ModelHandle model_;
+  DataHandle data_;
+  std::vector<int> q_address_, dq_address_;  // in motor order
+  std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
+  int base_body_ = 0;
+  int base_q_ = 0, base_dq_ = 0;
+  int clamp_ = 0;
+  ImuAddress imu_, secondary_imu_;
+  std::vector<double> q_, dq_;
+  BaseReading base_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_PHYSICS_WORLD_H_

@@ -1,0 +1,46 @@
+// From files to a compiled world: the robot's MJCF, the scene's MJCF and what the emulator needs of
+// both.
+#ifndef UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
+#define UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "physics/mujoco_handles.h"
+#include "robot/robot_spec.h"
+
+namespace understudy {
+
+// Names that composing adds to the user's model.
+inline constexpr char kClampName[] = "understudy_clamp";
+inline constexpr char kImuGyroName[] = "understudy_imu_gyro";
+inline constexpr char kImuAccelName[] = "understudy_imu_accel";
+inline constexpr char kSecondaryGyroName[] = "understudy_secondary_gyro";
+inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
+
+// Compiles the robot in the scene at the given time step [s], with gyro and accelerometer at the
+// sites the spec names and an inactive weld of the base to the world. MuJoCo's own actuators are
+// switched off: the motors are ours.
+//
+// Throws ModelError, naming the file and what was expected, when a file is missing or malformed,
+// when the base body, a motor's joint, a site or a foot geom is not in the model (with the nearest
+// name that is), when a motor's joint is not a hinge or slide, or when the integrator is RK4, which
+// cannot be split around the motor law.
+ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                           const std::filesystem::path& scene_file, double timestep);
+
+// Compiles one MJCF file as it is. Throws ModelError with MuJoCo's message.
+ModelHandle LoadModelFile(const std::filesystem::path& file);
+
+// Sends MuJoCo's errors and warnings to us: an error becomes a ModelError, the last warning is kept
+// for TakeMujocoWarning(). Without it the library waits for Enter on the terminal and writes
+// MUJOCO_LOG.TXT. Idempotent; every function of this header calls it.
+void InstallMujocoHooks();
+
+// The last warning since the last call, if any.
+std::optional<std::string> TakeMujocoWarning();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_PHYSICS_WORLD_MODEL_H_

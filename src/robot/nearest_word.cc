@@ -1,0 +1,30 @@
+#include "robot/nearest_word.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace understudy {
+
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replaced = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, replaced});
+    }
+  }
+  return row.back();
+}
+
+std::string NearestWord(std::string_view word, const std::vector<std::string>& valid) {
+  const auto nearest = std::min_element(
+      valid.begin(), valid.end(),
+      [&](const auto& a, const auto& b) { return EditDistance(word, a) < EditDistance(word, b); });
+  return nearest == valid.end() ? std::string{} : *nearest;
+}
+
+}  // namespace understudy

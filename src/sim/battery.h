@@ -1,0 +1,38 @@
+// The pack that feeds the motors.
+#ifndef UNDERSTUDY_SIM_BATTERY_H_
+#define UNDERSTUDY_SIM_BATTERY_H_
+
+#include <span>
+
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// Power drawn = idle + mechanical work of the motors, no less than zero + heat as the square of
+// torque:
+//
+//   P = V · idle_a + max(0, sum tau dq) + watt_per_nm2 · sum tau²
+//
+// The open-circuit voltage falls linearly with the charge from cell_full_v to cell_empty_v;
+// internal_ohm takes its share of the load. Figures are fitted to captures of real packs where such
+// exist (docs/fidelity.md). Nothing happens at an empty pack: charge stays 0 and the robot goes on.
+class Battery {
+ public:
+  explicit Battery(const BatterySpec& spec);
+
+  // One step of dt [s] with joint torques tau [N·m] and rates dq [rad/s] in motor order.
+  void Step(std::span<const double> tau, std::span<const double> dq, double dt);
+
+  const BatteryReading& reading() const { return reading_; }
+
+ private:
+  double OpenVoltage() const;
+
+  BatterySpec spec_;
+  BatteryReading reading_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SIM_BATTERY_H_
