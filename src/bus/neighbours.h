@@ -14,11 +14,11 @@ namespace understudy {
 struct Neighbour {
   ParticipantKey writer{};       // GUID of the writer itself
   ParticipantKey participant{};  // GUID of the participant it belongs to
-  std::string type;              // "unitree_go::msg::dds_::LowState_"
-  std::string host;
-  std::string process;
-  std::string pid;
-  std::string addresses;  // comma separated
+  std::string type{};            // "unitree_go::msg::dds_::LowState_"
+  std::string host{};
+  std::string process{};
+  std::string pid{};
+  std::string addresses{};  // comma separated
 };
 
 // One line for a log: "process 123 (name) on host (addresses)", as far as known.
