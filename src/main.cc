@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <exception>
 #include <functional>
+#include <iostream>
 
 #include <CLI/CLI.hpp>
 
@@ -47,7 +48,7 @@ int Main(int argc, char** argv) {
   AddExecCommand(&app, &exec_arguments)->callback([&] {
     chosen = [&] { return ExecCommand(exec_arguments); };
   });
-  AddCtlCommand(&app, &chosen);
+  CtlCommand ctl(&app, &std::cout);
 
   bool json = false;
   CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
@@ -86,7 +87,9 @@ int Main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }
-  return chosen();
+  if (!ctl.chosen()) return chosen();
+  ctl.Run();
+  return 0;
 }
 
 int Fail(const std::exception& error, ExitCode code) {

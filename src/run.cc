@@ -7,7 +7,6 @@
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "bus/neighbours.h"
 #include "bus/participant.h"
@@ -143,9 +142,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
-  const std::string name =
-      options.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : options.name;
-  const ControlServer control(name, config.robot.name, &board, &inbox);
+  const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
@@ -161,7 +158,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
     if (!ready) {
       ready = true;
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
-                   config.network.interface, config.network.domain, control.socket_path());
+                   config.network.interface, config.network.domain, control.socket().string());
       if (options.on_ready) options.on_ready();
       pacer.Resume(robot.step(), config.time.speed);
     }

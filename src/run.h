@@ -2,9 +2,8 @@
 #ifndef UNDERSTUDY_RUN_H_
 #define UNDERSTUDY_RUN_H_
 
+#include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "config/config.h"
 #include "exit_code.h"
@@ -12,8 +11,8 @@
 namespace understudy {
 
 struct RunOptions {
-  std::string name;          // under which `ctl` finds the robot; "" = <robot>-<pid>
-  bool status_line = false;  // redraw a line on the terminal
+  std::filesystem::path control_socket;  // where `ctl` finds the robot; see MakeControlFolder
+  bool status_line = false;              // redraw a line on the terminal
   // Called once in the loop's thread when the first LowState is out; gets the control socket's
   // path.
   std::function<void(const std::string& control_socket)> on_ready;

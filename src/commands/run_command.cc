@@ -11,7 +11,7 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
-#include "control/socket_path.h"
+#include "control/control_folder.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
 #include "robot/errors.h"
@@ -77,6 +77,11 @@ Config Load(const RunArguments& arguments) {
       DataDir());
 }
 
+std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
+  MakeControlFolder(ControlFolder());
+  return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
+}
+
 }  // namespace
 
 CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
@@ -125,7 +130,7 @@ int RunCommand(const RunArguments& arguments) {
     return 0;
   }
   RunOptions options;
-  options.name = arguments.name;
+  options.control_socket = MakeControlSocket(arguments, config);
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
             .json = arguments.json,
@@ -153,7 +158,7 @@ int ExecCommand(const RunArguments& arguments) {
   std::optional<int> code;
   bool terminating = false;
   RunOptions options;
-  options.name = name;
+  options.control_socket = control;
   options.on_ready = [&child] { child.Release(); };
   options.should_stop = [&] {
     if (StopSignal() != 0 && !terminating) {
