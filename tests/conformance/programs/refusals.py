@@ -37,6 +37,7 @@ WATCHED = {
 KP, KD = 40.0, 2.0  # N·m/rad, N·m·s/rad, of the watched motor
 HOLD_KP, HOLD_KD = 40.0, 1.0  # and of the others, which hold the place where they are found
 STAGE = 0.6  # s
+RETURN = 0.3  # s, between two kinds: a motor that followed must not count for the next one
 SETTLE = 1.5  # s
 
 
@@ -128,6 +129,7 @@ def main():
     report = {"robot": parsed.robot, "followed_good_at_first": 1.0 - rehearsal.followed()}
     report["refusals"] = {}
     for kind in kinds_for(parsed.robot):
+        run_stage(rehearsal, RETURN)
         sent, furthest = run_stage(rehearsal, STAGE, kind)
         report["refusals"][kind] = {"sent": sent, "followed": furthest}
     run_stage(rehearsal, SETTLE, other=True)

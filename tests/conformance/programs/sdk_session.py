@@ -95,7 +95,8 @@ class LowStateFeed:
     def __init__(self, robot, on_state=lambda state: None):
         self.latest = None
         self._on_state = on_state
-        self._subscriber = ChannelSubscriber("rt/lowstate", GoLowState if is_go(robot) else HgLowState)
+        message = GoLowState if is_go(robot) else HgLowState
+        self._subscriber = ChannelSubscriber("rt/lowstate", message)
         self._subscriber.Init(self._receive, 10)
 
     def wait_first(self, seconds=10.0):
@@ -132,7 +133,7 @@ class Commander:
             self.message.mode_machine = mode_machine
 
     def motor(self, slot, q, kp, kd):
-        """Asks one motor to be at q [rad], at rest, with gains kp [N·m/rad] and kd [N·m·s/rad]."""
+        """Asks a motor to be at q [rad], at rest, with gains kp [N·m/rad], kd [N·m·s/rad]."""
         motor = self.message.motor_cmd[slot]
         motor.mode = 1
         motor.q, motor.dq, motor.tau = q, 0.0, 0.0
