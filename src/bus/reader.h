@@ -81,13 +81,17 @@ class Reader : public ReaderCore {
   // throws passes through, and the samples it has not seen are lost.
   template <typename Visit>
   int Take(Visit&& visit, int max = kMaxTake) {
-    const Loan loan(handle(), max);
     int visited = 0;
-    for (int i = 0; i < loan.size(); ++i) {
-      if (loan.sample(i) == nullptr) continue;
-      std::forward<Visit>(visit)(*static_cast<const Msg*>(loan.sample(i)), loan.writer(i));
-      ++visited;
-    }
+    int lent = 0;
+    do {
+      const Loan loan(handle(), max);
+      lent = loan.size();
+      for (int i = 0; i < lent; ++i) {
+        if (loan.sample(i) == nullptr) continue;
+        std::forward<Visit>(visit)(*static_cast<const Msg*>(loan.sample(i)), loan.writer(i));
+        ++visited;
+      }
+    } while (lent > 0 && visited == 0);
     return visited;
   }
 };
