@@ -12,9 +12,11 @@ namespace understudy {
 
 // What a run is told, weakest first; all of it over the defaults in the structs.
 struct Layers {
-  std::string robot;  // a name in config/robots, or the path of a YAML file (has '/' or ends .yaml)
-  std::vector<std::string> files;  // --config, in order
-  std::vector<std::string> sets;   // --set KEY=VALUE, in order; keys dotted, list elements by index
+  std::string
+      robot{};  // a name in config/robots, or the path of a YAML file (has '/' or ends .yaml)
+  std::vector<std::string> files{};  // --config, in order
+  std::vector<std::string>
+      sets{};  // --set KEY=VALUE, in order; keys dotted, list elements by index
 };
 
 // The robots that have a file in data_dir/config/robots, in alphabetical order.

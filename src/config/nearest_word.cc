@@ -42,7 +42,7 @@ std::string NearestWord(std::string_view typed, const std::vector<std::string>& 
   std::size_t least = kLongest;
   for (const std::string& word : words) {
     const std::size_t distance = EditDistance(typed, word);
-    const std::size_t allowed = std::max<std::size_t>(1, word.size() / 3);
+    const std::size_t allowed = std::max<std::size_t>(1, word.size() / 2);
     if (distance <= allowed && distance < least) {
       least = distance;
       nearest = word;

@@ -9,7 +9,7 @@
 namespace understudy {
 
 // The word of `words` with the least edit distance to `typed`, the first of equals; "" when even
-// that one is further away than a third of its letters (at least one letter may always be wrong).
+// that one is further away than half of its letters (at least one letter may always be wrong).
 // Letter case does not count.
 std::string NearestWord(std::string_view typed, const std::vector<std::string>& words);
 

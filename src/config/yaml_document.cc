@@ -134,9 +134,13 @@ class TreeBuilder : public YAML::EventHandler {
     YamlValue& parent = open_.back().value;
     if (parent.kind == YamlValue::Kind::kMap && parent.keys.size() == parent.items.size()) {
       AddKey(&parent, std::move(value));
-    } else {
-      parent.items.push_back(std::move(value));
+      return;
     }
+    // The parser notices a missing value only at what follows it.
+    if (value.kind == YamlValue::Kind::kNull && parent.kind == YamlValue::Kind::kMap) {
+      value.where = parent.keys.back().where;
+    }
+    parent.items.push_back(std::move(value));
   }
 
   void AddKey(YamlValue* map, YamlValue key) const {
@@ -178,6 +182,19 @@ class TreeBuilder : public YAML::EventHandler {
   std::vector<Unfinished> open_;
   std::map<YAML::anchor_t, YamlValue> anchors_;
 };
+
+// A line that begins with % would end the document without a word about what follows it.
+void RefuseDirectives(const std::string& text, const TreeBuilder& builder) {
+  YAML::Mark mark;
+  mark.line = 0;
+  for (std::size_t at = 0; at < text.size(); ++mark.line) {
+    if (text[at] == '%') {
+      throw ConfigError(builder.Where(mark) + ": a line that begins with '%' is not understood");
+    }
+    const std::size_t end = text.find('\n', at);
+    at = end == std::string::npos ? text.size() : end + 1;
+  }
+}
 
 }  // namespace
 
@@ -224,8 +241,10 @@ std::string Shown(const YamlValue& value) {
 
 YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbered) {
   TreeBuilder builder(name, numbered);
+  RefuseDirectives(text, builder);
   try {
-    std::istringstream stream(text);
+    // A quote that is never closed is only noticed where the text does not end in a new line.
+    std::istringstream stream(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
     YAML::Parser parser(stream);
     const bool any = parser.HandleNextDocument(builder);
     YamlValue root = builder.Take();

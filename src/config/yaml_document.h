@@ -36,8 +36,8 @@ std::string Shown(const YamlValue& value);
 
 // Reads one document; an empty one is null. `name` starts every `where`, followed by the line
 // unless `numbered` is false. Throws ConfigError for what is no YAML, for a key that is given
-// twice, a tag, a second document, a mapping or list as key, an alias that stands for itself, for
-// nesting past 32 levels and for more than 20000 values after aliases are resolved.
+// twice, a tag, a directive, a second document, a mapping or list as key, an alias that stands for
+// itself, for nesting past 32 levels and for more than 20000 values after aliases are resolved.
 YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbered = true);
 
 // Reads a file of at most 1 MiB, otherwise as ParseYaml. Throws ConfigError where there is none or
