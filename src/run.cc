@@ -20,8 +20,7 @@
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
-#include "wire/go_port.h"
-#include "wire/hg_port.h"
+#include "wire/open_port.h"
 
 namespace understudy {
 namespace {
@@ -31,11 +30,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
-
-std::unique_ptr<RobotPort> MakePort(const Participant& participant, const RobotSpec& robot) {
-  if (robot.family == WireFamily::kGo) return std::make_unique<GoPort>(participant, robot);
-  return std::make_unique<HgPort>(participant, robot);
-}
 
 PhysicsWorld MakeWorld(const Config& config) {
   return {LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene),
@@ -133,7 +127,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   PhysicsWorld world = MakeWorld(config);
   RefuseToStartBeside(&watch, participant, config.guard, &clock);
 
-  const auto port = MakePort(participant, config.robot);
+  const auto port = OpenPort(participant, config.robot);
   std::vector<std::unique_ptr<Service>> services;
   services.push_back(std::make_unique<MotionSwitcher>());
   ServiceHost host(participant, std::move(services));

@@ -23,9 +23,7 @@ std::filesystem::path SceneFile(const std::string& scene) {
     scenes.push_back(entry.path().stem());
   }
   std::sort(scenes.begin(), scenes.end());
-  std::string text = "no scene '" + scene + "'; there are:";
-  for (const std::string& name : scenes) text += " " + name;
-  throw ModelError(text + "; the nearest is '" + NearestWord(scene, scenes) + "'");
+  throw ModelError("no scene '" + scene + "'" + DidYouMean(scene, scenes));
 }
 
 }  // namespace understudy

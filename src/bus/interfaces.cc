@@ -39,13 +39,8 @@ NetworkInterface FindInterface(const std::string& name) {
   const auto found = std::ranges::find(interfaces, name, &NetworkInterface::name);
   if (found == interfaces.end()) {
     std::vector<std::string> names;
-    std::string list;
-    for (const NetworkInterface& interface : interfaces) {
-      names.push_back(interface.name);
-      list += (list.empty() ? "" : ", ") + interface.name;
-    }
-    throw BusError("no network interface \"" + name + "\"; there are: " + list +
-                   "; did you mean \"" + NearestWord(name, names) + "\"?");
+    for (const NetworkInterface& interface : interfaces) names.push_back(interface.name);
+    throw BusError("no network interface '" + name + "'" + DidYouMean(name, names));
   }
   if (!found->up) throw BusError("network interface \"" + name + "\" is down");
   if (!found->ipv4) throw BusError("network interface \"" + name + "\" has no IPv4 address");

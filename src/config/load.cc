@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "config/keys.h"
-#include "config/nearest_word.h"
+#include "robot/nearest_word.h"
 #include "config/printer.h"
 #include "config/reader.h"
 #include "config/validate.h"

@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <utility>
 
-#include "config/nearest_word.h"
+#include "robot/nearest_word.h"
 #include "robot/errors.h"
 
 namespace understudy {

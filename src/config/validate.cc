@@ -9,7 +9,7 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
-#include "config/nearest_word.h"
+#include "robot/nearest_word.h"
 #include "robot/errors.h"
 
 namespace understudy {

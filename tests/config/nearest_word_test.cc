@@ -1,4 +1,4 @@
-#include "config/nearest_word.h"
+#include "robot/nearest_word.h"
 
 #include <gtest/gtest.h>
 
