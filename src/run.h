@@ -13,9 +13,8 @@ namespace understudy {
 struct RunOptions {
   std::filesystem::path control_socket;  // where `ctl` finds the robot; see MakeControlFolder
   bool status_line = false;              // redraw a line on the terminal
-  // Called once in the loop's thread when the first LowState is out; gets the control socket's
-  // path.
-  std::function<void(const std::string& control_socket)> on_ready;
+  // Called once in the loop's thread when the first LowState is out. May be empty.
+  std::function<void()> on_ready;
   // Asked every 10 steps; true ends the run.
   std::function<bool()> should_stop;
 };

@@ -107,7 +107,6 @@ CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments) {
   exec->add_option("command", arguments->command, "The command and its arguments, after --")
       ->type_name("CMD...")
       ->required();
-  exec->positionals_at_end();
   exec->footer(
       "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
       "Any number of these run side by side; none hears another, nor any real robot.\n"
@@ -146,9 +145,8 @@ int ExecCommand(const RunArguments& arguments) {
   if (arguments.network == "private") EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
-  const std::string name =
-      arguments.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : arguments.name;
-  ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", ControlSocketPath(name)}});
+  const std::filesystem::path control = MakeControlSocket(arguments, config);
+  ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
 
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,

@@ -20,14 +20,14 @@ TEST_F(LoadConfigTest, TakesASectionWithoutKeys) {
 
 TEST_F(LoadConfigTest, LetsLaterLayersWin) {
   Write("config/robots/tiny.yaml",
-        std::string(kTinyRobot) + "crane: {height: 1, damping: 1, stiffness: 1, lower_speed: 1}\n");
-  const std::string first = Write("a.yaml", "crane: {damping: 2, stiffness: 2, lower_speed: 2}\n");
-  const std::string second = Write("b.yaml", "crane: {stiffness: 3, lower_speed: 3}\n");
-  const Config config = Load({first, second}, {"crane.lower_speed=4", "crane.lower_speed=5"});
-  EXPECT_EQ(config.crane.height, 1);
+        std::string(kTinyRobot) + "crane: {length: 1, damping: 1, stiffness: 1, speed: 1}\n");
+  const std::string first = Write("a.yaml", "crane: {damping: 2, stiffness: 2, speed: 2}\n");
+  const std::string second = Write("b.yaml", "crane: {stiffness: 3, speed: 3}\n");
+  const Config config = Load({first, second}, {"crane.speed=4", "crane.speed=5"});
+  EXPECT_EQ(config.crane.length, 1);
   EXPECT_EQ(config.crane.damping, 2);
   EXPECT_EQ(config.crane.stiffness, 3);
-  EXPECT_EQ(config.crane.lower_speed, 5);
+  EXPECT_EQ(config.crane.speed, 5);
 }
 
 TEST_F(LoadConfigTest, ReplacesAListAsAWhole) {
