@@ -3,6 +3,7 @@
 #define UNDERSTUDY_TESTS_CONTROL_SUPPORT_H_
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
@@ -106,8 +107,9 @@ class RawSocket {
     char bytes[4096];
     while (text.find(end) == std::string::npos) {
       const ssize_t got = ::recv(fd_, bytes, sizeof bytes, 0);
+      // A reset: it hung up without having read all that was sent.
+      if (got == 0 || (got < 0 && errno == ECONNRESET)) break;
       if (got < 0) throw std::runtime_error("recv");
-      if (got == 0) break;
       text.append(bytes, static_cast<std::size_t>(got));
     }
     return text;
