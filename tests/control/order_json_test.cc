@@ -89,7 +89,7 @@ TEST(OrderJsonTest, RefusesAClampThatIsNoBool) {
 }
 
 TEST(OrderJsonTest, RefusesWhatIsNoObject) {
-  EXPECT_EQ(Refusal(ReadClampOrder("[true]")), "the body: expected a JSON object, got [true]");
+  EXPECT_EQ(Refusal(ReadClampOrder("[true]")), "the body: expected a JSON object, got an array");
 }
 
 TEST(OrderJsonTest, RefusesAnEmptyBodyWhereAKeyIsNeeded) {
