@@ -46,7 +46,7 @@ TEST(OrderJsonTest, ResetRefusesAKey) {
 
 TEST(OrderJsonTest, NamesTheNearestOfAnUnknownKey) {
   EXPECT_EQ(Refusal(ReadCraneOrder(R"({"lowr": 1})")),
-            R"(unknown key "lowr": did you mean "lower"?)");
+            R"(unknown key "lowr"; did you mean 'lower'? (valid: lower, raise, attach, release))");
 }
 
 TEST(OrderJsonTest, RefusesNoKey) {

@@ -46,7 +46,9 @@ TEST_F(RoutesTest, ABodyThatCannotBeReadIs400) {
 TEST_F(RoutesTest, AnUnknownPathIs404WithTheNearest) {
   const HttpReply reply = ReplyTo("GET", "/statsu");
   EXPECT_EQ(reply.status, 404u);
-  EXPECT_EQ(reply.body, "{\"error\":\"no path /statsu: did you mean /status?\"}\n");
+  EXPECT_EQ(reply.body,
+            "{\"error\":\"no path /statsu; did you mean '/status'? (valid: /status, /crane, "
+            "/clamp, /reset)\"}\n");
 }
 
 TEST_F(RoutesTest, AWrongMethodIs405AndNamesTheRightOne) {

@@ -23,7 +23,7 @@ Status EveryFieldSet() {
   status.commands.timeouts = 2;
   status.commands.refused = {0, 11, 12, 13, 14, 15, 16, 17};
   status.last_refusal = Refusal::kModePr;
-  status.unused_slot_commands = 6;
+  status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
   status.command_writers = 1;
   status.published = 12499;
   status.divergences = 4;
@@ -44,7 +44,8 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("lateness":0.25,"worst_lateness":0.75},"commands":{"state":"following","accepted":100,)"
       R"("timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"not_finite":16,"gain":17},"last_refusal":"mode_pr","unused_slots":6,)"
-      R"("writers":1},"published":12499,"divergences":4,"crane":{"attached":true,)"
+      R"("unset_heads":7,)"
+      R"("writers":1},"published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
       R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125}})");
 }
 
