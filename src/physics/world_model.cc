@@ -184,10 +184,14 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
   RequireWhatSpecNames(*LoadModelFile(robot_file), spec, robot_file);
   LoadModelFile(scene_file);
 
+  // The composed file stands beside the robot's: MuJoCo looks for includes, meshes and textures
+  // from the folder of the outermost file, and takes no absolute path there.
+  const std::filesystem::path robot = std::filesystem::absolute(robot_file);
+  const std::filesystem::path folder = robot.parent_path();
+  const std::string name = folder / "understudy_world.xml";
   MemoryFiles files;
-  const std::string name = "understudy_world.xml";
-  files.Add(name, ComposeWorld(spec, std::filesystem::absolute(robot_file),
-                               std::filesystem::absolute(scene_file)));
+  files.Add(name,
+            ComposeWorld(spec, robot.filename(), std::filesystem::relative(scene_file, folder)));
   ModelHandle model;
   try {
     model = Compile(name, files.get());
