@@ -192,16 +192,16 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
   MemoryFiles files;
   files.Add(name,
             ComposeWorld(spec, robot.filename(), std::filesystem::relative(scene_file, folder)));
+  const std::string place = robot_file.string() + " in " + scene_file.string() + ": ";
   ModelHandle model;
   try {
     model = Compile(name, files.get());
   } catch (const ModelError& error) {
-    throw ModelError(robot_file.string() + " in " + scene_file.string() + ": " + error.what());
+    throw ModelError(place + error.what());
   }
-  if (model->opt.integrator == mjINT_RK4) {
-    throw ModelError(
-        robot_file.string() +
-        ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
+  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
+    throw ModelError(place +
+                     "integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;
