@@ -20,13 +20,14 @@ std::atomic<std::int64_t> allocations = 0;
 
 #ifdef UNDERSTUDY_COUNTS_NEW_ONLY
 
-void* operator new(std::size_t size) {
+// Never inlined: seen from inside one of them, the compiler takes malloc and free for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++allocations;
   if (void* memory = std::malloc(size)) return memory;
   throw std::bad_alloc();
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
 #else
 
