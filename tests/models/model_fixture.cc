@@ -43,15 +43,16 @@ ModelPtr ModelTest::Load(const std::string& path) {
 ModelPtr ModelTest::LoadTogether(const std::vector<std::string>& paths, const std::string& extra) {
   const auto vfs = std::make_unique<mjVFS>();
   mj_defaultVFS(vfs.get());
+  // In the folder of the first file, from where its own includes count.
+  const std::filesystem::path folder = std::filesystem::path(paths.front()).parent_path();
+  const std::string name = (folder / "outer.xml").string();
   std::string outer = "<mujoco>";
   for (const std::string& path : paths) {
-    const std::string name = std::filesystem::path(path).filename().string();
-    AddFile(vfs.get(), name, ReadText(path));
-    outer += "<include file=\"" + name + "\"/>";
+    outer += "<include file=\"" + std::filesystem::relative(path, folder).string() + "\"/>";
   }
-  AddFile(vfs.get(), "outer.xml", outer + extra + "</mujoco>");
+  AddFile(vfs.get(), name, outer + extra + "</mujoco>");
   char error[1024] = "";
-  ModelPtr model(mj_loadXML("outer.xml", vfs.get(), error, sizeof(error)));
+  ModelPtr model(mj_loadXML(name.c_str(), vfs.get(), error, sizeof(error)));
   mj_deleteVFS(vfs.get());
   EXPECT_TRUE(model != nullptr);
   EXPECT_STREQ(error, "");
