@@ -72,7 +72,10 @@ int Id(const mjModel& model, mjtObj type, const std::string& name) {
 
 JointPd::JointPd(const mjModel& model, const std::vector<std::string>& joints,
                  std::vector<double> kp, std::vector<double> kd)
-    : kp_(std::move(kp)), kd_(std::move(kd)), target_(joints.size(), 0.0) {
+    : kp_(std::move(kp)),
+      kd_(std::move(kd)),
+      target_(joints.size(), 0.0),
+      speed_(joints.size(), 0.0) {
   for (const std::string& joint : joints) {
     joints_.push_back(Id(model, mjOBJ_JOINT, joint));
     motors_.push_back(Id(model, mjOBJ_ACTUATOR, joint.substr(0, joint.rfind("_joint"))));
@@ -89,7 +92,7 @@ void JointPd::Step(const mjModel& model, mjData* data) const {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const double q = data->qpos[model.jnt_qposadr[joints_[i]]];
     const double dq = data->qvel[model.jnt_dofadr[joints_[i]]];
-    data->ctrl[motors_[i]] = kp_[i] * (target_[i] - q) - kd_[i] * dq;
+    data->ctrl[motors_[i]] = kp_[i] * (target_[i] - q) + kd_[i] * (speed_[i] - dq);
   }
   mj_step(&model, data);
 }
