@@ -279,6 +279,7 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
                          testing::Values(Robot{"go2", kGo2},       //
                                          Robot{"go2w", kGo2W},     //
+                                         Robot{"b2", kB2},         //
                                          Robot{"g1_29dof", kG1}),  //
                          [](const auto& test) { return test.param.figures; });
 

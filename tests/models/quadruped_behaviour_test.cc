@@ -134,8 +134,9 @@ TEST_P(QuadrupedTest, RisesFromLyingAsTheExampleDoes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest,
-                         testing::Values(Quadruped{"go2", kGo2},  //
-                                         Quadruped{"go2w", kGo2W}),
+                         testing::Values(Quadruped{"go2", kGo2},    //
+                                         Quadruped{"go2w", kGo2W},  //
+                                         Quadruped{"b2", kB2}),
                          [](const auto& test) { return test.param.name; });
 
 class WheeledTest : public QuadrupedTest {};
