@@ -280,6 +280,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
                          testing::Values(Robot{"go2", kGo2},       //
                                          Robot{"go2w", kGo2W},     //
                                          Robot{"b2", kB2},         //
+                                         Robot{"b2w", kB2W},       //
                                          Robot{"g1_29dof", kG1}),  //
                          [](const auto& test) { return test.param.figures; });
 

@@ -136,7 +136,8 @@ TEST_P(QuadrupedTest, RisesFromLyingAsTheExampleDoes) {
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest,
                          testing::Values(Quadruped{"go2", kGo2},    //
                                          Quadruped{"go2w", kGo2W},  //
-                                         Quadruped{"b2", kB2}),
+                                         Quadruped{"b2", kB2},      //
+                                         Quadruped{"b2w", kB2W}),
                          [](const auto& test) { return test.param.name; });
 
 class WheeledTest : public QuadrupedTest {};
@@ -163,7 +164,8 @@ TEST_P(WheeledTest, RollsAtTheCommandedWheelSpeed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, WheeledTest, testing::Values(Quadruped{"go2w", kGo2W}),
+INSTANTIATE_TEST_SUITE_P(Robots, WheeledTest,
+                         testing::Values(Quadruped{"go2w", kGo2W}, Quadruped{"b2w", kB2W}),
                          [](const auto& test) { return test.param.name; });
 
 class Go2Test : public QuadrupedTest {};
