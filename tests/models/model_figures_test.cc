@@ -281,6 +281,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
                                          Robot{"go2w", kGo2W},     //
                                          Robot{"b2", kB2},         //
                                          Robot{"b2w", kB2W},       //
+                                         Robot{"a2", kA2},         //
                                          Robot{"g1_29dof", kG1}),  //
                          [](const auto& test) { return test.param.figures; });
 

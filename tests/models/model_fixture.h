@@ -25,6 +25,7 @@ inline const std::string kGo2 = kModels + "go2/go2.xml";
 inline const std::string kGo2W = kModels + "go2w/go2w.xml";
 inline const std::string kB2 = kModels + "b2/b2.xml";
 inline const std::string kB2W = kModels + "b2w/b2w.xml";
+inline const std::string kA2 = kModels + "a2/a2.xml";
 inline const std::string kG1 = kModels + "g1/g1_29dof.xml";
 inline const std::string kFlat = kModels + "scene/flat.xml";
 

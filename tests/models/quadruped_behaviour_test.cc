@@ -137,7 +137,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest,
                          testing::Values(Quadruped{"go2", kGo2},    //
                                          Quadruped{"go2w", kGo2W},  //
                                          Quadruped{"b2", kB2},      //
-                                         Quadruped{"b2w", kB2W}),
+                                         Quadruped{"b2w", kB2W},    //
+                                         Quadruped{"a2", kA2}),
                          [](const auto& test) { return test.param.name; });
 
 class WheeledTest : public QuadrupedTest {};
