@@ -214,7 +214,8 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
-                         testing::Values(Robot{"go2", kGo2}, Robot{"g1_29dof", kG1}),
+                         testing::Values(Robot{"go2", kGo2}, Robot{"g1_29dof", kG1},
+                                         Robot{"h1", kModels + "h1/h1.xml"}),
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace
