@@ -160,7 +160,7 @@ TEST_P(HumanoidTest, SlumpsToTheGroundWhenItsMotorsOnlyBrake) {
   EXPECT_NEAR(data_->qpos[2], height, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::Values("h1", "h1_2", "r1"),
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::Values("h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -217,7 +217,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
                          testing::Values(Robot{"go2", kGo2}, Robot{"g1_29dof", kG1},
                                          Robot{"h1", kModels + "h1/h1.xml"},
                                          Robot{"h1_2", kModels + "h1_2/h1_2.xml"},
-                                         Robot{"r1", kModels + "r1/r1.xml"}),
+                                         Robot{"r1", kModels + "r1/r1.xml"},
+                                         Robot{"h2", kModels + "h2/h2.xml"}),
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace
