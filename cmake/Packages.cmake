@@ -28,6 +28,7 @@ understudy_package(yaml HEADER yaml-cpp/yaml.h LIBRARIES yaml-cpp DEBIAN libyaml
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)
 understudy_package(cli11 HEADER CLI/CLI.hpp DEBIAN libcli11-dev)
+understudy_package(boost HEADER boost/beast.hpp DEBIAN libboost-dev)
 understudy_package(json HEADER nlohmann/json.hpp DEBIAN nlohmann-json3-dev)
 if(UNDERSTUDY_BUILD_TESTS)
   understudy_package(gtest HEADER gmock/gmock.h LIBRARIES gmock gtest gtest_main DEBIAN "libgtest-dev libgmock-dev")

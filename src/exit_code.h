@@ -6,14 +6,13 @@ namespace understudy {
 
 enum class ExitCode {
   kOk = 0,
-  kInternal = 1,      // a bug, or a robot that refused a `ctl` order
-  kUsage = 2,         // the command line
-  kConfig = 3,        // a configuration file or --set
-  kModel = 4,         // a model or scene
-  kBus = 5,           // interface, domain, namespace
-  kNeighbour = 6,     // another robot is on this network
-  kDiverged = 7,      // the physics diverged and physics.on_divergence is stop
-  kExecFailed = 125,  // exec: ended before the command could run
+  kInternal = 1,   // a bug, or a robot that refused a `ctl` order
+  kUsage = 2,      // the command line
+  kConfig = 3,     // a configuration file or --set
+  kModel = 4,      // a model or scene
+  kBus = 5,        // interface, domain, namespace
+  kNeighbour = 6,  // another robot is on this network
+  kDiverged = 7,   // the physics diverged and physics.on_divergence is stop
 };
 
 }  // namespace understudy

@@ -2,28 +2,25 @@
 
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <thread>
 #include <utility>
 
 #include <spdlog/spdlog.h>
-#include <unistd.h>
 
 #include "bus/neighbours.h"
 #include "bus/participant.h"
-#include "config/data_dir.h"
 #include "control/server.h"
 #include "emulator.h"
 #include "physics/world_model.h"
 #include "reporter.h"
 #include "robot/errors.h"
+#include "scene.h"
 #include "services/motion_switcher.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
-#include "wire/go_port.h"
-#include "wire/hg_port.h"
+#include "wire/open_port.h"
 
 namespace understudy {
 namespace {
@@ -34,18 +31,9 @@ constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
 
-std::unique_ptr<RobotPort> MakePort(const Participant& participant, const RobotSpec& robot) {
-  if (robot.family == WireFamily::kGo) return std::make_unique<GoPort>(participant, robot);
-  return std::make_unique<HgPort>(participant, robot);
-}
-
 PhysicsWorld MakeWorld(const Config& config) {
-  const std::filesystem::path models = DataDir() / "models";
-  const bool named = std::filesystem::path(config.scene).extension().empty();
-  const std::filesystem::path scene =
-      named ? models / "scene" / (config.scene + ".xml") : std::filesystem::path(config.scene);
-  // An absolute path in the description replaces `models`.
-  return {LoadWorldModel(config.robot, models / config.robot.model, scene, config.physics.timestep),
+  return {LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene),
+                         config.physics.timestep),
           config.robot};
 }
 
@@ -139,7 +127,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   PhysicsWorld world = MakeWorld(config);
   RefuseToStartBeside(&watch, participant, config.guard, &clock);
 
-  const auto port = MakePort(participant, config.robot);
+  const auto port = OpenPort(participant, config.robot);
   std::vector<std::unique_ptr<Service>> services;
   services.push_back(std::make_unique<MotionSwitcher>());
   ServiceHost host(participant, std::move(services));
@@ -148,9 +136,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
-  const std::string name =
-      options.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : options.name;
-  const ControlServer control(name, config.robot.name, &board, &inbox);
+  const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
@@ -166,8 +152,8 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
     if (!ready) {
       ready = true;
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
-                   config.network.interface, config.network.domain, control.socket_path());
-      if (options.on_ready) options.on_ready(control.socket_path());
+                   config.network.interface, config.network.domain, control.socket().string());
+      if (options.on_ready) options.on_ready();
       pacer.Resume(robot.step(), config.time.speed);
     }
     const bool diverged =

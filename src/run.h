@@ -2,9 +2,8 @@
 #ifndef UNDERSTUDY_RUN_H_
 #define UNDERSTUDY_RUN_H_
 
+#include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
 
 #include "config/config.h"
 #include "exit_code.h"
@@ -12,16 +11,15 @@
 namespace understudy {
 
 struct RunOptions {
-  std::string name;          // under which `ctl` finds the robot; "" = <robot>-<pid>
-  bool status_line = false;  // redraw a line on the terminal
-  // Called once in the loop's thread when the first LowState is out; gets the control socket's
-  // path.
-  std::function<void(const std::string& control_socket)> on_ready;
-  // Asked some 100 times a second; a value ends the run.
+  std::filesystem::path control_socket;  // where `ctl` finds the robot; see MakeControlFolder
+  bool status_line = false;              // redraw a line on the terminal
+  // Called once in the loop's thread when the first LowState is out. May be empty.
+  std::function<void()> on_ready;
+  // Asked every 10 steps; true ends the run.
   std::function<bool()> should_stop;
 };
 
-// Plays the robot until SIGINT, SIGTERM, should_stop, the configured duration or a divergence.
+// Plays the robot until should_stop, the configured duration or a divergence.
 // Throws SetupError before the first word is said; afterwards it returns. `config` has been
 // validated.
 ExitCode RunRobot(const Config& config, const RunOptions& options);

@@ -8,7 +8,10 @@
 #include <unistd.h>
 
 #include "commands/log.h"
+#include "config/data_dir.h"
 #include "config/load.h"
+#include "config/reference.h"
+#include "control/control_folder.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
 #include "robot/errors.h"
@@ -25,7 +28,8 @@ void AddSetOption(CLI::App* app, RunArguments* arguments, const std::string& opt
          option,
          [arguments, key](const std::string& value) {
            // In front: what the user sets by --set has the last word.
-           arguments->sets.insert(arguments->sets.begin(), key + "=" + value);
+           arguments->sets.insert(arguments->sets.begin(),
+                                  key + "=" + (value == "max" ? "0" : value));
          },
          help)
       ->type_name(type);
@@ -69,7 +73,13 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
 
 Config Load(const RunArguments& arguments) {
   return LoadConfig(
-      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets});
+      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets},
+      DataDir());
+}
+
+std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
+  MakeControlFolder(ControlFolder());
+  return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
 }
 
 }  // namespace
@@ -97,7 +107,6 @@ CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments) {
   exec->add_option("command", arguments->command, "The command and its arguments, after --")
       ->type_name("CMD...")
       ->required();
-  exec->positionals_at_end();
   exec->footer(
       "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
       "Any number of these run side by side; none hears another, nor any real robot.\n"
@@ -120,11 +129,12 @@ int RunCommand(const RunArguments& arguments) {
     return 0;
   }
   RunOptions options;
-  options.name = arguments.name;
+  options.control_socket = MakeControlSocket(arguments, config);
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
             .json = arguments.json,
             .status_line = options.status_line});
+  options.should_stop = [] { return StopSignal() != 0; };
   CatchStopSignals();
   return static_cast<int>(RunRobot(config, options));
 }
@@ -135,31 +145,33 @@ int ExecCommand(const RunArguments& arguments) {
   if (arguments.network == "private") EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
-  const std::string name =
-      arguments.name.empty() ? config.robot.name + "-" + std::to_string(getpid()) : arguments.name;
-  ChildProcess child(arguments.command, {"UNDERSTUDY_CONTROL=" + ControlSocketPath(name)});
+  const std::filesystem::path control = MakeControlSocket(arguments, config);
+  ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
 
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
             .status_line = false});
   CatchStopSignals();
+  constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
+  bool terminating = false;
   RunOptions options;
-  options.name = name;
+  options.control_socket = control;
   options.on_ready = [&child] { child.Release(); };
-  options.should_stop = [&child, &code] {
+  options.should_stop = [&] {
+    if (StopSignal() != 0 && !terminating) {
+      terminating = true;
+      child.Terminate(kGrace);  // the robot goes on until the command has ended
+    }
     code = child.Poll();
     return code.has_value();
   };
   const ExitCode robot = RunRobot(config, options);
   if (!code) {
-    // The robot ended first: by a signal, its duration, or a divergence.
-    child.Terminate(std::chrono::milliseconds(500));
-    code = child.Poll();
+    child.Terminate(kGrace);
+    code = child.Wait();
   }
-  if (robot != ExitCode::kOk) return static_cast<int>(robot);
-  if (StopSignal() != 0) return 128 + StopSignal();
-  return code.value_or(static_cast<int>(ExitCode::kExecFailed));
+  return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
 }
 
 }  // namespace understudy

@@ -3,9 +3,11 @@
 #define UNDERSTUDY_CONTROL_INBOX_H_
 
 #include <chrono>
+#include <cstddef>
 #include <deque>
 #include <future>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -26,22 +28,30 @@ using Order = std::variant<LowerCrane, AttachCrane, ReleaseCrane, ClampBase, Res
 // "" when done, else why not.
 using Answer = std::string;
 
-// Bounded; the tick drains it without ever waiting for a lock.
+// Bounded; the tick drains it without ever waiting for a lock. Must outlive those who wait for an
+// answer.
 class Inbox {
  public:
+  using WallTime = std::chrono::steady_clock::time_point;
+
   static constexpr std::size_t kCapacity = 64;
 
-  // Any thread but the tick's: hands an order in and waits for its answer. After `patience` without
-  // one, or when the inbox is full, says so; a late order may still be carried out.
-  Answer Submit(Order order, std::chrono::milliseconds patience);
+  // Any thread but the tick's: hands an order in. The future holds the answer once the tick has
+  // been there. An order the tick comes to later than `until` is not carried out, so that whoever
+  // has given up on it may say so. nullopt: the inbox is full. May wait while the tick drains.
+  std::optional<std::future<Answer>> Put(const Order& order, WallTime until);
 
   // The tick: calls Answer carry_out(const Order&) for each waiting order, in order of arrival.
+  // Returns at once, having done nothing, while another thread is at the inbox; the next tick comes
+  // soon. carry_out must not throw or come back to the inbox.
   template <class CarryOut>
   void Drain(CarryOut&& carry_out) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     while (!waiting_.empty()) {
-      waiting_.front().answer.set_value(carry_out(waiting_.front().order));
+      Entry& entry = waiting_.front();
+      const bool late = std::chrono::steady_clock::now() > entry.until;
+      entry.answer.set_value(late ? Answer{"the order came too late"} : carry_out(entry.order));
       waiting_.pop_front();
     }
   }
@@ -49,6 +59,7 @@ class Inbox {
  private:
   struct Entry {
     Order order;
+    WallTime until;
     std::promise<Answer> answer;
   };
 

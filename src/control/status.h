@@ -2,9 +2,8 @@
 #ifndef UNDERSTUDY_CONTROL_STATUS_H_
 #define UNDERSTUDY_CONTROL_STATUS_H_
 
+#include <cstdint>
 #include <mutex>
-#include <string>
-#include <vector>
 
 #include "robot/command_gate.h"
 #include "time/pacer.h"

@@ -120,7 +120,7 @@ void RequireName(const mjModel& model, mjtObj type, const char* kind, const std:
   }
   const std::string nearest = NearestWord(name, names);
   throw ModelError(file.string() + ": no " + kind + " '" + name + "'" +
-                   (nearest.empty() ? "" : "; the nearest is '" + nearest + "'"));
+                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec,

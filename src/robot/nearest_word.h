@@ -1,4 +1,4 @@
-// "Did you mean ...": the nearest of the valid words.
+// "Did you mean": the word a user most likely meant.
 #ifndef UNDERSTUDY_ROBOT_NEAREST_WORD_H_
 #define UNDERSTUDY_ROBOT_NEAREST_WORD_H_
 
@@ -8,12 +8,14 @@
 
 namespace understudy {
 
-// Number of single-letter insertions, deletions and replacements between two words.
-std::size_t EditDistance(std::string_view a, std::string_view b);
+// The word of `words` with the least edit distance to `typed`, the first of equals; "" when even
+// that one is further away than half of its letters (at least one letter may always be wrong).
+// Letter case does not count.
+std::string NearestWord(std::string_view typed, const std::vector<std::string>& words);
 
-// The valid word with the least edit distance to `word`, the first one of several; "" when `valid`
-// is empty.
-std::string NearestWord(std::string_view word, const std::vector<std::string>& valid);
+// How such a word ends an error line: "; did you mean 'timeout'? (valid: mode, timeout)".
+// The question is left out when no word is near.
+std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words);
 
 }  // namespace understudy
 

@@ -15,8 +15,8 @@ std::string Text(const char* text) { return text == nullptr ? std::string() : st
 
 }  // namespace
 
-ServiceReply Answer(Service* service, std::int64_t api_id, std::string_view parameter,
-                    RobotMode* mode) {
+ServiceReply AnswerRequest(Service* service, std::int64_t api_id, std::string_view parameter,
+                           RobotMode* mode) {
   if (api_id == kApiVersion) return {.data = std::string(service->api_version())};
   if (auto reply = service->Handle(api_id, parameter, mode)) {
     // Clients get data with success only (unitree_sdk2_python rpc/server.py).
@@ -54,7 +54,7 @@ void ServiceHost::Serve(Channel* channel, const unitree_api_msg_dds__Request_& r
   ++requests_;
   const auto& identity = request.header.identity;
   ServiceReply reply =
-      understudy::Answer(channel->service.get(), identity.api_id, Text(request.parameter), mode);
+      AnswerRequest(channel->service.get(), identity.api_id, Text(request.parameter), mode);
   if (request.header.policy.noreply) return;
   const auto client = channel->requests.ParticipantOf(writer);
   if (!client) return;  // it has gone

@@ -66,8 +66,8 @@ class ServiceHost {
 };
 
 // The reply to one request, without the network: api 1, the service's own apis, or 3203.
-ServiceReply Answer(Service* service, std::int64_t api_id, std::string_view parameter,
-                    RobotMode* mode);
+ServiceReply AnswerRequest(Service* service, std::int64_t api_id, std::string_view parameter,
+                           RobotMode* mode);
 
 }  // namespace understudy
 

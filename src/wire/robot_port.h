@@ -2,6 +2,8 @@
 #ifndef UNDERSTUDY_WIRE_ROBOT_PORT_H_
 #define UNDERSTUDY_WIRE_ROBOT_PORT_H_
 
+#include <cstdint>
+
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
 
@@ -16,25 +18,31 @@ struct Due {
   bool any() const { return lowstate || motion || lf; }
 };
 
-// Two real ports, one per wire family, and a fake one for tests. Polled by the tick; nothing here blocks, throws or,
-// after the first few calls, allocates.
+// Two real ports, one per wire family, and a fake one for tests. Polled by the tick; nothing here
+// blocks, throws or, after the first few calls, allocates.
 class RobotPort {
  public:
   virtual ~RobotPort() = default;
 
-  // Takes one waiting command, oldest first. False when none waits. On true `command` holds it in motor order (its
-  // vectors have the robot's size already) and `wire` what is wrong with its form; kNone when nothing is. Fields whose
-  // form is wrong hold what could be read, so that a lenient gate can go on with them.
+  // Takes one waiting command, oldest first. False when none waits. On true `command` holds it in
+  // motor order (its vectors have the robot's size already) and `wire` what is wrong with its form;
+  // kNone when nothing is. Fields whose form is wrong hold what could be read, so that a lenient
+  // gate can go on with them.
   virtual bool TakeCommand(RobotCommand* command, Refusal* wire) = 0;
 
-  // Sends what is due of `state`. `joint_space` of the state says in which space parallel joints are reported.
+  // Sends what is due of `state`. `joint_space` of the state says in which space parallel joints
+  // are reported.
   virtual void Publish(const RobotState& state, const Due& due) = 0;
 
   // How many writers of commands are matched now.
   virtual int command_writers() = 0;
 
-  // Slots without a motor that a taken command gave gains or torque, since start. The robot ignores them.
+  // Slots without a motor that a taken command gave gains or torque, since start. The robot ignores
+  // them.
   virtual std::uint64_t unused_slot_commands() const = 0;
+
+  // Messages that the bus did not take, since start.
+  virtual std::uint64_t write_failures() const = 0;
 };
 
 }  // namespace understudy

@@ -1,0 +1,50 @@
+#include "bus/interfaces.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+
+#include <ifaddrs.h>
+#include <net/if.h>
+
+#include "robot/errors.h"
+#include "robot/nearest_word.h"
+
+namespace understudy {
+
+std::vector<NetworkInterface> ListInterfaces() {
+  ifaddrs* head = nullptr;
+  if (getifaddrs(&head) != 0) {
+    throw BusError(std::string("cannot list the network interfaces: ") + std::strerror(errno));
+  }
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(head, &freeifaddrs);
+
+  std::vector<NetworkInterface> interfaces;
+  for (const ifaddrs* address = head; address != nullptr; address = address->ifa_next) {
+    auto known = std::ranges::find(interfaces, address->ifa_name, &NetworkInterface::name);
+    if (known == interfaces.end()) {
+      interfaces.push_back({.name = address->ifa_name,
+                            .up = (address->ifa_flags & IFF_UP) != 0,
+                            .multicast = (address->ifa_flags & IFF_MULTICAST) != 0});
+      known = interfaces.end() - 1;
+    }
+    if (address->ifa_addr != nullptr && address->ifa_addr->sa_family == AF_INET) known->ipv4 = true;
+  }
+  return interfaces;
+}
+
+NetworkInterface FindInterface(const std::string& name) {
+  const std::vector<NetworkInterface> interfaces = ListInterfaces();
+  const auto found = std::ranges::find(interfaces, name, &NetworkInterface::name);
+  if (found == interfaces.end()) {
+    std::vector<std::string> names;
+    for (const NetworkInterface& interface : interfaces) names.push_back(interface.name);
+    throw BusError("no network interface '" + name + "'" + DidYouMean(name, names));
+  }
+  if (!found->up) throw BusError("network interface \"" + name + "\" is down");
+  if (!found->ipv4) throw BusError("network interface \"" + name + "\" has no IPv4 address");
+  return *found;
+}
+
+}  // namespace understudy

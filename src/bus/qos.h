@@ -1,0 +1,26 @@
+// Quality of service of our readers and writers. Private to bus/.
+#ifndef UNDERSTUDY_BUS_QOS_H_
+#define UNDERSTUDY_BUS_QOS_H_
+
+#include <memory>
+
+#include <dds/dds.h>
+
+namespace understudy {
+
+struct QosDeleter {
+  void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
+};
+using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
+
+// What the vendor's writers offer (sdk_surface.md, section 8): RELIABLE, VOLATILE, KEEP_LAST 1,
+// XCDR1 or XCDR2, sent as XCDR1. One thing differs, unseen by others: our writers may block for 0 s
+// where the vendor's may for 100 ms.
+QosPtr WriterQos();
+
+// Takes what C++, Python and ROS 2 writers offer: VOLATILE, KEEP_LAST `depth`, XCDR1 and XCDR2.
+QosPtr ReaderQos(int depth, bool reliable);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_BUS_QOS_H_

@@ -1,0 +1,18 @@
+// The name of a topic together with the type of its messages.
+#ifndef UNDERSTUDY_BUS_TOPIC_H_
+#define UNDERSTUDY_BUS_TOPIC_H_
+
+struct dds_topic_descriptor;
+
+namespace understudy {
+
+// `Msg` is the C struct that idlc made of the message type and `descriptor` its <Msg>_desc.
+template <typename Msg>
+struct Topic {
+  const char* name;  // as on the wire, such as "rt/lowcmd"
+  const dds_topic_descriptor* descriptor;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_BUS_TOPIC_H_

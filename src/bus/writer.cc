@@ -1,0 +1,50 @@
+#include "bus/writer.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <dds/dds.h>
+
+#include "bus/qos.h"
+#include "robot/errors.h"
+
+namespace understudy {
+
+WriterCore::WriterCore(const Participant& participant, const char* topic,
+                       const dds_topic_descriptor& descriptor, std::size_t message_size)
+    : topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
+             std::string("create topic ") + topic),
+      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(), nullptr),
+              std::string("write topic ") + topic) {
+  if (descriptor.m_size != message_size) {
+    throw BusError(std::string("topic ") + topic + ": " + descriptor.m_typename +
+                   " is not the type of the writer's messages");
+  }
+}
+
+int WriterCore::matched_readers() const {
+  return std::max(0, dds_get_matched_subscriptions(writer_.handle(), nullptr, 0));
+}
+
+bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
+  std::vector<dds_instance_handle_t> readers(static_cast<std::size_t>(matched_readers()));
+  const int count = dds_get_matched_subscriptions(writer_.handle(), readers.data(), readers.size());
+  // More may have matched since we asked for their number.
+  readers.resize(std::min(readers.size(), static_cast<std::size_t>(std::max(0, count))));
+  return std::ranges::any_of(readers, [&](dds_instance_handle_t reader) {
+    const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
+        endpoint(dds_get_matched_subscription_data(writer_.handle(), reader),
+                 &dds_builtintopic_free_endpoint);
+    return endpoint != nullptr && std::ranges::equal(endpoint->participant_key.v, key);
+  });
+}
+
+bool WriterCore::WriteMessage(const void* message) noexcept {
+  const bool written = dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
+  if (!written) ++failures_;
+  return written;
+}
+
+}  // namespace understudy

@@ -1,0 +1,18 @@
+// Shell completions, made from the command line's own description.
+#ifndef UNDERSTUDY_COMMANDS_COMPLETIONS_H_
+#define UNDERSTUDY_COMMANDS_COMPLETIONS_H_
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+namespace understudy {
+
+// A script for `bash`, `zsh` or `fish` that completes subcommands, options and, where a robot is
+// wanted, `robots`. Throws std::invalid_argument for another shell.
+std::string Completions(const CLI::App& app, const std::string& shell,
+                        const std::vector<std::string>& robots);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_COMPLETIONS_H_

@@ -1,0 +1,39 @@
+#include "config/data_dir.h"
+
+#include <cstdlib>
+#include <system_error>
+
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+bool Holds(const std::filesystem::path& directory) {
+  std::error_code error;
+  return std::filesystem::is_directory(directory / "config" / "robots", error);
+}
+
+}  // namespace
+
+std::filesystem::path DataDir() {
+  std::error_code error;
+  return FindDataDir(std::getenv("UNDERSTUDY_DATA_DIR"),
+                     std::filesystem::read_symlink("/proc/self/exe", error), UNDERSTUDY_SOURCE_DIR);
+}
+
+std::filesystem::path FindDataDir(const char* variable, const std::filesystem::path& program,
+                                  const std::filesystem::path& source) {
+  if (variable != nullptr && *variable != '\0') {
+    if (Holds(variable)) return variable;
+    throw ConfigError("UNDERSTUDY_DATA_DIR: expected a directory with config/robots, got '" +
+                      std::string(variable) + "'");
+  }
+  const std::filesystem::path installed =
+      program.parent_path().parent_path() / "share" / "understudy";
+  if (Holds(installed)) return installed;
+  if (Holds(source)) return source;
+  throw ConfigError("no robot files: neither " + installed.string() + " nor " + source.string() +
+                    " holds config/robots; set UNDERSTUDY_DATA_DIR");
+}
+
+}  // namespace understudy

@@ -1,0 +1,20 @@
+// Where models and robot files are.
+#ifndef UNDERSTUDY_CONFIG_DATA_DIR_H_
+#define UNDERSTUDY_CONFIG_DATA_DIR_H_
+
+#include <filesystem>
+
+namespace understudy {
+
+// The directory that holds config/robots and models: $UNDERSTUDY_DATA_DIR where that is set, else
+// share/understudy beside the program's bin, else the source tree this was built from. Throws
+// ConfigError when the variable names no directory or none of them exists.
+std::filesystem::path DataDir();
+
+// The same with the environment, the program and the source tree given; `variable` may be null.
+std::filesystem::path FindDataDir(const char* variable, const std::filesystem::path& program,
+                                  const std::filesystem::path& source);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONFIG_DATA_DIR_H_

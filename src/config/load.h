@@ -1,0 +1,35 @@
+// From files and options to a Config.
+#ifndef UNDERSTUDY_CONFIG_LOAD_H_
+#define UNDERSTUDY_CONFIG_LOAD_H_
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+
+namespace understudy {
+
+// What a run is told, weakest first; all of it over the defaults in the structs.
+struct Layers {
+  std::string
+      robot{};  // a name in config/robots, or the path of a YAML file (has '/' or ends .yaml)
+  std::vector<std::string> files{};  // --config, in order
+  std::vector<std::string>
+      sets{};  // --set KEY=VALUE, in order; keys dotted, list elements by index
+};
+
+// The robots that have a file in data_dir/config/robots, in alphabetical order.
+std::vector<std::string> RobotNames(const std::filesystem::path& data_dir);
+
+// The effective configuration, validated. A robot file is a layer like the others: its `robot`
+// section says what the robot is, its other keys are that robot's run defaults. Throws ConfigError.
+Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);
+
+// All keys and values as YAML. Given as a --config file over the same robot it yields the same
+// configuration, number by number. With comments, meaning, unit and range stand above each key.
+std::string PrintConfig(const Config& config, bool with_comments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONFIG_LOAD_H_

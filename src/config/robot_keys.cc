@@ -1,0 +1,126 @@
+#include "config/keys.h"
+
+namespace understudy {
+namespace {
+
+void DescribeMotor(Archive& a, MotorSpec& m) {
+  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
+  a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
+  a.Key({"torque_limit", "N·m", kNotNegative, "Most torque at the joint"}, &m.torque_limit);
+  a.Key({"knee_speed", "rad/s", kNotNegative,
+         "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"},
+        &m.knee_speed);
+  a.Key({"no_load_speed", "rad/s", kNotNegative, "Speed at which no driving torque is left"},
+        &m.no_load_speed);
+  a.Key({"q_step", "rad", kNotNegative, "Lattice of the reported angle; 0 is none"}, &m.q_step);
+  a.Key({"dq_step", "rad/s", kNotNegative, "Lattice of the reported rate; 0 is none"}, &m.dq_step);
+  a.Key({"tau_step", "N·m", kNotNegative, "Lattice of the reported torque; 0 is none"},
+        &m.tau_step);
+  a.Key({"hold_kp", "N·m/rad", kNotNegative, "Gain that holds a start pose"}, &m.hold_kp);
+  a.Key({"hold_kd", "N·m·s/rad", kNotNegative, "Damping that holds a start pose"}, &m.hold_kd);
+}
+
+void DescribeParallel(Archive& a, ParallelSpec& p) {
+  a.Key({"pitch", "", {0, 34}, "Motor order index of the pitch joint; its slot carries motor B"},
+        &p.pitch);
+  a.Key({"roll", "", {0, 34}, "Motor order index of the roll joint; its slot carries motor A"},
+        &p.roll);
+  a.Key({"roll_ratio", "rad/rad", {0.01, 100}, "How far A and B part per roll angle"},
+        &p.roll_ratio);
+}
+
+void DescribeFoot(Archive& a, FootSpec& f) {
+  a.Key({"name", "Its name"}, &f.name);
+  a.Key({"geoms", "Geoms of the model whose contacts are this foot's"}, &f.geoms);
+}
+
+void DescribePose(Archive& a, PoseSpec& p) {
+  a.Key({"q", "rad", {-10, 10}, "Joint angles in motor order"}, &p.q);
+  a.Key({"height", "m", {0, 10}, "Height of the base"}, &p.height);
+}
+
+void DescribeRates(Archive& a, RateSpec& r) {
+  constexpr Range kHz{1, 10000};
+  a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
+  a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
+  a.Key({"lf_hz", "Hz", kHz, "Rate of all rt/lf topics"}, &r.lf_hz);
+}
+
+void DescribeImu(Archive& a, ImuSpec& i) {
+  a.Key({"site", "Site of the model where LowState's unit is"}, &i.site);
+  a.Key({"secondary_site", "Site of the second unit; \"\" where there is none"}, &i.secondary_site);
+  a.Key({"gyro_step", "rad/s", kNotNegative, "Lattice of the gyroscope; 0 is none"}, &i.gyro_step);
+  a.Key({"accel_step", "m/s²", kNotNegative, "Lattice of the accelerometer; 0 is none"},
+        &i.accel_step);
+  a.Key({"gyro_noise", "rad/s", kNotNegative, "Standard deviation of the gyroscope"},
+        &i.gyro_noise);
+  a.Key({"accel_noise", "m/s²", kNotNegative, "Standard deviation of the accelerometer"},
+        &i.accel_noise);
+  a.Key({"temperature_c", "°C", {-100, 150}, "Temperature it shows when warm"}, &i.temperature_c);
+}
+
+void DescribeEncoderNoise(Archive& a, EncoderNoiseSpec& n) {
+  constexpr Range kSteps{0, 1000};
+  a.Key({"q_steps", "steps", kSteps, "Standard deviation of the angle"}, &n.q_steps);
+  a.Key({"dq_steps", "steps", kSteps, "Standard deviation of the rate"}, &n.dq_steps);
+  a.Key({"tau_steps", "steps", kSteps, "Standard deviation of the torque"}, &n.tau_steps);
+}
+
+void DescribeFootSensor(Archive& a, FootSensorSpec& f) {
+  a.Key({"offset_counts", "counts", {0, 4095}, "Raw value of an unloaded foot"}, &f.offset_counts);
+  a.Key({"counts_per_newton", "counts/N", kNotNegative, "Slope of the raw value"},
+        &f.counts_per_newton);
+}
+
+void DescribeBattery(Archive& a, BatterySpec& b) {
+  a.Key({"cells", "", {0, 40}, "Cells in series"}, &b.cells);
+  a.Key({"capacity_ah", "A·h", kNotNegative, "Capacity"}, &b.capacity_ah);
+  a.Key({"start_soc", "", {0, 1}, "State of charge at the start, 1 is full"}, &b.start_soc);
+  a.Key({"cell_full_v", "V", {0, 5}, "Voltage of an unloaded full cell"}, &b.cell_full_v);
+  a.Key({"cell_empty_v", "V", {0, 5}, "Voltage of an unloaded empty cell"}, &b.cell_empty_v);
+  a.Key({"internal_ohm", "ohm", kNotNegative, "Resistance of the pack"}, &b.internal_ohm);
+  a.Key({"idle_a", "A", kNotNegative, "Current with all motors passive"}, &b.idle_a);
+  a.Key({"watt_per_nm2", "W/(N·m)²", kNotNegative, "Heat per square of joint torque"},
+        &b.watt_per_nm2);
+}
+
+void DescribeThermal(Archive& a, ThermalSpec& t) {
+  a.Key({"ambient_c", "°C", {-50, 80}, "Air temperature"}, &t.ambient_c);
+  a.Key({"rest_rise_c", "°C", kNotNegative, "How much warmer an idle motor is"}, &t.rest_rise_c);
+  a.Key({"rise_per_nm2_c", "°C/(N·m)²", kNotNegative, "Steady rise per square of its torque"},
+        &t.rise_per_nm2_c);
+  a.Key({"time_constant", "s", {1, 1e6}, "Time constant of the rise"}, &t.time_constant);
+}
+
+}  // namespace
+
+void Describe(Archive& a, RobotSpec& r) {
+  a.Key({"name", "Short name"}, &r.name);
+  a.Key({"description", "What it is, in a line"}, &r.description);
+  a.Key({"model", "Model file, below models or absolute"}, &r.model);
+  a.Key({"base_body", "Body of the model that moves freely"}, &r.base_body);
+  a.Choice({"family", "Message family on rt/lowcmd and rt/lowstate"}, {"go", "hg"}, &r.family);
+  a.Key({"mode_machine", "", {0, 255}, "Robot type that an hg robot announces and commands echo"},
+        &r.mode_machine);
+  a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
+  a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
+         DescribeParallel);
+  a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
+  a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
+            [&] { DescribeEncoderNoise(a, r.encoder_noise); });
+  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot);
+  a.Section({"foot_sensor", "What foot_force shows"},
+            [&] { DescribeFootSensor(a, r.foot_sensor); });
+  a.Section({"rates", "How often topics are written"}, [&] { DescribeRates(a, r.rates); });
+  a.Section({"battery", "The battery"}, [&] { DescribeBattery(a, r.battery); });
+  a.Section({"thermal", "How warm motors get"}, [&] { DescribeThermal(a, r.thermal); });
+  a.Section({"lying", "Pose on the ground, passive"}, [&] { DescribePose(a, r.lying); });
+  a.Section({"standing", "Pose of standing"}, [&] { DescribePose(a, r.standing); });
+  a.Section({"hanging", "Pose on the crane or clamped"}, [&] { DescribePose(a, r.hanging); });
+  a.Key({"crane_body", "Body of the model that the crane's hook is in"}, &r.crane_body);
+  a.Key({"crane_point", "m", {-5, 5}, "The hook in that body's frame"}, &r.crane_point, 3);
+  a.Word({"default_start", "Pose a run starts in unless start.pose says otherwise"}, StartPoses(),
+         &r.default_start);
+}
+
+}  // namespace understudy

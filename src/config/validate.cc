@@ -1,0 +1,145 @@
+#include "config/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "config/archive.h"
+#include "config/keys.h"
+#include "robot/nearest_word.h"
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+// Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
+constexpr int kGoSlots = 20;
+constexpr int kHgSlots = 35;
+
+class Checker {
+ public:
+  explicit Checker(const Places& places) : places_(places) {}
+
+  void Check(bool fits, const std::string& key, const std::string& what) const {
+    if (fits) return;
+    const auto place = places_.find(key);
+    throw ConfigError((place == places_.end() ? "" : place->second + ": ") + key + ": " + what);
+  }
+
+ private:
+  const Places& places_;
+};
+
+std::string MotorKey(std::size_t i, const char* key) {
+  return "robot.motors." + std::to_string(i) + "." + key;
+}
+
+void CheckMotors(const RobotSpec& robot, const Checker& checker) {
+  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
+  std::set<std::string> joints;
+  int last = -1;
+  checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    const MotorSpec& m = robot.motors[i];
+    checker.Check(!m.joint.empty(), MotorKey(i, "joint"), "expected the name of a joint");
+    checker.Check(joints.insert(m.joint).second, MotorKey(i, "joint"),
+                  "'" + m.joint + "' has a motor already");
+    checker.Check(m.slot >= 0 && m.slot < slots, MotorKey(i, "slot"),
+                  "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
+                      std::to_string(m.slot));
+    checker.Check(m.slot > last, MotorKey(i, "slot"),
+                  "expected more than " + std::to_string(last) +
+                      ", as slots ascend and no two are alike, got " + std::to_string(m.slot));
+    last = m.slot;
+    checker.Check(m.torque_limit > 0, MotorKey(i, "torque_limit"), "expected more than 0 N·m");
+    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, MotorKey(i, "knee_speed"),
+                  "expected less than no_load_speed " + NumberText(m.no_load_speed) +
+                      " rad/s, got " + NumberText(m.knee_speed));
+  }
+}
+
+void CheckParallel(const RobotSpec& robot, const Checker& checker) {
+  const int motors = static_cast<int>(robot.motors.size());
+  std::set<int> taken;
+  for (std::size_t i = 0; i < robot.parallel.size(); ++i) {
+    const std::string pair = "robot.parallel." + std::to_string(i);
+    const auto check = [&](int index, const std::string& key) {
+      checker.Check(index >= 0 && index < motors, key,
+                    "expected 0 to " + std::to_string(motors - 1) + ", as there are " +
+                        std::to_string(motors) + " motors, got " + std::to_string(index));
+      checker.Check(taken.insert(index).second, key,
+                    "motor " + std::to_string(index) + " is in a pair already");
+    };
+    check(robot.parallel[i].pitch, pair + ".pitch");
+    check(robot.parallel[i].roll, pair + ".roll");
+    checker.Check(robot.parallel[i].roll_ratio > 0, pair + ".roll_ratio", "expected more than 0");
+  }
+}
+
+void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors,
+               const Checker& checker) {
+  checker.Check(pose.q.size() == motors, "robot." + name + ".q",
+                "expected one angle per motor, " + std::to_string(motors) + ", got " +
+                    std::to_string(pose.q.size()));
+}
+
+bool IsWhole(double ratio) {
+  const double whole = std::round(ratio);
+  return whole >= 1 && std::abs(ratio - whole) < 1e-9 * whole;
+}
+
+void CheckRates(const Config& config, const Checker& checker) {
+  const RateSpec& rates = config.robot.rates;
+  const double steps = 1 / config.physics.timestep;
+  checker.Check(IsWhole(steps / rates.lowstate_hz), "robot.rates.lowstate_hz",
+                "expected a rate whose period is a whole number of physics steps of " +
+                    NumberText(config.physics.timestep) + " s, got " +
+                    NumberText(rates.lowstate_hz));
+  const auto divides = [&](double rate, const std::string& key) {
+    checker.Check(IsWhole(rates.lowstate_hz / rate), key,
+                  "expected a rate that divides lowstate_hz " + NumberText(rates.lowstate_hz) +
+                      ", got " + NumberText(rate));
+  };
+  divides(rates.motion_hz, "robot.rates.motion_hz");
+  divides(rates.lf_hz, "robot.rates.lf_hz");
+}
+
+void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker) {
+  const std::vector<std::string>& poses = StartPoses();
+  checker.Check(std::find(poses.begin(), poses.end(), pose) != poses.end(), key,
+                "no pose '" + pose + "'" + DidYouMean(pose, poses));
+}
+
+}  // namespace
+
+void Validate(const Config& config, const Places& places) {
+  const Checker checker(places);
+  const RobotSpec& robot = config.robot;
+  checker.Check(!robot.name.empty(), "robot.name", "expected a name");
+  checker.Check(!robot.model.empty(), "robot.model", "expected a model file");
+  checker.Check(!robot.base_body.empty(), "robot.base_body", "expected the name of a body");
+  checker.Check(!robot.imu.site.empty(), "robot.imu.site", "expected the name of a site");
+  checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
+  CheckMotors(robot, checker);
+  CheckParallel(robot, checker);
+  CheckPose(robot.lying, "lying", robot.motors.size(), checker);
+  CheckPose(robot.standing, "standing", robot.motors.size(), checker);
+  CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
+  CheckRates(config, checker);
+  checker.Check(robot.battery.cell_empty_v < robot.battery.cell_full_v,
+                "robot.battery.cell_empty_v", "expected less than cell_full_v");
+  checker.Check(robot.battery.cells > 0, "robot.battery.cells", "expected at least one cell");
+  checker.Check(robot.battery.capacity_ah > 0, "robot.battery.capacity_ah",
+                "expected more than 0 A·h");
+  CheckStartPose(robot.default_start, "robot.default_start", checker);
+  if (!config.start.pose.empty()) CheckStartPose(config.start.pose, "start.pose", checker);
+  checker.Check(robot.mode_machine >= 0 && robot.mode_machine <= 255, "robot.mode_machine",
+                "expected 0 to 255");
+  checker.Check(config.network.domain >= 0 && config.network.domain <= 232, "network.domain",
+                "expected 0 to 232");
+}
+
+}  // namespace understudy

@@ -1,0 +1,18 @@
+// What has to fit together across keys.
+#ifndef UNDERSTUDY_CONFIG_VALIDATE_H_
+#define UNDERSTUDY_CONFIG_VALIDATE_H_
+
+#include "config/config.h"
+#include "config/reader.h"
+
+namespace understudy {
+
+// Throws ConfigError at the first thing that does not fit: a robot without name, model or motors;
+// slots that are not ascending or that the message family lacks; speeds, poses, parallel pairs and
+// battery voltages that contradict each other; rates that are no whole number of physics steps, or
+// that rt/lowstate's rate is no multiple of. `places` tells where each key was set.
+void Validate(const Config& config, const Places& places = {});
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONFIG_VALIDATE_H_

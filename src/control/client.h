@@ -1,0 +1,38 @@
+// Finds running robots and asks them.
+#ifndef UNDERSTUDY_CONTROL_CLIENT_H_
+#define UNDERSTUDY_CONTROL_CLIENT_H_
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace understudy {
+
+struct RunningRobot {
+  std::string name;
+  std::filesystem::path socket;
+  pid_t pid = 0;  // 0 when it is out of sight (another process namespace) or too busy to tell
+};
+
+// The robots whose sockets are in the control folder, by name; none when there is no such folder.
+// Sockets of dead processes are removed on the way. Throws ControlError for a folder that is not
+// this user's alone.
+std::vector<RunningRobot> FindRobots();
+
+struct ControlReply {
+  unsigned status = 0;  // of HTTP
+  std::string body;
+};
+
+// One request on a connection of its own, all of it within `timeout`. A reply of any status is a
+// reply. Throws ControlError when nobody listens at `socket` or no HTTP comes back in time.
+ControlReply Call(const std::filesystem::path& socket, const std::string& method,
+                  const std::string& path, const std::string& body,
+                  std::chrono::milliseconds timeout);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONTROL_CLIENT_H_

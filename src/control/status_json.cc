@@ -1,0 +1,64 @@
+#include "control/status_json.h"
+
+#include <string_view>
+
+namespace understudy {
+namespace {
+
+std::string_view Word(GateState state) {
+  switch (state) {
+    case GateState::kStart:
+      return "start";
+    case GateState::kFollowing:
+      return "following";
+    case GateState::kDamping:
+      break;
+  }
+  return "damping";
+}
+
+nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
+  nlohmann::ordered_json refused;
+  for (std::size_t i = 1; i < kRefusals; ++i) {
+    refused[std::string{Name(static_cast<Refusal>(i))}] = counts.refused[i];
+  }
+  return refused;
+}
+
+}  // namespace
+
+nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
+  return {
+      {"robot", identity.robot},
+      {"version", identity.version},
+      {"pid", identity.pid},
+      {"ready", status.ready},
+      {"silenced", status.silenced},
+      {"time", status.time},
+      {"steps", status.steps},
+      {"speed", status.speed},
+      {"pace",
+       {{"real_time_factor", status.pace.real_time_factor},
+        {"overruns", status.pace.overruns},
+        {"lateness", status.pace.lateness},
+        {"worst_lateness", status.pace.worst_lateness}}},
+      {"commands",
+       {{"state", Word(status.gate)},
+        {"accepted", status.commands.accepted},
+        {"timeouts", status.commands.timeouts},
+        {"refused", RefusedJson(status.commands)},
+        {"last_refusal", Name(status.last_refusal)},
+        {"unused_slots", status.unused_slot_commands},
+        {"writers", status.command_writers}}},
+      {"published", status.published},
+      {"divergences", status.divergences},
+      {"crane",
+       {{"attached", status.crane_attached},
+        {"length", status.crane_length},
+        {"tension", status.crane_tension}}},
+      {"clamped", status.clamped},
+      {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
+  };
+}
+
+}  // namespace understudy

@@ -1,0 +1,199 @@
+#include "exec/child_process.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <csignal>
+#include <string_view>
+#include <system_error>
+#include <thread>
+
+#include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace understudy {
+namespace {
+
+constexpr std::string_view kDefaultPath = "/bin:/usr/bin";  // as execvp(3) takes it without PATH
+constexpr std::chrono::milliseconds kWaitStep{2};           // assumed; how late Wait() may notice
+
+std::string_view NameOf(std::string_view entry) { return entry.substr(0, entry.find('=')); }
+
+std::vector<std::string> MergedEnvironment(const ChildProcess::Environment& additions) {
+  std::vector<std::string> merged;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const bool replaced = std::any_of(additions.begin(), additions.end(), [&](const auto& added) {
+      return added.first == NameOf(*entry);
+    });
+    if (!replaced) merged.emplace_back(*entry);
+  }
+  for (const auto& [name, value] : additions) {
+    merged.emplace_back(name).append("=").append(value);
+  }
+  return merged;
+}
+
+std::string SearchPath(const std::vector<std::string>& environment) {
+  for (const std::string& entry : environment) {
+    if (NameOf(entry) == "PATH") return entry.substr(std::string_view("PATH=").size());
+  }
+  return std::string(kDefaultPath);
+}
+
+// The array that exec(2) takes: pointers into `strings`, which must stay, and a null.
+std::vector<char*> PointersTo(std::vector<std::string>& strings) {
+  std::vector<char*> pointers;
+  pointers.reserve(strings.size() + 1);
+  for (std::string& text : strings) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+void SetToDefault(int signal) {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  ::sigaction(signal, &action, nullptr);
+}
+
+// What exec would do anyway, done before the gate: a handler of ours must not run in the child.
+void ResetHandlers() {
+  for (int signal = 1; signal < NSIG; ++signal) {
+    struct sigaction action {};
+    if (::sigaction(signal, nullptr, &action) == 0 && action.sa_handler != SIG_DFL &&
+        action.sa_handler != SIG_IGN) {
+      SetToDefault(signal);
+    }
+  }
+}
+
+bool IgnoresChildren() {
+  struct sigaction action {};
+  return ::sigaction(SIGCHLD, nullptr, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+[[noreturn]] void RefuseProcess(int error) {
+  throw CommandError("cannot start a process: " + std::generic_category().message(error),
+                     kExitOwnFailure);
+}
+
+// read(2) until `size` bytes are there. False at end of file or error.
+bool ReadFully(int fd, void* buffer, std::size_t size) {
+  auto* next = static_cast<char*>(buffer);
+  while (size > 0) {
+    const ssize_t got = ::read(fd, next, size);
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) return false;
+    next += got;
+    size -= static_cast<std::size_t>(got);
+  }
+  return true;
+}
+
+// The life of the child from fork to exec. Never returns, never throws, never allocates. It begins
+// with all signals blocked and restores `mask`.
+[[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, const char* program,
+                              char* const* arguments, char* const* environment) {
+  ResetHandlers();
+  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
+  // The parent may have died before the first call took effect; the second sees that.
+  if (::prctl(PR_SET_PDEATHSIG, 0) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
+  char go = 0;
+  if (!ReadFully(gate, &go, 1)) ::_exit(kExitOwnFailure);
+
+  // `program` holds a slash: no second search, but a script without #! still gets its shell.
+  ::execvpe(program, arguments, environment);
+  const int error = errno;
+  ::send(gate, &error, sizeof(error), MSG_NOSIGNAL);
+  ::_exit(ExitCodeOfFailedExec(error));
+}
+
+}  // namespace
+
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
+                           const Environment& additions) {
+  if (arguments.empty()) throw CommandError("no command to run", kExitOwnFailure);
+  std::vector<std::string> argument_texts = arguments;
+  std::vector<std::string> environment_texts = MergedEnvironment(additions);
+  program_ = FindProgram(arguments[0], SearchPath(environment_texts));
+  const std::vector<char*> argument_pointers = PointersTo(argument_texts);
+  const std::vector<char*> environment_pointers = PointersTo(environment_texts);
+
+  std::array<int, 2> ends{};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0) {
+    RefuseProcess(errno);
+  }
+  gate_ = UniqueFd(ends[0]);
+  UniqueFd child_gate(ends[1]);
+
+  // Blocked across the fork: a handler that ran in the child before its reset would swallow a
+  // signal.
+  sigset_t all;
+  sigset_t mask;
+  ::sigfillset(&all);
+  ::sigprocmask(SIG_SETMASK, &all, &mask);
+  const pid_t parent = ::getpid();
+  pid_ = ::fork();
+  const int error = errno;
+  if (pid_ == 0) {
+    gate_.reset();  // else the gate would never show our end
+    WaitAndExec(child_gate.get(), parent, mask, program_.c_str(), argument_pointers.data(),
+                environment_pointers.data());
+  }
+  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
+  if (pid_ < 0) RefuseProcess(error);
+  if (IgnoresChildren()) SetToDefault(SIGCHLD);
+}
+
+ChildProcess::~ChildProcess() {
+  gate_.reset();
+  if (Poll()) return;
+  ::kill(pid_, SIGKILL);
+  Wait();
+}
+
+void ChildProcess::Release() {
+  if (!gate_.valid()) return;
+  const UniqueFd gate = std::move(gate_);
+  const char go = 1;
+  // No SIGPIPE, no error: a child that a signal ended at the gate is Poll()'s to report.
+  ::send(gate.get(), &go, sizeof(go), MSG_NOSIGNAL);
+  int error = 0;
+  if (!ReadFully(gate.get(), &error, sizeof(error))) return;
+  std::string what = "cannot run " + program_ + ": " + std::generic_category().message(error);
+  if (error == ENOENT) what += " (the file is there, the interpreter it asks for is not)";
+  throw CommandError(what, ExitCodeOfFailedExec(error));
+}
+
+std::optional<int> ChildProcess::Poll() {
+  if (exit_code_) return exit_code_;
+  int status = 0;
+  const pid_t ended = ::waitpid(pid_, &status, WNOHANG);
+  if (ended == pid_) {
+    exit_code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+  } else if (ended < 0 && errno == ECHILD) {
+    exit_code_ = kExitOwnFailure;  // somebody else waited for it: its code is lost
+  } else if (kill_at_ && std::chrono::steady_clock::now() >= *kill_at_) {
+    ::kill(pid_, SIGKILL);
+  }
+  return exit_code_;
+}
+
+void ChildProcess::Terminate(std::chrono::milliseconds grace) {
+  kill_at_ = std::chrono::steady_clock::now() + grace;
+  Forward(SIGTERM);
+  Forward(SIGCONT);
+}
+
+void ChildProcess::Forward(int signal) {
+  // Unreaped, the pid cannot belong to another process.
+  if (!exit_code_) ::kill(pid_, signal);
+}
+
+int ChildProcess::Wait() {
+  while (!Poll()) std::this_thread::sleep_for(kWaitStep);
+  return *exit_code_;
+}
+
+}  // namespace understudy

@@ -1,0 +1,39 @@
+// A command to be run: finding its program, and what is wrong when there is none.
+#ifndef UNDERSTUDY_EXEC_COMMAND_H_
+#define UNDERSTUDY_EXEC_COMMAND_H_
+
+#include <string>
+
+#include "robot/errors.h"
+
+namespace understudy {
+
+// Exit codes of our own beside the command's, as env(1) has them.
+inline constexpr int kExitOwnFailure = 125;     // the command was never tried
+inline constexpr int kExitNotExecutable = 126;  // found, but the kernel does not run it
+inline constexpr int kExitNotFound = 127;
+
+// A command that cannot be run. what() names it and the reason.
+class CommandError : public SetupError {
+ public:
+  CommandError(const std::string& what, int exit_code) : SetupError(what), exit_code_(exit_code) {}
+
+  // One of the three above: what the process should end with.
+  int exit_code() const { return exit_code_; }
+
+ private:
+  int exit_code_;
+};
+
+// kExitNotFound for ENOENT, else kExitNotExecutable, where `error` is the errno of exec(2).
+int ExitCodeOfFailedExec(int error);
+
+// The file that `name` stands for: itself when it holds a slash, else the first executable file of
+// that name in the folders of `search_path` (separated by colons; an empty one is the current
+// folder). The result always holds a slash.
+// Throws CommandError: nothing of that name (127), or only what we may not execute (126).
+std::string FindProgram(const std::string& name, const std::string& search_path);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_EXEC_COMMAND_H_

@@ -1,0 +1,30 @@
+// Why the kernel refuses a private network, in words that name the setting that helps.
+#ifndef UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
+#define UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace understudy {
+
+// What this machine says about namespaces. Empty: the kernel has no such setting.
+struct NamespacePolicy {
+  std::optional<std::int64_t> max_user_namespaces{};  // user.max_user_namespaces; 0 forbids
+  std::optional<std::int64_t> max_net_namespaces{};   // user.max_net_namespaces; 0 forbids
+  std::optional<std::int64_t> unprivileged_clone{};   // kernel.unprivileged_userns_clone; 0 forbids
+  std::optional<std::int64_t> apparmor_restricts{};  // kernel.apparmor_restrict_unprivileged_userns
+  bool seccomp_filter = false;  // this process runs under one, as in a container
+
+  // Reads them from /proc; what cannot be read stays empty.
+  static NamespacePolicy OfThisMachine();
+};
+
+// One line: what failed (`step`, as in "raising lo"), the reason of `error` (an errno), each
+// setting of `policy` that explains it with its remedy, and the way without a private network.
+// Where nothing in `policy` explains it, the line lists the usual suspects instead.
+std::string ExplainRefusal(const std::string& step, int error, const NamespacePolicy& policy);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_

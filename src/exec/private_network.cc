@@ -1,0 +1,134 @@
+#include "exec/private_network.h"
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include <arpa/inet.h>
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <net/if.h>
+#include <net/route.h>
+#include <netinet/in.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "exec/capabilities.h"
+#include "exec/namespace_refusal.h"
+#include "exec/unique_fd.h"
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+[[noreturn]] void Refuse(const std::string& step, int error) {
+  throw BusError(ExplainRefusal(step, error, NamespacePolicy::OfThisMachine()));
+}
+
+// unshare(2) moves the calling thread only: threads left behind would speak on the old network.
+void RequireSingleThread() {
+  struct stat tasks {};
+  if (::stat("/proc/self/task", &tasks) != 0) Refuse("reading /proc/self/task", errno);
+  const auto threads = tasks.st_nlink - 2;  // a directory's links: itself, its name, each subfolder
+  if (threads > 1) {
+    throw BusError("no private network: the process already runs " + std::to_string(threads) +
+                   " threads, and only a process of one thread can enter one");
+  }
+}
+
+// 0, or errno.
+int WriteWhole(const char* path, const std::string& text) {
+  const UniqueFd file(::open(path, O_WRONLY | O_CLOEXEC));
+  if (!file.valid()) return errno;
+  // The kernel takes an id map in one write or not at all.
+  return ::write(file.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0
+                                                                                            : errno;
+}
+
+void MapToItself(const char* path, unsigned int id) {
+  const std::string name = std::to_string(id);
+  if (const int error = WriteWhole(path, name + " " + name + " 1")) {
+    Refuse(std::string("writing ") + path, error);
+  }
+}
+
+// The ids are asked before unshare: in a namespace without a map everybody is nobody.
+void MapOwnIds(uid_t uid, gid_t gid) {
+  // user_namespaces(7): without rights outside, gid_map is open only once setgroups is denied.
+  if (const int error = WriteWhole("/proc/self/setgroups", "deny")) {
+    Refuse("writing /proc/self/setgroups", error);
+  }
+  MapToItself("/proc/self/uid_map", uid);
+  MapToItself("/proc/self/gid_map", gid);
+}
+
+UniqueFd OpenControlSocket() {
+  UniqueFd socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+  if (!socket.valid()) Refuse("opening a socket", errno);
+  return socket;
+}
+
+// The kernel gives lo 127.0.0.1/8 by itself when it comes up.
+void RaiseLoopback(int socket) {
+  ifreq request{};
+  std::strcpy(request.ifr_name, "lo");
+  if (::ioctl(socket, SIOCGIFFLAGS, &request) != 0) Refuse("reading the flags of lo", errno);
+  request.ifr_flags =
+      static_cast<decltype(request.ifr_flags)>(request.ifr_flags | IFF_UP | IFF_MULTICAST);
+  if (::ioctl(socket, SIOCSIFFLAGS, &request) != 0) Refuse("raising lo", errno);
+}
+
+sockaddr Ipv4(const char* text) {
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  ::inet_pton(AF_INET, text, &address.sin_addr);
+  sockaddr generic{};
+  static_assert(sizeof(generic) == sizeof(address));
+  std::memcpy(&generic, &address, sizeof(generic));
+  return generic;
+}
+
+// For programs that name no interface: joining and sending then follow the routes.
+void RouteMulticastToLoopback(int socket) {
+  char device[] = "lo";
+  rtentry route{};
+  route.rt_dst = Ipv4("224.0.0.0");
+  route.rt_genmask = Ipv4("240.0.0.0");
+  route.rt_flags = RTF_UP;
+  route.rt_dev = device;
+  if (::ioctl(socket, SIOCADDRT, &route) != 0) Refuse("adding the multicast route", errno);
+}
+
+}  // namespace
+
+void EnterPrivateNetwork() {
+  RequireSingleThread();
+  const Capabilities before = Capabilities::OfThisThread();
+  const uid_t uid = ::geteuid();
+  const gid_t gid = ::getegid();
+
+  const bool privileged = before.CanUse(CAP_SYS_ADMIN) && before.CanUse(CAP_NET_ADMIN);
+  if (privileged) {
+    if (::unshare(CLONE_NEWNET) != 0) Refuse("creating a network namespace", errno);
+  } else {
+    // One call, so that a refusal of either leaves everything as it was.
+    if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) {
+      Refuse("creating a user and a network namespace", errno);
+    }
+    MapOwnIds(uid, gid);
+  }
+
+  const UniqueFd socket = OpenControlSocket();
+  RaiseLoopback(socket.get());
+  RouteMulticastToLoopback(socket.get());
+
+  // A new user namespace hands out every capability. Kept, they would override the permissions of
+  // the user's own files, and uid 0 would gain some at exec, which switches off the command's
+  // parent-death signal (ChildProcess).
+  if (!privileged && !before.Apply()) Refuse("giving the namespace's capabilities back", errno);
+}
+
+}  // namespace understudy

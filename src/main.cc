@@ -1,0 +1,125 @@
+// Command line -> configuration -> run. The only place that catches, and that picks the exit code.
+#include <cstdio>
+#include <exception>
+#include <functional>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "commands/completions.h"
+#include "commands/inspect_commands.h"
+#include "commands/log.h"
+#include "commands/run_command.h"
+#include "config/data_dir.h"
+#include "config/load.h"
+#include "control/ctl_command.h"
+#include "exec/command.h"
+#include "exit_code.h"
+#include "robot/errors.h"
+#include "version.h"
+
+namespace understudy {
+namespace {
+
+constexpr char kFooter[] =
+    "First steps:\n"
+    "  understudy run go2                      play a Go2 on lo, domain 0\n"
+    "  understudy exec go2 -- python3 prog.py  play one for the time of a program\n"
+    "  understudy ctl status --watch           look at it from another terminal\n"
+    "`understudy COMMAND --help` tells more.\n"
+    "Exit codes: 0 done; 1 a bug, or an order refused; 2 command line; 3 configuration; 4 model;\n"
+    "5 network; 6 another robot is on the network; 7 the physics diverged; exec: the command's "
+    "own.";
+
+int Main(int argc, char** argv) {
+  CLI::App app(
+      "Understudy plays a Unitree robot: programs written with Unitree SDK 2 run against it\n"
+      "without a change.",
+      "understudy");
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", std::string("understudy ") + kVersion);
+  std::function<int()> chosen;
+
+  RunArguments run_arguments, exec_arguments;
+  AddRunCommand(&app, &run_arguments)->callback([&] {
+    chosen = [&] { return RunCommand(run_arguments); };
+  });
+  AddExecCommand(&app, &exec_arguments)->callback([&] {
+    chosen = [&] { return ExecCommand(exec_arguments); };
+  });
+  CtlCommand ctl(&app, &std::cout);
+
+  bool json = false;
+  CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
+  robots->add_flag("--json", json, "As a JSON array");
+  robots->callback([&] { chosen = [&] { return RobotsCommand(json); }; });
+
+  std::vector<std::string> files;
+  CLI::App* check =
+      app.add_subcommand("check", "Check robot descriptions (.yaml) and models (.xml)");
+  check->add_option("files", files, "Files to check")->required()->type_name("FILE...");
+  check->add_flag("--json", json, "As a JSON array");
+  check->callback([&] { chosen = [&] { return CheckCommand(files, json); }; });
+
+  CLI::App* version = app.add_subcommand("version", "Say which version this is");
+  version->add_flag("--json", json, "As a JSON object");
+  version->callback([&] { chosen = [&] { return VersionCommand(json); }; });
+
+  std::string shell;
+  CLI::App* completions = app.add_subcommand("completions", "Print completions for a shell");
+  completions->add_option("shell", shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  completions->footer(
+      "Example: understudy completions bash > "
+      "~/.local/share/bash-completion/completions/understudy");
+  completions->callback([&] {
+    chosen = [&] {
+      std::fputs(Completions(app, shell, RobotNames(DataDir())).c_str(), stdout);
+      return 0;
+    };
+  });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
+  }
+  if (!ctl.chosen()) return chosen();
+  ctl.Run();
+  return 0;
+}
+
+int Fail(const std::exception& error, ExitCode code) {
+  std::fprintf(stderr, "understudy: %s\n", error.what());
+  return static_cast<int>(code);
+}
+
+}  // namespace
+}  // namespace understudy
+
+int main(int argc, char** argv) {
+  using understudy::ExitCode;
+  using understudy::Fail;
+  int code = 0;
+  try {
+    code = understudy::Main(argc, argv);
+  } catch (const understudy::ConfigError& error) {
+    code = Fail(error, ExitCode::kConfig);
+  } catch (const understudy::ModelError& error) {
+    code = Fail(error, ExitCode::kModel);
+  } catch (const understudy::BusError& error) {
+    code = Fail(error, ExitCode::kBus);
+  } catch (const understudy::NeighbourError& error) {
+    code = Fail(error, ExitCode::kNeighbour);
+  } catch (const understudy::CommandError& error) {
+    std::fprintf(stderr, "understudy: %s\n", error.what());
+    code = error.exit_code();
+  } catch (const std::exception& error) {
+    code = Fail(error, ExitCode::kInternal);
+  }
+  understudy::StopLog();
+  return code;
+}

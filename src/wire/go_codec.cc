@@ -1,0 +1,114 @@
+#include "wire/go_codec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <span>
+
+#include "wire/imu_codec.h"
+#include "wire/message_crc.h"
+#include "wire/rounded.h"
+#include "wire/slots.h"
+
+namespace understudy {
+namespace {
+
+static_assert(std::size(unitree_go_msg_dds__LowCmd_{}.motor_cmd) == kGoMotorSlots);
+static_assert(std::size(unitree_go_msg_dds__LowState_{}.motor_state) == kGoMotorSlots);
+static_assert(std::size(unitree_go_msg_dds__BmsState_{}.cell_vol) == kGoCells);
+
+constexpr std::uint8_t kHead[] = {0xFE, 0xEF};
+constexpr std::uint8_t kLowLevel = 0xFF;  // LowCmd's level_flag; LowState's is 0
+constexpr std::uint8_t kServo = 0x01;
+constexpr std::uint8_t kServoStrong = 0x0A;  // vendor, H1 basic services
+
+// Where no source is named: the values of two complete LowStates of real Go2 (public captures,
+// 2024-09 and 2026-03). That other robots of the family send the same is *assumed*.
+constexpr std::uint32_t kMotorRate = 602;  // seen 523..638, the same for all motors; unit unknown
+constexpr std::uint8_t kBmsVersion[] = {1, 16};
+constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services
+constexpr std::uint16_t kBmsCycles = 17;
+constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
+constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
+constexpr std::uint8_t kNoRemote = 0x20;
+constexpr float kReel = 4 * 3.3F / 2048;  // A; 4 counts of the converter
+constexpr std::uint8_t kBoard_c[] = {45, 41};
+constexpr double kBoardDrop = 1.28;   // V from pack to board; seen 1.13 and 1.42
+constexpr double kBoardShare = 0.69;  // of the pack's current that the board sees
+
+bool Knows(std::uint8_t mode) { return mode == 0 || mode == kServo || mode == kServoStrong; }
+
+void EncodeBattery(const BatteryReading& battery, const BatterySpec& spec,
+                   unitree_go_msg_dds__BmsState_* message) {
+  message->version_high = kBmsVersion[0];
+  message->version_low = kBmsVersion[1];
+  message->status = kDischarging;
+  message->soc = Rounded<std::uint8_t>(100 * battery.soc, 0, 100);
+  message->current = Rounded<std::int32_t>(1000 * battery.current);
+  message->cycle = kBmsCycles;
+  std::ranges::fill(message->bq_ntc, Rounded<std::uint8_t>(battery.temperature_c, 0, 127));
+  std::ranges::fill(message->mcu_ntc,
+                    Rounded<std::uint8_t>(battery.temperature_c + kMosWarmer_c, 0, 127));
+  std::ranges::fill(std::span(message->cell_vol).first(static_cast<std::size_t>(spec.cells)),
+                    Rounded<std::uint16_t>(1000 * battery.voltage / spec.cells));
+}
+
+}  // namespace
+
+Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec,
+               RobotCommand* command) {
+  bool modes_known = true;
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
+    modes_known = modes_known && Knows(wire.mode);
+    command->motors[i] = DecodeMotor(wire);
+  }
+  command->joint_space = JointSpace::kPitchRoll;
+
+  if (message.crc != MessageCrc(message)) return Refusal::kCrc;
+  if (!std::ranges::equal(message.head, kHead) || message.level_flag != kLowLevel) {
+    return Refusal::kHead;
+  }
+  if (!modes_known) return Refusal::kMotorMode;
+  return Refusal::kNone;
+}
+
+void Encode(const RobotState& state, const RobotSpec& spec,
+            unitree_go_msg_dds__LowState_* message) {
+  std::ranges::copy(kHead, message->head);
+  EncodeImu(state.imu, &message->imu_state);
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const MotorReading& motor = state.motors[i];
+    auto& wire = message->motor_state[SlotOf(spec.motors[i])];
+    wire.mode = kServo;
+    wire.q = static_cast<float>(motor.q);
+    wire.dq = static_cast<float>(motor.dq);
+    wire.tau_est = static_cast<float>(motor.tau);
+    // One temperature for casing and winding: the hotter one is *assumed*.
+    wire.temperature = Rounded<std::uint8_t>(std::max(motor.casing_c, motor.winding_c), 0, 127);
+    wire.reserve[1] = kMotorRate;
+  }
+  EncodeBattery(state.battery, spec.battery, &message->bms_state);
+
+  const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
+  for (std::size_t i = 0; i < feet; ++i) {
+    const double counts =
+        spec.foot_sensor.offset_counts + spec.foot_sensor.counts_per_newton * state.foot_force[i];
+    message->foot_force[i] = Rounded<std::int16_t>(counts, 0, 4095);
+  }
+
+  message->tick = static_cast<std::uint32_t>(state.tick_ms);
+  std::ranges::copy(state.remote, message->wireless_remote);
+  const bool remote =
+      std::ranges::any_of(state.remote, [](std::uint8_t byte) { return byte != 0; });
+  message->bit_flag = remote ? kNotCharging : kNotCharging | kNoRemote;
+  message->adc_reel = kReel;
+  message->temperature_ntc1 = kBoard_c[0];
+  message->temperature_ntc2 = kBoard_c[1];
+  message->power_v = static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop));
+  message->power_a = static_cast<float>(kBoardShare * std::abs(state.battery.current));
+  message->crc = MessageCrc(*message);
+}
+
+}  // namespace understudy

@@ -1,0 +1,31 @@
+// unitree_go: the low level of Go2, B2, their wheeled kin and H1.
+#ifndef UNDERSTUDY_WIRE_GO_CODEC_H_
+#define UNDERSTUDY_WIRE_GO_CODEC_H_
+
+#include "idl/unitree_go.h"
+#include "robot/refusal.h"
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// Reads a command into `command`, whose vectors have the robot's size, and tells the first thing
+// wrong with its form, in this order: crc (kCrc), head FE EF and level_flag FF (kHead), the mode of
+// a slot with a motor (kMotorMode). Modes are 0 stop, 1 servo, 0x0A servo of H1's strong motors.
+// `command` is filled in any case; an unknown mode counts as enabled there. What the other fields
+// hold (led, fan, gpio, bms_cmd, ...) is neither checked nor obeyed.
+Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec,
+               RobotCommand* command);
+
+// Writes a state: all fields but those that stay 0 on real robots. Call it with the same message
+// each time, all zero before the first (EncodeImu tells why). Slots without a motor stay as they
+// are. Robots fill ddq and the raw fields with 0, and show mode 1 on a passive motor too
+// (measured.md, section c).
+//
+// Not modelled: faults (reserve[0], bit_flag), lost packets, fans, foot_force_est, the board's
+// thermometers.
+void Encode(const RobotState& state, const RobotSpec& spec, unitree_go_msg_dds__LowState_* message);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_WIRE_GO_CODEC_H_

@@ -1,0 +1,44 @@
+#include "wire/go_port.h"
+
+#include "wire/go_codec.h"
+#include "wire/motion_codec.h"
+#include "wire/slots.h"
+#include "wire/topics.h"
+
+namespace understudy {
+
+GoPort::GoPort(const Participant& participant, const RobotSpec& spec)
+    : spec_(spec),
+      commands_(participant, kGoLowCmd),
+      lowstate_(participant, kGoLowState),
+      lf_lowstate_(participant, kGoLfLowState),
+      motion_(participant, kSportModeState),
+      lf_motion_(participant, kLfSportModeState) {
+  CheckFits(spec, kGoMotorSlots, kGoCells);
+}
+
+bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
+  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, WriterHandle) {
+    *wire = Decode(message, spec_, command);
+    unused_slot_commands_ += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
+  };
+  return commands_.Take(visit, 1) == 1;
+}
+
+void GoPort::Publish(const RobotState& state, const Due& due) {
+  if (due.lowstate || due.lf) Encode(state, spec_, &lowstate_message_);
+  if (due.motion || due.lf) EncodeMotion(state, &motion_message_);
+  if (due.lowstate) lowstate_.Write(lowstate_message_);
+  if (due.motion) motion_.Write(motion_message_);
+  if (due.lf) {
+    lf_lowstate_.Write(lowstate_message_);
+    lf_motion_.Write(motion_message_);
+  }
+}
+
+std::uint64_t GoPort::write_failures() const {
+  return lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
+         lf_motion_.failures();
+}
+
+}  // namespace understudy

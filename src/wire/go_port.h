@@ -1,0 +1,42 @@
+// The robot port of the unitree_go family.
+#ifndef UNDERSTUDY_WIRE_GO_PORT_H_
+#define UNDERSTUDY_WIRE_GO_PORT_H_
+
+#include <cstdint>
+
+#include "bus/reader.h"
+#include "bus/writer.h"
+#include "idl/unitree_go.h"
+#include "robot/robot_spec.h"
+#include "wire/robot_port.h"
+
+namespace understudy {
+
+// Reads rt/lowcmd; writes rt/lowstate, rt/sportmodestate and their rt/lf/ twins.
+class GoPort final : public RobotPort {
+ public:
+  // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
+  // ModelError when the robot does not fit into the messages.
+  GoPort(const Participant& participant, const RobotSpec& spec);
+
+  bool TakeCommand(RobotCommand* command, Refusal* wire) override;
+  void Publish(const RobotState& state, const Due& due) override;
+  int command_writers() override { return commands_.matched_writers(); }
+  std::uint64_t unused_slot_commands() const override { return unused_slot_commands_; }
+  std::uint64_t write_failures() const override;
+
+ private:
+  const RobotSpec& spec_;
+  Reader<unitree_go_msg_dds__LowCmd_> commands_;
+  Writer<unitree_go_msg_dds__LowState_> lowstate_;
+  Writer<unitree_go_msg_dds__LowState_> lf_lowstate_;
+  Writer<unitree_go_msg_dds__SportModeState_> motion_;
+  Writer<unitree_go_msg_dds__SportModeState_> lf_motion_;
+  unitree_go_msg_dds__LowState_ lowstate_message_{};
+  unitree_go_msg_dds__SportModeState_ motion_message_{};
+  std::uint64_t unused_slot_commands_ = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_WIRE_GO_PORT_H_

@@ -1,0 +1,107 @@
+#include "wire/hg_codec.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <span>
+
+#include "robot/parallel_joint.h"
+#include "wire/imu_codec.h"
+#include "wire/message_crc.h"
+#include "wire/rounded.h"
+#include "wire/slots.h"
+
+namespace understudy {
+namespace {
+
+using MotorState = unitree_hg_msg_dds__MotorState_;
+
+static_assert(std::size(unitree_hg_msg_dds__LowCmd_{}.motor_cmd) == kHgMotorSlots);
+static_assert(std::size(unitree_hg_msg_dds__LowState_{}.motor_state) == kHgMotorSlots);
+static_assert(std::size(unitree_hg_msg_dds__BmsState_{}.cell_vol) == kHgCells);
+
+constexpr std::uint8_t kEnabled = 1;
+constexpr double kVolStep = 0.5;    // V, public audit of a real G1
+constexpr std::uint8_t kSoh = 100;  // percent, *assumed*
+
+void EncodeMotion(double q, double dq, double tau, MotorState* wire) {
+  wire->q = static_cast<float>(q);
+  wire->dq = static_cast<float>(dq);
+  wire->tau_est = static_cast<float>(tau);
+}
+
+// Overwrites the serial pair's readings with those of its two motors.
+void EncodePair(const RobotState& state, const RobotSpec& spec, const ParallelJoint& joint,
+                unitree_hg_msg_dds__LowState_* message) {
+  const auto pitch = static_cast<std::size_t>(joint.pitch());
+  const auto roll = static_cast<std::size_t>(joint.roll());
+  const MotorReading& p = state.motors[pitch];
+  const MotorReading& r = state.motors[roll];
+  const ParallelJoint::Motors q = joint.ToMotors({p.q, r.q});
+  const ParallelJoint::Motors dq = joint.ToMotors({p.dq, r.dq});
+  const ParallelJoint::Motors tau = joint.TorqueToMotors({p.tau, r.tau});
+  EncodeMotion(q.b, dq.b, tau.b, &message->motor_state[SlotOf(spec.motors[pitch])]);
+  EncodeMotion(q.a, dq.a, tau.a, &message->motor_state[SlotOf(spec.motors[roll])]);
+}
+
+}  // namespace
+
+Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const RobotSpec& spec,
+               RobotCommand* command) {
+  bool modes_known = true;
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
+    modes_known = modes_known && wire.mode <= kEnabled;
+    command->motors[i] = DecodeMotor(wire);
+  }
+  const bool motor_space = message.mode_pr == static_cast<std::uint8_t>(JointSpace::kMotors);
+  command->joint_space = motor_space ? JointSpace::kMotors : JointSpace::kPitchRoll;
+
+  if (message.crc != MessageCrc(message)) return Refusal::kCrc;
+  if (message.mode_machine != spec.mode_machine) return Refusal::kModeMachine;
+  if (message.mode_pr > static_cast<std::uint8_t>(JointSpace::kMotors)) return Refusal::kModePr;
+  if (!modes_known) return Refusal::kMotorMode;
+  return Refusal::kNone;
+}
+
+void Encode(const RobotState& state, const RobotSpec& spec,
+            unitree_hg_msg_dds__LowState_* message) {
+  message->mode_pr = static_cast<std::uint8_t>(state.joint_space);
+  message->mode_machine = static_cast<std::uint8_t>(spec.mode_machine);
+  message->tick = static_cast<std::uint32_t>(state.tick_ms);
+  EncodeImu(state.imu, &message->imu_state);
+
+  const auto vol = static_cast<float>(kVolStep * std::round(state.battery.voltage / kVolStep));
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const MotorReading& motor = state.motors[i];
+    MotorState& wire = message->motor_state[SlotOf(spec.motors[i])];
+    wire.mode = kEnabled;
+    EncodeMotion(motor.q, motor.dq, motor.tau, &wire);
+    wire.temperature[0] = Rounded<std::int16_t>(motor.casing_c);
+    wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
+    wire.vol = vol;
+  }
+  if (state.joint_space == JointSpace::kMotors) {
+    for (const ParallelSpec& pair : spec.parallel) {
+      EncodePair(state, spec, ParallelJoint(pair), message);
+    }
+  }
+  std::ranges::copy(state.remote, message->wireless_remote);
+  message->crc = MessageCrc(*message);
+}
+
+void EncodeBms(const RobotState& state, const RobotSpec& spec,
+               unitree_hg_msg_dds__BmsState_* message) {
+  const BatteryReading& battery = state.battery;
+  std::ranges::fill(
+      std::span(message->cell_vol).first(static_cast<std::size_t>(spec.battery.cells)),
+      Rounded<std::uint16_t>(1000 * battery.voltage / spec.battery.cells));
+  message->bmsvoltage[0] = Rounded<std::uint32_t>(1000 * battery.voltage);
+  message->current = Rounded<std::int32_t>(1000 * battery.current);
+  message->soc = Rounded<std::uint8_t>(100 * battery.soc, 0, 100);
+  message->soh = kSoh;
+  std::ranges::fill(message->temperature, Rounded<std::int16_t>(battery.temperature_c));
+}
+
+}  // namespace understudy

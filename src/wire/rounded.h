@@ -1,0 +1,22 @@
+// From our values to the integers of the wire.
+#ifndef UNDERSTUDY_WIRE_ROUNDED_H_
+#define UNDERSTUDY_WIRE_ROUNDED_H_
+
+#include <cmath>
+#include <concepts>
+#include <limits>
+
+namespace understudy {
+
+// x rounded to the nearest integer within lo..hi; NaN becomes lo.
+template <std::integral Int>
+Int Rounded(double x, Int lo = std::numeric_limits<Int>::min(),
+            Int hi = std::numeric_limits<Int>::max()) {
+  if (!(x > static_cast<double>(lo))) return lo;
+  if (x >= static_cast<double>(hi)) return hi;
+  return static_cast<Int>(std::lround(x));
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_WIRE_ROUNDED_H_

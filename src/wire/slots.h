@@ -1,0 +1,57 @@
+// Motor slots: a message has more of them than the robot has motors.
+#ifndef UNDERSTUDY_WIRE_SLOTS_H_
+#define UNDERSTUDY_WIRE_SLOTS_H_
+
+#include <cstddef>
+
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+inline constexpr std::size_t kGoMotorSlots = 20;
+inline constexpr std::size_t kHgMotorSlots = 35;
+inline constexpr std::size_t kGoCells = 15;  // battery cells that a message has room for
+inline constexpr std::size_t kHgCells = 40;
+
+// Throws ModelError unless the robot's motors stand in ascending slots below `slots` and its
+// battery has 1..cells cells.
+void CheckFits(const RobotSpec& spec, std::size_t slots, std::size_t cells);
+
+// A motor's slot as an index.
+inline std::size_t SlotOf(const MotorSpec& motor) { return static_cast<std::size_t>(motor.slot); }
+
+// What a slot of either family's LowCmd asks of a motor. The marks for "no position" and "no
+// velocity" are exact in float and pass as kNoPosition and kNoVelocity.
+template <typename MotorCmd>
+MotorCommand DecodeMotor(const MotorCmd& wire) {
+  static_assert(static_cast<double>(2.146e9F) == kNoPosition);
+  static_assert(static_cast<double>(16000.0F) == kNoVelocity);
+  return {.enabled = wire.mode != 0,
+          .q = wire.q,
+          .dq = wire.dq,
+          .tau = wire.tau,
+          .kp = wire.kp,
+          .kd = wire.kd};
+}
+
+// How many slots without a motor carry gains or torque.
+template <typename LowCmd>
+int UnusedSlotCommands(const LowCmd& message, const RobotSpec& spec) {
+  int count = 0;
+  auto motor = spec.motors.begin();
+  int slot = 0;
+  for (const auto& wire : message.motor_cmd) {
+    if (motor != spec.motors.end() && motor->slot == slot) {
+      ++motor;
+    } else if (wire.kp != 0 || wire.kd != 0 || wire.tau != 0) {
+      ++count;
+    }
+    ++slot;
+  }
+  return count;
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_WIRE_SLOTS_H_

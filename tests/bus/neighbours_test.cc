@@ -1,0 +1,83 @@
+#include "bus/neighbours.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "bus/writer.h"
+#include "tests/bus/stranger.h"
+#include "tests/support/eventually.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr Topic<Hello> kTopic{"rt/lowstate", &HelloWorldData_Msg_desc};
+
+TEST(NeighbourWatchTest, SeesNobodyOnAnEmptyBus) {
+  const Participant ours("lo", 131);
+  NeighbourWatch watch(ours, kTopic.name);
+  EXPECT_THAT(watch.Poll(), IsEmpty());
+}
+
+TEST(NeighbourWatchTest, DoesNotReportOurselves) {
+  const Participant ours("lo", 132);
+  const Writer<Hello> writer(ours, kTopic);
+  const Stranger stranger(132);
+  const Entity theirs = stranger.Writes(kTopic.name);
+  NeighbourWatch watch(ours, kTopic.name);
+  ASSERT_TRUE(Eventually([&] { return !watch.Poll().empty(); }));
+  EXPECT_THAT(watch.Poll(), SizeIs(1));
+  EXPECT_NE(watch.Poll().front().participant, ours.key());
+}
+
+TEST(NeighbourWatchTest, DoesNotReportWritersOfOtherTopics) {
+  const Participant ours("lo", 133);
+  const Stranger stranger(133);
+  const Entity other = stranger.Writes("rt/other");
+  const Entity same = stranger.Writes(kTopic.name);
+  NeighbourWatch watch(ours, kTopic.name);
+  ASSERT_TRUE(Eventually([&] { return !watch.Poll().empty(); }));
+  EXPECT_THAT(watch.Poll(), SizeIs(1));
+}
+
+TEST(NeighbourWatchTest, TellsTypeProcessAndParticipantAcrossTheNetwork) {
+  const Participant ours("lo", 134);
+  NeighbourWatch watch(ours, kTopic.name);
+  const Entity network = JoinOverTheNetwork(134, 135);
+  const Stranger stranger(135);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(Eventually([&] { return watch.Poll().size() == 1; }));
+  const Neighbour& neighbour = watch.Poll().front();
+  dds_guid_t guid{};
+  ASSERT_EQ(dds_get_guid(stranger.handle(), &guid), DDS_RETCODE_OK);
+  EXPECT_EQ(neighbour.participant, std::to_array(guid.v));
+  EXPECT_EQ(neighbour.type, "HelloWorldData::Msg");
+  EXPECT_EQ(neighbour.pid, std::to_string(getpid()));
+  EXPECT_NE(neighbour.host, "");
+  EXPECT_THAT(Describe(neighbour), ::testing::StartsWith("process " + neighbour.pid));
+}
+
+TEST(NeighbourWatchTest, ForgetsAWriterThatHasGone) {
+  const Participant ours("lo", 136);
+  NeighbourWatch watch(ours, kTopic.name);
+  const Stranger stranger(136);
+  {
+    const Entity writer = stranger.Writes(kTopic.name);
+    ASSERT_TRUE(Eventually([&] { return watch.Poll().size() == 1; }));
+  }
+  EXPECT_TRUE(Eventually([&] { return watch.Poll().empty(); }));
+}
+
+TEST(NeighbourTest, IsDescribedByWhatIsKnown) {
+  EXPECT_EQ(Describe(Neighbour{}), "a participant");
+  EXPECT_EQ(Describe(Neighbour{
+                .host = "robot", .process = "ai_sport", .pid = "7", .addresses = "192.0.2.1"}),
+            "process 7 (ai_sport) on robot (192.0.2.1)");
+}
+
+}  // namespace
+}  // namespace understudy

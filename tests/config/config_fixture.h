@@ -1,0 +1,96 @@
+// Files to load from, in a directory of the test's own.
+#ifndef UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_
+#define UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "config/load.h"
+#include "robot/errors.h"
+
+namespace understudy {
+
+// Two motors, a foot, everything a robot needs.
+inline constexpr char kTinyRobot[] = R"(robot:
+  name: tiny
+  model: tiny.xml
+  base_body: base
+  motors:
+    - {joint: a, slot: 0, torque_limit: 10, knee_speed: 5, no_load_speed: 8}
+    - {joint: b, slot: 1, torque_limit: 20}
+  imu: {site: imu}
+  feet: [{name: left, geoms: [left_1]}]
+  battery: {cells: 8, capacity_ah: 8}
+  lying: {q: [0, 0.5], height: 0.1}
+  standing: {q: [0, 0.1], height: 0.5}
+  hanging: {q: [0, 0], height: 1}
+  crane_body: base
+  default_start: hanging
+)";
+
+// What the error of `run` says, "" when it throws none. Errors of users are one line.
+template <class F>
+std::string ErrorOf(F run) {
+  try {
+    run();
+  } catch (const ConfigError& e) {
+    const std::string what = e.what();
+    EXPECT_EQ(what.find('\n'), std::string::npos) << what;
+    return what;
+  }
+  return "";
+}
+
+class ConfigFixture : public testing::Test {
+ protected:
+  ConfigFixture() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    directory_ =
+        std::filesystem::temp_directory_path() / ("understudy-" + std::to_string(getpid()) + "-" +
+                                                  test->test_suite_name() + "-" + test->name());
+    std::filesystem::create_directories(directory_ / "config" / "robots");
+    Write("config/robots/tiny.yaml", kTinyRobot);
+  }
+  ~ConfigFixture() override { std::filesystem::remove_all(directory_); }
+
+  // Returns the path, as --config would be given.
+  std::string Write(const std::string& name, const std::string& text) const {
+    const std::filesystem::path path = directory_ / name;
+    std::ofstream(path, std::ios::binary) << text;
+    return path.string();
+  }
+
+  Config Load(const std::vector<std::string>& files,
+              const std::vector<std::string>& sets = {}) const {
+    return LoadConfig({.robot = "tiny", .files = files, .sets = sets}, directory_);
+  }
+  Config LoadText(const std::string& text) const { return Load({Write("run.yaml", text)}); }
+
+  // The error of a config file with this text, its directory cut off.
+  std::string FileError(const std::string& text) const {
+    return Relative(ErrorOf([&] { LoadText(text); }));
+  }
+  std::string SetError(const std::string& set) const {
+    return Relative(ErrorOf([&] { Load({}, {set}); }));
+  }
+
+  std::string Relative(std::string text) const {
+    const std::string prefix = directory_.string() + "/";
+    for (std::size_t at = text.find(prefix); at != std::string::npos; at = text.find(prefix)) {
+      text.erase(at, prefix.size());
+    }
+    return text;
+  }
+
+  std::filesystem::path directory_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_

@@ -1,0 +1,76 @@
+#include "config/load.h"
+
+#include "config_fixture.h"
+
+namespace understudy {
+namespace {
+
+class LoadConfigTest : public ConfigFixture {};
+
+TEST_F(LoadConfigTest, KeepsDefaultsWhereNothingIsSaid) {
+  const Config config = LoadText("");
+  EXPECT_EQ(config.gate.timeout, GateConfig{}.timeout);
+  EXPECT_EQ(config.network.interface, "lo");
+  EXPECT_EQ(config.robot.rates.lowstate_hz, RateSpec{}.lowstate_hz);
+}
+
+TEST_F(LoadConfigTest, TakesASectionWithoutKeys) {
+  EXPECT_EQ(LoadText("gate:\ntime: {}\n").gate.timeout, GateConfig{}.timeout);
+}
+
+TEST_F(LoadConfigTest, LetsLaterLayersWin) {
+  Write("config/robots/tiny.yaml",
+        std::string(kTinyRobot) + "crane: {length: 1, damping: 1, stiffness: 1, speed: 1}\n");
+  const std::string first = Write("a.yaml", "crane: {damping: 2, stiffness: 2, speed: 2}\n");
+  const std::string second = Write("b.yaml", "crane: {stiffness: 3, speed: 3}\n");
+  const Config config = Load({first, second}, {"crane.speed=4", "crane.speed=5"});
+  EXPECT_EQ(config.crane.length, 1);
+  EXPECT_EQ(config.crane.damping, 2);
+  EXPECT_EQ(config.crane.stiffness, 3);
+  EXPECT_EQ(config.crane.speed, 5);
+}
+
+TEST_F(LoadConfigTest, ReplacesAListAsAWhole) {
+  const Config config = LoadText("robot: {feet: [{name: x}, {name: y}]}\n");
+  ASSERT_EQ(config.robot.feet.size(), 2U);
+  EXPECT_TRUE(config.robot.feet[0].geoms.empty());
+}
+
+TEST_F(LoadConfigTest, ChangesOneElementByItsIndex) {
+  const Config config = Load({}, {"robot.motors.1.torque_limit=7", "robot.standing.q.1=0.25"});
+  EXPECT_EQ(config.robot.motors[1].torque_limit, 7);
+  EXPECT_EQ(config.robot.motors[1].joint, "b");
+  EXPECT_EQ(config.robot.motors[0].torque_limit, 10);
+  EXPECT_EQ(config.robot.standing.q, (std::vector<double>{0, 0.25}));
+}
+
+TEST_F(LoadConfigTest, ParsesSetValuesAsYaml) {
+  const Config config = Load({}, {"start.pose=clamped", "robot.lying.q=[0.5, 1]",
+                                  "robot.rates={lowstate_hz: 1000}", "scene='a b'"});
+  EXPECT_EQ(config.start.pose, "clamped");
+  EXPECT_EQ(config.robot.lying.q, (std::vector<double>{0.5, 1}));
+  EXPECT_EQ(config.robot.rates.lowstate_hz, 1000);
+  EXPECT_EQ(config.scene, "a b");
+}
+
+TEST_F(LoadConfigTest, TakesABareWordForTheGate) {
+  EXPECT_TRUE(LoadText("gate: lenient\n").gate.lenient);
+  EXPECT_FALSE(LoadText("gate: strict\n").gate.lenient);
+  EXPECT_TRUE(Load({}, {"gate=lenient"}).gate.lenient);
+  EXPECT_TRUE(LoadText("gate: {mode: lenient}\n").gate.lenient);
+}
+
+TEST_F(LoadConfigTest, TakesAPathForARobot) {
+  const std::string path = Write("mine.yaml", kTinyRobot);
+  EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "tiny");
+}
+
+TEST_F(LoadConfigTest, ListsRobotsInOrder) {
+  Write("config/robots/alpha.yaml", "");
+  Write("config/robots/notes.txt", "");
+  EXPECT_EQ(RobotNames(directory_), (std::vector<std::string>{"alpha", "tiny"}));
+  EXPECT_TRUE(RobotNames(directory_ / "none").empty());
+}
+
+}  // namespace
+}  // namespace understudy

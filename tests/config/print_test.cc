@@ -1,0 +1,101 @@
+#include <map>
+
+#include "config/keys.h"
+#include "config/printer.h"
+#include "config/reference.h"
+#include "config_fixture.h"
+
+namespace understudy {
+namespace {
+
+using testing::HasSubstr;
+
+const std::filesystem::path kSource = UNDERSTUDY_SOURCE_DIR;
+
+class PrintConfigTest : public ConfigFixture {
+ protected:
+  // The printed configuration of a robot of ours, loaded again over that robot and printed.
+  std::string Again(const std::string& robot, const std::string& printed) {
+    const std::string file = Write("printed.yaml", printed);
+    return PrintConfig(LoadConfig({.robot = robot, .files = {file}}, kSource), false);
+  }
+};
+
+// Every value by its key, as text; elements of lists by index.
+class Collector : public Archive {
+ public:
+  std::map<std::string, std::string> values;
+
+ protected:
+  void Visit(const Row& row, const Slot& slot) override {
+    values[path_ + std::string(row.name)] = ValueText(slot);
+  }
+  void VisitList(const Row& row, const ListSlot& slot) override {
+    const std::string outer = path_;
+    path_ += std::string(row.name) + "[].";
+    if (slot.size() == 0) slot.describe_blank();
+    if (slot.size() != 0) slot.describe(0);
+    path_ = outer;
+  }
+  bool Enter(const Row& row, std::string_view) override {
+    outer_.push_back(path_);
+    path_ += std::string(row.name) + ".";
+    return true;
+  }
+  void Leave() override {
+    path_ = outer_.back();
+    outer_.pop_back();
+  }
+
+ private:
+  std::string path_;
+  std::vector<std::string> outer_;
+};
+
+std::map<std::string, std::string> Values(Config config) {
+  Collector collector;
+  Describe(collector, config);
+  return collector.values;
+}
+
+TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRobot) {
+  for (const std::string& robot : RobotNames(kSource)) {
+    const Config config = LoadConfig({.robot = robot}, kSource);
+    const std::string printed = PrintConfig(config, false);
+    EXPECT_EQ(Again(robot, printed), printed);
+    EXPECT_EQ(Again(robot, PrintConfig(config, true)), printed);
+  }
+}
+
+TEST_F(PrintConfigTest, ReadsBackAsTheSameWithEveryKeyChanged) {
+  const std::string all = (kSource / "tests/config/data/one_of_everything.yaml").string();
+  const Config config = LoadConfig({.robot = "go2", .files = {all}}, kSource);
+  const std::string printed = PrintConfig(config, false);
+  EXPECT_EQ(Again("go2", printed), printed);
+  EXPECT_EQ(Again("go2", PrintConfig(config, true)), printed);
+  EXPECT_EQ(config.robot.description, "a \"robot\" with \\ and é: #1");
+  EXPECT_EQ(config.robot.standing.q[0], 0.30000000000000004);
+}
+
+TEST_F(PrintConfigTest, ChangesEveryKeyInOneOfEverything) {
+  const std::string all = (kSource / "tests/config/data/one_of_everything.yaml").string();
+  const auto changed = Values(LoadConfig({.robot = "go2", .files = {all}}, kSource));
+  const auto defaults = Values(Config{});
+  EXPECT_EQ(changed.size(), ConfigKeys().size());
+  for (const auto& [key, value] : changed) EXPECT_NE(value, defaults.at(key)) << key;
+}
+
+TEST_F(PrintConfigTest, WritesOneLinePerKeyAndPerElement) {
+  const std::string text = PrintConfig(LoadText("gate: lenient\n"), false);
+  EXPECT_THAT(text, HasSubstr("\ngate:\n  mode: lenient\n  timeout: 0.2\n"));
+  EXPECT_THAT(text, HasSubstr("\n  motors:\n    - {joint: a, slot: 0, torque_limit: 10, "));
+  EXPECT_EQ(text.find('#'), std::string::npos);
+}
+
+TEST_F(PrintConfigTest, ExplainsKeysInComments) {
+  EXPECT_THAT(PrintConfig(LoadText(""), true),
+              HasSubstr("    # Rate of all rt/lf topics [Hz; 1 to 10000]\n    lf_hz: 20\n"));
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,91 @@
+// The robots that we ship: what their files must say to be the robots they name.
+#include <cmath>
+
+#include "config_fixture.h"
+
+namespace understudy {
+namespace {
+
+Config Robot(const std::string& name) {
+  return LoadConfig({.robot = name}, std::filesystem::path(UNDERSTUDY_SOURCE_DIR));
+}
+
+TEST(RobotsTest, AllLoadUnderTheirOwnNames) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    EXPECT_EQ(Robot(name).robot.name, name);
+    EXPECT_FALSE(Robot(name).robot.description.empty());
+  }
+}
+
+TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
+  const RobotSpec robot = Robot("go2").robot;
+  EXPECT_EQ(robot.family, WireFamily::kGo);
+  ASSERT_EQ(robot.motors.size(), 12U);
+  EXPECT_EQ(robot.motors[0].joint, "FR_hip_joint");
+  EXPECT_EQ(robot.motors[5].joint, "FL_calf_joint");
+  EXPECT_EQ(robot.motors[7].joint, "RR_thigh_joint");
+  EXPECT_EQ(robot.motors[11].joint, "RL_calf_joint");
+  for (std::size_t i = 0; i < 12; ++i) {
+    EXPECT_EQ(robot.motors[i].slot, static_cast<int>(i));
+    EXPECT_EQ(robot.motors[i].torque_limit, i % 3 == 2 ? 45.43 : 23.7);
+  }
+  EXPECT_EQ(robot.default_start, "damped");
+}
+
+TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
+  const RobotSpec robot = Robot("g1").robot;
+  EXPECT_EQ(robot.family, WireFamily::kHg);
+  EXPECT_EQ(robot.mode_machine, 5);
+  ASSERT_EQ(robot.motors.size(), 29U);
+  EXPECT_EQ(robot.motors[3].joint, "left_knee_joint");
+  EXPECT_EQ(robot.motors[11].joint, "right_ankle_roll_joint");
+  EXPECT_EQ(robot.motors[12].joint, "waist_yaw_joint");
+  EXPECT_EQ(robot.motors[21].joint, "left_wrist_yaw_joint");
+  EXPECT_EQ(robot.motors[28].joint, "right_wrist_yaw_joint");
+  EXPECT_EQ(robot.default_start, "hanging");
+}
+
+TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
+  const RobotSpec robot = Robot("g1").robot;
+  ASSERT_EQ(robot.parallel.size(), 3U);
+  for (const ParallelSpec& pair : robot.parallel) {
+    const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
+    const std::string& roll = robot.motors[static_cast<std::size_t>(pair.roll)].joint;
+    EXPECT_EQ(pitch.substr(0, pitch.find("_pitch")), roll.substr(0, roll.find("_roll")));
+  }
+}
+
+// q = 2 pi / 32768 / G and dq = 2 pi / 256 / G, so every lattice has the ratio 128. (G1 torque
+// steps of some wrists are another matter.)
+TEST(RobotsTest, LatticesFollowTheMeasuredLaw) {
+  for (const std::string name : {"go2", "g1"}) {
+    for (const MotorSpec& motor : Robot(name).robot.motors) {
+      if (motor.q_step == 0) continue;
+      EXPECT_NEAR(motor.dq_step / motor.q_step, 128, 1e-3) << motor.joint;
+      const double reduction = 2 * std::acos(-1.0) / 256 / motor.dq_step;
+      EXPECT_NEAR(motor.q_step * reduction * 32768, 2 * std::acos(-1.0), 1e-4) << motor.joint;
+      EXPECT_LE(motor.tau_step, reduction / 256 + 1e-6) << motor.joint;
+    }
+  }
+}
+
+// Band of real Go2 robots: a standing one shows a sum of 90 to 135 counts.
+TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
+  const FootSensorSpec sensor = Robot("go2").robot.foot_sensor;
+  const double sum = 4 * sensor.offset_counts + sensor.counts_per_newton * 15.2 * 9.81;
+  EXPECT_GT(sum, 90);
+  EXPECT_LT(sum, 135);
+}
+
+// Two real readings: 4.084 V per cell at 93 % and 0.939 A, 3.837 V at 63 % and 3.627 A.
+TEST(RobotsTest, Go2BatteryGivesTheMeasuredVoltages) {
+  const BatterySpec b = Robot("go2").robot.battery;
+  const auto cell = [&b](double soc, double current) {
+    return b.cell_empty_v + soc * (b.cell_full_v - b.cell_empty_v) - current * b.internal_ohm / 8;
+  };
+  EXPECT_NEAR(cell(0.93, 0.939), 4.084, 0.002);
+  EXPECT_NEAR(cell(0.63, 3.627), 3.837, 0.002);
+}
+
+}  // namespace
+}  // namespace understudy

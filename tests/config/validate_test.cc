@@ -1,0 +1,108 @@
+#include "config/validate.h"
+
+#include "config_fixture.h"
+
+namespace understudy {
+namespace {
+
+class ValidateTest : public ConfigFixture {};
+
+TEST_F(ValidateTest, NamesThePlaceOfWhatDoesNotFit) {
+  EXPECT_EQ(FileError("time: {speed: 1}\nrobot: {rates: {lowstate_hz: 300}}\n"),
+            "run.yaml:2: robot.rates.lowstate_hz: expected a rate whose period is a whole number "
+            "of physics steps of 0.001 s, got 300");
+}
+
+TEST_F(ValidateTest, NeedsARobot) {
+  EXPECT_EQ(ErrorOf([] { Validate(Config{}); }), "robot.name: expected a name");
+  EXPECT_EQ(SetError("robot.motors=[]"),
+            "--set robot.motors=[]: robot.motors: expected at least one motor");
+  EXPECT_EQ(SetError("robot.imu.site=''"),
+            "--set robot.imu.site='': robot.imu.site: expected the name of a site");
+}
+
+TEST_F(ValidateTest, RefusesSlotsThatDoNotAscend) {
+  EXPECT_EQ(SetError("robot.motors.1.slot=0"),
+            "--set robot.motors.1.slot=0: robot.motors.1.slot: expected more than 0, as slots "
+            "ascend and no two are alike, got 0");
+}
+
+TEST_F(ValidateTest, RefusesASlotTheFamilyLacks) {
+  EXPECT_EQ(SetError("robot.motors.1.slot=20"),
+            "--set robot.motors.1.slot=20: robot.motors.1.slot: expected 0 to 19 for this family, "
+            "got 20");
+  EXPECT_EQ(Load({}, {"robot.family=hg", "robot.motors.1.slot=34"}).robot.motors[1].slot, 34);
+}
+
+TEST_F(ValidateTest, RefusesTwoMotorsOnOneJoint) {
+  EXPECT_EQ(SetError("robot.motors.1.joint=a"),
+            "--set robot.motors.1.joint=a: robot.motors.1.joint: 'a' has a motor already");
+}
+
+TEST_F(ValidateTest, RefusesAMotorWithoutTorque) {
+  EXPECT_EQ(SetError("robot.motors.1.torque_limit=0"),
+            "--set robot.motors.1.torque_limit=0: robot.motors.1.torque_limit: expected more than "
+            "0 N·m");
+}
+
+TEST_F(ValidateTest, RefusesAKneeAboveTheNoLoadSpeed) {
+  EXPECT_EQ(SetError("robot.motors.0.knee_speed=8"),
+            "--set robot.motors.0.knee_speed=8: robot.motors.0.knee_speed: expected less than "
+            "no_load_speed 8 rad/s, got 8");
+}
+
+TEST_F(ValidateTest, RefusesAPoseWithTooFewAngles) {
+  EXPECT_EQ(SetError("robot.standing.q=[0]"),
+            "--set robot.standing.q=[0]: robot.standing.q: expected one angle per motor, 2, got 1");
+}
+
+TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {
+  EXPECT_EQ(FileError("robot:\n  parallel:\n    - {pitch: 0, roll: 2}\n"),
+            "run.yaml:3: robot.parallel.0.roll: expected 0 to 1, as there are 2 motors, got 2");
+}
+
+TEST_F(ValidateTest, RefusesAMotorInTwoPairs) {
+  EXPECT_EQ(FileError("robot: {parallel: [{pitch: 0, roll: 0}]}\n"),
+            "run.yaml:1: robot.parallel.0.roll: motor 0 is in a pair already");
+}
+
+TEST_F(ValidateTest, RefusesARateThatDoesNotDivideLowstates) {
+  EXPECT_EQ(SetError("robot.rates.lf_hz=30"),
+            "--set robot.rates.lf_hz=30: robot.rates.lf_hz: expected a rate that divides "
+            "lowstate_hz 500, got 30");
+  EXPECT_EQ(SetError("robot.rates.motion_hz=1000"),
+            "--set robot.rates.motion_hz=1000: robot.rates.motion_hz: expected a rate that divides "
+            "lowstate_hz 500, got 1000");
+}
+
+TEST_F(ValidateTest, RefusesATimestepThatTheRateDoesNotFit) {
+  EXPECT_EQ(SetError("physics.timestep=0.003"),
+            "robot.rates.lowstate_hz: expected a rate whose period is a whole number of physics "
+            "steps of 0.003 s, got 500");
+  EXPECT_EQ(Load({}, {"physics.timestep=0.0005"}).physics.timestep, 0.0005);
+}
+
+TEST_F(ValidateTest, RefusesABatteryThatIsEmptyWhenFull) {
+  EXPECT_EQ(SetError("robot.battery.cell_empty_v=4.2"),
+            "--set robot.battery.cell_empty_v=4.2: robot.battery.cell_empty_v: expected less than "
+            "cell_full_v");
+  EXPECT_EQ(SetError("robot.battery.cells=0"),
+            "--set robot.battery.cells=0: robot.battery.cells: expected at least one cell");
+}
+
+TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
+  Config config = LoadText("");
+  config.start.pose = "standin";
+  EXPECT_EQ(ErrorOf([&] { Validate(config); }),
+            "start.pose: no pose 'standin'; did you mean 'standing'? (valid: damped, standing, "
+            "hanging, clamped)");
+  config = LoadText("");
+  config.robot.mode_machine = 256;
+  EXPECT_EQ(ErrorOf([&] { Validate(config); }), "robot.mode_machine: expected 0 to 255");
+  config = LoadText("");
+  config.network.domain = 233;
+  EXPECT_EQ(ErrorOf([&] { Validate(config); }), "network.domain: expected 0 to 232");
+}
+
+}  // namespace
+}  // namespace understudy

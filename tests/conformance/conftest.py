@@ -1,0 +1,83 @@
+"""Runs robot programs that use the vendor's unmodified SDKs against the real understudy.
+
+    tools/sdk_env
+    UNDERSTUDY=<the built understudy> build/sdk-env/bin/python -m pytest tests/conformance
+
+Each run has a robot and a private network of its own, which `understudy exec` makes and removes.
+"""
+
+import dataclasses
+import functools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+PROGRAMS = pathlib.Path(__file__).parent / "programs"
+PATIENCE = 60.0  # s; no program runs longer than 30 s
+
+# Runs a command, then leaves the robot's status in the file named first; keeps the exit code.
+THEN_STATUS = 'file=$1; shift; "$@"; code=$?; "$UNDERSTUDY" ctl status --json > "$file"; exit $code'
+
+
+def pytest_configure(config):
+    binary = os.environ.get("UNDERSTUDY", "")
+    if not os.access(binary, os.X_OK):
+        raise pytest.UsageError(
+            f"UNDERSTUDY is '{binary}': set it to the understudy binary that is to be tested")
+    # Programs run where pytest was started from, not where the binary was named from.
+    os.environ["UNDERSTUDY"] = str(pathlib.Path(binary).absolute())
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """What one program did, and the robot's own count of commands after it."""
+
+    code: int
+    output: str
+    errors: str
+    commands: dict
+
+    @property
+    def refused(self):
+        """Refused commands by cause, without the causes that never occurred."""
+        return {cause: count for cause, count in self.commands["refused"].items() if count}
+
+    @property
+    def report(self):
+        """The JSON object that the program printed on a line of its own."""
+        lines = [line for line in self.output.splitlines() if line.startswith("{")]
+        assert lines, f"no report\n{self.output}\n{self.errors}"
+        return json.loads(lines[-1])
+
+    def succeeded(self):
+        """True, or a failed assertion that shows what the program said."""
+        assert self.code == 0, f"exit code {self.code}\n{self.output}\n{self.errors}"
+        return True
+
+
+@pytest.fixture(scope="session")
+def rehearse(tmp_path_factory):
+    """rehearse(robot, program, *arguments, options=()): starts that robot, runs the program on it.
+
+    The same rehearsal is run once per session: tests that ask for it again get the same Run.
+    """
+
+    @functools.cache
+    def run(robot, program, *arguments, options=()):
+        status = tmp_path_factory.mktemp("status") / "status.json"
+        command = [
+            os.environ["UNDERSTUDY"], "exec", robot, *options, "--",
+            "sh", "-c", THEN_STATUS, "then-status", str(status),
+            sys.executable, str(PROGRAMS / program), *arguments,
+        ]  # fmt: skip
+        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+        said = f"{done.stdout}\n{done.stderr}"
+        assert status.exists() and status.stat().st_size, f"no status from the robot\n{said}"
+        commands = json.loads(status.read_text())["commands"]
+        return Run(done.returncode, done.stdout, done.stderr, commands)
+
+    return run

@@ -1,0 +1,75 @@
+# What Understudy needs from Debian, and why. Sourced by tools/up and tools/check.
+# shellcheck shell=bash
+
+build_packages=(
+  "g++:compiles it"
+  "cmake:configures the build"
+  "ninja-build:runs the build"
+  "libmujoco-dev:physics (MuJoCo 2.2.2)"
+  "cyclonedds-dev:DDS, what the robot speaks (Cyclone DDS 0.10.2)"
+  "cyclonedds-tools:idlc, which compiles the robot's message types"
+  "libeigen3-dev:vectors and rotations"
+  "libyaml-cpp-dev:reads robot descriptions"
+  "libspdlog-dev:log"
+  "libfmt-dev:formats the log"
+  "libcli11-dev:command line"
+  "nlohmann-json3-dev:JSON of services and status"
+  "libboost-dev:local HTTP of the control socket (Beast)"
+)
+
+test_packages=(
+  "libgtest-dev:unit tests"
+  "libgmock-dev:unit tests"
+  "python3-venv:a Python environment for the vendor's SDKs"
+  "python3-dev:compiles the SDK's DDS binding"
+  "iproute2:puts two hosts on a virtual cable"
+  "util-linux:private network namespaces for tests"
+  "libpng-dev:reads back the pictures that tests draw"
+)
+
+lint_packages=(
+  "clang-format:one formatter"
+  "clang-tidy:one list of checks"
+  "shellcheck:checks the shell scripts"
+)
+
+# install_packages ENTRY...: installs those that are missing, after saying which and why.
+install_packages() {
+  local entry package missing=()
+  for entry in "$@"; do
+    package=${entry%%:*}
+    if ! dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q '^install ok installed'; then
+      missing+=("$package")
+      printf 'missing: %-20s %s\n' "$package" "${entry#*:}"
+    fi
+  done
+  [[ ${#missing[@]} -eq 0 ]] && return 0
+  if ! command -v apt-get >/dev/null; then
+    echo "This is no Debian or Ubuntu: install the above by hand and run this again." >&2
+    return 1
+  fi
+  local root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null || {
+      echo "Run as root: apt-get install ${missing[*]}" >&2
+      return 1
+    }
+    root=(sudo)
+  fi
+  echo "installing ${#missing[@]} Debian packages"
+  "${root[@]}" apt-get update -q >/dev/null
+  DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# build PRESET: configures and builds, quietly unless it fails.
+build() {
+  local log
+  log=$(mktemp)
+  echo "building ($1)"
+  if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$log" 2>&1; then
+    cat "$log" >&2
+    rm -f "$log"
+    return 1
+  fi
+  rm -f "$log"
+}
