@@ -39,13 +39,14 @@ PhysicsWorld MakeWorld(const Config& config) {
           config.robot};
 }
 
-// Somebody else's writer of rt/lowstate, if one is heard within the time to listen.
-void RefuseToStartBeside(NeighbourWatch* watch, const Participant& participant,
+// Somebody else's writer of rt/lowstate, if one is heard within the time to listen, which began
+// when the watch was set.
+void RefuseToStartBeside(NeighbourWatch* watch, Clock::Time set, const Participant& participant,
                          const GuardConfig& guard, Clock* clock) {
   const double listen =
       participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
   const Clock::Time until =
-      clock->Now() + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
+      set + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
   do {
     for (const Neighbour& neighbour : watch->Poll()) {
       throw NeighbourError("a robot is already on " + participant.interface() + ", domain " +
@@ -151,8 +152,9 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
         config.network.interface, config.network.interface);
   }
   NeighbourWatch watch(participant, "rt/lowstate");
+  const Clock::Time watch_set = clock.Now();
   PhysicsWorld world = MakeWorld(config);
-  RefuseToStartBeside(&watch, participant, config.guard, &clock);
+  RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
   std::vector<std::unique_ptr<Service>> services;
