@@ -189,6 +189,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
 
     Status status = robot.status();
     status.ready = true;
+    status.command_writers = port->command_writers();
     status.speed = config.time.speed;
     status.pace = pacer.reading();
     board.Post(status);
