@@ -82,12 +82,13 @@ std::string ImuSensors(const std::string& site, const char* gyro, const char* ac
          "/><accelerometer name=\"" + accel + "\" site=" + Attribute(site) + "/>";
 }
 
-std::string ComposeWorld(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                         const std::filesystem::path& scene_file) {
-  return "<mujoco model=" + Attribute(spec.name) +
-         "><include file=" + Attribute(robot_file.string()) +
-         "/><include file=" + Attribute(scene_file.string()) + "/><equality><weld name=\"" +
-         kClampName + "\" body1=" + Attribute(spec.base_body) +
+// Both files by their paths from one folder: MuJoCo 2.2.2 puts the folder of the outermost file
+// before every path, absolute ones included.
+std::string ComposeWorld(const RobotSpec& spec, const std::string& robot_file,
+                         const std::string& scene_file) {
+  return "<mujoco model=" + Attribute(spec.name) + "><include file=" + Attribute(robot_file) +
+         "/><include file=" + Attribute(scene_file) + "/><equality><weld name=\"" + kClampName +
+         "\" body1=" + Attribute(spec.base_body) +
          " active=\"false\" solref=\"0.004 1\"/></equality><sensor>" +
          ImuSensors(spec.imu.site, kImuGyroName, kImuAccelName) +
          ImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName) +
@@ -184,20 +185,24 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
   RequireWhatSpecNames(*LoadModelFile(robot_file), spec, robot_file);
   LoadModelFile(scene_file);
 
+  // The composed file stands beside the robot's: MuJoCo looks for includes, meshes and textures from
+  // the folder of the outermost file, and takes no absolute path there.
+  const std::filesystem::path robot = std::filesystem::canonical(robot_file);
+  const std::filesystem::path folder = robot.parent_path();
+  const std::filesystem::path scene = std::filesystem::canonical(scene_file);
+  const std::string name = folder / "understudy_world.xml";
   MemoryFiles files;
-  const std::string name = "understudy_world.xml";
-  files.Add(name, ComposeWorld(spec, std::filesystem::absolute(robot_file),
-                               std::filesystem::absolute(scene_file)));
+  files.Add(name, ComposeWorld(spec, robot.filename(), scene.lexically_relative(folder)));
+  const std::string place = robot_file.string() + " in " + scene_file.string() + ": ";
   ModelHandle model;
   try {
     model = Compile(name, files.get());
   } catch (const ModelError& error) {
-    throw ModelError(robot_file.string() + " in " + scene_file.string() + ": " + error.what());
+    throw ModelError(place + error.what());
   }
-  if (model->opt.integrator == mjINT_RK4) {
-    throw ModelError(
-        robot_file.string() +
-        ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
+  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
+    throw ModelError(place +
+                     "integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;
