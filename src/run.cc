@@ -106,6 +106,8 @@ class Housekeeper {
 
   void Watch() {
     const auto& strangers = watch_.Poll();
+    // Listened to each time: a last word left unread would be taken for the next stranger's.
+    const bool heard = ear_.HearsOne() && !strangers.empty();
     if (strangers.size() != known_) {
       for (const Neighbour& stranger : strangers) {
         spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
@@ -116,12 +118,11 @@ class Housekeeper {
       }
       known_ = strangers.size();
     }
-    if (speaks_ || !ear_.HearsOne()) return;
+    if (speaks_ || !heard) return;
     speaks_ = true;
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
-    spdlog::critical("another robot speaks on this network{}{}; {}", strangers.empty() ? "" : ": ",
-                     strangers.empty() ? "" : Describe(strangers.front()),
+    spdlog::critical("another robot speaks on this network: {}; {}", Describe(strangers.front()),
                      kWhatWeDo[static_cast<int>(action_)]);
     must_silence_ = action_ == StrangerAction::kSilence;
     must_stop_ = action_ == StrangerAction::kStop;
@@ -191,6 +192,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
 
     Status status = robot.status();
     status.ready = true;
+    status.command_writers = port->command_writers();
     status.speed = config.time.speed;
     status.pace = pacer.reading();
     board.Post(status);

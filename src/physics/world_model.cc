@@ -146,7 +146,7 @@ void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec,
   RequireName(model, mjOBJ_BODY, "crane body", spec.crane_body, file);
   for (const FootSpec& foot : spec.feet) {
     for (const std::string& geom : foot.geoms) {
-      RequireName(model, mjOBJ_GEOM, "foot geom", geom, file);
+      RequireName(model, mjOBJ_GEOM, ("geom of foot " + foot.name).c_str(), geom, file);
     }
   }
 }
