@@ -40,6 +40,7 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
   clamp_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, kClampName);
   imu_ = FindImu(spec.imu.site, kImuGyroName, kImuAccelName);
   secondary_imu_ = FindImu(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
+  mj_forward(model_.get(), data_.get());
   ReadKinematics();
 }
 

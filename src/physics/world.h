@@ -30,7 +30,8 @@ enum class StepHealth {
 //   EndStep(tau)     forces at t, then the state of t + dt; Imu() and FootForces() are of t
 //
 // Between EndStep and the next BeginStep every reading still belongs to t. After Reset and before
-// the first BeginStep readings are those of the start state. Allocates in the constructor only.
+// the first BeginStep readings are those of the start state; before Reset that is the pose of the
+// model's file. Allocates in the constructor only.
 class PhysicsWorld {
  public:
   // `model` comes from LoadWorldModel with the same spec.

@@ -184,20 +184,24 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
   RequireWhatSpecNames(*LoadModelFile(robot_file), spec, robot_file);
   LoadModelFile(scene_file);
 
+  // The composed file stands beside the robot's: MuJoCo looks for includes, meshes and textures
+  // from the folder of the outermost file, and takes no absolute path there.
+  const std::filesystem::path robot = std::filesystem::absolute(robot_file);
+  const std::filesystem::path folder = robot.parent_path();
+  const std::string name = folder / "understudy_world.xml";
   MemoryFiles files;
-  const std::string name = "understudy_world.xml";
-  files.Add(name, ComposeWorld(spec, std::filesystem::absolute(robot_file),
-                               std::filesystem::absolute(scene_file)));
+  files.Add(name,
+            ComposeWorld(spec, robot.filename(), std::filesystem::relative(scene_file, folder)));
+  const std::string place = robot_file.string() + " in " + scene_file.string() + ": ";
   ModelHandle model;
   try {
     model = Compile(name, files.get());
   } catch (const ModelError& error) {
-    throw ModelError(robot_file.string() + " in " + scene_file.string() + ": " + error.what());
+    throw ModelError(place + error.what());
   }
-  if (model->opt.integrator == mjINT_RK4) {
-    throw ModelError(
-        robot_file.string() +
-        ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
+  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
+    throw ModelError(place +
+                     "integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;

@@ -1,13 +1,13 @@
 #include "sim/battery.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace understudy {
 
 Battery::Battery(const BatterySpec& spec) : spec_(spec) {
   reading_.soc = spec.start_soc;
-  reading_.current = -spec.idle_a;
-  reading_.voltage = OpenVoltage() + spec.internal_ohm * reading_.current;
+  Load(0);
 }
 
 void Battery::Step(std::span<const double> tau, std::span<const double> dq, double dt) {
@@ -17,16 +17,19 @@ void Battery::Step(std::span<const double> tau, std::span<const double> dq, doub
     work += tau[i] * dq[i];
     square += tau[i] * tau[i];
   }
-  const double power = std::max(work, 0.0) + spec_.watt_per_nm2 * square;
-  const double drawn = spec_.idle_a + power / reading_.voltage;
-  reading_.current = -drawn;
-  reading_.soc = std::max(0.0, reading_.soc - drawn * dt / (3600 * spec_.capacity_ah));
-  reading_.voltage = OpenVoltage() - spec_.internal_ohm * drawn;
+  Load(std::max(work, 0.0) + spec_.watt_per_nm2 * square);
+  reading_.soc = std::max(0.0, reading_.soc + reading_.current * dt / (3600 * spec_.capacity_ah));
 }
 
-double Battery::OpenVoltage() const {
+// V of  V = V0 - R · P / V  with V0 the voltage of the idle pack.
+void Battery::Load(double power) {
   const double cell = spec_.cell_empty_v + reading_.soc * (spec_.cell_full_v - spec_.cell_empty_v);
-  return spec_.cells * cell;
+  const double idle_v = spec_.cells * cell - spec_.internal_ohm * spec_.idle_a;
+  const double most = idle_v * idle_v / 4;  // of R · P
+  const double loss = std::min(spec_.internal_ohm * power, most);
+  reading_.voltage = idle_v / 2 + std::sqrt(most - loss);
+  const double given = loss < most ? power : most / spec_.internal_ohm;
+  reading_.current = -(spec_.idle_a + given / reading_.voltage);
 }
 
 }  // namespace understudy

@@ -15,19 +15,22 @@ namespace understudy {
 //   P = V · idle_a + max(0, sum tau dq) + watt_per_nm2 · sum tau²
 //
 // The open-circuit voltage falls linearly with the charge from cell_full_v to cell_empty_v;
-// internal_ohm takes its share of the load. Figures are fitted to captures of real packs where such
-// exist (docs/fidelity.md). Nothing happens at an empty pack: charge stays 0 and the robot goes on.
+// internal_ohm takes its share of the load. A pack gives no more than what halves its voltage; the
+// motors get what they ask for all the same. Figures are fitted to captures of real packs where
+// such exist (docs/fidelity.md). Nothing happens at an empty pack: charge stays 0 and the robot
+// goes on.
 class Battery {
  public:
   explicit Battery(const BatterySpec& spec);
 
-  // One step of dt [s] with joint torques tau [N·m] and rates dq [rad/s] in motor order.
+  // Voltage and current under joint torques tau [N·m] and rates dq [rad/s] in motor order, and the
+  // charge one step of dt [s] on.
   void Step(std::span<const double> tau, std::span<const double> dq, double dt);
 
   const BatteryReading& reading() const { return reading_; }
 
  private:
-  double OpenVoltage() const;
+  void Load(double power);  // W, of the motors
 
   BatterySpec spec_;
   BatteryReading reading_;

@@ -5,9 +5,8 @@
 namespace understudy {
 namespace {
 
-// Below this distance [m] from the anchor the tether has no direction.
-constexpr double kNoDirection = 1e-6;
-constexpr double kShortest = 0.05;  // m, the winch stops here
+// m; the winch stops here, so that a taut tether always has a direction.
+constexpr double kShortest = 0.05;
 
 }  // namespace
 
@@ -23,12 +22,16 @@ Eigen::Vector3d Crane::Step(const PointReading& hook, double dt) {
   tension_ = 0;
   if (!attached_) return Eigen::Vector3d::Zero();
   const double move = std::clamp(to_pay_out_, -config_.speed * dt, config_.speed * dt);
-  length_ = std::max(length_ + move, kShortest);
+  length_ += move;
   to_pay_out_ -= move;
+  if (length_ < kShortest) {  // whatever is left to be raised is forgotten
+    length_ = kShortest;
+    to_pay_out_ = 0;
+  }
 
   const Eigen::Vector3d tether = p_WA_ - hook.p_WP;
   const double distance = tether.norm();
-  if (distance <= length_ || distance < kNoDirection) return Eigen::Vector3d::Zero();
+  if (distance <= length_) return Eigen::Vector3d::Zero();
   const Eigen::Vector3d up = tether / distance;
   const double rate = -up.dot(hook.v_WP_W);
   tension_ = std::max(0.0, config_.stiffness * (distance - length_) + config_.damping * rate);

@@ -28,8 +28,8 @@ class Crane {
   // [N].
   void Attach(const Eigen::Vector3d& p_WH, double weight);
   void Release() { attached_ = false; }
-  // Pays out `by` [m] at the configured speed; negative raises. Adds to what is still to be paid
-  // out.
+  // Pays out `by` [m] at the configured speed; negative raises, until the hook is 5 cm from the
+  // anchor. Adds to what is still to be paid out.
   void Lower(double by) { to_pay_out_ += by; }
 
   // The pull [N] on the hook, world axes, and one step of dt [s] of the winch.

@@ -1,0 +1,224 @@
+#include "physics/world_model.h"
+
+#include <gmock/gmock.h>
+
+#include "robot/errors.h"
+#include "tests/support/fixture_robot.h"
+#include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr char kGround[] =
+    R"(<mujoco><worldbody><geom type="plane" size="0 0 1"/></worldbody></mujoco>)";
+
+// The smallest robot that loads: `joint` is the child's, `rest` stands beside the worldbody.
+std::string Robot(const std::string& joint = R"(<joint name="knee_joint"/>)",
+                  const std::string& rest = "") {
+  return R"(<mujoco><worldbody><body name="pelvis"><freejoint/><geom name="sole" size=".1"/>
+            <site name="imu"/><body name="shin">)" +
+         joint + R"(<geom size=".1"/></body></body></worldbody>)" + rest + "</mujoco>";
+}
+
+class WorldModelTest : public MujocoTest {
+ protected:
+  WorldModelTest() {
+    spec_.base_body = "pelvis";
+    spec_.crane_body = "pelvis";
+    spec_.imu.site = "imu";
+    spec_.motors.resize(1);
+    spec_.motors[0].joint = "knee_joint";
+    spec_.feet = {{.name = "foot", .geoms = {"sole"}}};
+  }
+
+  void UseRobot(const std::string& text) { robot_ = folder_.Write("robot.xml", text); }
+  void UseScene(const std::string& text) { scene_ = folder_.Write("ground.xml", text); }
+
+  ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
+
+  // What the refusal says; "" when the model loads.
+  std::string Refusal() const {
+    try {
+      Load();
+    } catch (const ModelError& error) {
+      EXPECT_THAT(error.what(), Not(HasSubstr("\n")));
+      return error.what();
+    }
+    return "";
+  }
+
+  TemporaryFolder folder_;
+  RobotSpec spec_;
+  std::filesystem::path robot_ = folder_.Write("robot.xml", Robot());
+  std::filesystem::path scene_ = folder_.Write("ground.xml", kGround);
+};
+
+TEST_F(WorldModelTest, PutsTheRobotInTheScene) {
+  const ModelHandle model = Load();
+  EXPECT_GE(mj_name2id(model.get(), mjOBJ_BODY, "pelvis"), 0);
+  EXPECT_EQ(model->ngeom, 3);
+  EXPECT_EQ(model->opt.timestep, 0.002);
+}
+
+TEST_F(WorldModelTest, AddsTheInertialUnit) {
+  const ModelHandle model = Load();
+  EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuGyroName), 0);
+  EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuAccelName), 0);
+  EXPECT_EQ(mj_name2id(model.get(), mjOBJ_SENSOR, kSecondaryGyroName), -1);
+}
+
+TEST_F(WorldModelTest, AddsAClampThatIsOff) {
+  const ModelHandle model = Load();
+  const int clamp = mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName);
+  ASSERT_GE(clamp, 0);
+  EXPECT_EQ(model->eq_active[clamp], 0);
+}
+
+TEST_F(WorldModelTest, SwitchesTheModelsOwnActuatorsOff) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)",
+                 R"(<actuator><position joint="knee_joint" kp="100"/></actuator>)"));
+  EXPECT_NE(Load()->opt.disableflags & mjDSBL_ACTUATION, 0);
+}
+
+TEST_F(WorldModelTest, LoadsFilesWhoseNamesNeedEscapes) {
+  robot_ = folder_.Write("a & b < c/my \"robot\".xml", Robot());
+  EXPECT_EQ(Refusal(), "");
+}
+
+TEST_F(WorldModelTest, FindsWhatTheRobotsFileNamesRelativeToItself) {
+  folder_.Write("robot/parts/tetra.obj",
+                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                "f 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+  folder_.Write("robot/shin.xml",
+                R"(<mujoco><asset><mesh name="tetra" file="tetra.obj"/></asset></mujoco>)");
+  robot_ = folder_.Write("robot/robot.xml",
+                         Robot(R"(<joint name="knee_joint"/><geom type="mesh" mesh="tetra"/>)",
+                               R"(<compiler meshdir="parts"/><include file="shin.xml"/>)"));
+  EXPECT_EQ(Refusal(), "");
+}
+
+TEST_F(WorldModelTest, RefusesAMissingRobotFile) {
+  robot_ = folder_.path() / "nobody.xml";
+  EXPECT_EQ(Refusal(), robot_.string() + ": no such file");
+}
+
+TEST_F(WorldModelTest, RefusesAMissingScene) {
+  scene_ = folder_.path() / "nowhere.xml";
+  EXPECT_EQ(Refusal(), scene_.string() + ": no such file");
+}
+
+TEST_F(WorldModelTest, RefusesAFolder) {
+  robot_ = folder_.path();
+  EXPECT_THAT(Refusal(), HasSubstr("no such file"));
+}
+
+TEST_F(WorldModelTest, NamesTheRobotFileThatIsMalformed) {
+  UseRobot("<mujoco><worldbody></mujoco>");
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml: "), HasSubstr("XML")));
+}
+
+TEST_F(WorldModelTest, NamesTheSceneThatIsMalformed) {
+  UseScene("<mujoco><worldbody></mujoco>");
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("ground.xml: "), Not(HasSubstr("robot.xml"))));
+}
+
+TEST_F(WorldModelTest, NamesTheElementThatMujocoDoesNotKnow) {
+  UseRobot(Robot(R"(<hinge name="knee_joint"/>)"));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml: "), HasSubstr("hinge")));
+}
+
+TEST_F(WorldModelTest, NamesBothFilesWhenTheyDoNotGoTogether) {
+  UseScene(
+      R"(<mujoco><worldbody><body name="pelvis"><geom size="1"/></body></worldbody></mujoco>)");
+  EXPECT_THAT(Refusal(),
+              AllOf(HasSubstr("robot.xml"), HasSubstr("ground.xml"), HasSubstr("pelvis")));
+}
+
+TEST_F(WorldModelTest, RefusesRungeKuttaOfTheRobot) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<option integrator="RK4"/>)"));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml"), HasSubstr("RK4"), HasSubstr("implicit")));
+}
+
+TEST_F(WorldModelTest, RefusesRungeKuttaOfTheSceneAndNamesIt) {
+  UseScene(R"(<mujoco><option integrator="RK4"/></mujoco>)");
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("ground.xml"), HasSubstr("RK4")));
+}
+
+TEST_F(WorldModelTest, NamesTheNearestJointToAMissingOne) {
+  spec_.motors[0].joint = "kneee_joint";
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml"), HasSubstr("joint 'kneee_joint'"),
+                               HasSubstr("nearest is 'knee_joint'")));
+}
+
+TEST_F(WorldModelTest, NamesTheNearestBodyToAMissingBase) {
+  spec_.base_body = "pelwis";
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("base body 'pelwis'"), HasSubstr("'pelvis'")));
+}
+
+TEST_F(WorldModelTest, RefusesAMissingSite) {
+  spec_.imu.site = "imuu";
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("site 'imuu'"), HasSubstr("nearest is 'imu'")));
+}
+
+TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
+  spec_.imu.secondary_site = "head_imu";
+  EXPECT_THAT(Refusal(), HasSubstr("site 'head_imu'"));
+}
+
+TEST_F(WorldModelTest, RefusesAMissingFootGeom) {
+  spec_.feet[0].geoms = {"sohle"};
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("nearest is 'sole'")));
+}
+
+TEST_F(WorldModelTest, RefusesAMissingCraneBody) {
+  spec_.crane_body = "hook";
+  EXPECT_THAT(Refusal(), HasSubstr("crane body 'hook'"));
+}
+
+TEST_F(WorldModelTest, RefusesABaseWithoutAFreeJoint) {
+  spec_.base_body = "shin";
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("'shin'"), HasSubstr("<freejoint/>")));
+}
+
+TEST_F(WorldModelTest, RefusesABallJointAsAMotor) {
+  UseRobot(Robot(R"(<joint name="knee_joint" type="ball"/>)"));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("'knee_joint'"), HasSubstr("hinge or a slide")));
+}
+
+TEST_F(WorldModelTest, RefusesTheFreeJointAsAMotor) {
+  UseRobot(R"(<mujoco><worldbody><body name="pelvis"><joint name="knee_joint" type="free"/>
+              <geom name="sole" size=".1"/><site name="imu"/></body></worldbody></mujoco>)");
+  EXPECT_THAT(Refusal(), HasSubstr("hinge or a slide"));
+}
+
+TEST_F(WorldModelTest, TakesASlideAsAMotor) {
+  UseRobot(Robot(R"(<joint name="knee_joint" type="slide"/>)"));
+  EXPECT_EQ(Refusal(), "");
+}
+
+TEST(MujocoHooksTest, KeepTheLastWarningUntilItIsTaken) {
+  InstallMujocoHooks();
+  mju_warning("first, and longer than the other one");
+  mju_warning("second");
+  EXPECT_EQ(TakeMujocoWarning(), "second");
+  EXPECT_EQ(TakeMujocoWarning(), std::nullopt);
+}
+
+TEST(MujocoHooksTest, CutAWarningThatIsTooLong) {
+  InstallMujocoHooks();
+  mju_user_warning(std::string(10'000, 'x').c_str());
+  EXPECT_EQ(TakeMujocoWarning(), std::string(511, 'x'));
+}
+
+TEST(MujocoHooksTest, TurnAnErrorIntoAModelError) {
+  InstallMujocoHooks();
+  EXPECT_THROW(mju_error("no way"), ModelError);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,125 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "robot/motor.h"
+
+namespace understudy {
+namespace {
+
+// Three motors; 1 and 2 are the pitch and roll of a parallel joint.
+RobotSpec Spec() {
+  RobotSpec spec;
+  spec.motors.resize(3, MotorSpec{.joint = {}, .torque_limit = 1000});
+  spec.parallel = {{.pitch = 1, .roll = 2, .roll_ratio = 2}};
+  spec.thermal = {.ambient_c = 20, .rest_rise_c = 5, .rise_per_nm2_c = 0.1, .time_constant = 100};
+  return spec;
+}
+
+RobotCommand Torques(double first, double second, double third) {
+  RobotCommand command;
+  for (const double tau : {first, second, third}) {
+    command.motors.push_back({.enabled = true, .tau = tau});
+  }
+  return command;
+}
+
+class MotorBankTest : public testing::Test {
+ protected:
+  const RobotSpec spec_ = Spec();
+  MotorBank bank_{spec_};
+  std::vector<double> q_ = {0, 0, 0};
+  std::vector<double> dq_ = {0, 0, 0};
+};
+
+TEST_F(MotorBankTest, GivesNoTorqueBeforeTheFirstStep) {
+  EXPECT_EQ(std::vector(bank_.torque().begin(), bank_.torque().end()),
+            (std::vector<double>{0, 0, 0}));
+}
+
+TEST_F(MotorBankTest, KeepsMotorOrderInPitchRoll) {
+  const auto tau = bank_.Step(Torques(1, 2, 3), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{1, 2, 3}));
+  EXPECT_EQ(tau.data(), bank_.torque().data());
+}
+
+TEST_F(MotorBankTest, CutsEachMotorToItsOwnLimit) {
+  RobotSpec spec = Spec();
+  spec.motors[0].torque_limit = 5;
+  MotorBank bank(spec);
+  const auto tau = bank.Step(Torques(9, 9, -9), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{5, 9, -9}));
+}
+
+TEST_F(MotorBankTest, MapsMotorSpaceTorquesToTheSerialJoints) {
+  RobotCommand command = Torques(1, 2, 3);  // B = 2 is in the pitch slot, A = 3 in the roll slot
+  command.joint_space = JointSpace::kMotors;
+  const auto tau = bank_.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(tau[0], 1);  // no part of the pair
+  EXPECT_EQ(tau[1], 5);  // A + B
+  EXPECT_EQ(tau[2], 2);  // ratio (A - B)
+}
+
+TEST_F(MotorBankTest, GivesTheSamePowerOnBothSidesOfAParallelJoint) {
+  RobotCommand command = Torques(0, -7, 4);
+  command.joint_space = JointSpace::kMotors;
+  dq_ = {0, 0.3, -1.1};
+  const auto tau = bank_.Step(command, q_, dq_, 0.001);
+  const auto rate = ParallelJoint(spec_.parallel[0]).ToMotors({.pitch = dq_[1], .roll = dq_[2]});
+  EXPECT_NEAR(tau[1] * dq_[1] + tau[2] * dq_[2], 4 * rate.a + -7 * rate.b, 1e-12);
+}
+
+// The position of A and B at pitch 0.1, roll 0.2 is 0.5 and -0.3: motors that are told to be there
+// want nothing.
+TEST_F(MotorBankTest, MeasuresAnglesAndRatesInMotorSpace) {
+  RobotCommand command;
+  command.joint_space = JointSpace::kMotors;
+  command.motors = {{},
+                    {.enabled = true, .q = -0.3, .dq = -3, .kp = 100, .kd = 10},
+                    {.enabled = true, .q = 0.5, .dq = 5, .kp = 100, .kd = 10}};
+  q_ = {0, 0.1, 0.2};
+  dq_ = {0, 1, 2};
+  const auto tau = bank_.Step(command, q_, dq_, 0.001);
+  EXPECT_NEAR(tau[1], 0, 1e-12);
+  EXPECT_NEAR(tau[2], 0, 1e-12);
+}
+
+TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
+  RobotSpec spec = Spec();
+  spec.parallel.clear();
+  MotorBank bank(spec);
+  RobotCommand command = Torques(1, 2, 3);
+  command.joint_space = JointSpace::kMotors;
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(MotorBankTest, StartsAtItsTemperatureOfRest) {
+  for (const double temperature : bank_.winding_c()) EXPECT_EQ(temperature, 25);
+}
+
+TEST_F(MotorBankTest, StaysAtItsTemperatureOfRestWhileIdle) {
+  for (int i = 0; i < 1000; ++i) bank_.Step(Torques(0, 0, 0), q_, dq_, 0.1);
+  for (const double temperature : bank_.winding_c()) EXPECT_EQ(temperature, 25);
+}
+
+TEST_F(MotorBankTest, WarmsTheMotorThatWorksAndNoOther) {
+  // 10 N·m rise by 10 °C in the end, and by 1 - 1/e of it within the time constant of 100 s.
+  for (int i = 0; i < 10000; ++i) bank_.Step(Torques(0, -10, 0), q_, dq_, 0.01);
+  EXPECT_NEAR(bank_.winding_c()[1], 25 + 10 * (1 - std::exp(-1)), 0.01);
+  for (int i = 0; i < 10000; ++i) bank_.Step(Torques(0, -10, 0), q_, dq_, 0.1);
+  EXPECT_NEAR(bank_.winding_c()[1], 35, 0.01);
+  EXPECT_EQ(bank_.winding_c()[0], 25);
+  EXPECT_EQ(bank_.winding_c()[2], 25);
+}
+
+TEST_F(MotorBankTest, HeatsByTheTorqueItGivesNotByTheOneItWants) {
+  RobotSpec spec = Spec();
+  spec.motors[0].torque_limit = 10;
+  MotorBank bank(spec);
+  for (int i = 0; i < 10000; ++i) bank.Step(Torques(500, 0, 0), q_, dq_, 0.1);
+  EXPECT_NEAR(bank.winding_c()[0], 35, 0.01);
+}
+
+}  // namespace
+}  // namespace understudy

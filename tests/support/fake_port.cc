@@ -1,0 +1,32 @@
+#include "tests/support/fake_port.h"
+
+namespace understudy {
+
+void FakePort::Send(const RobotCommand& command, Refusal wire) {
+  waiting_.push_back({command, wire});
+}
+
+bool FakePort::TakeCommand(RobotCommand* command, Refusal* wire) {
+  if (!waiting_.empty()) {
+    *command = waiting_.front().command;
+    *wire = waiting_.front().wire;
+    waiting_.pop_front();
+    return true;
+  }
+  steady_taken_ = steady_.has_value() && !steady_taken_;
+  if (!steady_taken_) return false;
+  *command = *steady_;
+  *wire = Refusal::kNone;
+  return true;
+}
+
+void FakePort::Publish(const RobotState& state, const Due& due) {
+  if (keep_all_ || samples_.empty()) {
+    samples_.push_back({state, due});
+  } else {
+    samples_.back().state = state;
+    samples_.back().due = due;
+  }
+}
+
+}  // namespace understudy

@@ -1,0 +1,53 @@
+// A port without a wire.
+#ifndef UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
+#define UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+#include "wire/robot_port.h"
+
+namespace understudy {
+
+// Commands wait in a queue; what is published is kept, in order.
+class FakePort final : public RobotPort {
+ public:
+  struct Sample {
+    RobotState state;
+    Due due;
+  };
+
+  // Lets a command wait, with what the wire found wrong with it.
+  void Send(const RobotCommand& command, Refusal wire = Refusal::kNone);
+  // From now on one such command waits at every drain of the port. Taking it allocates nothing.
+  void SendEveryTick(const RobotCommand& command) { steady_ = command; }
+  // From now on only the last sample is kept; publishing one more then allocates nothing.
+  void KeepTheLastOnly() { keep_all_ = false; }
+
+  const std::vector<Sample>& samples() const { return samples_; }
+  const Sample& last() const { return samples_.back(); }
+  bool idle() const { return waiting_.empty(); }
+
+  bool TakeCommand(RobotCommand* command, Refusal* wire) override;
+  void Publish(const RobotState& state, const Due& due) override;
+  int command_writers() override { return 1; }
+  std::uint64_t unused_slot_commands() const override { return 0; }
+
+ private:
+  struct Waiting {
+    RobotCommand command;
+    Refusal wire;
+  };
+
+  std::deque<Waiting> waiting_;
+  std::optional<RobotCommand> steady_;
+  bool steady_taken_ = false;  // in this drain
+  bool keep_all_ = true;
+  std::vector<Sample> samples_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
