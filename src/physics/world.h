@@ -38,7 +38,7 @@ class PhysicsWorld {
   PhysicsWorld(ModelHandle model, const RobotSpec& spec);
 
   // Puts the base at `height` [m] over the origin, upright and at rest, with joint angles q [rad]
-  // in motor order.
+  // in motor order. A fixed base stays where its file has it.
   void Reset(std::span<const double> q, double height);
 
   void BeginStep();
@@ -50,7 +50,7 @@ class PhysicsWorld {
   // A force [N] on a point that is fixed to a body, for the coming EndStep. Adds up.
   void AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W);
 
-  // Holds the base where it is now, as a stand does, or lets go.
+  // Holds the base where it is now, as a stand does, or lets go. A fixed base is always held.
   void Clamp(bool on);
   bool clamped() const;
 
@@ -85,14 +85,15 @@ class PhysicsWorld {
   ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
   ImuReading Read(const ImuAddress& address) const;
   void ReadKinematics();
+  bool has_fixed_base() const { return clamp_ < 0; }
 
   ModelHandle model_;
   DataHandle data_;
   std::vector<int> q_address_, dq_address_;  // in motor order
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   int base_body_ = 0;
-  int base_q_ = 0, base_dq_ = 0;
-  int clamp_ = 0;
+  int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
+  int clamp_ = -1;                  // likewise
   ImuAddress imu_, secondary_imu_;
   std::vector<double> q_, dq_;
   BaseReading base_;
