@@ -150,7 +150,7 @@ TEST_F(PhysicsWorldTest, ClampStandsAgainstItsMotors) {
     world_.BeginStep();
     const double tau = 20 * std::sin(0.02 * i);
     ASSERT_EQ(world_.EndStep(std::vector{tau, tau, tau, tau, 0.0, 0.0}), StepHealth::kFine);
-    ASSERT_LT((world_.base().p_WB - Eigen::Vector3d(0, 0, 1)).norm(), 0.006) << i;
+    ASSERT_LT((world_.base().p_WB - Eigen::Vector3d(0, 0, 1)).norm(), 0.005) << i;
   }
 }
 
