@@ -82,7 +82,7 @@ Status Emulator::status() const {
   status.gate = gate_.state();
   status.commands = gate_.counts();
   status.last_refusal = last_refusal_;
-  status.unused_slot_commands = port_->unused_slot_commands();
+  status.port = port_->counts();
   status.published = published_;
   status.divergences = divergences_;
   status.crane_attached = crane_.attached();
@@ -112,7 +112,7 @@ std::int64_t Emulator::Every(double hz) const {
 
 void Emulator::ToStart() {
   gate_.Restart();
-  world_.Reset(start_.pose.q, start_.pose.height);
+  world_.Reset(start_.pose);
   crane_.Release();
   if (start_.on_crane) HangFromCrane();
   world_.Clamp(start_.clamped);

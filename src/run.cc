@@ -10,6 +10,7 @@
 
 #include "bus/neighbours.h"
 #include "bus/participant.h"
+#include "bus/reader.h"
 #include "control/server.h"
 #include "emulator.h"
 #include "physics/world_model.h"
@@ -21,6 +22,7 @@
 #include "time/pacer.h"
 #include "time/realtime.h"
 #include "wire/open_port.h"
+#include "wire/topics.h"
 
 namespace understudy {
 namespace {
@@ -55,18 +57,37 @@ void RefuseToStartBeside(NeighbourWatch* watch, const Participant& participant,
   } while (clock->Now() < until);
 }
 
+// Tells whether a stranger only has a writer of rt/lowstate or sends with it. Clients on the
+// vendor's C++ library may have one and never use it (far-unitree-sdk 0.1.8 does).
+class StrangerEar {
+ public:
+  explicit StrangerEar(const Participant& participant)
+      : go_(participant, kGoLowState, kOptions), hg_(participant, kHgLowState, kOptions) {}
+
+  bool HearsOne() {
+    const auto ignore = [](const auto&, WriterHandle) {};
+    return go_.Take(ignore) + hg_.Take(ignore) > 0;
+  }
+
+ private:
+  static constexpr ReaderOptions kOptions{.depth = 1, .reliable = false, .foreign_only = true};
+  Reader<unitree_go_msg_dds__LowState_> go_;
+  Reader<unitree_hg_msg_dds__LowState_> hg_;
+};
+
 // Watches the network and talks to the log and the terminal, beside the loop.
 class Housekeeper {
  public:
-  Housekeeper(const Config& config, bool status_line, NeighbourWatch watch,
-              const StatusBoard* board)
+  Housekeeper(const Config& config, bool status_line, const Participant& participant,
+              NeighbourWatch watch, const StatusBoard* board)
       : action_(config.guard.on_stranger),
         watch_(std::move(watch)),
+        ear_(participant),
         board_(board),
         reporter_(config.robot.rates.lowstate_hz, status_line),
         thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
-  // A stranger appeared, and the configured answer is this.
+  // Another robot speaks, and this is the configured answer.
   bool must_silence() const { return must_silence_; }
   bool must_stop() const { return must_stop_; }
 
@@ -84,28 +105,34 @@ class Housekeeper {
 
   void Watch() {
     const auto& strangers = watch_.Poll();
-    if (strangers.size() == known_) return;
-    known_ = strangers.size();
-    if (strangers.empty()) {
-      spdlog::info("the other robot has gone");
-      must_silence_ = false;
-      return;
+    if (strangers.size() != known_) {
+      for (const Neighbour& stranger : strangers) {
+        spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
+      }
+      if (strangers.empty() && speaks_) {
+        spdlog::info("the other robot has gone");
+        speaks_ = must_silence_ = false;
+      }
+      known_ = strangers.size();
     }
+    if (speaks_ || !ear_.HearsOne()) return;
+    speaks_ = true;
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
-    for (const Neighbour& stranger : strangers) {
-      spdlog::critical("another robot is on this network: {} writes rt/lowstate; {}",
-                       Describe(stranger), kWhatWeDo[static_cast<int>(action_)]);
-    }
+    spdlog::critical("another robot speaks on this network{}{}; {}", strangers.empty() ? "" : ": ",
+                     strangers.empty() ? "" : Describe(strangers.front()),
+                     kWhatWeDo[static_cast<int>(action_)]);
     must_silence_ = action_ == StrangerAction::kSilence;
     must_stop_ = action_ == StrangerAction::kStop;
   }
 
   StrangerAction action_;
   NeighbourWatch watch_;
+  StrangerEar ear_;
   const StatusBoard* board_;
   Reporter reporter_;
   std::size_t known_ = 0;
+  bool speaks_ = false;
   std::atomic<bool> must_silence_{false};
   std::atomic<bool> must_stop_{false};
   std::jthread thread_;  // last: it uses all of the above
@@ -137,7 +164,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
   const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
-  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
+  const Housekeeper housekeeper(config, options.status_line, participant, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
   Pacer pacer(&clock, Clock::Time(std::llround(config.physics.timestep * 1e9)), config.time.speed);

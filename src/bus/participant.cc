@@ -50,7 +50,10 @@ Entity CreateDomain(const std::string& interface, int domain) {
     throw BusError("this process is in DDS domain " + std::to_string(domain) + " already");
   }
   if (created < 0 && !log.last().empty()) {
-    throw BusError("cannot join " + where + ": " + std::string(log.last()));
+    const bool full = log.last().find("participant index") != std::string_view::npos;
+    throw BusError(
+        "cannot join " + where + ": " + std::string(log.last()) +
+        (full ? "; without multicast an interface has room for nine programs in a domain" : ""));
   }
   return Entity(created, "join " + where);
 }

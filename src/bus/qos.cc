@@ -23,10 +23,11 @@ QosPtr WriterQos() {
   return qos;
 }
 
-QosPtr ReaderQos(int depth, bool reliable) {
-  QosPtr qos = CommonQos(depth);
-  dds_qset_reliability(qos.get(), reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT,
-                       0);
+QosPtr ReaderQos(const ReaderOptions& options) {
+  QosPtr qos = CommonQos(options.depth);
+  dds_qset_reliability(
+      qos.get(), options.reliable ? DDS_RELIABILITY_RELIABLE : DDS_RELIABILITY_BEST_EFFORT, 0);
+  if (options.foreign_only) dds_qset_ignorelocal(qos.get(), DDS_IGNORELOCAL_PARTICIPANT);
   return qos;
 }
 

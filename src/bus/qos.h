@@ -6,6 +6,8 @@
 
 #include <dds/dds.h>
 
+#include "bus/reader.h"
+
 namespace understudy {
 
 struct QosDeleter {
@@ -18,8 +20,8 @@ using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 // where the vendor's may for 100 ms.
 QosPtr WriterQos();
 
-// Takes what C++, Python and ROS 2 writers offer: VOLATILE, KEEP_LAST `depth`, XCDR1 and XCDR2.
-QosPtr ReaderQos(int depth, bool reliable);
+// Takes what C++, Python and ROS 2 writers offer: VOLATILE, KEEP_LAST, XCDR1 and XCDR2.
+QosPtr ReaderQos(const ReaderOptions& options);
 
 }  // namespace understudy
 

@@ -16,8 +16,8 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
                        const ReaderOptions& options)
     : topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
-      reader_(dds_create_reader(participant.handle(), topic_.handle(),
-                                ReaderQos(options.depth, options.reliable).get(), nullptr),
+      reader_(dds_create_reader(participant.handle(), topic_.handle(), ReaderQos(options).get(),
+                                nullptr),
               std::string("read topic ") + topic) {
   if (descriptor.m_size != message_size) {
     throw BusError(std::string("topic ") + topic + ": " + descriptor.m_typename +

@@ -19,8 +19,9 @@ using WriterHandle = std::uint64_t;
 inline constexpr int kMaxTake = 16;
 
 struct ReaderOptions {
-  int depth = kMaxTake;   // samples kept until taken; the oldest goes first
-  bool reliable = false;  // best effort, as the robot's, accepts every writer
+  int depth = kMaxTake;       // samples kept until taken; the oldest goes first
+  bool reliable = false;      // best effort, as the robot's, accepts every writer
+  bool foreign_only = false;  // leave out what our own participant writes
 };
 
 // The part of Reader that does not know the message.

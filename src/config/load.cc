@@ -6,12 +6,12 @@
 #include <utility>
 
 #include "config/keys.h"
-#include "robot/nearest_word.h"
 #include "config/printer.h"
 #include "config/reader.h"
 #include "config/validate.h"
 #include "config/yaml_document.h"
 #include "robot/errors.h"
+#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

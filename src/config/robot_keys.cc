@@ -32,11 +32,19 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
 void DescribeFoot(Archive& a, FootSpec& f) {
   a.Key({"name", "Its name"}, &f.name);
   a.Key({"geoms", "Geoms of the model whose contacts are this foot's"}, &f.geoms);
+  a.Key(
+      {"axis",
+       "",
+       {-1, 1},
+       "Direction that the sensor feels, in the frame of the geoms' body; 0 0 0 is each contact's "
+       "normal"},
+      &f.axis);
 }
 
 void DescribePose(Archive& a, PoseSpec& p) {
   a.Key({"q", "rad", {-10, 10}, "Joint angles in motor order"}, &p.q);
   a.Key({"height", "m", {0, 10}, "Height of the base"}, &p.height);
+  a.Key({"quat", "", {-1, 1}, "Orientation of the base, w x y z"}, &p.quat);
 }
 
 void DescribeRates(Archive& a, RateSpec& r) {

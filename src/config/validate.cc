@@ -9,8 +9,8 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
-#include "robot/nearest_word.h"
 #include "robot/errors.h"
+#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {
@@ -84,6 +84,17 @@ void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors
   checker.Check(pose.q.size() == motors, "robot." + name + ".q",
                 "expected one angle per motor, " + std::to_string(motors) + ", got " +
                     std::to_string(pose.q.size()));
+  double norm = 0;
+  for (const double x : pose.quat) norm += x * x;
+  checker.Check(pose.quat.size() == 4 && std::abs(norm - 1) < 1e-3, "robot." + name + ".quat",
+                "expected four numbers w, x, y, z of length 1");
+}
+
+void CheckFeet(const RobotSpec& robot, const Checker& checker) {
+  for (std::size_t i = 0; i < robot.feet.size(); ++i) {
+    checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
+                  "expected three numbers");
+  }
 }
 
 bool IsWhole(double ratio) {
@@ -125,6 +136,7 @@ void Validate(const Config& config, const Places& places) {
   checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
   CheckMotors(robot, checker);
   CheckParallel(robot, checker);
+  CheckFeet(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);

@@ -21,9 +21,11 @@ struct OrderKey {
   OrderReading (*read)(std::string_view name, const json& value);
 };
 
-// JSON for a message: replaces what is not UTF-8, and is cut to a bearable length.
+// A value for a message: what is not UTF-8 is replaced, what is long is cut. Of arrays and objects
+// only the kind, for dump recurses and a client chooses how deep.
 std::string Shown(const json& value) {
   constexpr std::size_t kLongest = 40;
+  if (value.is_structured()) return std::string{"an "} + value.type_name();
   const std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
 }
@@ -101,8 +103,7 @@ OrderReading ReadOneKey(std::span<const OrderKey> keys, std::string_view body) {
   for (const OrderKey& key : keys) names.emplace_back(key.name);
   for (const auto& item : object.items()) {
     if (std::find(names.begin(), names.end(), item.key()) == names.end()) {
-      return "unknown key " + Shown(item.key()) + ": did you mean \"" +
-             NearestWord(item.key().substr(0, 64), names) + "\"?";
+      return "unknown key " + Shown(item.key()) + DidYouMean(item.key(), names);
     }
   }
   if (object.size() != 1) {

@@ -55,7 +55,7 @@ HttpReply NoSuchPath(std::string_view path) {
   const std::string shown{path.substr(0, kLongest)};
   std::vector<std::string> paths;
   for (const Row& row : kRoutes) paths.emplace_back(row.path);
-  return ErrorReply(404, "no path " + shown + ": did you mean " + NearestWord(shown, paths) + "?");
+  return ErrorReply(404, "no path " + shown + DidYouMean(shown, paths));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <mutex>
 
 #include "robot/command_gate.h"
+#include "robot/port_counts.h"
 #include "time/pacer.h"
 
 namespace understudy {
@@ -20,7 +21,7 @@ struct Status {
   GateState gate = GateState::kStart;
   GateCounts commands;
   Refusal last_refusal = Refusal::kNone;
-  std::uint64_t unused_slot_commands = 0;
+  PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;

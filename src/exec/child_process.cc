@@ -98,7 +98,7 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   // The parent may have died before the first call took effect; the second sees that.
-  if (::prctl(PR_SET_PDEATHSIG, 0) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
   char go = 0;
   if (!ReadFully(gate, &go, 1)) ::_exit(kExitOwnFailure);
 
@@ -127,8 +127,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   gate_ = UniqueFd(ends[0]);
   UniqueFd child_gate(ends[1]);
 
-  // Blocked across the fork: a handler that ran in the child before its reset would swallow a
-  // signal.
+  // Blocked across the fork: a handler of ours would swallow what arrives before its reset.
   sigset_t all;
   sigset_t mask;
   ::sigfillset(&all);

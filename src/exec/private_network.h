@@ -1,5 +1,4 @@
-// A network of our own, for `understudy exec`: robot and program meet on domain 0 and nobody else
-// hears.
+// A network of our own, for `understudy exec`: robot and program meet on domain 0, unheard outside.
 #ifndef UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 #define UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 
@@ -18,16 +17,14 @@ namespace understudy {
 //   - the effective uid and gid are mapped to themselves: files, ids and $HOME are as before. All
 //     other owners show as nobody. Supplementary groups show as nogroup and still open devices.
 //   - setgroups, and set-uid programs such as sudo or ping of other owners, no longer work.
-//   - the capabilities are those of before, none for an ordinary user, and hold in the namespace
-//   only.
+//   - the capabilities are those of before (an ordinary user: none), valid in the namespace only.
 //
 // In both cases
 //   - abstract unix sockets belong to a network: those outside are out of reach. Unix sockets that
-//     have a path (X11 and Wayland displays, D-Bus) are reached as before; X11 over ssh is TCP and
-//     is not.
-//   - /proc/net shows the new network, /sys/class/net still the old one (sysfs shows the network
-//   that
-//     it was mounted from): programs that list interfaces there see NICs that they cannot use.
+//     have a path (X11 and Wayland displays, D-Bus) are reached as before; X11 through ssh is TCP
+//     and is not.
+//   - /proc/net shows the new network, /sys/class/net still the old one, that of the process that
+//     mounted /sys: programs that list interfaces there see NICs that they cannot use.
 //   - there is no way out: no internet, no name servers, no real robot.
 //
 // Throws BusError, in one line that names the setting which helps, where the kernel forbids it. If

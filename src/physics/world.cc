@@ -12,6 +12,8 @@ namespace {
 // MuJoCo resets the state by itself when it finds one of these, and counts it.
 constexpr int kDivergenceWarnings[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
 
+using Rotation = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>;
+
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
 // What says whether an equality constraint acts: part of the state since MuJoCo 3.
@@ -35,6 +37,7 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
     dq_address_.push_back(model_->jnt_dofadr[joint]);
   }
   for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
+    foot_axis_.emplace_back(spec.feet[foot].axis.data());
     for (const std::string& geom : spec.feet[foot].geoms) {
       const int id = mj_name2id(model_.get(), mjOBJ_GEOM, geom.c_str());
       if (id >= 0) foot_of_geom_[static_cast<std::size_t>(id)] = static_cast<int>(foot);
@@ -53,14 +56,17 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
   ReadKinematics();
 }
 
-void PhysicsWorld::Reset(std::span<const double> q, double height) {
+void PhysicsWorld::Reset(const PoseSpec& pose) {
   mj_resetData(model_.get(), data_.get());
   Clamp(false);
   if (!has_fixed_base()) {
-    const mjtNum pose[7] = {0, 0, height, 1, 0, 0, 0};
-    mju_copy(data_->qpos + base_q_, pose, 7);
+    mjtNum* base = data_->qpos + base_q_;
+    const mjtNum position[3] = {0, 0, pose.height};
+    mju_copy3(base, position);
+    mju_copy4(base + 3, pose.quat.data());
+    mju_normalize4(base + 3);
   }
-  for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = q[i];
+  for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
   mj_forward(model_.get(), data_.get());
   ReadKinematics();
 }
@@ -117,7 +123,7 @@ int PhysicsWorld::Body(const std::string& name) const {
 
 PointReading PhysicsWorld::Point(int body, const Eigen::Vector3d& p_BP) const {
   PointReading point;
-  const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(data_->xmat + 9 * body);
+  const Rotation R_WB(data_->xmat + 9 * body);
   const Eigen::Vector3d offset = R_WB * p_BP;
   point.p_WP = Vector(data_->xpos + 3 * body) + offset;
   mjtNum velocity[6];  // angular, linear, at the body's origin, world axes
@@ -137,9 +143,12 @@ void PhysicsWorld::FootForces(std::span<double> force) const {
     for (const int geom : {contact.geom1, contact.geom2}) {
       const int foot = foot_of_geom_[static_cast<std::size_t>(geom)];
       if (foot < 0) continue;
-      mjtNum wrench[6];  // normal force first
+      mjtNum wrench[6];  // in the contact's frame, whose first axis is the normal
       mj_contactForce(model_.get(), data_.get(), i, wrench);
-      force[static_cast<std::size_t>(foot)] += wrench[0];
+      const Eigen::Vector3d& axis = foot_axis_[static_cast<std::size_t>(foot)];
+      const Rotation R_WB(data_->xmat + 9 * model_->geom_bodyid[geom]);
+      const double share = axis.isZero() ? 1 : std::abs(Vector(contact.frame).dot(R_WB * axis));
+      force[static_cast<std::size_t>(foot)] += share * wrench[0];
     }
   }
 }

@@ -37,9 +37,8 @@ class PhysicsWorld {
   // `model` comes from LoadWorldModel with the same spec.
   PhysicsWorld(ModelHandle model, const RobotSpec& spec);
 
-  // Puts the base at `height` [m] over the origin, upright and at rest, with joint angles q [rad]
-  // in motor order. A fixed base stays where its file has it.
-  void Reset(std::span<const double> q, double height);
+  // Puts the robot at rest over the origin in that pose. A fixed base stays where its file has it.
+  void Reset(const PoseSpec& pose);
 
   void BeginStep();
 
@@ -66,7 +65,8 @@ class PhysicsWorld {
   double tilt() const;  // rad between the base's up and the world's
   ImuReading Imu() const { return Read(imu_); }
   ImuReading SecondaryImu() const { return Read(secondary_imu_); }  // default where there is none
-  // Sum of the normal contact forces [N] on each foot, in spec order.
+  // What the contacts press on each foot [N], in spec order: the part of their normal forces along
+  // FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
 
   double timestep() const { return model_->opt.timestep; }
@@ -91,6 +91,7 @@ class PhysicsWorld {
   DataHandle data_;
   std::vector<int> q_address_, dq_address_;  // in motor order
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
+  std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;
   int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
   int clamp_ = -1;                  // likewise

@@ -30,6 +30,7 @@ double AvailableTorque(const MotorSpec& spec, double tau, double dq);
 // All motors of one robot. Knows temperatures; allocates only in the constructor.
 class MotorBank {
  public:
+  // `spec` must outlive the bank.
   explicit MotorBank(const RobotSpec& spec);
 
   // Joint torques [N·m] in motor order for the joint angles q [rad] and rates dq [rad/s] of the

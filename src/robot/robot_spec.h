@@ -36,12 +36,16 @@ struct ParallelSpec {
 struct FootSpec {
   std::string name;
   std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
+  // Direction the sensor feels, in the frame of the geoms' body; all 0 = the contact's own normal.
+  std::vector<double> axis = {0, 0, 1};
 };
 
-// A start pose: joint angles [rad] in motor order and the height of the base [m] over the ground.
+// A start pose: joint angles [rad] in motor order, height of the base [m] over the ground, and its
+// orientation as a quaternion w, x, y, z.
 struct PoseSpec {
   std::vector<double> q;
   double height = 0;
+  std::vector<double> quat = {1, 0, 0, 0};
 };
 
 struct RateSpec {

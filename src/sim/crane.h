@@ -27,7 +27,10 @@ class Crane {
   // Hangs the hook, which is at p_WH [m] now, from straight above with the tether carrying `weight`
   // [N].
   void Attach(const Eigen::Vector3d& p_WH, double weight);
-  void Release() { attached_ = false; }
+  void Release() {
+    attached_ = false;
+    tension_ = 0;
+  }
   // Pays out `by` [m] at the configured speed; negative raises, until the hook is 5 cm from the
   // anchor. Adds to what is still to be paid out.
   void Lower(double by) { to_pay_out_ += by; }
@@ -37,7 +40,7 @@ class Crane {
 
   bool attached() const { return attached_; }
   double length() const { return length_; }    // m, unloaded
-  double tension() const { return tension_; }  // N, of the last step
+  double tension() const { return tension_; }  // N, of the last step; 0 when not attached
 
  private:
   CraneConfig config_;

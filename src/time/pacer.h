@@ -26,7 +26,8 @@ class Pacer {
   // possible. `clock` must outlive the pacer. The deadlines count from this moment.
   Pacer(Clock* clock, Clock::Time period, double speed);
 
-  // Waits for the deadline of step `step` (0 is due at once) and notes how late it was reached.
+  // Waits for the deadline of step `step` (0 is due at once) and notes how late it was reached. A
+  // signal may end the wait early; that counts as on time.
   void WaitFor(std::int64_t step);
 
   // Counts from now on, so that `step` is due at once: after a pause, or a new speed.

@@ -31,8 +31,9 @@ constexpr Tables kTable = [] {
   return tables;
 }();
 
-// What a word adds when `after` words follow it in its group.
-std::uint32_t Slice(std::uint32_t word, std::size_t after) {
+// What a word adds when `after` words follow it in its group. Left to itself, -O2 makes this a call
+// and the whole take twice as long.
+[[gnu::always_inline]] inline std::uint32_t Slice(std::uint32_t word, std::size_t after) {
   return kTable[4 * after + 3][word >> 24] ^ kTable[4 * after + 2][(word >> 16) & 0xFF] ^
          kTable[4 * after + 1][(word >> 8) & 0xFF] ^ kTable[4 * after][word & 0xFF];
 }

@@ -56,6 +56,10 @@ void EncodeBattery(const BatteryReading& battery, const BatterySpec& spec,
 
 }  // namespace
 
+bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message) {
+  return message.head[0] == 0 && message.head[1] == 0 && message.level_flag == 0;
+}
+
 Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec,
                RobotCommand* command) {
   bool modes_known = true;
@@ -67,9 +71,8 @@ Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec
   command->joint_space = JointSpace::kPitchRoll;
 
   if (message.crc != MessageCrc(message)) return Refusal::kCrc;
-  if (!std::ranges::equal(message.head, kHead) || message.level_flag != kLowLevel) {
-    return Refusal::kHead;
-  }
+  const bool head_set = std::ranges::equal(message.head, kHead) && message.level_flag == kLowLevel;
+  if (!head_set && !HeadIsUnset(message)) return Refusal::kHead;
   if (!modes_known) return Refusal::kMotorMode;
   return Refusal::kNone;
 }

@@ -9,8 +9,13 @@
 
 namespace understudy {
 
+// Head and level_flag left 0, as a client on the vendor's C++ library does that is meant for real
+// Go2 (far-unitree-sdk 0.1.8). Taken; that a real robot takes it is *assumed*.
+bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message);
+
 // Reads a command into `command`, whose vectors have the robot's size, and tells the first thing
-// wrong with its form, in this order: crc (kCrc), head FE EF and level_flag FF (kHead), the mode of
+// wrong with its form, in this order: crc (kCrc), head FE EF and level_flag FF, or all three unset
+// (kHead), the mode of
 // a slot with a motor (kMotorMode). Modes are 0 stop, 1 servo, 0x0A servo of H1's strong motors.
 // `command` is filled in any case; an unknown mode counts as enabled there. What the other fields
 // hold (led, fan, gpio, bms_cmd, ...) is neither checked nor obeyed.

@@ -20,7 +20,8 @@ GoPort::GoPort(const Participant& participant, const RobotSpec& spec)
 bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
   const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, WriterHandle) {
     *wire = Decode(message, spec_, command);
-    unused_slot_commands_ += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
+    if (HeadIsUnset(message)) ++counts_.unset_heads;
+    counts_.unused_slots += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
   };
   return commands_.Take(visit, 1) == 1;
 }
@@ -36,9 +37,11 @@ void GoPort::Publish(const RobotState& state, const Due& due) {
   }
 }
 
-std::uint64_t GoPort::write_failures() const {
-  return lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
-         lf_motion_.failures();
+PortCounts GoPort::counts() const {
+  PortCounts counts = counts_;
+  counts.write_failures =
+      lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() + lf_motion_.failures();
+  return counts;
 }
 
 }  // namespace understudy

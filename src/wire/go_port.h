@@ -22,8 +22,7 @@ class GoPort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
-  std::uint64_t unused_slot_commands() const override { return unused_slot_commands_; }
-  std::uint64_t write_failures() const override;
+  PortCounts counts() const override;
 
  private:
   const RobotSpec& spec_;
@@ -34,7 +33,7 @@ class GoPort final : public RobotPort {
   Writer<unitree_go_msg_dds__SportModeState_> lf_motion_;
   unitree_go_msg_dds__LowState_ lowstate_message_{};
   unitree_go_msg_dds__SportModeState_ motion_message_{};
-  std::uint64_t unused_slot_commands_ = 0;
+  PortCounts counts_;
 };
 
 }  // namespace understudy

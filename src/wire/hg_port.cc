@@ -25,7 +25,7 @@ HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
 bool HgPort::TakeCommand(RobotCommand* command, Refusal* wire) {
   const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
     *wire = Decode(message, spec_, command);
-    unused_slot_commands_ += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
+    counts_.unused_slots += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
   };
   return commands_.Take(visit, 1) == 1;
 }
@@ -50,11 +50,13 @@ void HgPort::Publish(const RobotState& state, const Due& due) {
   }
 }
 
-std::uint64_t HgPort::write_failures() const {
+PortCounts HgPort::counts() const {
+  PortCounts counts = counts_;
   const std::uint64_t secondary =
       secondary_ ? secondary_->imu.failures() + secondary_->lf_imu.failures() : 0;
-  return lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
-         lf_motion_.failures() + lf_bms_.failures() + secondary;
+  counts.write_failures = lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
+                          lf_motion_.failures() + lf_bms_.failures() + secondary;
+  return counts;
 }
 
 }  // namespace understudy

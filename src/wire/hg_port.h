@@ -25,8 +25,7 @@ class HgPort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
-  std::uint64_t unused_slot_commands() const override { return unused_slot_commands_; }
-  std::uint64_t write_failures() const override;
+  PortCounts counts() const override;
 
  private:
   struct SecondaryImu {
@@ -46,7 +45,7 @@ class HgPort final : public RobotPort {
   unitree_hg_msg_dds__LowState_ lowstate_message_{};
   unitree_go_msg_dds__SportModeState_ motion_message_{};
   unitree_hg_msg_dds__BmsState_ bms_message_{};
-  std::uint64_t unused_slot_commands_ = 0;
+  PortCounts counts_;
 };
 
 }  // namespace understudy

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "robot/port_counts.h"
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
 
@@ -37,12 +38,7 @@ class RobotPort {
   // How many writers of commands are matched now.
   virtual int command_writers() = 0;
 
-  // Slots without a motor that a taken command gave gains or torque, since start. The robot ignores
-  // them.
-  virtual std::uint64_t unused_slot_commands() const = 0;
-
-  // Messages that the bus did not take, since start.
-  virtual std::uint64_t write_failures() const = 0;
+  virtual PortCounts counts() const = 0;
 };
 
 }  // namespace understudy

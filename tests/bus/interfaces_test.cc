@@ -34,8 +34,8 @@ TEST(InterfacesTest, ListsEachInterfaceOnce) {
 }
 
 TEST(InterfacesTest, NamesTheAbsentOneTheOthersAndTheNearest) {
-  EXPECT_THAT(Complaint("lo0"), AllOf(HasSubstr("'lo0'"), HasSubstr("valid: "),
-                                      HasSubstr("did you mean 'lo'?")));
+  EXPECT_THAT(Complaint("lo0"),
+              AllOf(HasSubstr("'lo0'"), HasSubstr("valid: "), HasSubstr("did you mean 'lo'?")));
 }
 
 TEST(InterfacesTest, RefusesAnEmptyName) { EXPECT_THAT(Complaint(""), HasSubstr("valid: ")); }

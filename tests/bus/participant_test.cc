@@ -2,10 +2,12 @@
 
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 
 #include "robot/errors.h"
+#include "tests/bus/stranger.h"
 
 namespace understudy {
 namespace {
@@ -30,7 +32,7 @@ TEST(ParticipantTest, TellsWhereItIs) {
 }
 
 TEST(ParticipantTest, RefusesAnAbsentInterface) {
-  EXPECT_THAT(Complaint("nope0", 102), HasSubstr("no network interface \"nope0\""));
+  EXPECT_THAT(Complaint("nope0", 102), HasSubstr("no network interface 'nope0'"));
 }
 
 TEST(ParticipantTest, RefusesADomainOutOfRange) {
@@ -55,6 +57,19 @@ TEST(ParticipantTest, DoesNotReadCycloneddsUri) {
             0);
   EXPECT_EQ(Complaint("lo", 105), "");
   unsetenv("CYCLONEDDS_URI");
+}
+
+// Programs compete for ports only where the interface has no multicast. Each network below takes
+// one place of domain 107.
+TEST(ParticipantTest, TellsThatADomainIsFull) {
+  std::vector<Entity> others;
+  for (int alias = 170; alias < 179; ++alias) others.push_back(JoinOverTheNetwork(107, alias));
+  const std::string complaint = Complaint("lo", 107);
+  if (FindInterface("lo").multicast) {
+    EXPECT_EQ(complaint, "");
+  } else {
+    EXPECT_THAT(complaint, HasSubstr("room for nine programs"));
+  }
 }
 
 TEST(ParticipantTest, PrintsNothing) {

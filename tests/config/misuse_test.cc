@@ -23,7 +23,7 @@ TEST_F(ConfigMisuseTest, NamesAnUnknownSection) {
 TEST_F(ConfigMisuseTest, NamesAnUnknownKeyOfAListElement) {
   EXPECT_EQ(FileError("robot:\n  feet:\n    - {name: a, geom: [x]}\n"),
             "run.yaml:3: key 'robot.feet.0.geom': unknown; did you mean 'geoms'? "
-            "(valid: name, geoms)");
+            "(valid: name, geoms, axis)");
 }
 
 TEST_F(ConfigMisuseTest, RefusesTextForANumber) {

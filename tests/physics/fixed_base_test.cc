@@ -31,7 +31,7 @@ TEST_F(FixedBaseTest, HasTheMotorsOfItsDescription) { EXPECT_EQ(world_.q().size(
 
 TEST_F(FixedBaseTest, StandsWhereItsFileHasItWhateverTheHeight) {
   EXPECT_EQ(world_.base().p_WB, Eigen::Vector3d(0, 0, 0.5));
-  world_.Reset(std::vector{0.5, -0.5}, 3);
+  world_.Reset({.q = {0.5, -0.5}, .height = 3});
   EXPECT_EQ(world_.base().p_WB, Eigen::Vector3d(0, 0, 0.5));
   EXPECT_EQ(world_.q()[0], 0.5);
   EXPECT_EQ(world_.q()[1], -0.5);
@@ -46,7 +46,7 @@ TEST_F(FixedBaseTest, IsAlwaysClamped) {
 }
 
 TEST_F(FixedBaseTest, StaysWhileTheArmSwings) {
-  world_.Reset(std::vector{1.0, 0.5}, 0);
+  world_.Reset({.q = {1.0, 0.5}, .height = 0});
   for (int i = 0; i < 1000; ++i) {
     world_.BeginStep();
     ASSERT_EQ(world_.EndStep(std::vector{0.0, 0.0}), StepHealth::kFine);
@@ -58,13 +58,13 @@ TEST_F(FixedBaseTest, StaysWhileTheArmSwings) {
 }
 
 TEST_F(FixedBaseTest, FeelsGravityInItsInertialUnit) {
-  world_.Reset(std::vector{0.0, 0.0}, 0);
+  world_.Reset({.q = {0.0, 0.0}, .height = 0});
   const double gravity = -world_.model().opt.gravity[2];
   EXPECT_LT((world_.Imu().f_WI_I - Eigen::Vector3d(0, 0, gravity)).norm(), 1e-9);
 }
 
 TEST_F(FixedBaseTest, HangsStraightDownWithoutTorque) {
-  world_.Reset(std::vector{0.0, 0.0}, 0);
+  world_.Reset({.q = {0.0, 0.0}, .height = 0});
   for (int i = 0; i < 100; ++i) {
     world_.BeginStep();
     ASSERT_EQ(world_.EndStep(std::vector{0.0, 0.0}), StepHealth::kFine);

@@ -36,7 +36,7 @@ class MotorOrderTest : public MujocoTest {
 
 TEST_F(MotorOrderTest, ResetSetsEachJointByName) {
   const std::vector<double> q = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
-  world_.Reset(q, 5);
+  world_.Reset({.q = q, .height = 5});
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(Q(i), q[i]) << spec_.motors[i].joint;
     EXPECT_EQ(world_.q()[i], q[i]);
@@ -45,7 +45,7 @@ TEST_F(MotorOrderTest, ResetSetsEachJointByName) {
 
 TEST_F(MotorOrderTest, TorqueTurnsTheJointOfItsMotorAndIsReadThere) {
   for (std::size_t driven = 0; driven < 6; ++driven) {
-    world_.Reset(spec_.hanging.q, 5);
+    world_.Reset({.q = spec_.hanging.q, .height = 5});
     std::vector<double> tau(6, 0.0);
     tau[driven] = 1;
     world_.BeginStep();
@@ -64,7 +64,7 @@ TEST_F(MotorOrderTest, TorqueTurnsTheJointOfItsMotorAndIsReadThere) {
 
 TEST_F(MotorOrderTest, FeetAreInSpecOrder) {
   // Pushed down at its front right corner, it leans on that foot most.
-  world_.Reset(spec_.standing.q, spec_.standing.height);
+  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height});
   const int base = world_.Body("base");
   for (int i = 0; i < 500; ++i) {
     world_.BeginStep();

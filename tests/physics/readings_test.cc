@@ -39,7 +39,7 @@ PhysicsWorld Ball(const std::string& gravity) {
       LoadWorldModel(spec, folder.Write("ball.xml", text),
                      folder.Write("space.xml", "<mujoco><worldbody/></mujoco>"), 0.001),
       spec);
-  world.Reset({}, 10);
+  world.Reset({.q = {}, .height = 10});
   return world;
 }
 
@@ -112,7 +112,7 @@ TEST_F(BallTest, AddsUpForces) {
 TEST_F(BallTest, ForgetsAForceOnReset) {
   PhysicsWorld world = Ball("0");
   world.AddForce(world.Body("ball"), {0, 0, 10}, {1, 0, 0});
-  world.Reset({}, 10);
+  world.Reset({.q = {}, .height = 10});
   Step(&world);
   ExpectNear(world.Imu().f_WI_I, {0, 0, 0});
 }

@@ -23,7 +23,7 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
                                      R"("/><worldbody><geom type="plane" size="0 0 1"
                                          contype="0" conaffinity="1"/></worldbody></mujoco>)");
   PhysicsWorld world(LoadWorldModel(spec, spec.model, scene, 0.001), spec);
-  world.Reset(spec.standing.q, 0.35);
+  world.Reset({.q = spec.standing.q, .height = 0.35});
 
   const ModelHandle model(mj_copyModel(nullptr, &world.model()));
   const DataHandle whole(mj_copyData(nullptr, model.get(), &world.data()));

@@ -156,7 +156,7 @@ TEST_F(WorldModelTest, RefusesRungeKuttaOfTheSceneAndNamesIt) {
 TEST_F(WorldModelTest, NamesTheNearestJointToAMissingOne) {
   spec_.motors[0].joint = "kneee_joint";
   EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml"), HasSubstr("joint 'kneee_joint'"),
-                               HasSubstr("nearest is 'knee_joint'")));
+                               HasSubstr("did you mean 'knee_joint'?")));
 }
 
 TEST_F(WorldModelTest, NamesTheNearestBodyToAMissingBase) {
@@ -166,7 +166,7 @@ TEST_F(WorldModelTest, NamesTheNearestBodyToAMissingBase) {
 
 TEST_F(WorldModelTest, RefusesAMissingSite) {
   spec_.imu.site = "imuu";
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("site 'imuu'"), HasSubstr("nearest is 'imu'")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("site 'imuu'"), HasSubstr("did you mean 'imu'?")));
 }
 
 TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
@@ -176,7 +176,7 @@ TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
 
 TEST_F(WorldModelTest, RefusesAMissingFootGeom) {
   spec_.feet[0].geoms = {"sohle"};
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("nearest is 'sole'")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("did you mean 'sole'?")));
 }
 
 TEST_F(WorldModelTest, RefusesAMissingCraneBody) {

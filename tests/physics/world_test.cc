@@ -32,7 +32,7 @@ TEST_F(PhysicsWorldTest, IsInThePoseOfItsFileBeforeAnything) {
 }
 
 TEST_F(PhysicsWorldTest, ReadsTheStartStateAfterReset) {
-  world_.Reset(std::vector{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, 2);
+  world_.Reset({.q = std::vector{0.1, 0.2, 0.3, 0.4, 0.5, 0.6}, .height = 2});
   EXPECT_EQ(world_.base().p_WB, Eigen::Vector3d(0, 0, 2));
   EXPECT_EQ(world_.base().v_WB_W, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(world_.tilt(), 0);
@@ -41,7 +41,7 @@ TEST_F(PhysicsWorldTest, ReadsTheStartStateAfterReset) {
 
 TEST_F(PhysicsWorldTest, StartsAfreshOnReset) {
   const auto fall = [this] {
-    world_.Reset(spec_.standing.q, 0.4);
+    world_.Reset({.q = spec_.standing.q, .height = 0.4});
     HoldFor(300, spec_.standing.q);
     return std::vector(world_.data().qpos, world_.data().qpos + world_.model().nq);
   };
@@ -52,14 +52,14 @@ TEST_F(PhysicsWorldTest, StartsAfreshOnReset) {
 TEST_F(PhysicsWorldTest, WeighsSixBodies) { EXPECT_NEAR(world_.weight(), 60, 1e-9); }
 
 TEST_F(PhysicsWorldTest, ReadsGravityUpwardsWhenItStands) {
-  world_.Reset(spec_.standing.q, spec_.standing.height);
+  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height});
   HoldFor(2000, spec_.standing.q);
   EXPECT_LT((world_.Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 0.01);
   EXPECT_LT((world_.SecondaryImu().f_WI_I - Eigen::Vector3d(0, 0, -10)).norm(), 0.01);
 }
 
 TEST_F(PhysicsWorldTest, FootForcesSumToTheWeight) {
-  world_.Reset(spec_.standing.q, spec_.standing.height);
+  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height});
   HoldFor(2000, spec_.standing.q);
   std::vector<double> force(4);
   world_.FootForces(force);
@@ -68,7 +68,7 @@ TEST_F(PhysicsWorldTest, FootForcesSumToTheWeight) {
 }
 
 TEST_F(PhysicsWorldTest, HasNoForceOnItsFeetInTheAir) {
-  world_.Reset(spec_.standing.q, 2);
+  world_.Reset({.q = spec_.standing.q, .height = 2});
   HoldFor(1, spec_.standing.q);
   std::vector<double> force(4, -1.0);
   world_.FootForces(force);
@@ -76,7 +76,7 @@ TEST_F(PhysicsWorldTest, HasNoForceOnItsFeetInTheAir) {
 }
 
 TEST_F(PhysicsWorldTest, ReadingsKeepTheirInstantUntilTheNextStepBegins) {
-  world_.Reset(spec_.standing.q, 2);
+  world_.Reset({.q = spec_.standing.q, .height = 2});
   HoldFor(10, spec_.standing.q);
   world_.BeginStep();
   const double height = world_.base().p_WB.z();
@@ -93,7 +93,7 @@ TEST_F(PhysicsWorldTest, ReadingsKeepTheirInstantUntilTheNextStepBegins) {
 // A foot of a swinging leg on a falling, turning trunk: velocity against the difference of
 // positions.
 TEST_F(PhysicsWorldTest, PointVelocityIsTheDerivativeOfItsPosition) {
-  world_.Reset(spec_.standing.q, 5);
+  world_.Reset({.q = spec_.standing.q, .height = 5});
   const int leg = world_.Body("FL_leg");
   const Eigen::Vector3d foot(0, 0, -0.28);
   for (int i = 0; i < 100; ++i) {
@@ -112,7 +112,7 @@ TEST_F(PhysicsWorldTest, PointVelocityIsTheDerivativeOfItsPosition) {
 }
 
 TEST_F(PhysicsWorldTest, ClampHoldsTheBaseWhereItIs) {
-  world_.Reset(spec_.hanging.q, 1);
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
   world_.Clamp(true);
   EXPECT_TRUE(world_.clamped());
   for (int i = 0; i < 2000; ++i) {
@@ -125,7 +125,7 @@ TEST_F(PhysicsWorldTest, ClampHoldsTheBaseWhereItIs) {
 }
 
 TEST_F(PhysicsWorldTest, ClampHoldsATurnedBaseToo) {
-  world_.Reset(spec_.hanging.q, 3);
+  world_.Reset({.q = spec_.hanging.q, .height = 3});
   const int base = world_.Body("base");
   for (int i = 0; i < 200; ++i) {  // a push off its centre turns it
     world_.BeginStep();
@@ -144,7 +144,7 @@ TEST_F(PhysicsWorldTest, ClampHoldsATurnedBaseToo) {
 }
 
 TEST_F(PhysicsWorldTest, ClampStandsAgainstItsMotors) {
-  world_.Reset(spec_.hanging.q, 1);
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
   world_.Clamp(true);
   for (int i = 0; i < 1000; ++i) {
     world_.BeginStep();
@@ -155,7 +155,7 @@ TEST_F(PhysicsWorldTest, ClampStandsAgainstItsMotors) {
 }
 
 TEST_F(PhysicsWorldTest, FallsWhenTheClampLetsGo) {
-  world_.Reset(spec_.hanging.q, 5);
+  world_.Reset({.q = spec_.hanging.q, .height = 5});
   world_.Clamp(true);
   HoldFor(100, spec_.hanging.q);
   world_.Clamp(false);
@@ -166,7 +166,7 @@ TEST_F(PhysicsWorldTest, FallsWhenTheClampLetsGo) {
 
 TEST_F(PhysicsWorldTest, LetsGoOnReset) {
   world_.Clamp(true);
-  world_.Reset(spec_.hanging.q, 1);
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
   EXPECT_FALSE(world_.clamped());
 }
 
@@ -174,13 +174,13 @@ TEST_F(PhysicsWorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
   RobotSpec spec = spec_;
   spec.imu.secondary_site.clear();
   PhysicsWorld world = FixtureWorld(spec);
-  world.Reset(spec.standing.q, 1);
+  world.Reset({.q = spec.standing.q, .height = 1});
   EXPECT_EQ(world.SecondaryImu().f_WI_I, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(world.SecondaryImu().R_WI.w(), 1);
 }
 
 TEST_F(PhysicsWorldTest, MovesOnInAnotherOwner) {
-  world_.Reset(spec_.standing.q, 2);
+  world_.Reset({.q = spec_.standing.q, .height = 2});
   const PhysicsWorld moved = std::move(world_);
   EXPECT_EQ(moved.base().p_WB.z(), 2);
   EXPECT_EQ(moved.q().size(), 6U);

@@ -11,7 +11,7 @@ namespace {
 class CraneWorldTest : public MujocoTest {
  protected:
   CraneWorldTest() {
-    world_.Reset(spec_.hanging.q, spec_.hanging.height);
+    world_.Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
     crane_.Attach(Hook().p_WP, world_.weight());
   }
 

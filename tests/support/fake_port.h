@@ -33,7 +33,7 @@ class FakePort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return 1; }
-  std::uint64_t unused_slot_commands() const override { return 0; }
+  PortCounts counts() const override { return {}; }
 
  private:
   struct Waiting {

@@ -1,0 +1,18 @@
+// What a port noticed and went on in spite of.
+#ifndef UNDERSTUDY_ROBOT_PORT_COUNTS_H_
+#define UNDERSTUDY_ROBOT_PORT_COUNTS_H_
+
+#include <cstdint>
+
+namespace understudy {
+
+// Since start.
+struct PortCounts {
+  std::uint64_t unused_slots = 0;    // slots without a motor that got gains or torque; ignored
+  std::uint64_t unset_heads = 0;     // go: commands whose head and level_flag were left 0
+  std::uint64_t write_failures = 0;  // messages that the bus did not take
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_PORT_COUNTS_H_

@@ -1,0 +1,90 @@
+#include "control/ctl_text.h"
+
+#include "control/status_json.h"
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string TextOf(const Status& status) {
+  return StatusText(StatusJson({.robot = "g1", .version = "1.2.3", .pid = 42}, status));
+}
+
+TEST(CtlTextTest, StatusIsLinesOfLabelValueAndUnit) {
+  Status status;
+  status.ready = true;
+  status.time = 12.5;
+  status.pace.worst_lateness = 0.00025;
+  status.crane_tension = 340.25;
+  EXPECT_EQ(TextOf(status), R"(robot              g1
+process            42
+version            1.2.3
+state              ready
+simulated time     12.500  s
+steps              0
+speed wanted       1.000   x real time
+speed              0.000   x real time
+lateness           0.000   ms
+worst lateness     0.250   ms
+overruns           0
+states published   0
+divergences        0
+motors follow      start
+command writers    0
+commands taken     0
+commands refused   0
+command time-outs  0
+unused slots set   0
+crane              released
+crane length       0.000   m
+crane tension      340.2   N
+base clamped       no
+base height        0.000   m
+base tilt          0.000   rad
+)");
+}
+
+TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
+  Status status;
+  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 1};
+  status.last_refusal = Refusal::kGain;
+  EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
+}
+
+TEST(CtlTextTest, SaysThatARobotWasSilenced) {
+  Status status;
+  status.ready = true;
+  status.silenced = true;
+  EXPECT_THAT(TextOf(status), HasSubstr("silenced: another robot"));
+}
+
+TEST(CtlTextTest, SpeedZeroIsUnlimited) {
+  Status status;
+  status.speed = 0;
+  EXPECT_THAT(TextOf(status), HasSubstr("unlimited"));
+}
+
+TEST(CtlTextTest, ANullIsADash) {
+  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  status["base"]["tilt"] = nullptr;
+  EXPECT_THAT(StatusText(status), HasSubstr("base tilt          -      rad\n"));
+}
+
+TEST(CtlTextTest, AStatusOfAnotherShapeThrows) {
+  EXPECT_THROW(StatusText({{"robot", "g1"}}), nlohmann::json::exception);
+}
+
+TEST(CtlTextTest, RobotsAreATable) {
+  EXPECT_EQ(RobotsText({{.name = "left", .socket = "/r/left.sock", .pid = 7},
+                        {.name = "g", .socket = "/r/g.sock", .pid = 0}}),
+            "NAME  PROCESS  SOCKET\n"
+            "left  7        /r/left.sock\n"
+            "g     ?        /r/g.sock\n");
+  EXPECT_EQ(RobotsText({}), "no robot runs\n");
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,76 @@
+#include "control/status_json.h"
+
+#include <limits>
+
+#include "gtest/gtest.h"
+
+namespace understudy {
+namespace {
+
+const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42};
+
+Status EveryFieldSet() {
+  Status status;
+  status.ready = true;
+  status.silenced = true;
+  status.time = 12.5;
+  status.steps = 12500;
+  status.speed = 0.5;
+  status.pace = {
+      .overruns = 3, .lateness = 0.25, .worst_lateness = 0.75, .real_time_factor = 0.9375};
+  status.gate = GateState::kFollowing;
+  status.commands.accepted = 100;
+  status.commands.timeouts = 2;
+  status.commands.refused = {0, 11, 12, 13, 14, 15, 16, 17};
+  status.last_refusal = Refusal::kModePr;
+  status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
+  status.command_writers = 1;
+  status.published = 12499;
+  status.divergences = 4;
+  status.crane_attached = true;
+  status.crane_length = 0.625;
+  status.crane_tension = 340.5;
+  status.clamped = true;
+  status.base_height = 0.75;
+  status.tilt = 0.125;
+  return status;
+}
+
+TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
+  EXPECT_EQ(
+      StatusJson(kG1, EveryFieldSet()).dump(),
+      R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
+      R"("steps":12500,"speed":0.5,"pace":{"real_time_factor":0.9375,"overruns":3,)"
+      R"("lateness":0.25,"worst_lateness":0.75},"commands":{"state":"following","accepted":100,)"
+      R"("timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
+      R"("motor_mode":15,"not_finite":16,"gain":17},"last_refusal":"mode_pr","unused_slots":6,)"
+      R"("unset_heads":7,)"
+      R"("writers":1},"published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
+      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125}})");
+}
+
+TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
+  Status status;
+  status.gate = GateState::kStart;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "start");
+  status.gate = GateState::kFollowing;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "following");
+  status.gate = GateState::kDamping;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "damping");
+}
+
+TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {
+  const auto json = StatusJson(kG1, StatusBoard{}.Read());
+  EXPECT_EQ(json["ready"], false);
+  EXPECT_EQ(json["commands"]["last_refusal"], "none");
+  EXPECT_EQ(json["commands"]["refused"]["crc"], 0);
+}
+
+TEST(StatusJsonTest, ANumberThatIsNotFiniteBecomesNull) {
+  Status status;
+  status.tilt = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(StatusJson(kG1, status).dump().find(R"("tilt":null)"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,171 @@
+// What the tests of the control plane share.
+#ifndef UNDERSTUDY_TESTS_CONTROL_SUPPORT_H_
+#define UNDERSTUDY_TESTS_CONTROL_SUPPORT_H_
+
+#include <atomic>
+#include <cerrno>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+
+#include <sys/socket.h>
+#include <sys/time.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "control/inbox.h"
+
+namespace understudy::test {
+
+// An upper bound for what should take next to no time, on the slowest machine.
+inline constexpr std::chrono::seconds kBound{10};
+
+// Sets, or with nullopt unsets, an environment variable until the end of the scope.
+class ScopedEnv {
+ public:
+  ScopedEnv(const char* name, const std::optional<std::string>& value) : name_(name) {
+    if (const char* before = std::getenv(name)) before_ = before;
+    Set(value);
+  }
+  ~ScopedEnv() { Set(before_); }
+  ScopedEnv(const ScopedEnv&) = delete;
+  ScopedEnv& operator=(const ScopedEnv&) = delete;
+
+ private:
+  void Set(const std::optional<std::string>& value) {
+    value ? ::setenv(name_, value->c_str(), 1) : ::unsetenv(name_);
+  }
+
+  const char* name_;
+  std::optional<std::string> before_;
+};
+
+// An empty folder, mode 0700, gone at the end.
+class TempFolder {
+ public:
+  TempFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "understudy-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
+    path_ = name;
+  }
+  ~TempFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TempFolder(const TempFolder&) = delete;
+  TempFolder& operator=(const TempFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+// A Unix stream socket without any manners.
+class RawSocket {
+ public:
+  RawSocket() : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+    const timeval bound{.tv_sec = kBound.count(), .tv_usec = 0};
+    ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &bound, sizeof bound);
+    ::setsockopt(fd_, SOL_SOCKET, SO_SNDTIMEO, &bound, sizeof bound);
+  }
+  explicit RawSocket(const std::filesystem::path& peer) : RawSocket() {
+    const sockaddr_un address = AddressOf(peer);
+    if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+      throw std::runtime_error("connect");
+    }
+  }
+  ~RawSocket() { Close(); }
+  RawSocket(const RawSocket&) = delete;
+  RawSocket& operator=(const RawSocket&) = delete;
+
+  void Close() {
+    if (fd_ >= 0) ::close(fd_);
+    fd_ = -1;
+  }
+  bool Bind(const std::filesystem::path& path) const {
+    const sockaddr_un address = AddressOf(path);
+    return ::bind(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  bool Listen() const { return ::listen(fd_, 1) == 0; }
+  void Send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t sent = ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return;  // the other side has heard enough
+      bytes.remove_prefix(static_cast<std::size_t>(sent));
+    }
+  }
+  // Until `end` has come in, or the other side hangs up.
+  std::string Receive(std::string_view end) const {
+    std::string text;
+    char bytes[4096];
+    while (text.find(end) == std::string::npos) {
+      const ssize_t got = ::recv(fd_, bytes, sizeof bytes, 0);
+      // A reset: it hung up without having read all that was sent.
+      if (got == 0 || (got < 0 && errno == ECONNRESET)) break;
+      if (got < 0) throw std::runtime_error("recv");
+      text.append(bytes, static_cast<std::size_t>(got));
+    }
+    return text;
+  }
+  // Until the other side hangs up.
+  std::string ReceiveAll() const { return Receive(std::string_view{"\0", 1}); }
+
+ private:
+  static sockaddr_un AddressOf(const std::filesystem::path& path) {
+    sockaddr_un address{};
+    address.sun_family = AF_UNIX;
+    path.native().copy(address.sun_path, sizeof(address.sun_path) - 1);
+    return address;
+  }
+
+  int fd_;
+};
+
+// What a process that was killed leaves behind.
+inline void LeaveStaleSocket(const std::filesystem::path& path) {
+  const RawSocket socket;
+  if (!socket.Bind(path) || !socket.Listen()) throw std::runtime_error("bind");
+}
+
+// Drains an inbox about every millisecond, as a robot does.
+class Ticking {
+ public:
+  Ticking(Inbox* inbox, std::function<Answer(const Order&)> carry_out)
+      : thread_([this, inbox, carry_out = std::move(carry_out)] {
+          while (!stop_) {
+            inbox->Drain(carry_out);
+            std::this_thread::sleep_for(std::chrono::milliseconds{1});
+          }
+        }) {}
+  ~Ticking() {
+    stop_ = true;
+    thread_.join();
+  }
+  Ticking(const Ticking&) = delete;
+  Ticking& operator=(const Ticking&) = delete;
+
+ private:
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+// Whether `holds` becomes true within kBound.
+inline bool Eventually(const std::function<bool()>& holds) {
+  const auto until = std::chrono::steady_clock::now() + kBound;
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::sleep_for(std::chrono::milliseconds{1});
+  }
+  return true;
+}
+
+}  // namespace understudy::test
+
+#endif  // UNDERSTUDY_TESTS_CONTROL_SUPPORT_H_

@@ -1,0 +1,138 @@
+// That a tick allocates nothing, counted in this whole program: malloc and its relatives are
+// replaced by counting ones. A sanitizer has its own malloc, so there only operator new counts.
+#include <atomic>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <new>
+
+#include "tests/emulator/emulator_test.h"
+
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define UNDERSTUDY_COUNTS_NEW_ONLY
+#endif
+
+namespace {
+
+std::atomic<std::int64_t> allocations = 0;
+
+}  // namespace
+
+#ifdef UNDERSTUDY_COUNTS_NEW_ONLY
+
+// Never inlined: seen from inside one of them, the compiler takes malloc and free for a mismatch.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+#else
+
+// glibc's own, under its other names.
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+extern "C" {
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
+
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* realloc(void* memory, std::size_t size) {
+  ++allocations;
+  return __libc_realloc(memory, size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+void* memalign(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+
+#endif
+
+namespace understudy {
+namespace {
+
+class AllocationTest : public EmulatorTest {
+ protected:
+  std::int64_t CountIn(int ticks) {
+    const std::int64_t before = allocations;
+    for (int i = 0; i < ticks; ++i) EXPECT_EQ(emulator_->Tick(), StepHealth::kFine);
+    return allocations - before;
+  }
+};
+
+TEST_F(AllocationTest, IsSeenByTheCount) {
+  const std::int64_t before = allocations;
+  auto number = std::make_unique<int>(1);
+  EXPECT_GE(allocations - before, 1);
+#ifndef UNDERSTUDY_COUNTS_NEW_ONLY
+  const std::int64_t between = allocations;
+  mju_free(mju_malloc(100));  // MuJoCo's too
+  EXPECT_GE(allocations - between, 1);
+#endif
+}
+
+// It hangs, falls when its crane lets go, lands on its feet and is driven about there, with noise,
+// with good commands and refused ones.
+TEST_F(AllocationTest, DoesNotHappenInATick) {
+  config_.sensors = {};
+  config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
+  config_.robot.rates.lowstate_hz = 1000;
+  port_.KeepTheLastOnly();
+  StartAs("hanging");
+  RobotCommand command;
+  for (int i = 0; i < 6; ++i) {
+    command.motors.push_back({.enabled = true, .q = 0.1 * i, .kp = 100, .kd = 2});
+  }
+  port_.SendEveryTick(command);
+  Order(ReleaseCrane{});
+  CountIn(10);  // the first few may
+  EXPECT_EQ(CountIn(2000), 0);
+  EXPECT_LT(Height(), 0.5);
+
+  command.motors[2].tau = NAN;
+  port_.SendEveryTick(command);
+  EXPECT_EQ(CountIn(1000), 0);
+  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+}
+
+TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
+  port_.KeepTheLastOnly();
+  for (const char* pose : {"hanging", "clamped", "standing", "damped"}) {
+    StartAs(pose);
+    CountIn(10);
+    EXPECT_EQ(CountIn(500), 0) << pose;
+  }
+}
+
+TEST_F(AllocationTest, DoesNotHappenForAStatus) {
+  Start();
+  CountIn(10);
+  const std::int64_t before = allocations;
+  const Status status = emulator_->status();
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(status.steps, 10);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,154 @@
+#include <limits>
+
+#include "tests/emulator/emulator_test.h"
+#include "tests/emulator/state_bytes.h"
+
+namespace understudy {
+namespace {
+
+class CommandsTest : public EmulatorTest {
+ protected:
+  CommandsTest() {
+    config_.robot.rates.lowstate_hz = 1000;
+    config_.start.pose = "clamped";
+    Start();
+  }
+};
+
+TEST_F(CommandsTest, ShowInTheStateOfTheStepThatTakesThem) {
+  Tick(3);
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(port_.last().state.tick_ms, 3);
+  for (const MotorReading& motor : port_.last().state.motors) {
+    EXPECT_EQ(motor.tau, 2);
+    EXPECT_TRUE(motor.enabled);
+  }
+  for (const MotorReading& motor : port_.samples()[2].state.motors) EXPECT_NEAR(motor.tau, 0, 1e-3);
+}
+
+TEST_F(CommandsTest, ReachTheMotorTheyAreMeantFor) {
+  for (std::size_t i = 0; i < 6; ++i) {
+    RobotCommand command = Torque(0);
+    command.motors[i].tau = 1 + static_cast<double>(i);
+    port_.Send(command);
+    Tick();
+    for (std::size_t m = 0; m < 6; ++m) {
+      EXPECT_EQ(port_.last().state.motors[m].tau, m == i ? 1 + static_cast<double>(i) : 0);
+    }
+  }
+}
+
+TEST_F(CommandsTest, AreTakenAllAndTheLastIsFollowed) {
+  for (int i = 1; i <= 5; ++i) port_.Send(Torque(i));
+  Tick();
+  EXPECT_TRUE(port_.idle());
+  EXPECT_EQ(emulator_->status().commands.accepted, 5U);
+  EXPECT_EQ(port_.last().state.motors[0].tau, 5);
+}
+
+TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {
+  port_.Send(Torque(1000));
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[0].tau, 50);
+}
+
+TEST_F(CommandsTest, AreFollowedInMotorSpaceToo) {
+  RobotCommand command = Torque(0);
+  command.joint_space = JointSpace::kMotors;
+  command.motors[5].tau = 3;  // A of the neck
+  port_.Send(command);
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[4].tau, 3);
+  EXPECT_EQ(port_.last().state.motors[5].tau, 6);
+  EXPECT_EQ(port_.last().state.joint_space, JointSpace::kMotors);
+}
+
+TEST_F(CommandsTest, MoveTheRobot) {
+  RobotCommand command;
+  for (int i = 0; i < 6; ++i) {
+    command.motors.push_back({.enabled = true, .q = 0.1 * (i - 2), .kp = 200, .kd = 5});
+  }
+  port_.SendEveryTick(command);
+  Tick(2000);
+  for (std::size_t i = 0; i < 6; ++i) {
+    // Legs bear 1 kg · 10 m/s² · 0.2 m · sin q against 200 N·m/rad: within 2 mrad.
+    EXPECT_NEAR(port_.last().state.motors[i].q, command.motors[i].q, 0.005);
+  }
+}
+
+TEST_F(CommandsTest, EndInDampingAfterSilence) {
+  port_.Send(Torque(2));
+  Tick(200);
+  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+  EXPECT_EQ(port_.last().state.motors[0].tau, 2);
+  Tick(2);  // 0.2 s is over
+  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().commands.timeouts, 1U);
+  for (const MotorReading& motor : port_.last().state.motors) {
+    EXPECT_NEAR(motor.tau, -config_.gate.damping_kd * motor.dq, 1e-12);
+    EXPECT_TRUE(motor.enabled);
+  }
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+  EXPECT_EQ(port_.last().state.motors[0].tau, 2);
+}
+
+TEST_F(CommandsTest, ChangeNothingWhenRefused) {
+  FakePort quiet_port;
+  Inbox quiet_inbox;
+  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  for (int i = 0; i < 300; ++i) {
+    if (i == 20) {
+      port_.Send(Torque(2));
+      quiet_port.Send(Torque(2));
+    }
+    port_.Send(Torque(9), Refusal::kCrc);
+    Tick();
+    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
+  }
+  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kCrc)], 300U);
+  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kCrc);
+  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+}
+
+TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
+  FakePort quiet_port;
+  Inbox quiet_inbox;
+  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  const MotorCommand nothing{
+      .enabled = true, .q = kNan, .dq = kNan, .tau = kNan, .kp = kNan, .kd = kNan};
+  port_.SendEveryTick({.motors = std::vector<MotorCommand>(6, nothing)});
+  for (int i = 0; i < 300; ++i) {
+    Tick();
+    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
+  }
+  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kNotFinite);
+  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+}
+
+TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
+  config_.gate.lenient = true;
+  Start();
+  port_.Send(Torque(2), Refusal::kCrc);
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[0].tau, 2);
+  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kCrc)], 1U);
+}
+
+TEST_F(CommandsTest, OfDisabledMotorsGiveNoTorque) {
+  RobotCommand command = Torque(2);
+  command.motors[3].enabled = false;
+  port_.Send(command);
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[3].tau, 0);
+  EXPECT_FALSE(port_.last().state.motors[3].enabled);
+  EXPECT_EQ(port_.last().state.motors[2].tau, 2);
+}
+
+}  // namespace
+}  // namespace understudy

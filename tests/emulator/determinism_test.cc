@@ -1,0 +1,57 @@
+#include <cmath>
+
+#include "tests/emulator/emulator_test.h"
+#include "tests/emulator/state_bytes.h"
+
+namespace understudy {
+namespace {
+
+// Noise, lattice, contacts, refused commands, pauses long enough to damp, and orders.
+class DeterminismTest : public EmulatorTest {
+ protected:
+  DeterminismTest() {
+    config_.sensors = {.quantise = true, .noise = true, .seed = 3};
+    config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
+    config_.robot.imu.gyro_noise = 0.01;
+    config_.robot.imu.accel_noise = 0.05;
+    config_.start.pose = "hanging";
+  }
+
+  // One after the other, as different processes would.
+  std::vector<std::string> Play() const {
+    FakePort port;
+    Inbox inbox;
+    Emulator emulator(config_, FixtureWorld(config_.robot), &port, &inbox);
+    for (int step = 0; step < 2000; ++step) {
+      if (step % 1000 < 600 && step % 3 == 0) {
+        RobotCommand command;
+        for (int i = 0; i < 6; ++i) {
+          command.motors.push_back(
+              {.enabled = true, .q = 0.3 * std::sin(0.005 * step + i), .kp = 100, .kd = 2});
+        }
+        port.Send(command, step % 9 == 0 ? Refusal::kCrc : Refusal::kNone);
+      }
+      if (step == 700) inbox.Put(ReleaseCrane{}, Inbox::WallTime::max());
+      EXPECT_EQ(emulator.Tick(), StepHealth::kFine);
+    }
+    std::vector<std::string> states;
+    for (const FakePort::Sample& sample : port.samples()) states.push_back(Bytes(sample.state));
+    return states;
+  }
+};
+
+TEST_F(DeterminismTest, EqualRobotsSendEqualStatesBitForBit) {
+  const auto first = Play();
+  EXPECT_EQ(first.size(), 1000U);
+  EXPECT_NE(first.front(), first.back());
+  EXPECT_EQ(first, Play());
+}
+
+TEST_F(DeterminismTest, AnotherSeedSendsOtherStates) {
+  const auto first = Play();
+  config_.sensors.seed = 4;
+  EXPECT_NE(first, Play());
+}
+
+}  // namespace
+}  // namespace understudy

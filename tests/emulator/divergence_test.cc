@@ -1,0 +1,74 @@
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy {
+namespace {
+
+// Motors that are told and able to tear the robot apart.
+class EmulatorDivergenceTest : public EmulatorTest {
+ protected:
+  EmulatorDivergenceTest() {
+    for (MotorSpec& motor : config_.robot.motors) motor.torque_limit = 1e30;
+    config_.robot.rates.lowstate_hz = 1000;
+    config_.start.pose = "standing";
+  }
+
+  void Diverge() {
+    Tick(100);
+    port_.Send(Torque(1e30));
+    EXPECT_EQ(emulator_->Tick(), StepHealth::kDiverged);
+    EXPECT_TRUE(TakeMujocoWarning().has_value());
+  }
+};
+
+TEST_F(EmulatorDivergenceTest, IsReportedAndCounted) {
+  Start();
+  Diverge();
+  EXPECT_EQ(emulator_->status().divergences, 1U);
+}
+
+TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
+  Start();
+  Diverge();
+  EXPECT_EQ(port_.samples().size(), 100U);
+  EXPECT_EQ(port_.last().state.tick_ms, 99);
+  EXPECT_EQ(emulator_->status().published, 100U);
+}
+
+TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
+  config_.physics.on_divergence = DivergenceAction::kReset;
+  Start();
+  Diverge();
+  EXPECT_EQ(emulator_->step(), 101);
+  EXPECT_EQ(Height(), config_.robot.standing.height);
+  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+
+  Tick(500);
+  EXPECT_EQ(port_.samples()[100].state.tick_ms, 101);
+  EXPECT_EQ(port_.last().state.tick_ms, 600);
+  EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
+  EXPECT_EQ(emulator_->status().divergences, 1U);
+}
+
+TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
+  config_.physics.on_divergence = DivergenceAction::kReset;
+  config_.start.pose = "hanging";
+  Start();
+  Order(LowerCrane{.by = 0.2});
+  Diverge();
+  EXPECT_TRUE(emulator_->status().crane_attached);
+  Tick(500);
+  EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
+}
+
+TEST_F(EmulatorDivergenceTest, ClampsTheRobotAgain) {
+  config_.physics.on_divergence = DivergenceAction::kReset;
+  config_.start.pose = "clamped";
+  Start();
+  Diverge();
+  EXPECT_TRUE(emulator_->status().clamped);
+  Tick(500);
+  EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,90 @@
+#include <numeric>
+
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy {
+namespace {
+
+class StartTest : public EmulatorTest {};
+
+TEST_F(StartTest, DampedLiesWhereItIsPut) {
+  StartAs("damped");
+  EXPECT_EQ(Height(), config_.robot.lying.height);
+  Tick(3000);
+  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_NEAR(Height(), 0.05, 0.01);  // on its trunk
+  EXPECT_LT(emulator_->status().tilt, 0.05);
+  for (const double rate : emulator_->world().dq()) EXPECT_NEAR(rate, 0, 0.01);
+  for (const MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
+}
+
+TEST_F(StartTest, StandingHoldsItsPose) {
+  StartAs("standing");
+  for (int i = 0; i < 3000; ++i) {
+    Tick();
+    ASSERT_NEAR(Height(), 0.3, 0.005) << i;
+    ASSERT_LT(emulator_->status().tilt, 0.02) << i;
+  }
+  for (const double q : emulator_->world().q()) EXPECT_NEAR(q, 0, 0.01);
+  const auto& force = port_.last().state.foot_force;
+  EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0), 60, 0.5);
+  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+}
+
+TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
+  StartAs("hanging");
+  for (int i = 0; i < 3000; ++i) {
+    Tick();
+    ASSERT_NEAR(Height(), 1, 0.001) << i;
+    ASSERT_NEAR(emulator_->status().crane_tension, 60, 0.5) << i;
+  }
+  EXPECT_TRUE(emulator_->status().crane_attached);
+  EXPECT_FALSE(emulator_->status().clamped);
+}
+
+TEST_F(StartTest, ClampedStaysWhereItIs) {
+  StartAs("clamped");
+  for (int i = 0; i < 3000; ++i) {
+    Tick();
+    ASSERT_NEAR(Height(), 1, 0.001) << i;
+    ASSERT_LT(emulator_->status().tilt, 0.001) << i;
+  }
+  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_FALSE(emulator_->status().crane_attached);
+}
+
+TEST_F(StartTest, IsTheRobotsOwnWhenNoneIsAskedFor) {
+  config_.robot.default_start = "clamped";
+  StartAs("");
+  EXPECT_TRUE(emulator_->status().clamped);
+}
+
+TEST_F(StartTest, IsTheOneAskedForBeforeTheRobotsOwn) {
+  config_.robot.default_start = "clamped";
+  StartAs("standing");
+  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_EQ(Height(), config_.robot.standing.height);
+}
+
+TEST_F(StartTest, PutsEachJointWhereThePoseSays) {
+  config_.robot.hanging.q = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
+  StartAs("clamped");
+  Tick();
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(port_.last().state.motors[i].q, config_.robot.hanging.q[i]);
+  }
+}
+
+TEST_F(StartTest, HasAStatusBeforeTheFirstTick) {
+  StartAs("hanging");
+  const Status status = emulator_->status();
+  EXPECT_EQ(status.steps, 0);
+  EXPECT_EQ(status.time, 0);
+  EXPECT_EQ(status.published, 0U);
+  EXPECT_EQ(status.base_height, 1);
+  EXPECT_EQ(status.tilt, 0);
+  EXPECT_EQ(status.gate, GateState::kStart);
+}
+
+}  // namespace
+}  // namespace understudy

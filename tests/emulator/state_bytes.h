@@ -1,0 +1,16 @@
+// A state as bytes, so that "equal" means bit for bit.
+#ifndef UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_
+#define UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_
+
+#include <string>
+
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// Every field of the state, one after the other and without padding.
+std::string Bytes(const RobotState& state);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_

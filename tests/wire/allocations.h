@@ -1,0 +1,15 @@
+// Counts what C++ allocates in this test program: operator new, on all threads. Cyclone's C is not
+// counted.
+#ifndef UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_
+#define UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_
+
+#include <cstdint>
+
+namespace understudy {
+
+// Calls of operator new since the program's start.
+std::uint64_t Allocations();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_

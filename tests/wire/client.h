@@ -1,0 +1,27 @@
+// The other end of a port: a user's program in the same process and domain.
+#ifndef UNDERSTUDY_TESTS_WIRE_CLIENT_H_
+#define UNDERSTUDY_TESTS_WIRE_CLIENT_H_
+
+#include <optional>
+
+#include "bus/participant.h"
+#include "bus/reader.h"
+#include "bus/topic.h"
+#include "tests/support/eventually.h"
+
+namespace understudy {
+
+// The next message on `reader`, within a bound.
+template <typename Msg>
+std::optional<Msg> Next(Reader<Msg>* reader) {
+  std::optional<Msg> next;
+  Eventually([&] {
+    reader->Take([&](const Msg& message, WriterHandle) { next = message; }, 1);
+    return next.has_value();
+  });
+  return next;
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_WIRE_CLIENT_H_

@@ -1,0 +1,126 @@
+#include "wire/hg_port.h"
+
+#include <memory>
+
+#include <gmock/gmock.h>
+
+#include "robot/errors.h"
+#include "tests/wire/allocations.h"
+#include "tests/wire/client.h"
+#include "tests/wire/robots.h"
+#include "wire/message_crc.h"
+#include "wire/open_port.h"
+#include "wire/topics.h"
+
+namespace understudy {
+namespace {
+
+unitree_hg_msg_dds__LowCmd_ Command(float q) {
+  unitree_hg_msg_dds__LowCmd_ message{};
+  message.mode_machine = 5;
+  message.motor_cmd[4].mode = 1;
+  message.motor_cmd[4].q = q;
+  message.crc = MessageCrc(message);
+  return message;
+}
+
+TEST(HgPortTest, TakesCommandsOldestFirst) {
+  const Participant participant("lo", 161);
+  const RobotSpec spec = HgRobot();
+  HgPort port(participant, spec);
+  RobotCommand command = CommandOf(spec);
+  Refusal wire = Refusal::kNone;
+  EXPECT_FALSE(port.TakeCommand(&command, &wire));
+  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
+  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  for (const float q : {1.0F, 2.0F}) ASSERT_TRUE(client.Write(Command(q)));
+  for (const double q : {1.0, 2.0}) {
+    ASSERT_TRUE(port.TakeCommand(&command, &wire));
+    EXPECT_EQ(wire, Refusal::kNone);
+    EXPECT_EQ(command.motors[1].q, q);
+  }
+  EXPECT_FALSE(port.TakeCommand(&command, &wire));
+}
+
+TEST(HgPortTest, PublishesTheFastMessages) {
+  const Participant participant("lo", 162);
+  const RobotSpec spec = HgRobot();
+  const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
+  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
+  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
+  Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kOdomModeState);
+  RobotState state = StateOf(spec);
+  state.tick_ms = 9;
+  state.secondary_imu.temperature_c = 61;
+  port->Publish(state, {.lowstate = true, .motion = true});
+  const auto low = Next(&lowstate);
+  ASSERT_TRUE(low);
+  EXPECT_EQ(low->tick, 9);
+  EXPECT_EQ(low->crc, MessageCrc(*low));
+  const auto imu = Next(&secondary);
+  ASSERT_TRUE(imu);
+  EXPECT_EQ(imu->temperature, 61);
+  EXPECT_TRUE(Next(&motion));
+}
+
+TEST(HgPortTest, PublishesTheSlowMessages) {
+  const Participant participant("lo", 163);
+  const RobotSpec spec = HgRobot();
+  const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
+  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLfLowState);
+  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kLfSecondaryImu);
+  Reader<unitree_hg_msg_dds__BmsState_> bms(participant, kLfBmsState);
+  Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kLfOdomModeState);
+  Reader<unitree_hg_msg_dds__LowState_> fast(participant, kHgLowState);
+  RobotState state = StateOf(spec);
+  state.battery.soc = 0.5;
+  port->Publish(state, {.lf = true});
+  EXPECT_TRUE(Next(&lowstate));
+  EXPECT_TRUE(Next(&secondary));
+  EXPECT_TRUE(Next(&motion));
+  const auto battery = Next(&bms);
+  ASSERT_TRUE(battery);
+  EXPECT_EQ(battery->soc, 50);
+  EXPECT_EQ(fast.Take([](const auto&, WriterHandle) {}), 0);
+  EXPECT_EQ(port->counts().write_failures, 0);
+}
+
+TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
+  const Participant participant("lo", 164);
+  RobotSpec spec = HgRobot();
+  spec.imu.secondary_site.clear();
+  HgPort port(participant, spec);
+  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
+  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
+  ASSERT_TRUE(Eventually([&] { return lowstate.matched_writers() == 1; }));
+  EXPECT_EQ(secondary.matched_writers(), 0);
+}
+
+TEST(HgPortTest, AllocatesNothingInATick) {
+  const Participant participant("lo", 165);
+  const RobotSpec spec = HgRobot();
+  HgPort port(participant, spec);
+  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
+  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  const RobotState state = StateOf(spec);
+  RobotCommand command = CommandOf(spec);
+  Refusal wire = Refusal::kNone;
+  const auto message = Command(1);
+  const std::uint64_t before = Allocations();
+  client.Write(message);
+  const bool taken = port.TakeCommand(&command, &wire);
+  port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
+  const std::uint64_t after = Allocations();
+  EXPECT_TRUE(taken);
+  EXPECT_EQ(after - before, 0);
+}
+
+TEST(HgPortTest, RefusesARobotThatDoesNotFit) {
+  const Participant participant("lo", 166);
+  RobotSpec spec = HgRobot();
+  spec.motors.back().slot = 35;
+  EXPECT_THROW(HgPort(participant, spec), ModelError);
+}
+
+}  // namespace
+}  // namespace understudy

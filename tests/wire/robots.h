@@ -1,0 +1,52 @@
+// Two small robots for wire tests. Slots have gaps, so that a slot is never its motor's index.
+#ifndef UNDERSTUDY_TESTS_WIRE_ROBOTS_H_
+#define UNDERSTUDY_TESTS_WIRE_ROBOTS_H_
+
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// Three motors, two feet, eight cells.
+inline RobotSpec GoRobot() {
+  RobotSpec spec;
+  spec.name = "go";
+  spec.family = WireFamily::kGo;
+  spec.motors = {{.joint = "a", .slot = 1}, {.joint = "b", .slot = 4}, {.joint = "c", .slot = 19}};
+  spec.feet = {{.name = "FR", .geoms = {}}, {.name = "FL", .geoms = {}}};
+  spec.foot_sensor = {.offset_counts = 15, .counts_per_newton = 0.5};
+  spec.battery.cells = 8;
+  return spec;
+}
+
+// Four motors of which "roll" (index 1) and "pitch" (index 2) are a parallel pair; 13 cells, two
+// inertial units.
+inline RobotSpec HgRobot() {
+  RobotSpec spec;
+  spec.name = "hg";
+  spec.family = WireFamily::kHg;
+  spec.mode_machine = 5;
+  spec.motors = {{.joint = "knee", .slot = 2},
+                 {.joint = "roll", .slot = 4},
+                 {.joint = "pitch", .slot = 7},
+                 {.joint = "hand", .slot = 34}};
+  spec.parallel = {{.pitch = 2, .roll = 1, .roll_ratio = 0.5}};
+  spec.imu.secondary_site = "torso";
+  spec.battery.cells = 13;
+  return spec;
+}
+
+inline RobotState StateOf(const RobotSpec& spec) {
+  RobotState state;
+  state.motors.resize(spec.motors.size());
+  state.foot_force.resize(spec.feet.size());
+  return state;
+}
+
+inline RobotCommand CommandOf(const RobotSpec& spec) {
+  return {.motors = std::vector<MotorCommand>(spec.motors.size())};
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_WIRE_ROBOTS_H_

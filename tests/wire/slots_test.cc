@@ -1,0 +1,77 @@
+#include "wire/slots.h"
+
+#include <gmock/gmock.h>
+
+#include "idl/unitree_go.h"
+#include "robot/errors.h"
+#include "tests/wire/robots.h"
+
+namespace understudy {
+namespace {
+
+using Message = unitree_go_msg_dds__LowCmd_;
+
+TEST(SlotsTest, AcceptARobotThatFits) {
+  EXPECT_NO_THROW(CheckFits(GoRobot(), kGoMotorSlots, kGoCells));
+  EXPECT_NO_THROW(CheckFits(HgRobot(), kHgMotorSlots, kHgCells));
+}
+
+TEST(SlotsTest, RefuseAMotorBeyondTheLast) {
+  RobotSpec spec = GoRobot();
+  spec.motors[2].slot = 20;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(SlotsTest, RefuseMotorsOutOfOrder) {
+  RobotSpec spec = GoRobot();
+  spec.motors[1].slot = 0;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(SlotsTest, RefuseTwoMotorsInOneSlot) {
+  RobotSpec spec = GoRobot();
+  spec.motors[1].slot = spec.motors[0].slot;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(SlotsTest, RefuseANegativeSlot) {
+  RobotSpec spec = GoRobot();
+  spec.motors[0].slot = -1;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(SlotsTest, RefuseABatteryOfTooManyCells) {
+  RobotSpec spec = GoRobot();
+  spec.battery.cells = 16;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(SlotsTest, RefuseABatteryWithoutCells) {
+  RobotSpec spec = GoRobot();
+  spec.battery.cells = 0;
+  EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
+}
+
+TEST(UnusedSlotCommandsTest, AreNoneInAnEmptyMessage) {
+  EXPECT_EQ(UnusedSlotCommands(Message{}, GoRobot()), 0);
+}
+
+TEST(UnusedSlotCommandsTest, DoNotCountSlotsWithAMotor) {
+  Message message{};
+  for (const MotorSpec& motor : GoRobot().motors) message.motor_cmd[motor.slot].kp = 1;
+  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()), 0);
+}
+
+TEST(UnusedSlotCommandsTest, CountGainsAndTorqueButNotModePositionAndRate) {
+  Message message{};
+  message.motor_cmd[0].kp = 1;
+  message.motor_cmd[2].kd = 1;
+  message.motor_cmd[18].tau = -1;
+  message.motor_cmd[5].mode = 1;
+  message.motor_cmd[6].q = 2.146e9F;
+  message.motor_cmd[7].dq = 16000;
+  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()), 3);
+}
+
+}  // namespace
+}  // namespace understudy
