@@ -20,9 +20,14 @@ std::string ReadText(const std::string& path) {
 }
 
 void AddFile(mjVFS* vfs, const std::string& name, const std::string& text) {
+#if mjVERSION_HEADER < 300
   ASSERT_EQ(mj_makeEmptyFileVFS(vfs, name.c_str(), static_cast<int>(text.size())), 0) << name;
   const int index = mj_findFileVFS(vfs, name.c_str());
   std::copy(text.begin(), text.end(), static_cast<char*>(vfs->filedata[index]));
+#else
+  ASSERT_EQ(mj_addBufferVFS(vfs, name.c_str(), text.data(), static_cast<int>(text.size())), 0)
+      << name;
+#endif
 }
 
 std::string NameOr(const char* name) { return name == nullptr ? "?" : name; }
