@@ -16,7 +16,7 @@ std::filesystem::path ModelFile(const RobotSpec& robot) {
 std::filesystem::path SceneFile(const std::string& scene) {
   const std::filesystem::path folder = DataDir() / "models" / "scene";
   const std::filesystem::path path(scene);
-  const std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
+  std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
   if (std::filesystem::is_regular_file(file)) return file;
   std::vector<std::string> scenes;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -1,5 +1,5 @@
 # What Understudy needs from Debian, and why. Sourced by tools/up and tools/check.
-# shellcheck shell=bash
+# shellcheck shell=bash disable=SC2034
 
 build_packages=(
   "g++:compiles it"

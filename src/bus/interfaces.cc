@@ -39,6 +39,7 @@ NetworkInterface FindInterface(const std::string& name) {
   const auto found = std::ranges::find(interfaces, name, &NetworkInterface::name);
   if (found == interfaces.end()) {
     std::vector<std::string> names;
+    names.reserve(interfaces.size());
     for (const NetworkInterface& interface : interfaces) names.push_back(interface.name);
     throw BusError("no network interface '" + name + "'" + DidYouMean(name, names));
   }

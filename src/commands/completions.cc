@@ -81,7 +81,7 @@ std::string Completions(const CLI::App& app, const std::string& shell,
                         const std::vector<std::string>& robots) {
   std::vector<Branch> branches;
   Collect(app, "", robots, &branches);
-  const std::string name = app.get_name();
+  const std::string& name = app.get_name();
   if (shell == "bash") return Bash(name, branches);
   // zsh runs bash completions by its own compatibility layer.
   if (shell == "zsh") return "autoload -U +X bashcompinit && bashcompinit\n" + Bash(name, branches);

@@ -13,6 +13,8 @@ template <class... Fs>
 struct Overloaded : Fs... {
   using Fs::operator()...;
 };
+template <class... Fs>
+Overloaded(Fs...) -> Overloaded<Fs...>;
 
 // Text that a YAML reader takes as just that text, also inside [] and {}.
 bool IsPlain(std::string_view text) {

@@ -28,7 +28,7 @@ std::filesystem::path FindDataDir(const char* variable, const std::filesystem::p
     throw ConfigError("UNDERSTUDY_DATA_DIR: expected a directory with config/robots, got '" +
                       std::string(variable) + "'");
   }
-  const std::filesystem::path installed =
+  std::filesystem::path installed =
       program.parent_path().parent_path() / "share" / "understudy";
   if (Holds(installed)) return installed;
   if (Holds(source)) return source;

@@ -176,7 +176,7 @@ TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
 
 TEST_F(WorldModelTest, RefusesAMissingFootGeom) {
   spec_.feet[0].geoms = {"sohle"};
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("did you mean 'sole'?")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("'sohle'"), HasSubstr("did you mean 'sole'?")));
 }
 
 TEST_F(WorldModelTest, RefusesAMissingCraneBody) {
