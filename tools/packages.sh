@@ -6,6 +6,7 @@ build_packages=(
   "cmake:configures the build"
   "ninja-build:runs the build"
   "libmujoco-dev:physics (MuJoCo 2.2.2)"
+  "libtinyxml2-dev:reads robot models"
   "cyclonedds-dev:DDS, what the robot speaks (Cyclone DDS 0.10.2)"
   "cyclonedds-tools:idlc, which compiles the robot's message types"
   "libeigen3-dev:vectors and rotations"

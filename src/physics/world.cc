@@ -16,6 +16,13 @@ using Rotation = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>;
 
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
+// What says whether an equality constraint acts: part of the state since MuJoCo 3.
+#if mjVERSION_HEADER < 300
+mjtByte* Active(mjModel* model, mjData*) { return model->eq_active; }
+#else
+mjtByte* Active(mjModel*, mjData* data) { return data->eq_active; }
+#endif
+
 }  // namespace
 
 PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
@@ -33,14 +40,16 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
     foot_axis_.emplace_back(spec.feet[foot].axis.data());
     for (const std::string& geom : spec.feet[foot].geoms) {
       const int id = mj_name2id(model_.get(), mjOBJ_GEOM, geom.c_str());
-      foot_of_geom_[static_cast<std::size_t>(id)] = static_cast<int>(foot);
+      if (id >= 0) foot_of_geom_[static_cast<std::size_t>(id)] = static_cast<int>(foot);
     }
   }
   base_body_ = Body(spec.base_body);
-  const int joint = model_->body_jntadr[base_body_];
-  base_q_ = model_->jnt_qposadr[joint];
-  base_dq_ = model_->jnt_dofadr[joint];
   clamp_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, kClampName);
+  if (!has_fixed_base()) {
+    const int joint = model_->body_jntadr[base_body_];
+    base_q_ = model_->jnt_qposadr[joint];
+    base_dq_ = model_->jnt_dofadr[joint];
+  }
   imu_ = FindImu(spec.imu.site, kImuGyroName, kImuAccelName);
   secondary_imu_ = FindImu(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
   mj_forward(model_.get(), data_.get());
@@ -50,11 +59,13 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
 void PhysicsWorld::Reset(const PoseSpec& pose) {
   mj_resetData(model_.get(), data_.get());
   Clamp(false);
-  mjtNum* base = data_->qpos + base_q_;
-  const mjtNum position[3] = {0, 0, pose.height};
-  mju_copy3(base, position);
-  mju_copy4(base + 3, pose.quat.data());
-  mju_normalize4(base + 3);
+  if (!has_fixed_base()) {
+    mjtNum* base = data_->qpos + base_q_;
+    const mjtNum position[3] = {0, 0, pose.height};
+    mju_copy3(base, position);
+    mju_copy4(base + 3, pose.quat.data());
+    mju_normalize4(base + 3);
+  }
   for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
   mj_forward(model_.get(), data_.get());
   ReadKinematics();
@@ -88,7 +99,8 @@ void PhysicsWorld::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::
 }
 
 void PhysicsWorld::Clamp(bool on) {
-  model_->eq_active[clamp_] = on ? 1 : 0;
+  if (has_fixed_base()) return;
+  Active(model_.get(), data_.get())[clamp_] = on ? 1 : 0;
   if (!on) return;
   // The world as seen from the base: R_BW and p_BW. data = anchor, relative position, relative
   // quaternion, scale.
@@ -100,7 +112,9 @@ void PhysicsWorld::Clamp(bool on) {
   mju_copy4(pose + 6, quat);
 }
 
-bool PhysicsWorld::clamped() const { return model_->eq_active[clamp_] != 0; }
+bool PhysicsWorld::clamped() const {
+  return has_fixed_base() || Active(model_.get(), data_.get())[clamp_] != 0;
+}
 
 int PhysicsWorld::Body(const std::string& name) const {
   const int body = mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
@@ -168,6 +182,10 @@ void PhysicsWorld::ReadKinematics() {
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = data_->qpos[q_address_[i]];
     dq_[i] = data_->qvel[dq_address_[i]];
+  }
+  if (has_fixed_base()) {
+    base_.p_WB = Vector(data_->xpos + 3 * base_body_);
+    return;
   }
   base_.p_WB = Vector(data_->qpos + base_q_);
   base_.v_WB_W = Vector(data_->qvel + base_dq_);

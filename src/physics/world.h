@@ -37,7 +37,7 @@ class PhysicsWorld {
   // `model` comes from LoadWorldModel with the same spec.
   PhysicsWorld(ModelHandle model, const RobotSpec& spec);
 
-  // Puts the robot at rest over the origin in that pose.
+  // Puts the robot at rest over the origin in that pose. A fixed base stays where its file has it.
   void Reset(const PoseSpec& pose);
 
   void BeginStep();
@@ -49,7 +49,7 @@ class PhysicsWorld {
   // A force [N] on a point that is fixed to a body, for the coming EndStep. Adds up.
   void AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W);
 
-  // Holds the base where it is now, as a stand does, or lets go.
+  // Holds the base where it is now, as a stand does, or lets go. A fixed base is always held.
   void Clamp(bool on);
   bool clamped() const;
 
@@ -85,6 +85,7 @@ class PhysicsWorld {
   ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
   ImuReading Read(const ImuAddress& address) const;
   void ReadKinematics();
+  bool has_fixed_base() const { return clamp_ < 0; }
 
   ModelHandle model_;
   DataHandle data_;
@@ -92,8 +93,8 @@ class PhysicsWorld {
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;
-  int base_q_ = 0, base_dq_ = 0;
-  int clamp_ = 0;
+  int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
+  int clamp_ = -1;                  // likewise
   ImuAddress imu_, secondary_imu_;
   std::vector<double> q_, dq_;
   BaseReading base_;

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <cstring>
+#include <iterator>
 #include <mutex>
-#include <vector>
+#include <utility>
 
+#include "physics/mjcf_compile.h"
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 
@@ -24,130 +26,142 @@ void OnMujocoWarning(const char* message) {
   std::strncpy(last_warning.data(), message, last_warning.size() - 1);
 }
 
-ModelHandle Compile(const std::string& file, const mjVFS* vfs) {
-  std::array<char, 1000> error{};
-  ModelHandle model(mj_loadXML(file.c_str(), vfs, error.data(), static_cast<int>(error.size())));
-  if (!model) {
-    std::string text(error.data());
-    for (char& c : text) {
-      if (c == '\n') c = ' ';
-    }
-    throw ModelError(text);
-  }
-  return model;
+MjcfElement Element(const std::string& name,
+                    std::vector<std::pair<std::string, std::string>> attributes) {
+  return {.name = name, .attributes = std::move(attributes), .children = {}, .place = {}};
 }
 
-// XML files that MuJoCo finds by name instead of on disk.
-class MemoryFiles {
- public:
-  MemoryFiles() : vfs_(std::make_unique<mjVFS>()) { mj_defaultVFS(vfs_.get()); }
-  ~MemoryFiles() { mj_deleteVFS(vfs_.get()); }
-  MemoryFiles(const MemoryFiles&) = delete;
-  MemoryFiles& operator=(const MemoryFiles&) = delete;
+void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
+                   MjcfElement* section) {
+  if (site.empty()) return;
+  section->children.push_back(Element("gyro", {{"name", gyro}, {"site", site}}));
+  section->children.push_back(Element("accelerometer", {{"name", accel}, {"site", site}}));
+}
 
-  void Add(const std::string& name, const std::string& text) {
-    mj_makeEmptyFileVFS(vfs_.get(), name.c_str(), static_cast<int>(text.size()));
-    const int i = mj_findFileVFS(vfs_.get(), name.c_str());
-    std::memcpy(vfs_->filedata[i], text.data(), text.size());
+// What the emulator needs of the robot beyond its file.
+void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
+  if (has_free_base) {
+    MjcfElement equality = Element("equality", {});
+    equality.children.push_back(Element("weld", {{"name", kClampName},
+                                                 {"body1", spec.base_body},
+                                                 {"active", "false"},
+                                                 {"solref", "0.004 1"}}));
+    root->children.push_back(std::move(equality));
   }
-  const mjVFS* get() const { return vfs_.get(); }
+  MjcfElement sensor = Element("sensor", {});
+  AddImuSensors(spec.imu.site, kImuGyroName, kImuAccelName, &sensor);
+  AddImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName, &sensor);
+  root->children.push_back(std::move(sensor));
+}
+
+bool HasGround(const mjModel& model) {
+  for (int i = 0; i < model.ngeom; ++i) {
+    const int type = model.geom_type[i];
+    if (model.geom_bodyid[i] == 0 && (type == mjGEOM_PLANE || type == mjGEOM_HFIELD)) return true;
+  }
+  return false;
+}
+
+bool HasFreeBase(const mjModel& model, int base) {
+  return model.body_jntnum[base] == 1 && model.jnt_type[model.body_jntadr[base]] == mjJNT_FREE;
+}
+
+// Checks that the model has what the description names.
+class NameCheck {
+ public:
+  NameCheck(const mjModel& model, const std::filesystem::path& file)
+      : model_(model), file_(file.string()) {}
+
+  bool Has(mjtObj type, const std::string& name) const {
+    return mj_name2id(&model_, type, name.c_str()) >= 0;
+  }
+
+  // `what` is for people, `key` where the description names it.
+  void Require(mjtObj type, const std::string& what, const std::string& name,
+               const std::string& key) const {
+    if (Has(type, name)) return;
+    const std::string nearest = NearestWord(name, Names(type));
+    throw ModelError(file_ + ": no " + what + " '" + name + "'" +
+                     (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") + " (" + key +
+                     " names it)");
+  }
+
+  [[noreturn]] void Refuse(const std::string& what) const { throw ModelError(file_ + ": " + what); }
 
  private:
-  std::unique_ptr<mjVFS> vfs_;
+  std::vector<std::string> Names(mjtObj type) const {
+    auto count = model_.ngeom;
+    if (type == mjOBJ_BODY) count = model_.nbody;
+    if (type == mjOBJ_JOINT) count = model_.njnt;
+    if (type == mjOBJ_SITE) count = model_.nsite;
+    std::vector<std::string> names;
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+      if (const char* text = mj_id2name(&model_, type, i); text != nullptr && *text != '\0') {
+        names.emplace_back(text);
+      }
+    }
+    return names;
+  }
+
+  const mjModel& model_;
+  std::string file_;
 };
 
-std::string Attribute(const std::string& text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return '"' + escaped + '"';
-}
-
-std::string ImuSensors(const std::string& site, const char* gyro, const char* accel) {
-  if (site.empty()) return {};
-  return "<gyro name=\"" + std::string(gyro) + "\" site=" + Attribute(site) +
-         "/><accelerometer name=\"" + accel + "\" site=" + Attribute(site) + "/>";
-}
-
-std::string ComposeWorld(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                         const std::filesystem::path& scene_file) {
-  return "<mujoco model=" + Attribute(spec.name) +
-         "><include file=" + Attribute(robot_file.string()) +
-         "/><include file=" + Attribute(scene_file.string()) + "/><equality><weld name=\"" +
-         kClampName + "\" body1=" + Attribute(spec.base_body) +
-         " active=\"false\" solref=\"0.004 1\"/></equality><sensor>" +
-         ImuSensors(spec.imu.site, kImuGyroName, kImuAccelName) +
-         ImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName) +
-         "</sensor></mujoco>";
-}
-
-void RequireName(const mjModel& model, mjtObj type, const char* kind, const std::string& name,
-                 const std::filesystem::path& file) {
-  if (mj_name2id(&model, type, name.c_str()) >= 0) return;
-  int count = 0;
-  switch (type) {
-    case mjOBJ_BODY:
-      count = model.nbody;
-      break;
-    case mjOBJ_JOINT:
-      count = model.njnt;
-      break;
-    case mjOBJ_SITE:
-      count = model.nsite;
-      break;
-    default:
-      count = model.ngeom;
-  }
-  std::vector<std::string> names;
-  for (int i = 0; i < count; ++i) {
-    if (const char* text = mj_id2name(&model, type, i); text != nullptr && *text != '\0') {
-      names.emplace_back(text);
-    }
-  }
-  const std::string nearest = NearestWord(name, names);
-  throw ModelError(file.string() + ": no " + kind + " '" + name + "'" +
-                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
-}
-
-void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec,
-                          const std::filesystem::path& file) {
-  RequireName(model, mjOBJ_BODY, "base body", spec.base_body, file);
+void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
+  check.Require(mjOBJ_BODY, "base body", spec.base_body, "robot.base_body");
   const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
-  if (model.body_jntnum[base] != 1 || model.jnt_type[model.body_jntadr[base]] != mjJNT_FREE) {
-    throw ModelError(file.string() + ": base body '" + spec.base_body +
-                     "' has no free joint; add <freejoint/> to it");
-  }
-  for (const MotorSpec& motor : spec.motors) {
-    RequireName(model, mjOBJ_JOINT, "joint", motor.joint, file);
-    const int joint = mj_name2id(&model, mjOBJ_JOINT, motor.joint.c_str());
-    if (model.jnt_type[joint] != mjJNT_HINGE && model.jnt_type[joint] != mjJNT_SLIDE) {
-      throw ModelError(file.string() + ": joint '" + motor.joint +
-                       "' of a motor must be a hinge or a slide");
+  if (HasFreeBase(model, base) || model.body_weldid[base] == 0) return;
+  check.Refuse("base body '" + spec.base_body +
+               "' is neither free nor fixed to the world: add <freejoint/> to it, or let "
+               "robot.base_body name another body");
+}
+
+void RequireMotors(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    const std::string& name = spec.motors[i].joint;
+    check.Require(mjOBJ_JOINT, "joint", name, "robot.motors." + std::to_string(i) + ".joint");
+    const int type = model.jnt_type[mj_name2id(&model, mjOBJ_JOINT, name.c_str())];
+    if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
+      check.Refuse("joint '" + name + "' of a motor must be a hinge or a slide");
     }
   }
-  RequireName(model, mjOBJ_SITE, "IMU site", spec.imu.site, file);
+}
+
+void RequireFeet(const RobotSpec& spec, FootNames names, const NameCheck& check, LoadNotes* notes) {
+  std::string numb;
+  for (std::size_t i = 0; i < spec.feet.size(); ++i) {
+    for (const std::string& geom : spec.feet[i].geoms) {
+      if (names == FootNames::kRequired) {
+        check.Require(mjOBJ_GEOM, "foot geom", geom, "robot.feet." + std::to_string(i) + ".geoms");
+      } else if (!check.Has(mjOBJ_GEOM, geom)) {
+        numb += (numb.empty() ? "'" : ", '") + geom + "'";
+      }
+    }
+  }
+  if (numb.empty() || notes == nullptr) return;
+  notes->warnings.push_back("the model has no geom named " + numb +
+                            ": contacts there give no foot force; name its geoms in robot.feet");
+}
+
+void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, FootNames feet,
+                          const std::filesystem::path& file, LoadNotes* notes) {
+  const NameCheck check(model, file);
+  RequireBase(model, spec, check);
+  RequireMotors(model, spec, check);
+  check.Require(mjOBJ_SITE, "IMU site", spec.imu.site, "robot.imu.site");
   if (!spec.imu.secondary_site.empty()) {
-    RequireName(model, mjOBJ_SITE, "IMU site", spec.imu.secondary_site, file);
+    check.Require(mjOBJ_SITE, "IMU site", spec.imu.secondary_site, "robot.imu.secondary_site");
   }
-  RequireName(model, mjOBJ_BODY, "crane body", spec.crane_body, file);
-  for (const FootSpec& foot : spec.feet) {
-    for (const std::string& geom : foot.geoms) {
-      RequireName(model, mjOBJ_GEOM, "foot geom", geom, file);
-    }
+  check.Require(mjOBJ_BODY, "crane body", spec.crane_body, "robot.crane_body");
+  RequireFeet(spec, feet, check, notes);
+}
+
+MjcfElement Read(const std::filesystem::path& file, LoadNotes* notes) {
+  RewrittenModel model = ReadForThisMujoco(file);
+  if (notes != nullptr) {
+    std::move(model.rewrites.begin(), model.rewrites.end(), std::back_inserter(notes->rewrites));
   }
+  return std::move(model.root);
 }
 
 }  // namespace
@@ -165,43 +179,44 @@ std::optional<std::string> TakeMujocoWarning() {
   return text;
 }
 
-ModelHandle LoadModelFile(const std::filesystem::path& file) {
+ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
-  if (!std::filesystem::is_regular_file(file)) {
-    throw ModelError(file.string() + ": no such file");
-  }
-  try {
-    return Compile(file.string(), nullptr);
-  } catch (const ModelError& error) {
-    throw ModelError(file.string() + ": " + error.what());
-  }
+  return CompileMjcf(Read(file, notes));
 }
 
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep) {
+                           const std::filesystem::path& scene_file, double timestep, FootNames feet,
+                           LoadNotes* notes) {
   InstallMujocoHooks();
   // Each file by itself first costs a few milliseconds and makes every message name the right file.
-  RequireWhatSpecNames(*LoadModelFile(robot_file), spec, robot_file);
-  LoadModelFile(scene_file);
+  MjcfElement world = Read(robot_file, notes);
+  const ModelHandle robot = CompileMjcf(world);
+  RequireWhatSpecNames(*robot, spec, feet, robot_file, notes);
+  const bool has_ground = HasGround(*robot);
+  const int base = mj_name2id(robot.get(), mjOBJ_BODY, spec.base_body.c_str());
+  AddOurs(spec, HasFreeBase(*robot, base), &world);
 
-  // The composed file stands beside the robot's: MuJoCo looks for includes, meshes and textures
-  // from the folder of the outermost file, and takes no absolute path there.
-  const std::filesystem::path robot = std::filesystem::absolute(robot_file);
-  const std::filesystem::path folder = robot.parent_path();
-  const std::string name = folder / "understudy_world.xml";
-  MemoryFiles files;
-  files.Add(name,
-            ComposeWorld(spec, robot.filename(), std::filesystem::relative(scene_file, folder)));
-  const std::string place = robot_file.string() + " in " + scene_file.string() + ": ";
+  std::string place = robot_file.string();
+  if (has_ground) {
+    if (notes != nullptr) {
+      notes->warnings.push_back(place + " has ground of its own: scene " + scene_file.string() +
+                                " is left out");
+    }
+  } else {
+    MjcfElement scene = Read(scene_file, notes);
+    CompileMjcf(scene);
+    std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
+    place += " in " + scene_file.string();
+  }
   ModelHandle model;
   try {
-    model = Compile(name, files.get());
+    model = CompileMjcf(world);
   } catch (const ModelError& error) {
-    throw ModelError(place + error.what());
+    throw ModelError(place + ": " + error.what());
   }
   if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
-    throw ModelError(place +
-                     "integrator RK4 cannot be split around the motor law; use Euler or implicit");
+    throw ModelError(
+        place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;

@@ -6,7 +6,9 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "physics/mjcf_rewrite.h"
 #include "physics/mujoco_handles.h"
 #include "robot/robot_spec.h"
 
@@ -19,19 +21,37 @@ inline constexpr char kImuAccelName[] = "understudy_imu_accel";
 inline constexpr char kSecondaryGyroName[] = "understudy_secondary_gyro";
 inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 
-// Compiles the robot in the scene at the given time step [s], with gyro and accelerometer at the
-// sites the spec names and an inactive weld of the base to the world. MuJoCo's own actuators are
-// switched off: the motors are ours.
-//
-// Throws ModelError, naming the file and what was expected, when a file is missing or malformed,
-// when the base body, a motor's joint, a site or a foot geom is not in the model (with the nearest
-// name that is), when a motor's joint is not a hinge or slide, or when the integrator is RK4, which
-// cannot be split around the motor law.
-ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep);
+// What a user should hear about a model that did load.
+struct LoadNotes {
+  std::vector<Rewrite> rewrites;      // what was said otherwise for this MuJoCo, file by file
+  std::vector<std::string> warnings;  // what the run does without, one line each
+};
 
-// Compiles one MJCF file as it is. Throws ModelError with MuJoCo's message.
-ModelHandle LoadModelFile(const std::filesystem::path& file);
+// Whether a robot's description and its model were made for each other.
+enum class FootNames {
+  kRequired,
+  kOptional,  // another model was put in: feet it has no geoms for feel nothing, which is noted
+};
+
+// Compiles the robot in the scene at the given time step [s], with gyro and accelerometer at the
+// sites the spec names and, where the base has a free joint, an inactive weld of the base to the
+// world. MuJoCo's own actuators are switched off: the motors are ours. A robot file that brings
+// ground of its own (a plane or height field of the world) is compiled without the scene, which is
+// noted. Before MuJoCo 3 a file written for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h).
+// `notes` may be null.
+//
+// Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
+// cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the
+// model (with the nearest name that is and the key that names it), when a motor's joint is not a
+// hinge or slide, when the base is neither free nor fixed to the world, or when the integrator is
+// RK4, which cannot be split around the motor law.
+ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                           const std::filesystem::path& scene_file, double timestep,
+                           FootNames feet = FootNames::kRequired, LoadNotes* notes = nullptr);
+
+// Compiles one MJCF file, rewritten where this MuJoCo needs that. `notes` may be null. Throws
+// ModelError with MuJoCo's message and the file and line it is about.
+ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
 
 // Sends MuJoCo's errors and warnings to us: an error becomes a ModelError, the last warning is kept
 // for TakeMujocoWarning(). Without it the library waits for Enter on the terminal and writes

@@ -119,17 +119,17 @@ TEST_F(WorldModelTest, RefusesAFolder) {
 
 TEST_F(WorldModelTest, NamesTheRobotFileThatIsMalformed) {
   UseRobot("<mujoco><worldbody></mujoco>");
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml: "), HasSubstr("XML")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml:1: "), HasSubstr("XML")));
 }
 
 TEST_F(WorldModelTest, NamesTheSceneThatIsMalformed) {
   UseScene("<mujoco><worldbody></mujoco>");
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("ground.xml: "), Not(HasSubstr("robot.xml"))));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("ground.xml:1: "), Not(HasSubstr("robot.xml"))));
 }
 
 TEST_F(WorldModelTest, NamesTheElementThatMujocoDoesNotKnow) {
   UseRobot(Robot(R"(<hinge name="knee_joint"/>)"));
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml: "), HasSubstr("hinge")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml:2: "), HasSubstr("hinge")));
 }
 
 TEST_F(WorldModelTest, NamesBothFilesWhenTheyDoNotGoTogether) {
