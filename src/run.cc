@@ -34,7 +34,8 @@ constexpr milliseconds kHousekeeping(20);
 constexpr std::int64_t kStepsPerPost = 10;
 
 PhysicsWorld MakeWorld(const Config& config) {
-  return {LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene),
+  const SceneFile scene(config.scene, config.terrain);
+  return {LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
                          config.physics.timestep),
           config.robot};
 }

@@ -45,10 +45,42 @@ YamlValue SetTree(const std::string& set) {
   return tree;
 }
 
-void ReadLayer(const YamlValue& tree, Config* config, Places* places) {
+void AddTrees(const Layers& layers, std::vector<YamlValue>* trees) {
+  for (const std::string& file : layers.files) trees->push_back(ReadYamlFile(file));
+  for (const std::string& set : layers.sets) trees->push_back(SetTree(set));
+}
+
+bool IsSceneFile(const std::string& scene) {
+  return scene.ends_with(".yaml") || scene.ends_with(".yml");
+}
+
+void ReadOver(const std::vector<YamlValue>& trees, Config* config, Places* places) {
+  for (const YamlValue& tree : trees) {
+    Reader reader(tree, places);
+    Describe(reader, *config);
+    reader.Finish();
+  }
+}
+
+// A scene's own file lies below all other layers.
+Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
+  Config config;
+  ReadOver(trees, &config, places);
+  if (!IsSceneFile(config.scene)) return config;
+
+  Config scene;
+  scene.scene = kPatchesScene;
+  const YamlValue tree = ReadYamlFile(config.scene);
   Reader reader(tree, places);
-  Describe(reader, *config);
+  DescribeScene(reader, scene);
   reader.Finish();
+  if (IsSceneFile(scene.scene)) {
+    throw ConfigError(places->at("scene") + ": scene: a scene's own file cannot name another");
+  }
+  Config over = scene;
+  ReadOver(trees, &over, places);
+  over.scene = scene.scene;
+  return over;
 }
 
 }  // namespace
@@ -65,12 +97,20 @@ std::vector<std::string> RobotNames(const std::filesystem::path& data_dir) {
 }
 
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  Config config;
+  std::vector<YamlValue> trees{ReadYamlFile(RobotFile(layers.robot, data_dir))};
+  AddTrees(layers, &trees);
   Places places;
-  ReadLayer(ReadYamlFile(RobotFile(layers.robot, data_dir)), &config, &places);
-  for (const std::string& file : layers.files) ReadLayer(ReadYamlFile(file), &config, &places);
-  for (const std::string& set : layers.sets) ReadLayer(SetTree(set), &config, &places);
+  const Config config = ReadLayers(trees, &places);
   Validate(config, places);
+  return config;
+}
+
+Config LoadScene(const Layers& layers) {
+  std::vector<YamlValue> trees;
+  AddTrees(layers, &trees);
+  Places places;
+  const Config config = ReadLayers(trees, &places);
+  ValidateTerrain(config, places);
   return config;
 }
 

@@ -75,7 +75,8 @@ double GreyStep(const HeightGrid& grid) {
 std::string HeightsAsset(const TerrainPiece& piece, const HeightGrid& grid) {
   const std::string name = HeightsName(piece.heights);
   return "    <!-- " + name + ".png: the same heights as grey levels of " +
-         Number(GreyStep(grid) * 1000) + " mm, black at z = " + Number(Lowest(grid)) +
+         Number(GreyStep(grid) * 1000) +
+         " mm, black at z = " + Number(OnHeightLattice(Lowest(grid))) +
          " m -->\n    <hfield name=\"" + name + "\" file=\"" + name + ".hf\" size=\"" +
          Numbers({piece.half_x, piece.half_y, *piece.thickness, kHeightsBase}) + "\"/>\n";
 }

@@ -48,10 +48,10 @@ void TerrainPieces::AddHeights(double x, double y, double half_x, double half_y,
   Add({.shape = PieceShape::kHeights,
        .x = x,
        .y = y,
-       .top = *high,
+       .top = OnHeightLattice(*high),
        .half_x = half_x,
        .half_y = half_y,
-       .thickness = *high - *low,
+       .thickness = OnHeightLattice(*high - *low),
        .friction = friction,
        .heights = heights_.size()});
   heights_.push_back(std::move(grid));
