@@ -9,10 +9,8 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -59,22 +57,19 @@ void AddFile(mjVFS* vfs, const std::string& name, const std::string& text) {
 ModelPtr Load(const std::vector<std::string>& paths) {
   auto vfs = std::make_unique<mjVFS>();
   mj_defaultVFS(vfs.get());
+  // In the folder of the first file, from where its own includes count.
+  const std::filesystem::path folder = std::filesystem::absolute(paths.front()).parent_path();
+  const std::string name = (folder / "outer.xml").string();
   std::string outer = "<mujoco>";
   for (const std::string& path : paths) {
-    std::ifstream file(path);
-    if (!file) throw std::runtime_error("cannot read " + path);
-    std::ostringstream text;
-    text << file.rdbuf();
-    const std::string name = std::filesystem::path(path).filename().string();
-    AddFile(vfs.get(), name, text.str());
-    outer += "<include file=\"" + name + "\"/>";
+    outer += "<include file=\"" + std::filesystem::relative(path, folder).string() + "\"/>";
   }
   outer +=
       "<visual><global offwidth=\"2048\" offheight=\"2048\"/><quality "
       "offsamples=\"4\"/></visual></mujoco>";
-  AddFile(vfs.get(), "outer.xml", outer);
+  AddFile(vfs.get(), name, outer);
   char error[1024] = "";
-  ModelPtr model(mj_loadXML("outer.xml", vfs.get(), error, sizeof(error)));
+  ModelPtr model(mj_loadXML(name.c_str(), vfs.get(), error, sizeof(error)));
   mj_deleteVFS(vfs.get());
   if (!model) throw std::runtime_error(error);
   return model;

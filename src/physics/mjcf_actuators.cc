@@ -132,6 +132,10 @@ void RenameTorqueSensors(MjcfElement* root, const MjcfDefaults& defaults, MjcfJo
                              "new in MuJoCo 3; the same number where the gear is 1"});
       } else {
         sensor.name = "user";
+        sensor.Set("objtype", "joint");
+        sensor.Set("objname", joint_name);
+        sensor.Set("datatype", "real");
+        sensor.Set("needstage", "acc");
         sensor.Set("dim", "1");
         rewrites->push_back({sensor.place, what + "a user sensor that reads 0",
                              "no single actuator of gear 1 drives the joint"});

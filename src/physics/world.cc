@@ -106,14 +106,13 @@ void PhysicsWorld::Clamp(bool on) {
   if (has_fixed_base()) return;
   Active(model_.get(), data_.get())[clamp_] = on ? 1 : 0;
   if (!on) return;
-  // The world as seen from the base: R_BW and p_BW. data = anchor, relative position, relative
-  // quaternion, scale.
+  // eq_data of a weld: anchor in the second body (the world), the same point in the first (the
+  // base), attitude of the second in the first, scale. The point is the base's own origin: one far
+  // away would turn the little that the attitude gives way into metres of lever.
   mjtNum* pose = model_->eq_data + mjNEQDATA * clamp_;
-  mjtNum p[3], quat[4];
-  mju_negPose(p, quat, data_->qpos + base_q_, data_->qpos + base_q_ + 3);
-  mju_zero3(pose);
-  mju_copy3(pose + 3, p);
-  mju_copy4(pose + 6, quat);
+  mju_copy3(pose, data_->qpos + base_q_);
+  mju_zero3(pose + 3);
+  mju_negQuat(pose + 6, data_->qpos + base_q_ + 3);
 }
 
 bool PhysicsWorld::clamped() const {

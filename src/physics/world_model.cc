@@ -97,7 +97,7 @@ class NameCheck {
     if (Has(type, name)) return;
     const std::string nearest = NearestWord(name, Names(type));
     throw ModelError(file_ + ": no " + what + " '" + name + "'" +
-                     (nearest.empty() ? "" : "; the nearest is '" + nearest + "'") + " (" + key +
+                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " (" + key +
                      " names it)");
   }
 
@@ -209,6 +209,7 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
   RequireWhatSpecNames(*robot, spec, feet, robot_file, notes);
   const bool has_ground = HasGround(*robot);
   const int base = mj_name2id(robot.get(), mjOBJ_BODY, spec.base_body.c_str());
+  world.Set("model", spec.name);
   AddOurs(spec, HasFreeBase(*robot, base), &world);
 
   std::string place = robot_file.string();

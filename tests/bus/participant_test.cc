@@ -32,7 +32,7 @@ TEST(ParticipantTest, TellsWhereItIs) {
 }
 
 TEST(ParticipantTest, RefusesAnAbsentInterface) {
-  EXPECT_THAT(Complaint("nope0", 102), HasSubstr("no network interface \"nope0\""));
+  EXPECT_THAT(Complaint("nope0", 102), HasSubstr("no network interface 'nope0'"));
 }
 
 TEST(ParticipantTest, RefusesADomainOutOfRange) {

@@ -1,4 +1,4 @@
-// What the models do when they are stepped: stand, hang, lie, keep clear of themselves.
+// What the humanoids do when they are stepped: hang, keep clear of themselves.
 
 #include <algorithm>
 #include <cmath>
@@ -22,88 +22,6 @@ constexpr int kSecond = 1000;        // steps
 
 std::vector<std::string> Motors(const std::string& robot) {
   return ReadFigures(robot)["motor_order"].get<std::vector<std::string>>();
-}
-
-class Go2Test : public ModelTest {
- protected:
-  Go2Test()
-      : figures_(ReadFigures("go2")),
-        model_(LoadTogether({kGo2, kFlat})),
-        data_(model_ ? mj_makeData(model_.get()) : nullptr) {}
-
-  void SetUp() override { ASSERT_TRUE(model_ != nullptr); }
-
-  JointPd Pd(double kp, double kd) const {
-    return JointPd(*model_, Motors("go2"), std::vector<double>(12, kp),
-                   std::vector<double>(12, kd));
-  }
-  // hip, thigh, calf of each leg, rad; height of the base, m.
-  void Place(JointPd* pd, double hip, double thigh, double calf, double height) const {
-    std::vector<double> target;
-    for (int leg = 0; leg < 4; ++leg) target.insert(target.end(), {hip, thigh, calf});
-    pd->SetTarget(target);
-    pd->PlaceAtTarget(*model_, data_.get());
-    data_->qpos[2] = height;
-    mj_forward(model_.get(), data_.get());
-  }
-
-  nlohmann::json figures_;
-  ModelPtr model_;
-  DataPtr data_;
-};
-
-TEST_F(Go2Test, RunsAtOneMillisecondWithEllipticCones) {
-  EXPECT_EQ(model_->opt.timestep, kTimestep);
-  EXPECT_EQ(model_->opt.cone, mjCONE_ELLIPTIC);
-  EXPECT_EQ(model_->opt.impratio, 100.0);
-}
-
-TEST_F(Go2Test, StandsTenSecondsUnderTheGainsOfTheExample) {
-  const nlohmann::json& stand = figures_["stand"];
-  JointPd pd = Pd(stand["kp"], stand["kd"]);
-  Place(&pd, stand["pose"][0], stand["pose"][1], stand["pose"][2], stand["start_height"]);
-  double tilt = 0;
-  for (int i = 0; i < 10 * kSecond; ++i) {
-    pd.Step(*model_, data_.get());
-    tilt = std::max(tilt, TiltDegrees(*data_, 1));
-  }
-  RecordProperty("height", std::to_string(data_->qpos[2]));
-  RecordProperty("tilt", std::to_string(tilt));
-  EXPECT_LT(tilt, 2.0);
-  EXPECT_GT(data_->qpos[2], stand["height"][0].get<double>());
-  EXPECT_LT(data_->qpos[2], stand["height"][1].get<double>());
-  // The body sinks and moves back 2 cm as the calves give; the feet stay.
-  EXPECT_LT(std::hypot(data_->qpos[0], data_->qpos[1]), 0.03);
-  EXPECT_LT(pd.MaxSpeed(*model_, *data_), 0.01);
-}
-
-TEST_F(Go2Test, DoesNotTouchItselfStandingOrLying) {
-  JointPd pd = Pd(60, 5);
-  Place(&pd, 0, 0.67, -1.3, 1.0);
-  EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty()) << "standing";
-  Place(&pd, 0, 1.36, -2.65, 1.0);
-  EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty()) << "lying";
-}
-
-TEST_F(Go2Test, LiesDownFoldedWhenItsMotorsOnlyBrake) {
-  JointPd damping = Pd(0, 3);  // motors only brake
-  Place(&damping, 0, 1.36, -2.65, 0.12);
-  for (int i = 0; i < 5 * kSecond; ++i) damping.Step(*model_, data_.get());
-  const std::vector<double> q = damping.Positions(*model_, *data_);
-  std::string pose;
-  for (const double x : q) pose += std::to_string(x) + " ";
-  RecordProperty("pose", pose);
-  RecordProperty("height", std::to_string(data_->qpos[2]));
-  RecordProperty("tilt", std::to_string(TiltDegrees(*data_, 1)));
-  EXPECT_LT(TiltDegrees(*data_, 1), 5.0);
-  EXPECT_LT(damping.MaxSpeed(*model_, *data_), 0.01);
-  for (std::size_t leg = 0; leg < 4; ++leg) {
-    EXPECT_NEAR(q[3 * leg], 0.0, 0.1) << "hip of leg " << leg;
-    EXPECT_GT(q[3 * leg + 1], 1.1) << "thigh of leg " << leg;
-    EXPECT_LT(q[3 * leg + 1], 1.5) << "thigh of leg " << leg;
-    EXPECT_LT(q[3 * leg + 2], -2.5) << "calf of leg " << leg;
-  }
-  EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty());
 }
 
 class G1Test : public ModelTest {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
+#include "physics/world_model.h"
 #include "tests/models/model_fixture.h"
 
 namespace understudy {
@@ -129,10 +131,24 @@ TEST_P(ModelFiguresTest, JointsTurnAsPublished) {
     ASSERT_GE(id, 0);
     EXPECT_EQ(model_->jnt_type[id], mjJNT_HINGE) << name;
     EXPECT_EQ(model_->jnt_bodyid[id], Id(*model_, mjOBJ_BODY, joint["body"])) << name;
-    EXPECT_TRUE(model_->jnt_limited[id]) << name;
     ExpectVector(Take(model_->jnt_axis + 3 * id, 3), joint["axis"], name + " axis", 1.0);
     ExpectVector(Take(model_->jnt_pos + 3 * id, 3), joint["pos"], name + " pos", 1.0);
+    EXPECT_EQ(model_->jnt_limited[id] != 0, !joint["range"].is_null()) << name;
+    if (joint["range"].is_null()) continue;  // a wheel
     ExpectVector(Take(model_->jnt_range + 2 * id, 2), joint["range"], name + " range", 1.0);
+  }
+}
+
+TEST_P(ModelFiguresTest, JointsResistAsPublishedOrFitted) {
+  for (const json& joint : figures_["joints"]) {
+    if (!joint.contains("armature")) continue;
+    const std::string name = joint["name"];
+    const int id = Id(*model_, mjOBJ_JOINT, name);
+    ASSERT_GE(id, 0);
+    const int dof = model_->jnt_dofadr[id];
+    EXPECT_EQ(model_->dof_armature[dof], joint["armature"].get<double>()) << name;
+    EXPECT_EQ(model_->dof_damping[dof], joint["damping"].get<double>()) << name;
+    EXPECT_EQ(model_->dof_frictionloss[dof], joint["frictionloss"].get<double>()) << name;
   }
 }
 
@@ -205,6 +221,53 @@ TEST_P(ModelFiguresTest, FeetAreThePublishedSpheres) {
   }
 }
 
+TEST_P(ModelFiguresTest, WheelsAreCylindersAroundTheirJoints) {
+  for (const json& wheel : figures_.value("wheels", json::array())) {
+    const std::string name = wheel["name"];
+    const int id = Id(*model_, mjOBJ_GEOM, name);
+    ASSERT_GE(id, 0);
+    EXPECT_EQ(model_->geom_type[id], mjGEOM_CYLINDER) << name;
+    const int body = Id(*model_, mjOBJ_BODY, wheel["body"]);
+    EXPECT_EQ(model_->geom_bodyid[id], body) << name;
+    EXPECT_EQ(model_->jnt_bodyid[Id(*model_, mjOBJ_JOINT, wheel["joint"])], body) << name;
+    ExpectVector(Take(model_->geom_pos + 3 * id, 3), wheel["pos"], name + " pos", 1.0);
+    std::array<mjtNum, 9> r{};
+    mju_quat2Mat(r.data(), model_->geom_quat + 4 * id);
+    EXPECT_NEAR(std::abs(r[5]), 1.0, kRelative) << name << " axis is y";
+    EXPECT_NEAR(model_->geom_size[3 * id], wheel["radius"].get<double>(), 1e-9) << name;
+    EXPECT_NEAR(model_->geom_size[3 * id + 1], wheel["half_width"].get<double>(), 1e-9) << name;
+    int collide = 0;
+    for (int g = 0; g < model_->ngeom; ++g) {
+      collide += model_->geom_bodyid[g] == body && model_->geom_contype[g] != 0 ? 1 : 0;
+    }
+    EXPECT_EQ(collide, 1) << name << " rolls on one geom";
+  }
+}
+
+// What the emulator itself does with the file, and all that a robot's description names.
+TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
+  RobotSpec spec;
+  spec.name = GetParam().figures;
+  spec.base_body = figures_["bodies"][0]["name"];
+  spec.crane_body = spec.base_body;
+  spec.imu.site = "imu";
+  for (const json& joint : figures_["motor_order"]) {
+    MotorSpec motor;
+    motor.joint = joint;
+    spec.motors.push_back(motor);
+  }
+  for (const char* kind : {"feet", "wheels"}) {
+    for (const json& foot : figures_.value(kind, json::array())) {
+      spec.feet.push_back({.name = foot["name"], .geoms = {foot["name"]}});
+    }
+  }
+  const ModelHandle world = LoadWorldModel(spec, GetParam().file, kFlat, 0.001);
+  EXPECT_EQ(world->nbody, model_->nbody);
+  EXPECT_EQ(world->ngeom, model_->ngeom + 1);
+  EXPECT_EQ(TakeMujocoWarning(), std::nullopt);
+  mju_user_error = nullptr;  // ModelTest puts its own hook for warnings back
+}
+
 TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
   for (int i = 0; i < model_->ngeom; ++i) {
     const bool collides = model_->geom_contype[i] != 0 || model_->geom_conaffinity[i] != 0;
@@ -214,7 +277,16 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
-                         testing::Values(Robot{"go2", kGo2}, Robot{"g1_29dof", kG1}),
+                         testing::Values(Robot{"go2", kGo2},      //
+                                         Robot{"go2w", kGo2W},    //
+                                         Robot{"b2", kB2},        //
+                                         Robot{"b2w", kB2W},      //
+                                         Robot{"a2", kA2},        //
+                                         Robot{"g1_29dof", kG1},  //
+                                         Robot{"h1", kH1},        //
+                                         Robot{"h1_2", kH12},     //
+                                         Robot{"r1", kR1},        //
+                                         Robot{"h2", kH2}),       //
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace

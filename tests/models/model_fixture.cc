@@ -20,9 +20,14 @@ std::string ReadText(const std::string& path) {
 }
 
 void AddFile(mjVFS* vfs, const std::string& name, const std::string& text) {
+#if mjVERSION_HEADER < 300
   ASSERT_EQ(mj_makeEmptyFileVFS(vfs, name.c_str(), static_cast<int>(text.size())), 0) << name;
   const int index = mj_findFileVFS(vfs, name.c_str());
   std::copy(text.begin(), text.end(), static_cast<char*>(vfs->filedata[index]));
+#else
+  ASSERT_EQ(mj_addBufferVFS(vfs, name.c_str(), text.data(), static_cast<int>(text.size())), 0)
+      << name;
+#endif
 }
 
 std::string NameOr(const char* name) { return name == nullptr ? "?" : name; }
@@ -43,15 +48,16 @@ ModelPtr ModelTest::Load(const std::string& path) {
 ModelPtr ModelTest::LoadTogether(const std::vector<std::string>& paths, const std::string& extra) {
   const auto vfs = std::make_unique<mjVFS>();
   mj_defaultVFS(vfs.get());
+  // In the folder of the first file, from where its own includes count.
+  const std::filesystem::path folder = std::filesystem::path(paths.front()).parent_path();
+  const std::string name = (folder / "outer.xml").string();
   std::string outer = "<mujoco>";
   for (const std::string& path : paths) {
-    const std::string name = std::filesystem::path(path).filename().string();
-    AddFile(vfs.get(), name, ReadText(path));
-    outer += "<include file=\"" + name + "\"/>";
+    outer += "<include file=\"" + std::filesystem::relative(path, folder).string() + "\"/>";
   }
-  AddFile(vfs.get(), "outer.xml", outer + extra + "</mujoco>");
+  AddFile(vfs.get(), name, outer + extra + "</mujoco>");
   char error[1024] = "";
-  ModelPtr model(mj_loadXML("outer.xml", vfs.get(), error, sizeof(error)));
+  ModelPtr model(mj_loadXML(name.c_str(), vfs.get(), error, sizeof(error)));
   mj_deleteVFS(vfs.get());
   EXPECT_TRUE(model != nullptr);
   EXPECT_STREQ(error, "");
@@ -71,7 +77,10 @@ int Id(const mjModel& model, mjtObj type, const std::string& name) {
 
 JointPd::JointPd(const mjModel& model, const std::vector<std::string>& joints,
                  std::vector<double> kp, std::vector<double> kd)
-    : kp_(std::move(kp)), kd_(std::move(kd)), target_(joints.size(), 0.0) {
+    : kp_(std::move(kp)),
+      kd_(std::move(kd)),
+      target_(joints.size(), 0.0),
+      speed_(joints.size(), 0.0) {
   for (const std::string& joint : joints) {
     joints_.push_back(Id(model, mjOBJ_JOINT, joint));
     motors_.push_back(Id(model, mjOBJ_ACTUATOR, joint.substr(0, joint.rfind("_joint"))));
@@ -88,7 +97,7 @@ void JointPd::Step(const mjModel& model, mjData* data) const {
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const double q = data->qpos[model.jnt_qposadr[joints_[i]]];
     const double dq = data->qvel[model.jnt_dofadr[joints_[i]]];
-    data->ctrl[motors_[i]] = kp_[i] * (target_[i] - q) - kd_[i] * dq;
+    data->ctrl[motors_[i]] = kp_[i] * (target_[i] - q) + kd_[i] * (speed_[i] - dq);
   }
   mj_step(&model, data);
 }

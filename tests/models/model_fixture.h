@@ -22,7 +22,15 @@ using DataPtr = std::unique_ptr<mjData, DeleteData>;
 
 inline const std::string kModels = std::string(UNDERSTUDY_SOURCE_DIR) + "/models/";
 inline const std::string kGo2 = kModels + "go2/go2.xml";
+inline const std::string kGo2W = kModels + "go2w/go2w.xml";
+inline const std::string kB2 = kModels + "b2/b2.xml";
+inline const std::string kB2W = kModels + "b2w/b2w.xml";
+inline const std::string kA2 = kModels + "a2/a2.xml";
 inline const std::string kG1 = kModels + "g1/g1_29dof.xml";
+inline const std::string kH1 = kModels + "h1/h1.xml";
+inline const std::string kH12 = kModels + "h1_2/h1_2.xml";
+inline const std::string kR1 = kModels + "r1/r1.xml";
+inline const std::string kH2 = kModels + "h2/h2.xml";
 inline const std::string kFlat = kModels + "scene/flat.xml";
 
 // A fixture in which every warning or error of MuJoCo fails the test.
@@ -44,13 +52,15 @@ nlohmann::json ReadFigures(const std::string& robot);
 // Id of the named object. Fails the test and returns -1 when the model lacks it.
 int Id(const mjModel& model, mjtObj type, const std::string& name);
 
-// Joint PD, torque held for one step: kp (q* - q) - kd dq. All vectors are in SDK motor order.
+// Joint PD, torque held for one step: kp (q* - q) + kd (dq* - dq), dq* 0 unless set. All vectors
+// are in SDK motor order.
 class JointPd {
  public:
   JointPd(const mjModel& model, const std::vector<std::string>& joints, std::vector<double> kp,
           std::vector<double> kd);
 
-  void SetTarget(std::vector<double> target) { target_ = std::move(target); }  // rad
+  void SetTarget(std::vector<double> target) { target_ = std::move(target); }    // rad
+  void SetTargetSpeed(std::vector<double> speed) { speed_ = std::move(speed); }  // rad/s
   void PlaceAtTarget(const mjModel& model, mjData* data) const;
   void Step(const mjModel& model, mjData* data) const;
   // Largest joint speed of the driven joints, rad/s.
@@ -60,7 +70,7 @@ class JointPd {
  private:
   std::vector<int> joints_;
   std::vector<int> motors_;
-  std::vector<double> kp_, kd_, target_;
+  std::vector<double> kp_, kd_, target_, speed_;
 };
 
 // Angle between the z axis of a body and the vertical, degrees.

@@ -50,8 +50,8 @@ TEST_F(DivergenceTest, MakesMujocosSilentResetVisible) {
 // The rate passes MuJoCo's bound of 1e10 between two steps: the first half of the next one finds
 // it and resets; the second half must tell.
 TEST_F(DivergenceTest, IsReportedWhenTheFirstHalfOfTheStepFindsIt) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5);
-  const int base = world_.Body("base"});
+  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  const int base = world_.Body("base");
   const std::vector<double> none(6, 0.0);
   StepHealth health = StepHealth::kFine;
   int steps = 0;
@@ -69,9 +69,9 @@ TEST_F(DivergenceTest, IsOverAfterAReset) {
   const RobotSpec spec = FixtureRobot();
   world_.Reset({.q = spec.standing.q, .height = spec.standing.height});
   ASSERT_EQ(Step(1e30), StepHealth::kDiverged);
-  world_.Reset({.q = spec.standing.q, .height = spec.standing.height);
+  world_.Reset({.q = spec.standing.q, .height = spec.standing.height});
   for (int i = 0; i < 100; ++i) {
-    world_.BeginStep(});
+    world_.BeginStep();
     ASSERT_EQ(world_.EndStep(Hold(world_, spec.standing.q)), StepHealth::kFine);
   }
   EXPECT_NEAR(world_.base().p_WB.z(), 0.3, 0.01);

@@ -64,10 +64,10 @@ TEST_F(MotorOrderTest, TorqueTurnsTheJointOfItsMotorAndIsReadThere) {
 
 TEST_F(MotorOrderTest, FeetAreInSpecOrder) {
   // Pushed down at its front right corner, it leans on that foot most.
-  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height);
+  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height});
   const int base = world_.Body("base");
   for (int i = 0; i < 500; ++i) {
-    world_.BeginStep(});
+    world_.BeginStep();
     world_.AddForce(base, world_.Point(base, {0.2, -0.1, 0}).p_WP, {0, 0, -40});
     ASSERT_EQ(world_.EndStep(Hold(world_, spec_.standing.q)), StepHealth::kFine);
   }

@@ -112,8 +112,8 @@ TEST_F(BallTest, AddsUpForces) {
 TEST_F(BallTest, ForgetsAForceOnReset) {
   PhysicsWorld world = Ball("0");
   world.AddForce(world.Body("ball"), {0, 0, 10}, {1, 0, 0});
-  world.Reset({.q = {}, .height = 10);
-  Step(&world});
+  world.Reset({.q = {}, .height = 10});
+  Step(&world);
   ExpectNear(world.Imu().f_WI_I, {0, 0, 0});
 }
 

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "physics/world.h"
 #include "robot/errors.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
@@ -41,6 +42,10 @@ class WorldModelTest : public MujocoTest {
 
   ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
 
+  ModelHandle LoadWithAnyFeet(LoadNotes* notes) const {
+    return LoadWorldModel(spec_, robot_, scene_, 0.002, FootNames::kOptional, notes);
+  }
+
   // What the refusal says; "" when the model loads.
   std::string Refusal() const {
     try {
@@ -73,10 +78,9 @@ TEST_F(WorldModelTest, AddsTheInertialUnit) {
 }
 
 TEST_F(WorldModelTest, AddsAClampThatIsOff) {
-  const ModelHandle model = Load();
-  const int clamp = mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName);
-  ASSERT_GE(clamp, 0);
-  EXPECT_EQ(model->eq_active[clamp], 0);
+  ModelHandle model = Load();
+  EXPECT_GE(mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName), 0);
+  EXPECT_FALSE(PhysicsWorld(std::move(model), spec_).clamped());
 }
 
 TEST_F(WorldModelTest, SwitchesTheModelsOwnActuatorsOff) {
@@ -152,7 +156,7 @@ TEST_F(WorldModelTest, RefusesRungeKuttaOfTheSceneAndNamesIt) {
 TEST_F(WorldModelTest, NamesTheNearestJointToAMissingOne) {
   spec_.motors[0].joint = "kneee_joint";
   EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml"), HasSubstr("joint 'kneee_joint'"),
-                               HasSubstr("nearest is 'knee_joint'")));
+                               HasSubstr("did you mean 'knee_joint'?")));
 }
 
 TEST_F(WorldModelTest, NamesTheNearestBodyToAMissingBase) {
@@ -162,7 +166,7 @@ TEST_F(WorldModelTest, NamesTheNearestBodyToAMissingBase) {
 
 TEST_F(WorldModelTest, RefusesAMissingSite) {
   spec_.imu.site = "imuu";
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("site 'imuu'"), HasSubstr("nearest is 'imu'")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("site 'imuu'"), HasSubstr("did you mean 'imu'?")));
 }
 
 TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
@@ -172,7 +176,7 @@ TEST_F(WorldModelTest, RefusesAMissingSecondarySite) {
 
 TEST_F(WorldModelTest, RefusesAMissingFootGeom) {
   spec_.feet[0].geoms = {"sohle"};
-  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("nearest is 'sole'")));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("geom 'sohle'"), HasSubstr("did you mean 'sole'?")));
 }
 
 TEST_F(WorldModelTest, RefusesAMissingCraneBody) {
@@ -180,7 +184,51 @@ TEST_F(WorldModelTest, RefusesAMissingCraneBody) {
   EXPECT_THAT(Refusal(), HasSubstr("crane body 'hook'"));
 }
 
-TEST_F(WorldModelTest, RefusesABaseWithoutAFreeJoint) {
+TEST_F(WorldModelTest, NamesTheKeyOfWhatIsMissing) {
+  spec_.motors[0].joint = "knee";
+  EXPECT_THAT(Refusal(), HasSubstr("robot.motors.0.joint"));
+  spec_.motors[0].joint = "knee_joint";
+  spec_.imu.site = "imu_in_pelvis";
+  EXPECT_THAT(Refusal(), HasSubstr("robot.imu.site"));
+}
+
+TEST_F(WorldModelTest, GoesWithoutFeetWhereThatIsAllowedAndSaysSo) {
+  spec_.feet = {{.name = "left", .geoms = {"sole"}}, {.name = "right", .geoms = {"sohle"}}};
+  LoadNotes notes;
+  PhysicsWorld world(LoadWithAnyFeet(&notes), spec_);
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_THAT(notes.warnings[0],
+              AllOf(HasSubstr("'sohle'"), Not(HasSubstr("'sole'")), HasSubstr("robot.feet")));
+  std::vector<double> force(2);
+  world.FootForces(force);
+}
+
+TEST_F(WorldModelTest, LeavesTheSceneOutWhereTheRobotsFileHasGroundAndSaysSo) {
+  UseRobot(R"(<mujoco><worldbody><geom name="floor" type="plane" size="0 0 1"/>)" +
+           Robot().substr(sizeof("<mujoco><worldbody>") - 1));
+  scene_ = folder_.path() / "nowhere.xml";
+  LoadNotes notes;
+  const ModelHandle model = LoadWithAnyFeet(&notes);
+  EXPECT_EQ(model->ngeom, 3);
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_THAT(notes.warnings[0], AllOf(HasSubstr("robot.xml"), HasSubstr("nowhere.xml")));
+}
+
+TEST_F(WorldModelTest, FindsMeshesOfRobotAndSceneInTheirOwnFolders) {
+  const char* tetra = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+  folder_.Write("robot/parts/robot.obj", tetra);
+  folder_.Write("scene/stones/scene.obj", tetra);
+  robot_ = folder_.Write("robot/robot.xml",
+                         Robot(R"(<joint name="knee_joint"/><geom type="mesh" mesh="robot"/>)",
+                               R"(<compiler meshdir="parts"/>
+                                  <asset><mesh file="robot.obj"/></asset>)"));
+  scene_ = folder_.Write("scene/scene.xml", R"(<mujoco><compiler meshdir="stones"/>
+      <asset><mesh file="scene.obj"/></asset>
+      <worldbody><geom type="mesh" mesh="scene"/></worldbody></mujoco>)");
+  EXPECT_EQ(Refusal(), "");
+}
+
+TEST_F(WorldModelTest, RefusesABaseThatIsNeitherFreeNorFixed) {
   spec_.base_body = "shin";
   EXPECT_THAT(Refusal(), AllOf(HasSubstr("'shin'"), HasSubstr("<freejoint/>")));
 }

@@ -93,8 +93,8 @@ TEST_F(PhysicsWorldTest, ReadingsKeepTheirInstantUntilTheNextStepBegins) {
 // A foot of a swinging leg on a falling, turning trunk: velocity against the difference of
 // positions.
 TEST_F(PhysicsWorldTest, PointVelocityIsTheDerivativeOfItsPosition) {
-  world_.Reset({.q = spec_.standing.q, .height = 5);
-  const int leg = world_.Body("FL_leg"});
+  world_.Reset({.q = spec_.standing.q, .height = 5});
+  const int leg = world_.Body("FL_leg");
   const Eigen::Vector3d foot(0, 0, -0.28);
   for (int i = 0; i < 100; ++i) {
     world_.BeginStep();
@@ -112,11 +112,11 @@ TEST_F(PhysicsWorldTest, PointVelocityIsTheDerivativeOfItsPosition) {
 }
 
 TEST_F(PhysicsWorldTest, ClampHoldsTheBaseWhereItIs) {
-  world_.Reset({.q = spec_.hanging.q, .height = 1);
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
   world_.Clamp(true);
   EXPECT_TRUE(world_.clamped());
   for (int i = 0; i < 2000; ++i) {
-    world_.BeginStep(});
+    world_.BeginStep();
     ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
     ASSERT_LT((world_.base().p_WB - Eigen::Vector3d(0, 0, 1)).norm(), 0.001) << i;
     ASSERT_LT(world_.tilt(), 0.001) << i;
@@ -125,10 +125,10 @@ TEST_F(PhysicsWorldTest, ClampHoldsTheBaseWhereItIs) {
 }
 
 TEST_F(PhysicsWorldTest, ClampHoldsATurnedBaseToo) {
-  world_.Reset({.q = spec_.hanging.q, .height = 3);
+  world_.Reset({.q = spec_.hanging.q, .height = 3});
   const int base = world_.Body("base");
   for (int i = 0; i < 200; ++i) {  // a push off its centre turns it
-    world_.BeginStep(});
+    world_.BeginStep();
     world_.AddForce(base, world_.Point(base, {0, 0.3, 0}).p_WP, {3, 0, 20});
     ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
   }
@@ -144,19 +144,19 @@ TEST_F(PhysicsWorldTest, ClampHoldsATurnedBaseToo) {
 }
 
 TEST_F(PhysicsWorldTest, ClampStandsAgainstItsMotors) {
-  world_.Reset({.q = spec_.hanging.q, .height = 1);
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
   world_.Clamp(true);
   for (int i = 0; i < 1000; ++i) {
     world_.BeginStep();
-    const double tau = 20 * std::sin(0.02 * i});
+    const double tau = 20 * std::sin(0.02 * i);
     ASSERT_EQ(world_.EndStep(std::vector{tau, tau, tau, tau, 0.0, 0.0}), StepHealth::kFine);
     ASSERT_LT((world_.base().p_WB - Eigen::Vector3d(0, 0, 1)).norm(), 0.005) << i;
   }
 }
 
 TEST_F(PhysicsWorldTest, FallsWhenTheClampLetsGo) {
-  world_.Reset({.q = spec_.hanging.q, .height = 5);
-  world_.Clamp(true});
+  world_.Reset({.q = spec_.hanging.q, .height = 5});
+  world_.Clamp(true);
   HoldFor(100, spec_.hanging.q);
   world_.Clamp(false);
   EXPECT_FALSE(world_.clamped());
@@ -166,8 +166,8 @@ TEST_F(PhysicsWorldTest, FallsWhenTheClampLetsGo) {
 
 TEST_F(PhysicsWorldTest, LetsGoOnReset) {
   world_.Clamp(true);
-  world_.Reset({.q = spec_.hanging.q, .height = 1);
-  EXPECT_FALSE(world_.clamped()});
+  world_.Reset({.q = spec_.hanging.q, .height = 1});
+  EXPECT_FALSE(world_.clamped());
 }
 
 TEST_F(PhysicsWorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
@@ -180,8 +180,8 @@ TEST_F(PhysicsWorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
 }
 
 TEST_F(PhysicsWorldTest, MovesOnInAnotherOwner) {
-  world_.Reset({.q = spec_.standing.q, .height = 2);
-  const PhysicsWorld moved = std::move(world_});
+  world_.Reset({.q = spec_.standing.q, .height = 2});
+  const PhysicsWorld moved = std::move(world_);
   EXPECT_EQ(moved.base().p_WB.z(), 2);
   EXPECT_EQ(moved.q().size(), 6U);
 }

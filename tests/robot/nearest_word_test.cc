@@ -5,30 +5,29 @@
 namespace understudy {
 namespace {
 
-TEST(EditDistanceTest, CountsInsertionsDeletionsAndReplacements) {
-  EXPECT_EQ(EditDistance("knee", "knee"), 0U);
-  EXPECT_EQ(EditDistance("knee", "kneee"), 1U);
-  EXPECT_EQ(EditDistance("knee", "nee"), 1U);
-  EXPECT_EQ(EditDistance("knee", "kneo"), 1U);
-  EXPECT_EQ(EditDistance("kitten", "sitting"), 3U);
+const std::vector<std::string> kWords{"mode", "timeout", "damping_kd"};
+
+TEST(NearestWordTest, ForgivesALetterTooFewTooManyOrSwapped) {
+  EXPECT_EQ(NearestWord("timout", kWords), "timeout");
+  EXPECT_EQ(NearestWord("timeoutt", kWords), "timeout");
+  EXPECT_EQ(NearestWord("tiemout", kWords), "timeout");
+  EXPECT_EQ(NearestWord("mdoe", kWords), "mode");
 }
 
-TEST(EditDistanceTest, IsTheLengthOfTheOtherForAnEmptyWord) {
-  EXPECT_EQ(EditDistance("", "knee"), 4U);
-  EXPECT_EQ(EditDistance("knee", ""), 4U);
-  EXPECT_EQ(EditDistance("", ""), 0U);
+TEST(NearestWordTest, IgnoresLetterCase) { EXPECT_EQ(NearestWord("TIMEOUT", kWords), "timeout"); }
+
+TEST(NearestWordTest, FindsNothingInWordsFarAway) {
+  EXPECT_EQ(NearestWord("colour", kWords), "");
+  EXPECT_EQ(NearestWord("", kWords), "");
+  EXPECT_EQ(NearestWord("mode", {}), "");
+  EXPECT_EQ(NearestWord(std::string(100000, 'x'), kWords), "");
 }
 
-TEST(NearestWordTest, FindsTheWordThatWasMeant) {
-  EXPECT_EQ(NearestWord("FL_calf_jiont", {"FR_hip_joint", "FL_calf_joint", "RL_calf_joint"}),
-            "FL_calf_joint");
+TEST(DidYouMeanTest, ListsAllWords) {
+  EXPECT_EQ(DidYouMean("timout", kWords),
+            "; did you mean 'timeout'? (valid: mode, timeout, damping_kd)");
+  EXPECT_EQ(DidYouMean("colour", kWords), "; valid: mode, timeout, damping_kd");
 }
-
-TEST(NearestWordTest, TakesTheFirstOfEquallyNearWords) {
-  EXPECT_EQ(NearestWord("ax", {"bx", "cx"}), "bx");
-}
-
-TEST(NearestWordTest, IsEmptyWithoutValidWords) { EXPECT_EQ(NearestWord("knee", {}), ""); }
 
 }  // namespace
 }  // namespace understudy

@@ -21,9 +21,9 @@ class SensorsTest : public MujocoTest {
     spec_.imu.gyro_noise = 0.01;
     spec_.imu.accel_noise = 0.05;
     // In motion, so that no reading is 0.
-    world_.Reset({.q = spec_.standing.q, .height = 0.4);
+    world_.Reset({.q = spec_.standing.q, .height = 0.4});
     for (int i = 0; i < 200; ++i) {
-      world_.BeginStep(});
+      world_.BeginStep();
       motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
       battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
       EXPECT_EQ(world_.EndStep(motors_.torque()), StepHealth::kFine);

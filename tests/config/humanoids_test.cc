@@ -1,0 +1,129 @@
+// H1, H1-2, R1 and H2: their slots, and that description and model carry the same published
+// figures.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "config_fixture.h"
+
+namespace understudy {
+namespace {
+
+RobotSpec Robot(const std::string& name) {
+  return LoadConfig({.robot = name}, std::filesystem::path(UNDERSTUDY_SOURCE_DIR)).robot;
+}
+
+nlohmann::json Figures(const std::string& name) {
+  return nlohmann::json::parse(
+      std::ifstream(std::string(UNDERSTUDY_SOURCE_DIR) + "/tests/data/figures/" + name + ".json"));
+}
+
+std::string JointInSlot(const RobotSpec& robot, int slot) {
+  for (const MotorSpec& motor : robot.motors) {
+    if (motor.slot == slot) return motor.joint;
+  }
+  return "none";
+}
+
+class HumanoidsTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(HumanoidsTest, HasTheMotorsOfTheSdkInItsOrder) {
+  const auto order = Figures(GetParam())["motor_order"].get<std::vector<std::string>>();
+  const RobotSpec robot = Robot(GetParam());
+  ASSERT_EQ(robot.motors.size(), order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(robot.motors[i].joint, order[i]);
+}
+
+TEST_P(HumanoidsTest, LimitsTheTorqueAsItsModelDoes) {
+  const nlohmann::json figures = Figures(GetParam());
+  const RobotSpec robot = Robot(GetParam());
+  for (const nlohmann::json& joint : figures["joints"]) {
+    for (const MotorSpec& motor : robot.motors) {
+      if (motor.joint != joint["name"]) continue;
+      EXPECT_EQ(motor.torque_limit, joint["torque_limit"].get<double>()) << motor.joint;
+    }
+  }
+}
+
+TEST_P(HumanoidsTest, HoldsItsPosesByTheGainsOfTheExample) {
+  const nlohmann::json hang = Figures(GetParam())["hang"];
+  const RobotSpec robot = Robot(GetParam());
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    EXPECT_EQ(robot.motors[i].hold_kp, hang["kp"][i].get<double>()) << robot.motors[i].joint;
+    EXPECT_EQ(robot.motors[i].hold_kd, hang["kd"][i].get<double>()) << robot.motors[i].joint;
+  }
+}
+
+// A pose that is a millimetre high drops softly; one that is low starts in the ground.
+TEST_P(HumanoidsTest, StartsWithItsSolesJustAboveTheGround) {
+  const nlohmann::json figures = Figures(GetParam());
+  const RobotSpec robot = Robot(GetParam());
+  EXPECT_EQ(robot.standing.q, figures["stand"]["pose"].get<std::vector<double>>());
+  const double above = robot.standing.height - figures["stand"]["height"].get<double>();
+  EXPECT_GT(above, 0.0005);
+  EXPECT_LT(above, 0.002);
+  EXPECT_GT(robot.hanging.height, figures["zero_pose"]["height"].get<double>() + 0.2);
+  EXPECT_EQ(robot.default_start, "hanging");
+}
+
+TEST_P(HumanoidsTest, PairsArePitchAndRollOfOneMechanism) {
+  const RobotSpec robot = Robot(GetParam());
+  for (const ParallelSpec& pair : robot.parallel) {
+    const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
+    const std::string& roll = robot.motors[static_cast<std::size_t>(pair.roll)].joint;
+    EXPECT_NE(pitch.find("_pitch"), std::string::npos);
+    EXPECT_EQ(pitch.substr(0, pitch.find("_pitch")), roll.substr(0, roll.find("_roll")));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest, testing::Values("h1", "h1_2", "r1", "h2"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(HumanoidSlotsTest, H1LeavesSlotNineToTheArmWeight) {
+  const RobotSpec robot = Robot("h1");
+  EXPECT_EQ(robot.family, WireFamily::kGo);
+  EXPECT_EQ(robot.motors.size(), 19U);
+  EXPECT_EQ(JointInSlot(robot, 2), "right_knee_joint");
+  EXPECT_EQ(JointInSlot(robot, 8), "right_hip_yaw_joint");
+  EXPECT_EQ(JointInSlot(robot, 9), "none");
+  EXPECT_EQ(JointInSlot(robot, 10), "left_ankle_joint");
+  EXPECT_EQ(JointInSlot(robot, 19), "left_elbow_joint");
+}
+
+TEST(HumanoidSlotsTest, H1HasNoMoreCellsThanItsMessage) {
+  EXPECT_LE(Robot("h1").battery.cells, 15);  // unitree_go BmsState_.cell_vol
+}
+
+TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
+  const RobotSpec robot = Robot("h1_2");
+  EXPECT_EQ(robot.family, WireFamily::kHg);
+  EXPECT_EQ(robot.mode_machine, 6);
+  EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_pitch_joint");
+  EXPECT_EQ(JointInSlot(robot, 12), "torso_joint");
+  EXPECT_EQ(JointInSlot(robot, 26), "right_wrist_yaw_joint");
+}
+
+TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {
+  const RobotSpec robot = Robot("r1");
+  EXPECT_EQ(robot.family, WireFamily::kHg);
+  for (const int slot : {14, 20, 21, 27, 28}) EXPECT_EQ(JointInSlot(robot, slot), "none") << slot;
+  EXPECT_EQ(JointInSlot(robot, 12), "waist_roll_joint");
+  EXPECT_EQ(JointInSlot(robot, 15), "left_shoulder_pitch_joint");
+  EXPECT_EQ(JointInSlot(robot, 26), "right_wrist_roll_joint");
+  EXPECT_EQ(JointInSlot(robot, 29), "head_pitch_joint");
+  EXPECT_EQ(JointInSlot(robot, 30), "head_yaw_joint");
+}
+
+TEST(HumanoidSlotsTest, H2RollsItsAnkleBeforeItPitchesIt) {
+  const RobotSpec robot = Robot("h2");
+  EXPECT_EQ(robot.family, WireFamily::kHg);
+  EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_roll_joint");
+  EXPECT_EQ(JointInSlot(robot, 5), "left_ankle_pitch_joint");
+  EXPECT_EQ(JointInSlot(robot, 10), "right_ankle_roll_joint");
+  EXPECT_EQ(JointInSlot(robot, 30), "head_yaw_joint");
+}
+
+}  // namespace
+}  // namespace understudy
