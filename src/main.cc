@@ -5,6 +5,8 @@
 #include <iostream>
 
 #include <CLI/CLI.hpp>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
@@ -58,6 +60,9 @@ int Main(int argc, char** argv) {
   bool json = false;
   CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
   robots->add_flag("--json", json, "As a JSON array");
+  robots->footer(
+      "Example: understudy robots --json\n"
+      "A robot of your own: understudy run my_robot.yaml, checked by understudy check.");
   robots->callback([&] { chosen = [&] { return RobotsCommand(json); }; });
 
   std::vector<std::string> files;
@@ -65,10 +70,14 @@ int Main(int argc, char** argv) {
       app.add_subcommand("check", "Check robot descriptions (.yaml) and models (.xml)");
   check->add_option("files", files, "Files to check")->required()->type_name("FILE...");
   check->add_flag("--json", json, "As a JSON array");
+  check->footer(
+      "Example: understudy check my_robot.yaml my_robot.xml\n"
+      "Exits with 3 or 4, as `run` would, when a file is unsound.");
   check->callback([&] { chosen = [&] { return CheckCommand(files, json); }; });
 
   CLI::App* version = app.add_subcommand("version", "Say which version this is");
   version->add_flag("--json", json, "As a JSON object");
+  version->footer("Example: understudy version --json");
   version->callback([&] { chosen = [&] { return VersionCommand(json); }; });
 
   std::string shell;
@@ -97,6 +106,15 @@ int Main(int argc, char** argv) {
   return 0;
 }
 
+// A standard stream that our caller closed would give its number to the next socket, and the log
+// would be written into that.
+void OpenClosedStreams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    // The lowest free number is this stream's, as those below it are open by now.
+    if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
+  }
+}
+
 int Fail(const std::exception& error, ExitCode code) {
   std::fprintf(stderr, "understudy: %s\n", error.what());
   return static_cast<int>(code);
@@ -108,6 +126,7 @@ int Fail(const std::exception& error, ExitCode code) {
 int main(int argc, char** argv) {
   using understudy::ExitCode;
   using understudy::Fail;
+  understudy::OpenClosedStreams();
   int code = 0;
   try {
     code = understudy::Main(argc, argv);

@@ -40,13 +40,14 @@ PhysicsWorld MakeWorld(const Config& config) {
           config.robot};
 }
 
-// Somebody else's writer of rt/lowstate, if one is heard within the time to listen.
-void RefuseToStartBeside(NeighbourWatch* watch, const Participant& participant,
+// Somebody else's writer of rt/lowstate, if one is heard within the time to listen, which began
+// when the watch was set.
+void RefuseToStartBeside(NeighbourWatch* watch, Clock::Time set, const Participant& participant,
                          const GuardConfig& guard, Clock* clock) {
   const double listen =
       participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
   const Clock::Time until =
-      clock->Now() + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
+      set + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
   do {
     for (const Neighbour& neighbour : watch->Poll()) {
       throw NeighbourError("a robot is already on " + participant.interface() + ", domain " +
@@ -106,6 +107,8 @@ class Housekeeper {
 
   void Watch() {
     const auto& strangers = watch_.Poll();
+    // Listened to each time: a last word left unread would be taken for the next stranger's.
+    const bool heard = ear_.HearsOne() && !strangers.empty();
     if (strangers.size() != known_) {
       for (const Neighbour& stranger : strangers) {
         spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
@@ -116,12 +119,11 @@ class Housekeeper {
       }
       known_ = strangers.size();
     }
-    if (speaks_ || !ear_.HearsOne()) return;
+    if (speaks_ || !heard) return;
     speaks_ = true;
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
-    spdlog::critical("another robot speaks on this network{}{}; {}", strangers.empty() ? "" : ": ",
-                     strangers.empty() ? "" : Describe(strangers.front()),
+    spdlog::critical("another robot speaks on this network: {}; {}", Describe(strangers.front()),
                      kWhatWeDo[static_cast<int>(action_)]);
     must_silence_ = action_ == StrangerAction::kSilence;
     must_stop_ = action_ == StrangerAction::kStop;
@@ -152,8 +154,9 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
         config.network.interface, config.network.interface);
   }
   NeighbourWatch watch(participant, "rt/lowstate");
+  const Clock::Time watch_set = clock.Now();
   PhysicsWorld world = MakeWorld(config);
-  RefuseToStartBeside(&watch, participant, config.guard, &clock);
+  RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
   std::vector<std::unique_ptr<Service>> services;
@@ -190,6 +193,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
 
     Status status = robot.status();
     status.ready = true;
+    status.command_writers = port->command_writers();
     status.speed = config.time.speed;
     status.pace = pacer.reading();
     board.Post(status);

@@ -62,12 +62,13 @@ install_packages() {
   DEBIAN_FRONTEND=noninteractive "${root[@]}" apt-get install -q -y --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build PRESET: configures and builds, quietly unless it fails.
+# build PRESET [TARGET...]: configures and builds, quietly unless it fails.
 build() {
-  local log
+  local log preset=$1
+  shift
   log=$(mktemp)
-  echo "building ($1)"
-  if ! { cmake --preset "$1" && cmake --build --preset "$1"; } >"$log" 2>&1; then
+  echo "building ($preset)"
+  if ! { cmake --preset "$preset" && cmake --build --preset "$preset" --target "${@:-all}"; } >"$log" 2>&1; then
     cat "$log" >&2
     rm -f "$log"
     return 1

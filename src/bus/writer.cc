@@ -1,6 +1,7 @@
 #include "bus/writer.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,6 +23,11 @@ WriterCore::WriterCore(const Participant& participant, const char* topic,
     throw BusError(std::string("topic ") + topic + ": " + descriptor.m_typename +
                    " is not the type of the writer's messages");
   }
+  // Our topics have no key, hence one instance. Unless it is registered, Cyclone makes it anew for
+  // each message and wakes a thread to throw it away. Nothing is sent.
+  const std::vector<std::byte> any_message(message_size);
+  dds_instance_handle_t instance = DDS_HANDLE_NIL;
+  dds_register_instance(writer_.handle(), &instance, any_message.data());
 }
 
 int WriterCore::matched_readers() const {

@@ -84,6 +84,12 @@ std::vector<std::string> NamesOf(const std::vector<RunningRobot>& robots) {
 CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
   CLI::App* ctl = app->add_subcommand("ctl", "Ask a running robot, or give it an order");
   ctl->require_subcommand(1);
+  ctl->footer(
+      "Examples:\n"
+      "  understudy ctl wait                     until the only robot sends its state\n"
+      "  understudy ctl status --json            one line for a script\n"
+      "  understudy ctl --name left crane lower 0.2\n"
+      "Exits with 1 when there is no such robot or it refuses.");
   CLI::Option* name =
       ctl->add_option("--name", name_, "The robot's name; `understudy ctl list` shows them");
   ctl->add_option("--socket", socket_,

@@ -8,6 +8,10 @@ namespace {
 // How much of the winding's rise shows at the casing. *assumed*
 constexpr double kCasingShare = 0.8;
 
+constexpr double kPieceMean = 65535.0 / 2;  // of a random integer 0..65535
+// Deviation of the sum of four of them: sqrt(4 (65536² - 1) / 12) = 65536 / sqrt(3).
+constexpr double kSumDeviation = 37837.22;
+
 }  // namespace
 
 Sensors::Sensors(const SensorConfig& config, const RobotSpec& spec)
@@ -39,8 +43,15 @@ void Sensors::Sample(const PhysicsWorld& world, const MotorBank& motors,
   state->base = world.base();
 }
 
+double Sensors::Bell() {
+  const std::uint64_t bits = random_();
+  const std::uint64_t sum =
+      (bits & 0xFFFF) + (bits >> 16 & 0xFFFF) + (bits >> 32 & 0xFFFF) + (bits >> 48);
+  return (static_cast<double>(sum) - 4 * kPieceMean) / kSumDeviation;
+}
+
 double Sensors::Measure(double truth, double sigma, double step) {
-  if (config_.noise && sigma > 0) truth += sigma * normal_(random_);
+  if (config_.noise && sigma > 0) truth += sigma * Bell();
   if (config_.quantise && step > 0) truth = std::round(truth / step) * step;
   return truth;
 }

@@ -33,13 +33,15 @@ class Sensors {
               const Battery& battery, std::int64_t tick_ms, RobotState* state);
 
  private:
+  // A random number of mean 0 and deviation 1, of bell shape (the sum of four uniform ones, never
+  // beyond 3.5): a fifth of the cost of a normal one, and the same on every standard library.
+  double Bell();
   double Measure(double truth, double sigma, double step);
   ImuReading Measure(const ImuReading& truth);
 
   SensorConfig config_;
   const RobotSpec& spec_;
   std::mt19937_64 random_;
-  std::normal_distribution<double> normal_;
 };
 
 }  // namespace understudy

@@ -23,15 +23,6 @@ PATIENCE = 60.0  # s; no program runs longer than 30 s
 THEN_STATUS = 'file=$1; shift; "$@"; code=$?; "$UNDERSTUDY" ctl status --json > "$file"; exit $code'
 
 
-def pytest_configure(config):
-    binary = os.environ.get("UNDERSTUDY", "")
-    if not os.access(binary, os.X_OK):
-        raise pytest.UsageError(
-            f"UNDERSTUDY is '{binary}': set it to the understudy binary that is to be tested")
-    # Programs run where pytest was started from, not where the binary was named from.
-    os.environ["UNDERSTUDY"] = str(pathlib.Path(binary).absolute())
-
-
 @dataclasses.dataclass(frozen=True)
 class Run:
     """What one program did, and the robot's own count of commands after it."""

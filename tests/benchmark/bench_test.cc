@@ -1,0 +1,55 @@
+// That the benchmark gives its figures; never how good they are.
+#include <cstdio>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace understudy {
+namespace {
+
+using testing::Gt;
+using testing::Lt;
+
+std::string OutputOf(const std::string& command) {
+  std::string output;
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return output;
+  char part[4096];
+  for (std::size_t n = 0; (n = std::fread(part, 1, sizeof(part), pipe)) > 0;) {
+    output.append(part, n);
+  }
+  EXPECT_EQ(pclose(pipe), 0);
+  return output;
+}
+
+TEST(BenchTest, GivesEachFigureOfEachRobot) {
+  const auto figures = nlohmann::json::parse(OutputOf(BENCH " --brief --json")).at("figures");
+  for (const std::string robot : {"go2", "g1"}) {
+    for (const char* part : {"bare MuJoCo", "whole daemon", "daemon / bare", "round trip",
+                             "LowCmd to LowState, p99", "exec to first LowState", "memory"}) {
+      EXPECT_THAT(figures, testing::Contains(testing::Truly([&](const nlohmann::json& figure) {
+                    return figure.at("robot") == robot &&
+                           figure.at("name").get<std::string>().starts_with(part);
+                  })))
+          << robot << ": " << part;
+    }
+  }
+  for (const auto& figure : figures) {
+    if (figure.at("name") == "messages lost") continue;
+    EXPECT_THAT(figure.at("measured").get<double>(), testing::AllOf(Gt(0), Lt(1e7))) << figure;
+  }
+}
+
+TEST(BenchTest, SaysInATableWhatIsWanted) {
+  EXPECT_THAT(OutputOf(BENCH " --brief"),
+              testing::AllOf(testing::HasSubstr("wanted"), testing::HasSubstr(">= 0.9")));
+}
+
+TEST(BenchTest, ExplainsItself) {
+  EXPECT_THAT(OutputOf(BENCH " --help"), testing::HasSubstr("--json"));
+}
+
+}  // namespace
+}  // namespace understudy

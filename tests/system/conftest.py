@@ -1,0 +1,53 @@
+"""Does what a user does with understudy: from outside, by its command line and its network.
+
+    tools/sdk_env
+    UNDERSTUDY=<the built understudy> build/sdk-env/bin/python -m pytest tests/system
+
+The whole session moves into a network of its own before anything speaks, so nothing here reaches the
+machine's network or hears from it, and the network goes with the last process in it. That takes no
+rights: where the user has none, a user namespace gives them.
+"""
+
+import pathlib
+import shutil
+import tempfile
+
+import pytest
+
+import namespaces
+from robots import Robot, understudy
+
+
+def pytest_configure(config):
+    namespaces.enter_private_network()
+
+
+@pytest.fixture(autouse=True)
+def runtime_dir(monkeypatch):
+    """The folder of the control sockets, this test's own. Its path is short: a socket's has to be."""
+    folder = pathlib.Path(tempfile.mkdtemp(prefix="understudy-"))
+    monkeypatch.setenv("UNDERSTUDY_RUNTIME_DIR", str(folder))
+    yield folder
+    shutil.rmtree(folder)
+
+
+@pytest.fixture
+def play():
+    """play(robot, *options, ...): a Robot that is on the network; it is ended after the test."""
+    robots = []
+
+    def start(robot, *options, ready=True, **how):
+        robots.append(Robot(robot, *options, **how))
+        if ready:
+            robots[-1].wait_ready()
+        return robots[-1]
+
+    yield start
+    for robot in reversed(robots):
+        robot.end()
+
+
+@pytest.fixture(name="understudy")
+def understudy_fixture():
+    """understudy(*arguments): runs it to its end and gives the subprocess.CompletedProcess."""
+    return understudy

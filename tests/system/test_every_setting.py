@@ -1,0 +1,398 @@
+"""No setting is without effect: every key of `run --help-config` is changed, and something differs.
+
+Two runs of the same configuration send the same LowState at the same tick, bit for bit. So where a
+key changes what the robot is, any difference at equal ticks is the key's doing. Keys that change
+when or whether something happens name what is looked at instead.
+"""
+
+import dataclasses
+import functools
+import os
+import pathlib
+import re
+import tempfile
+import time
+
+import pytest
+from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
+from unitree_sdk2py.idl.unitree_hg.msg.dds_ import IMUState_
+
+import namespaces
+from peers import (
+    GoLowCmd,
+    GoLowState,
+    HgLowCmd,
+    HgLowState,
+    go_command,
+    hg_command,
+    listener,
+    speaker,
+)
+from robots import Robot, eventually, understudy
+
+TICKS = (200, 500)  # ms after the start, where states are compared
+HERE = pathlib.Path(__file__).parent
+DATA = HERE.parents[1]
+
+
+def options_of(settings):
+    return [word for setting in settings for word in ("--set", setting)]
+
+
+def messages(robot, settings, topic, kind, until):
+    """The samples of a topic, from wherever discovery lets one in to the tick `until`."""
+    with listener(topic, kind, domain=3) as ear:
+        # A wait before the first word gives discovery its time: then no sample is missed.
+        played = Robot(robot, "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", 4,
+                       "--duration", until / 1000, *options_of(settings))
+        try:
+            played.exit_code()
+            said = played.said()
+        finally:
+            played.end()
+        return ear.take(), said
+
+
+@functools.cache
+def states(robot, *settings, until=TICKS[-1] + 20):
+    """{tick: LowState} of a run."""
+    kind = GoLowState if robot == "go2" else HgLowState
+    heard, said = messages(robot, settings, "rt/lowstate", kind, until)
+    assert heard, f"{settings}: no rt/lowstate\n{said}"
+    return {state.tick: state for state in heard}
+
+
+class Differs:
+    """LowState at equal ticks differs between the settings with and without the changed ones."""
+
+    def __init__(self, *changed, robot="go2", given=()):
+        self._changed, self._robot, self._given = changed, robot, given
+
+    def check(self, play):
+        before = states(self._robot, *self._given)
+        after = states(self._robot, *self._given, *self._changed)
+        common = [tick for tick in TICKS if tick in before and tick in after]
+        assert common, f"no tick in common: {min(before)}.. and {min(after)}.."
+        assert any(content(before[tick]) != content(after[tick]) for tick in common)
+
+
+def content(state):
+    """What a state carries, without when it was sent, in a form that compares."""
+    return repr([getattr(state, field.name) for field in dataclasses.fields(state)])
+
+
+class Seen:
+    """look(played robot), which is on the network, differs as the setting does."""
+
+    def __init__(self, changed, look, robot="go2", given=()):
+        self._changed, self._look = changed, look
+        self._robot, self._given = robot, options_of(given)
+
+    def check(self, play):
+        looks = []
+        for settings in ([], [self._changed]):
+            played = play(self._robot, *self._given, *options_of(settings))
+            looks.append(self._look(played))
+            played.end()
+        assert looks[0] != looks[1]
+
+
+class Counted:
+    """How many samples of a topic a second of simulated time brings."""
+
+    def __init__(self, changed, topic, kind, robot="go2"):
+        self._changed, self._topic, self._kind, self._robot = changed, topic, kind, robot
+
+    def check(self, play):
+        counts = [len(messages(self._robot, settings, self._topic, self._kind, 1000)[0])
+                  for settings in ([], [self._changed])]
+        assert max(counts) > 1.5 * min(counts), counts
+
+
+class Refused:
+    """A run with the changed key ends with the code, and says the word."""
+
+    def __init__(self, changed, code, word):
+        self._changed, self._code, self._word = changed, code, word
+
+    def check(self, play):
+        done = understudy("run", "go2", "--duration", 0.01, *options_of([self._changed]))
+        assert done.returncode == self._code, done.stderr
+        assert self._word in done.stderr
+
+
+class Elsewhere:
+    """Another file of this folder tests each value of the key."""
+
+    def __init__(self, file, word):
+        self._file, self._word = file, word
+
+    def check(self, play):
+        assert self._word in (HERE / self._file).read_text()
+
+
+class Check:
+    def __init__(self, check):
+        self.check = check
+
+
+def interface_is_used(play):
+    with namespaces.cable(("veth0", "10.9.8.1/24"), ("veth1", "10.9.8.2/24")):
+        robot = play("go2", "--set", "network.interface=veth0")
+        assert "on veth0" in robot.heard("is on")["message"]
+        robot.end()
+
+
+def listening_takes_its_time(key, interface):
+    """Wall seconds that a run needs, with two values of how long it listens first."""
+    def check(play):
+        walls = []
+        with namespaces.cable(("veth0", "10.9.8.1/24"), ("veth1", "10.9.8.2/24")):
+            for listen in (0, 1.5):
+                started = time.monotonic()
+                done = understudy("run", "go2", "--duration", 0.01, "--interface", interface,
+                                  "--set", f"guard.{key}={listen}")
+                assert done.returncode == 0, done.stderr
+                walls.append(time.monotonic() - started)
+        assert walls[1] > walls[0] + 0.7, walls
+    return check
+
+
+def accepted_with_wrong_head(played):
+    message = go_command()
+    message.head = [1, 2]
+    return commanded(played, GoLowCmd, message)["commands"]["accepted"] > 0
+
+
+def times_out(played):
+    return commanded(played, GoLowCmd, go_command())["commands"]["timeouts"] > 0
+
+
+def commanded(played, kind, message, seconds=0.4):
+    """The status right after commands for a while."""
+    with speaker("rt/lowcmd", kind) as client:
+        client.write_for(seconds, message, period=0.02)
+        return played.status()
+
+
+def ankle_behind_its_motors(played):
+    """Angles [rad] of a G1's knee, ankle pitch and roll whose motors, A and B where they are two,
+    were asked for certain places; read in joint space right after."""
+    message = hg_command(mode_machine=5, mode_pr=1)
+    for slot, q in ((3, 0.5), (4, 0.3), (5, -0.3)):
+        message.motor_cmd[slot].kp, message.motor_cmd[slot].kd = 100.0, 4.0
+        message.motor_cmd[slot].q = q
+    with speaker("rt/lowcmd", HgLowCmd) as client, listener("rt/lowstate", HgLowState) as ear:
+        client.write_for(1.0, message)
+        client.write_for(0.02, hg_command(mode_machine=5))
+        state = eventually(lambda: next((s for s in ear.take() if s.mode_pr == 0
+                                         and s.tick > 500), None))
+    return [round(state.motor_state[slot].q, 1) for slot in (3, 4, 5)]
+
+
+def driven_hip(played):
+    """The states of a hip, motor 0, that is asked for 20 N·m until it meets its stop."""
+    message = go_command()
+    message.motor_cmd[0].tau = 20.0
+    with speaker("rt/lowcmd", GoLowCmd) as client, listener() as ear:
+        client.write_for(0.6, message)
+        return [state.motor_state[0] for state in ear.take()]
+
+
+def fastest_hip(played):
+    return round(max(abs(motor.dq) for motor in driven_hip(played)))
+
+
+def drives_hard_at_speed(played):
+    """Whether more than 17 N·m are left at 2.5 to 4.5 rad/s."""
+    torques = [motor.tau_est for motor in driven_hip(played) if 2.5 < motor.dq < 4.5]
+    assert torques, "the hip never was that fast"
+    return max(torques) > 17
+
+
+def lowering_takes(played):
+    """Metres of tether that half a second of simulated time pays out, in tenths."""
+    before = played.status()
+    played.ctl("crane", "lower", "1")
+    after = played.becomes(lambda now: now["time"] > before["time"] + 0.5)
+    return after["crane"]["length"] - before["crane"]["length"] > 0.3
+
+
+def differs_lying(key, value):
+    return Differs(f"robot.{key}={value}")
+
+
+def differs_standing(key, value, *given):
+    return Differs(f"robot.{key}={value}", given=("start.pose=standing", *given))
+
+
+def differs_hanging(setting):
+    return Differs(setting, given=("start.pose=hanging",))
+
+
+DROPPED = ("start.pose=standing", "robot.standing.height=1")  # lands hard on held legs
+DIVERGING = ("start.pose=hanging", "crane.stiffness=1000000", "crane.damping=100000",
+             "physics.timestep=0.01", "robot.rates.lowstate_hz=100", "robot.rates.motion_hz=100")
+
+SETTINGS = {
+    "scene": Refused("scene=moon", 4, "no scene 'moon'"),
+    "network.interface": Check(interface_is_used),
+    "network.domain": Elsewhere("test_neighbours.py", '"--domain"'),
+    "guard.listen_loopback": Check(listening_takes_its_time("listen_loopback", "lo")),
+    "guard.listen_network": Check(listening_takes_its_time("listen_network", "veth0")),
+    "guard.on_stranger": Elsewhere("test_neighbours.py", "guard.on_stranger="),
+    "time.speed": Elsewhere("test_time.py", '"--speed", "0.5"'),
+    "time.duration": Elsewhere("test_life_cycle.py", '"--duration"'),
+    "time.realtime": Seen("time.realtime=false", lambda robot: "SCHED_FIFO" in robot.said()),
+    "physics.timestep": Differs("physics.timestep=0.0005"),
+    "physics.on_divergence": Check(lambda play: divergence_answers()),
+    "sensors.quantise": Differs("sensors.quantise=false"),
+    "sensors.noise": Differs("sensors.noise=false"),
+    "sensors.seed": Differs("sensors.seed=2"),
+    "gate.mode": Seen("gate.mode=lenient", accepted_with_wrong_head),
+    "gate.timeout": Seen("gate.timeout=0.001", times_out, given=("gate.timeout=10",)),
+    "gate.damping_kd": differs_hanging("gate.damping_kd=50"),
+    "crane.length": Seen("crane.length=1", lambda robot: robot.status()["crane"]["length"],
+                         given=("start.pose=hanging",)),
+    "crane.stiffness": differs_hanging("crane.stiffness=2000"),
+    "crane.damping": differs_hanging("crane.damping=0"),
+    "crane.speed": Seen("crane.speed=5", lowering_takes, given=("start.pose=hanging",)),
+    "start.pose": Differs("start.pose=standing"),
+    "robot.name": Seen("robot.name=rex", lambda robot: robot.status()["robot"]),
+    "robot.description": Check(lambda play: description_is_shown()),
+    "robot.model": Refused("robot.model=none.xml", 4, "none.xml"),
+    "robot.base_body": Refused("robot.base_body=FR_calf", 4, "FR_calf"),
+    "robot.family": Seen("robot.family=hg", lambda robot: hears_hg(robot),
+                         given=("robot.rates.lf_hz=20",)),
+    "robot.mode_machine": Differs("robot.mode_machine=6", robot="g1"),
+    "robot.crane_body": differs_hanging("robot.crane_body=FR_calf"),
+    "robot.crane_point": differs_hanging("robot.crane_point=[0.1, 0, 0.06]"),
+    "robot.default_start": Differs("robot.default_start=standing"),
+    "robot.motors[].joint": Differs("robot.motors.0.joint=FL_hip_joint",
+                                    "robot.motors.3.joint=FR_hip_joint",
+                                    given=("start.pose=standing",)),
+    "robot.motors[].slot": differs_lying("motors.11.slot", 13),
+    "robot.motors[].torque_limit": Differs("robot.motors.2.torque_limit=1", given=DROPPED),
+    "robot.motors[].knee_speed": Seen("robot.motors.0.knee_speed=0.1", drives_hard_at_speed,
+                                      given=("start.pose=clamped",
+                                             "robot.motors.0.no_load_speed=6",
+                                             "robot.motors.0.knee_speed=5")),
+    "robot.motors[].no_load_speed": Seen("robot.motors.0.no_load_speed=2", fastest_hip,
+                                         given=("start.pose=clamped",
+                                                "robot.motors.0.knee_speed=1")),
+    "robot.motors[].q_step": differs_lying("motors.0.q_step", 0.01),
+    "robot.motors[].dq_step": differs_lying("motors.0.dq_step", 0.1),
+    "robot.motors[].tau_step": differs_lying("motors.0.tau_step", 1),
+    "robot.motors[].hold_kp": differs_standing("motors.0.hold_kp", 30),
+    "robot.motors[].hold_kd": differs_standing("motors.0.hold_kd", 1),
+    "robot.parallel[].pitch": Seen("robot.parallel=[{pitch: 3, roll: 5, roll_ratio: 1}]",
+                                   ankle_behind_its_motors, robot="g1", given=("start.pose=clamped",)),
+    "robot.parallel[].roll": Seen("robot.parallel=[{pitch: 4, roll: 3, roll_ratio: 1}]",
+                                  ankle_behind_its_motors, robot="g1", given=("start.pose=clamped",)),
+    "robot.parallel[].roll_ratio": Seen("robot.parallel=[{pitch: 4, roll: 5, roll_ratio: 4}]",
+                                        ankle_behind_its_motors, robot="g1",
+                                        given=("start.pose=clamped",)),
+    "robot.imu.site": Differs("robot.imu.site=secondary_imu", robot="g1"),
+    "robot.imu.secondary_site": Check(lambda play: secondary_imu_is_there()),
+    "robot.imu.gyro_step": differs_lying("imu.gyro_step", 0.1),
+    "robot.imu.accel_step": differs_lying("imu.accel_step", 0.5),
+    "robot.imu.gyro_noise": differs_lying("imu.gyro_noise", 1),
+    "robot.imu.accel_noise": differs_lying("imu.accel_noise", 1),
+    "robot.imu.temperature_c": differs_lying("imu.temperature_c", 50),
+    "robot.encoder_noise.q_steps": differs_lying("encoder_noise.q_steps", 100),
+    "robot.encoder_noise.dq_steps": differs_lying("encoder_noise.dq_steps", 100),
+    "robot.encoder_noise.tau_steps": differs_lying("encoder_noise.tau_steps", 100),
+    "robot.feet[].name": Refused("robot.feet.0={name: heel, geoms: [none]}", 4, "heel"),
+    "robot.feet[].geoms": differs_standing("feet.0.geoms", "[FL]"),
+    "robot.feet[].axis": differs_standing("feet.0.axis", "[1, 0, 0]"),
+    "robot.foot_sensor.offset_counts": differs_lying("foot_sensor.offset_counts", 100),
+    "robot.foot_sensor.counts_per_newton": differs_standing("foot_sensor.counts_per_newton", 3),
+    "robot.rates.lowstate_hz": Counted("robot.rates.lowstate_hz=1000", "rt/lowstate", GoLowState),
+    "robot.rates.motion_hz": Check(lambda play: motion_rate().check(play)),
+    "robot.rates.lf_hz": Counted("robot.rates.lf_hz=50", "rt/lf/lowstate", GoLowState),
+    "robot.battery.cells": differs_lying("battery.cells", 6),
+    "robot.battery.capacity_ah": differs_lying("battery.capacity_ah", 0.0001),
+    "robot.battery.start_soc": differs_lying("battery.start_soc", 0.3),
+    "robot.battery.cell_full_v": differs_lying("battery.cell_full_v", 4.5),
+    "robot.battery.cell_empty_v": differs_lying("battery.cell_empty_v", 2.5),
+    "robot.battery.internal_ohm": differs_lying("battery.internal_ohm", 1),
+    "robot.battery.idle_a": differs_lying("battery.idle_a", 3),
+    "robot.battery.watt_per_nm2": differs_standing("battery.watt_per_nm2", 5),
+    "robot.thermal.ambient_c": differs_lying("thermal.ambient_c", 10),
+    "robot.thermal.rest_rise_c": differs_lying("thermal.rest_rise_c", 30),
+    "robot.thermal.rise_per_nm2_c": differs_standing("thermal.rise_per_nm2_c", 1000),
+    "robot.thermal.time_constant": differs_standing("thermal.time_constant", 1,
+                                                    "robot.thermal.rise_per_nm2_c=10"),
+    "robot.lying.q": differs_lying("lying.q", [0, 1, -2.5] * 4),
+    "robot.lying.height": differs_lying("lying.height", 0.3),
+    "robot.lying.quat": differs_lying("lying.quat", "[0.7071, 0, 0, 0.7071]"),
+    "robot.standing.q": differs_standing("standing.q", [0, 0.8, -1.5] * 4),
+    "robot.standing.height": differs_standing("standing.height", 0.5),
+    "robot.standing.quat": differs_standing("standing.quat", "[0.7071, 0, 0, 0.7071]"),
+    "robot.hanging.q": differs_hanging(f"robot.hanging.q={[0, 0.8, -1.5] * 4}"),
+    "robot.hanging.height": Seen("robot.hanging.height=1",
+                                 lambda robot: round(robot.status()["base"]["height"], 1),
+                                 given=("start.pose=clamped",)),
+    "robot.hanging.quat": differs_hanging("robot.hanging.quat=[0.7071, 0, 0, 0.7071]"),
+}
+
+
+def divergence_answers():
+    """Told to stop the run ends with 7; told to reset it goes on to its duration."""
+    codes = [understudy("run", "go2", "--speed", "max", "--duration", 3,
+                        *options_of([*DIVERGING, f"physics.on_divergence={action}"])).returncode
+             for action in ("stop", "reset")]
+    assert codes == [7, 0]
+
+
+def description_is_shown():
+    """Of a robot file, by `robots`: a copy of ours with another line in it."""
+    file = DATA / "config" / "robots" / "go2.yaml"
+    with tempfile.TemporaryDirectory() as folder:
+        robots = pathlib.Path(folder) / "config" / "robots"
+        robots.mkdir(parents=True)
+        text = file.read_text()
+        changed = re.sub(r"(?m)^  description: .*$", "  description: a dog", text)
+        assert changed != text
+        (robots / "rex.yaml").write_text(changed)
+        listed = understudy("robots", env={**os.environ, "UNDERSTUDY_DATA_DIR": folder}).stdout
+    assert listed.rstrip().endswith("a dog")
+
+
+def hears_hg(robot):
+    with listener("rt/lowstate", HgLowState) as ear:
+        return bool(ear.take_for(0.5))
+
+
+def secondary_imu_is_there():
+    counts = [len(messages("g1", settings, "rt/secondary_imu", IMUState_, 200)[0])
+              for settings in ((), ("robot.imu.secondary_site=",))]
+    assert counts[0] > 100
+    assert counts[1] == 0
+
+
+def motion_rate():
+    return Counted("robot.rates.motion_hz=100", "rt/sportmodestate", SportModeState_)
+
+
+def keys():
+    reference = understudy("run", "go2", "--help-config").stdout
+    return re.findall(r"^\| `([^`]+)` \|", reference, re.MULTILINE)
+
+
+def test_every_key_of_the_reference_has_a_row_here_and_no_other():
+    assert sorted(keys()) == sorted(SETTINGS)
+
+
+def test_two_runs_of_the_same_configuration_send_the_same_states():
+    first = states("go2", "robot.default_start=damped")
+    second = states("go2")
+    common = first.keys() & second.keys()
+
+    assert len(common) > 100
+    assert all(content(first[tick]) == content(second[tick]) for tick in common)
+
+
+@pytest.mark.parametrize("key", SETTINGS)
+def test_a_key_has_an_effect(play, key):
+    SETTINGS[key].check(play)

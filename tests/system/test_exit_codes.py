@@ -1,0 +1,149 @@
+"""How understudy ends, by what went wrong; and that its sentence names the thing and the place."""
+
+import pathlib
+import shutil
+import signal
+
+import pytest
+
+USAGE, CONFIG, MODEL, BUS = 2, 3, 4, 5
+
+MODELS = pathlib.Path(__file__).parents[2] / "models"
+JOINTLESS = """
+<mujoco>
+  <worldbody>
+    <body name="base_link"><freejoint/><geom name="box" size="0.1"/><site name="imu"/></body>
+  </worldbody>
+</mujoco>
+"""
+
+
+def refused(done, code, *words):
+    """Asserts a refusal in one line that holds the words."""
+    assert done.returncode == code, f"exit code {done.returncode}\n{done.stdout}\n{done.stderr}"
+    assert done.stderr.count("\n") == 1, done.stderr
+    for word in words:
+        assert word in done.stderr
+
+
+def test_an_unknown_robot_is_answered_with_the_nearest(understudy):
+    refused(understudy("run", "gp2"), CONFIG, "gp2", "go2")
+
+
+def test_a_robot_file_that_is_not_there_is_named(understudy, tmp_path):
+    refused(understudy("run", tmp_path / "none.yaml"), CONFIG, "none.yaml")
+
+
+def test_an_unknown_key_in_a_set_is_answered_with_the_nearest(understudy):
+    refused(understudy("run", "go2", "--set", "gate.time=0.5"), CONFIG, "--set gate.time=0.5",
+            "timeout")
+
+
+def test_an_unknown_key_in_a_file_is_named_with_file_and_line(understudy, tmp_path):
+    extra = tmp_path / "extra.yaml"
+    extra.write_text("scene: flat\ngate:\n  tiemout: 1\n")
+
+    refused(understudy("run", "go2", "--config", extra), CONFIG, f"{extra}:3", "tiemout", "timeout")
+
+
+def test_a_value_out_of_range_in_a_file_is_named_with_file_and_line(understudy, tmp_path):
+    extra = tmp_path / "extra.yaml"
+    extra.write_text("gate:\n  timeout: -1\n")
+
+    refused(understudy("run", "go2", "--config", extra), CONFIG, f"{extra}:2", "gate.timeout")
+
+
+@pytest.mark.parametrize("text", ["gate: [", "gate: {timeout: 1", "\tgate: 1"])
+def test_what_is_not_yaml_is_refused_with_its_file(understudy, tmp_path, text):
+    broken = tmp_path / "broken.yaml"
+    broken.write_text(text)
+
+    refused(understudy("run", "go2", "--config", broken), CONFIG, str(broken))
+
+
+@pytest.mark.parametrize("domain", ["-1", "233", "1.5", "one"])
+def test_a_domain_that_is_none_is_refused(understudy, domain):
+    refused(understudy("run", "go2", f"--domain={domain}"), CONFIG, "domain")
+
+
+@pytest.mark.parametrize(("option", "value"), [
+    ("--speed", "fast"), ("--duration", "-1"), ("--start", "siting"), ("--speed", "nan")])
+def test_an_options_value_that_is_none_is_refused(understudy, option, value):
+    refused(understudy("run", "go2", f"{option}={value}"), CONFIG, value)
+
+
+@pytest.mark.parametrize(("text", "word"), [
+    (JOINTLESS, "FR_hip_joint"),
+    ("<mujoco><worldbody>", "model.xml"),
+])
+def test_a_model_that_does_not_do_is_refused_with_its_file(understudy, tmp_path, text, word):
+    model = tmp_path / "model.xml"
+    model.write_text(text)
+
+    refused(understudy("run", "go2", "--set", f"robot.model={model}"), MODEL, str(model), word)
+
+
+def test_an_integrator_that_cannot_be_split_is_refused(understudy, tmp_path):
+    shutil.copytree(MODELS, tmp_path / "models")
+    model = tmp_path / "models" / "go2" / "go2.xml"
+    model.write_text(model.read_text().replace("<worldbody>",
+                                               '<option integrator="RK4"/><worldbody>', 1))
+
+    refused(understudy("run", "go2", "--set", f"robot.model={model}"), MODEL, str(model), "RK4")
+
+
+def test_a_model_that_is_not_there_is_named(understudy, tmp_path):
+    refused(understudy("run", "go2", "--set", f"robot.model={tmp_path}/no.xml"), MODEL, "no.xml")
+
+
+def test_an_unknown_scene_is_answered_with_the_nearest(understudy):
+    refused(understudy("run", "go2", "--scene", "flt"), MODEL, "flt", "flat")
+
+
+def test_an_absent_interface_is_answered_with_the_nearest(understudy):
+    refused(understudy("run", "go2", "--interface", "l0"), BUS, "l0", "lo")
+
+
+@pytest.mark.parametrize("arguments", [
+    (), ("rum", "go2"), ("run",), ("run", "go2", "--fast"), ("run", "go2", "more"), ("check",),
+    ("exec", "go2"), ("exec", "go2", "--"), ("ctl",), ("ctl", "crane"), ("ctl", "crane", "lower"),
+    ("ctl", "crane", "lower", "far"), ("completions", "tcsh"), ("run", "go2", "--log-level", "all"),
+    ("exec", "go2", "--network", "mine", "--", "true"), ("ctl", "status", "--robot", "go2"),
+])
+def test_a_command_line_that_is_not_understood_is_a_usage_error(understudy, arguments):
+    done = understudy(*arguments)
+
+    assert done.returncode == USAGE
+    assert "--help" in done.stderr
+    assert done.stdout == ""
+
+
+def test_an_order_without_a_robot_says_how_to_start_one(understudy):
+    refused(understudy("ctl", "reset"), 1, "understudy run")
+
+
+@pytest.mark.parametrize("code", [0, 3, 255])
+def test_exec_ends_with_the_commands_code(understudy, code):
+    assert understudy("exec", "go2", "--", "sh", "-c", f"exit {code}").returncode == code
+
+
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGKILL, signal.SIGSEGV])
+def test_exec_ends_with_128_and_the_signal_that_ended_the_command(understudy, number):
+    done = understudy("exec", "go2", "--", "sh", "-c", f"kill -{number.value} $$")
+
+    assert done.returncode == 128 + number
+
+
+def test_exec_ends_with_127_when_there_is_no_such_command(understudy):
+    refused(understudy("exec", "go2", "--", "no-such-program"), 127, "no-such-program")
+
+
+def test_exec_ends_with_126_when_the_command_is_no_program(understudy, tmp_path):
+    file = tmp_path / "file"
+    file.write_text("text")
+
+    refused(understudy("exec", "go2", "--", file), 126, str(file))
+
+
+def test_exec_ends_with_the_robots_code_when_there_is_no_robot(understudy):
+    refused(understudy("exec", "gp2", "--", "true"), CONFIG, "go2")

@@ -1,0 +1,175 @@
+"""What understudy says of itself, its robots and one's own files."""
+
+import json
+import pathlib
+import subprocess
+
+import pytest
+
+SUBCOMMANDS = ["run", "exec", "ctl", "robots", "check", "version", "completions"]
+ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
+MODELS = pathlib.Path(__file__).parents[2] / "models"
+
+
+@pytest.mark.parametrize("subcommand", SUBCOMMANDS)
+def test_every_subcommand_has_help_on_standard_output(understudy, subcommand):
+    done = understudy(subcommand, "--help")
+
+    assert done.returncode == 0
+    assert "--help" in done.stdout
+    assert done.stderr == ""
+
+
+@pytest.mark.parametrize("subcommand", SUBCOMMANDS)
+def test_every_subcommands_help_has_an_example(understudy, subcommand):
+    help_text = understudy(subcommand, "--help").stdout
+
+    assert "Example" in help_text
+    assert f"understudy {subcommand}" in help_text.split("Example")[1]
+
+
+def test_help_names_every_subcommand_and_exit_code(understudy):
+    help_text = understudy("--help").stdout
+
+    for subcommand in SUBCOMMANDS:
+        assert subcommand in help_text
+    for code in range(8):
+        assert f"{code} " in help_text.split("Exit codes:")[1]
+
+
+def test_robots_as_json_lists_every_robot_file(understudy):
+    robots = json.loads(understudy("robots", "--json").stdout)
+
+    assert [robot["name"] for robot in robots] == sorted(file.stem for file in ROBOTS.iterdir())
+    for robot in robots:
+        assert robot["wire"] in ("go", "hg")
+        assert robot["motors"] > 0
+        assert robot["lowstate_hz"] > 0
+        assert robot["description"]
+
+
+def test_robots_lists_one_robot_a_line(understudy):
+    lines = understudy("robots").stdout.splitlines()
+
+    assert [line.split()[0] for line in lines] == sorted(file.stem for file in ROBOTS.iterdir())
+
+
+def test_version_as_json_names_ours_and_mujocos(understudy):
+    version = json.loads(understudy("version", "--json").stdout)
+
+    assert version["understudy"] in understudy("version").stdout
+    assert version["understudy"] in understudy("--version").stdout
+    assert version["mujoco"] in understudy("version").stdout
+
+
+def test_check_finds_our_own_files_sound(understudy):
+    files = [*ROBOTS.glob("*.yaml"), *MODELS.glob("*/*.xml")]
+    done = understudy("check", "--json", *files, timeout=60)
+
+    assert done.returncode == 0, done.stdout
+    assert [entry["file"] for entry in json.loads(done.stdout)] == [str(file) for file in files]
+    assert all(entry["ok"] for entry in json.loads(done.stdout))
+
+
+def test_check_tells_the_unsound_from_the_sound(understudy, tmp_path):
+    bad = tmp_path / "bad.yaml"
+    bad.write_text("robot:\n  nmae: go3\n")
+    good = ROBOTS / "go2.yaml"
+    done = understudy("check", "--json", bad, good)
+    entries = json.loads(done.stdout)
+
+    assert done.returncode == 3
+    assert [entry["ok"] for entry in entries] == [False, True]
+    assert f"{bad}:2" in entries[0]["text"]
+    assert "name" in entries[0]["text"]
+
+
+def test_check_of_a_bad_model_ends_with_4(understudy, tmp_path):
+    bad = tmp_path / "bad.xml"
+    bad.write_text("<mujoco><wordbody/></mujoco>")
+    done = understudy("check", bad)
+
+    assert done.returncode == 4
+    assert done.stdout.startswith("FAIL")
+    assert "wordbody" in done.stdout
+
+
+def test_check_of_what_is_no_description_names_the_kinds_there_are(understudy, tmp_path):
+    done = understudy("check", tmp_path / "robot.txt")
+
+    assert done.returncode == 3
+    assert ".yaml" in done.stdout
+
+
+@pytest.mark.parametrize("robot", ["go2", "g1"])
+def test_a_printed_configuration_read_again_is_the_same(understudy, tmp_path, robot):
+    first = understudy("run", robot, "--print-config", "--set", "gate.timeout=0.5",
+                       "--speed", "max", "--start", "clamped")
+    assert first.returncode == 0, first.stderr
+    printed = tmp_path / "printed.yaml"
+    printed.write_text(first.stdout)
+
+    again = understudy("run", robot, "--config", printed, "--print-config")
+
+    assert again.stdout == first.stdout
+    assert "timeout: 0.5" in first.stdout
+
+
+def test_a_printed_configuration_is_a_robot_by_itself(understudy, tmp_path):
+    printed = tmp_path / "mine.yaml"
+    printed.write_text(understudy("run", "go2", "--print-config").stdout)
+
+    assert understudy("run", printed, "--print-config").stdout == printed.read_text()
+    assert understudy("check", printed).returncode == 0
+
+
+def test_what_is_set_has_the_last_word(understudy, tmp_path):
+    extra = tmp_path / "extra.yaml"
+    extra.write_text("gate:\n  timeout: 0.5\ntime:\n  speed: 3\n")
+    printed = understudy("run", "go2", "--config", extra, "--print-config", "--set",
+                         "gate.timeout=0.7", "--set", "time.speed=4", "--speed", "2").stdout
+
+    assert "timeout: 0.7" in printed
+    assert "speed: 4" in printed
+
+
+def test_help_config_lists_the_keys_with_what_they_mean(understudy):
+    reference = understudy("run", "go2", "--help-config").stdout
+
+    for key in ("network.domain", "gate.timeout", "robot.motors[].torque_limit"):
+        row = [line for line in reference.splitlines() if f"`{key}`" in line]
+        assert len(row) == 1
+        assert row[0].count("|") == 6
+
+
+@pytest.mark.parametrize("shell", ["bash", "zsh", "fish"])
+def test_completions_know_subcommands_robots_and_options(understudy, shell):
+    done = understudy("completions", shell)
+
+    assert done.returncode == 0
+    for word in ("run", "go2", "crane", "lower", "speed", "print-config"):
+        assert word in done.stdout
+
+
+@pytest.mark.parametrize(("typed", "offered"), [
+    ("understudy ru", ["run"]),
+    ("understudy run go", ["go2"]),
+    ("understudy run go2 --sp", ["--speed"]),
+    ("understudy ctl crane l", ["lower"]),
+    ("understudy ctl clamp o", ["off", "on"]),
+    ("understudy ctl status --w", ["--watch"]),
+])
+def test_bash_completes(understudy, tmp_path, typed, offered):
+    completions = tmp_path / "completions.bash"
+    completions.write_text(understudy("completions", "bash").stdout)
+    words = typed.split()
+    script = f"""
+        source {completions}
+        COMP_WORDS=({typed}); COMP_CWORD={len(words) - 1}
+        _understudy; printf '%s\\n' "${{COMPREPLY[@]}}" | sort
+    """
+    checked = subprocess.run(["bash", "-n", completions], capture_output=True, text=True)
+    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=10)
+
+    assert checked.returncode == 0, checked.stderr
+    assert [w for w in done.stdout.split() if w.startswith(words[-1])] == offered, done.stderr

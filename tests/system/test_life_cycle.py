@@ -1,0 +1,206 @@
+"""Start and end of a robot, and how `ctl` finds it in between."""
+
+import os
+import re
+import signal
+import subprocess
+import time
+
+import pytest
+
+from robots import eventually
+
+SOON = 2.0  # s
+
+
+def sockets(folder):
+    return sorted(path.name for path in folder.iterdir())
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_stop_signal_ends_a_run_in_good_order(play, runtime_dir, number):
+    robot = play("go2")
+    assert sockets(runtime_dir) == [f"{robot.name}.sock"]
+
+    robot.send(number)
+
+    assert robot.exit_code(SOON) == 0
+    assert sockets(runtime_dir) == []
+    robot.heard("off the network")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_stop_signal_ends_a_run_that_is_as_fast_as_possible(play, number):
+    robot = play("go2", "--speed", "max")
+
+    robot.send(number)
+
+    assert robot.exit_code(SOON) == 0
+
+
+def test_a_run_ends_by_itself_after_its_duration(play, runtime_dir):
+    robot = play("go2", "--duration", "1.5", "--speed", "3", ready=False)
+
+    assert robot.exit_code() == 0
+    assert sockets(runtime_dir) == []
+    ended = robot.heard("off the network")["message"]
+    assert float(re.search(r"after ([\d.]+) simulated", ended)[1]) == 1.5
+
+
+def test_a_killed_run_leaves_nothing_that_list_shows(play, understudy, runtime_dir):
+    robot = play("go2")
+    robot.send(signal.SIGKILL)
+    robot.exit_code()
+    assert sockets(runtime_dir) == [f"{robot.name}.sock"]
+
+    assert understudy("ctl", "list", "--json").stdout.strip() == "[]"
+    assert sockets(runtime_dir) == []
+
+
+def test_a_killed_runs_name_is_free_for_the_next(play, runtime_dir):
+    robot = play("go2")
+    robot.send(signal.SIGKILL)
+    robot.exit_code()
+
+    again = play("go2", name=robot.name)
+
+    assert again.status()["pid"] == again.pid
+
+
+def test_a_name_in_use_is_refused_and_its_robot_goes_on(play, understudy):
+    robot = play("go2")
+
+    second = understudy("run", "go2", "--name", robot.name, "--domain", "1")
+
+    assert second.returncode == 1
+    assert f"in use by process {robot.pid}" in second.stderr
+    assert robot.status()["ready"]
+
+
+def test_a_name_that_leads_out_of_the_folder_is_refused(understudy):
+    done = understudy("run", "go2", "--name", "../robot")
+
+    assert done.returncode == 1
+    assert "../robot" in done.stderr
+
+
+def test_wait_returns_when_the_robot_is_ready(play, understudy):
+    robot = play("go2", ready=False)
+
+    assert understudy("ctl", "wait", "--timeout", "10").returncode == 0
+    assert robot.status()["ready"]
+
+
+def test_wait_gives_up_when_told_and_says_what_is_missing(understudy):
+    started = time.monotonic()
+    done = understudy("ctl", "wait", "--timeout", "0.3")
+
+    assert done.returncode == 1
+    assert "no robot runs" in done.stderr
+    assert 0.3 <= time.monotonic() - started < 3
+
+
+def test_ctl_among_several_robots_names_them(play, understudy):
+    first, second = play("go2"), play("go2", "--domain", "1")
+    done = understudy("ctl", "status")
+
+    assert done.returncode == 1
+    assert first.name in done.stderr
+    assert second.name in done.stderr
+    assert "--name" in done.stderr
+
+
+def test_ctl_with_a_wrong_name_names_the_nearest(play, understudy):
+    robot = play("go2")
+    done = understudy("ctl", "--name", robot.name[:-1], "status")
+
+    assert done.returncode == 1
+    assert robot.name in done.stderr
+
+
+def test_ctl_list_shows_each_robot_with_its_process(play, understudy):
+    robot = play("go2")
+    lines = understudy("ctl", "list").stdout.splitlines()
+
+    assert lines[0].split() == ["NAME", "PROCESS", "SOCKET"]
+    assert lines[1].split()[:2] == [robot.name, str(robot.pid)]
+
+
+def test_ctl_status_in_words_says_that_it_is_ready(play):
+    assert "ready" in play("go2").ctl("status")
+
+
+def test_the_command_of_exec_finds_its_robot_without_a_name(play, understudy):
+    play("go2")
+    done = understudy("exec", "g1", "--", "sh", "-c", "$UNDERSTUDY ctl status --json")
+
+    assert done.returncode == 0, done.stderr
+    assert '"robot":"g1"' in done.stdout
+
+
+def test_reset_brings_a_robot_back_to_its_start_pose(play):
+    robot = play("go2", "--start", "clamped")
+    robot.ctl("clamp", "off")
+    robot.becomes(lambda status: status["base"]["height"] < 0.4)
+
+    robot.ctl("reset")
+
+    assert robot.becomes(lambda status: status["clamped"])["base"]["height"] > 0.5
+
+
+def test_a_reader_of_the_log_that_goes_away_does_not_end_the_run(play):
+    reading, writing = os.pipe()
+    robot = play("go2", stderr=writing, stdin=subprocess.DEVNULL)
+    os.close(writing)
+    os.close(reading)
+
+    robot.ctl("status")
+    steps = robot.status()["steps"]
+    understudy_refuses_a_bad_order(robot)
+
+    assert robot.becomes(lambda status: status["steps"] > steps + 200)["ready"]
+
+
+def understudy_refuses_a_bad_order(robot):
+    """Lowering a crane that holds nothing."""
+    with pytest.raises(AssertionError, match="does not hang"):
+        robot.ctl("crane", "lower", "0.1")
+
+
+@pytest.mark.parametrize("closed", ["0<&-", "1>&-", "2>&-", "0<&- 1>&- 2>&-"])
+def test_a_run_without_standard_streams_goes_on(runtime_dir, play, closed):
+    shell = ["sh", "-c", f'exec "$@" {closed}', "closed"]
+    robot = play("go2", here=shell)
+
+    assert robot.becomes(lambda status: status["steps"] > 300)["write_failures"] == 0
+    targets = [os.readlink(f"/proc/{robot.pid}/fd/{number}") for number in (0, 1, 2)]
+    assert not any(target.startswith("socket:") for target in targets)
+    robot.send(signal.SIGTERM)
+    assert robot.exit_code(SOON) == 0
+
+
+def test_exec_hands_a_stop_signal_to_its_command(runtime_dir):
+    with subprocess.Popen(
+            [os.environ["UNDERSTUDY"], "exec", "go2", "--", "sh", "-c",
+             "trap 'exit 7' TERM; touch $UNDERSTUDY_RUNTIME_DIR/on; while :; do sleep 0.05; done"],
+    ) as process:
+        eventually((runtime_dir / "on").exists)
+        process.terminate()
+        assert process.wait(5) == 7
+
+
+def test_nothing_that_exec_started_outlives_a_killed_exec(runtime_dir):
+    process = subprocess.Popen([os.environ["UNDERSTUDY"], "exec", "go2", "--", "sh", "-c",
+                                "echo $$ > $UNDERSTUDY_RUNTIME_DIR/pid; exec sleep 60"])
+    file = runtime_dir / "pid"
+    pid = eventually(lambda: file.exists() and file.read_text().strip())
+    process.kill()
+    process.wait()
+
+    eventually(lambda: not os.path.exists(f"/proc/{pid}") or
+               "\nState:\tZ" in open(f"/proc/{pid}/status").read())
+
+
+def test_a_run_that_fails_to_start_leaves_no_socket(understudy, runtime_dir):
+    assert understudy("run", "go2", "--interface", "none").returncode == 5
+    assert sockets(runtime_dir) == []

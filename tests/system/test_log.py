@@ -1,0 +1,63 @@
+"""What a run says while it runs."""
+
+import os
+import pty
+import re
+import select
+import time
+
+
+def screen_of(play, *options, seconds):
+    """What a run whose stderr is a terminal has drawn there after some seconds."""
+    ours, theirs = pty.openpty()
+    robot = play("go2", *options, json_log=False, stderr=theirs)
+    os.close(theirs)
+    drawn = b""
+    deadline = time.monotonic() + seconds
+    while (left := deadline - time.monotonic()) > 0:
+        if select.select([ours], [], [], left)[0]:
+            drawn += os.read(ours, 65536)
+    robot.end()
+    os.close(ours)
+    return drawn.decode()
+
+
+def test_with_json_every_line_of_the_log_is_an_object(play):
+    robot = play("go2", "--duration", "0.3", ready=False)
+    robot.exit_code()
+    lines = robot.said().splitlines()
+
+    assert len(robot.log()) == len(lines) > 0
+    for line in robot.log():
+        assert line["level"] in ("info", "warning", "error", "critical")
+        assert line["message"]
+        assert abs(line["time"] - time.time()) < 60
+
+
+def test_the_log_says_where_the_robot_is(play):
+    said = play("go2").heard("is on", "info")["message"]
+
+    assert "go2 is on lo, domain 0" in said
+    assert ".sock" in said
+
+
+def test_a_log_level_holds_back_what_is_below_it(play):
+    robot = play("go2", "--log-level", "error", "--duration", "0.2", ready=False)
+    robot.exit_code()
+
+    assert robot.log() == []
+
+
+def test_a_terminal_gets_a_status_line(play):
+    drawn = screen_of(play, seconds=1.6)
+
+    assert re.search(r"\r\x1b\[K[\d.]+ s  x[\d.]+  LowState \d+/s of \d+", drawn)
+
+
+def test_a_file_gets_no_status_line(play):
+    robot = play("go2", "--duration", "1.2", "--speed", "1", json_log=False, ready=False)
+    robot.exit_code()
+
+    assert "\r" not in robot.said()
+    assert "\x1b" not in robot.said()
+    assert "LowState" not in robot.said()

@@ -1,0 +1,146 @@
+"""Two robots on one network: who speaks, who stays silent, and what is said of it."""
+
+import os
+import time
+
+import pytest
+
+from peers import go_state, listener, stranger
+
+NEIGHBOUR = 6
+
+
+def silence(robot, other):
+    """Has the stranger speak until the robot is silent; gives the robot's status then."""
+    def silenced():
+        status = robot.status()
+        return status if status["silenced"] else None
+
+    return other.speak_until(silenced, go_state())
+
+
+def test_a_second_robot_on_the_same_network_refuses_and_names_the_first(play, understudy):
+    first = play("go2")
+    second = understudy("run", "g1", "--duration", "1")
+
+    assert second.returncode == NEIGHBOUR
+    assert f"process {first.pid} (understudy)" in second.stderr
+    assert "nothing was sent" in second.stderr
+    assert first.status()["silenced"] is False
+
+
+def test_a_second_robot_says_nothing_before_it_refuses(play, understudy):
+    play("go2")
+    with listener() as ear:
+        ear.wait()
+        understudy("run", "go2", "--duration", "1")
+        ticks = [state.tick for state in ear.take()]
+
+    assert ticks == sorted(ticks)
+
+
+def test_a_second_robot_in_another_domain_plays(play):
+    first, second = play("go2"), play("go2", "--domain", "1")
+
+    assert first.status()["ready"] and not first.status()["silenced"]
+    assert second.status()["ready"] and not second.status()["silenced"]
+
+
+def test_a_robot_on_the_other_side_of_an_ended_one_plays(play):
+    play("go2").end()
+
+    assert play("go2").status()["ready"]
+
+
+def test_a_stranger_that_speaks_silences_the_robot(play):
+    robot = play("go2")
+    with stranger() as other, listener() as ear:
+        ear.wait()
+        silence(robot, other)
+        time.sleep(0.1)
+        ear.take()
+        published = robot.status()["published"]
+
+        assert ear.take_for(0.3) == []
+        assert robot.status()["published"] == published
+        said = robot.heard("another robot speaks", "critical")["message"]
+        assert f"process {os.getpid()}" in said
+        assert "silent" in said
+
+
+def test_a_silenced_robot_goes_on_moving(play):
+    robot = play("go2")
+    with stranger() as other:
+        steps = silence(robot, other)["steps"]
+
+        robot.becomes(lambda status: status["steps"] > steps + 200)
+
+
+def test_a_robot_speaks_again_when_the_stranger_has_gone(play):
+    robot = play("go2")
+    with stranger() as other:
+        silence(robot, other)
+
+    robot.becomes(lambda status: not status["silenced"])
+    robot.heard("has gone", "info")
+    with listener() as ear:
+        assert ear.wait()
+
+
+def test_a_silenced_robot_is_silenced_again_by_the_next_stranger(play):
+    robot = play("go2")
+    for _ in range(2):
+        with stranger() as other:
+            silence(robot, other)
+        robot.becomes(lambda status: not status["silenced"])
+
+
+def test_a_writer_of_lowstate_that_never_speaks_only_draws_a_warning(play):
+    robot = play("go2")
+    with stranger():
+        said = robot.heard("has a writer of rt/lowstate", "warning")["message"]
+        time.sleep(0.2)
+
+        assert f"process {os.getpid()}" in said
+        assert robot.status()["silenced"] is False
+
+
+def test_a_stranger_in_another_domain_is_none(play):
+    robot = play("go2", "--domain", "1")
+    with stranger() as other:
+        other.write(go_state())
+        time.sleep(0.3)
+
+        assert robot.status()["silenced"] is False
+
+
+def test_told_to_warn_the_robot_goes_on_beside_a_stranger(play):
+    robot = play("go2", "--set", "guard.on_stranger=warn")
+    with stranger() as other:
+        other.speak_until(lambda: "guard.on_stranger: warn" in robot.said(), go_state())
+        published = robot.status()["published"]
+
+        robot.becomes(lambda status: status["published"] > published + 50)
+        assert robot.status()["silenced"] is False
+
+
+def test_told_to_stop_the_robot_ends_when_a_stranger_speaks(play):
+    robot = play("go2", "--set", "guard.on_stranger=stop")
+    with stranger() as other:
+        other.speak_until(lambda: robot.process.poll() is not None, go_state())
+
+    assert robot.exit_code() == NEIGHBOUR
+    robot.heard("another robot speaks", "critical")
+
+
+@pytest.mark.parametrize("action", ["silence", "warn", "stop"])
+def test_a_stranger_is_reported_once_though_it_speaks_on(play, action):
+    robot = play("go2", "--set", f"guard.on_stranger={action}")
+    with stranger() as other:
+        other.speak_until(lambda: "another robot speaks" in robot.said(), go_state())
+        for _ in range(20):
+            other.write(go_state())
+            time.sleep(0.01)
+    time.sleep(0.3)
+
+    assert sum("another robot speaks" in line["message"] for line in robot.log()) == 1

@@ -1,0 +1,142 @@
+"""What is said of commands: in the status under the cause's name, in the log in words."""
+
+import math
+import time
+
+import pytest
+
+from peers import GoLowCmd, HgLowCmd, go_command, hg_command, speaker
+
+G1 = 5  # mode_machine of a G1 with 29 motors
+
+
+def with_head(message):
+    message.head = [0xFE, 0xEE]
+
+
+def with_motor(field, value):
+    def spoil(message):
+        setattr(message.motor_cmd[0], field, value)
+    return spoil
+
+
+def with_field(field, value):
+    def spoil(message):
+        setattr(message, field, value)
+    return spoil
+
+
+GO = ("go2", GoLowCmd, go_command)
+HG = ("g1", HgLowCmd, lambda: hg_command(G1))
+FAULTS = [
+    (GO, "head", with_head, "FE EF"),
+    (GO, "motor_mode", with_motor("mode", 5), "mode byte"),
+    (GO, "not_finite", with_motor("tau", math.inf), "finite"),
+    (GO, "gain", with_motor("kd", -1.0), "negative"),
+    (HG, "mode_machine", with_field("mode_machine", G1 + 1), "LowState"),
+    (HG, "mode_pr", with_field("mode_pr", 2), "PR"),
+    (HG, "motor_mode", with_motor("mode", 5), "mode byte"),
+    (HG, "not_finite", with_motor("q", math.nan), "finite"),
+    (HG, "gain", with_motor("kp", -1.0), "negative"),
+]
+IDS = [f"{robot[0]}-{cause}" for robot, cause, _, _ in FAULTS]
+
+
+@pytest.mark.parametrize(("robot", "cause", "spoil", "words"), FAULTS, ids=IDS)
+def test_a_refused_command_is_counted_and_explained(play, robot, cause, spoil, words):
+    name, kind, good = robot
+    played = play(name)
+    message = good()
+    spoil(message)
+    with speaker("rt/lowcmd", kind) as client:
+        client.write_for(0.5, message)
+        status = played.becomes(lambda now: now["commands"]["refused"][cause])
+
+    assert {key for key, count in status["commands"]["refused"].items() if count} == {cause}
+    assert status["commands"]["accepted"] == 0
+    assert status["commands"]["last_refusal"] == cause
+    assert words in played.heard(f"LowCmd ({cause})", "warning")["message"]
+
+
+@pytest.mark.parametrize("robot", [GO, HG], ids=["go2", "g1"])
+def test_a_wrong_crc_is_counted_and_explained(play, robot):
+    name, kind, good = robot
+    played = play(name)
+    message = good()
+    message.crc = 1
+    with speaker("rt/lowcmd", kind) as client:
+        for _ in range(20):
+            client.write(message)
+            time.sleep(0.02)
+        status = played.becomes(lambda now: now["commands"]["refused"]["crc"])
+
+    assert status["commands"]["accepted"] == 0
+    assert "crc" in played.heard("LowCmd (crc)", "warning")["message"]
+
+
+def test_a_stream_of_refusals_does_not_flood_the_log(play):
+    robot = play("go2")
+    message = go_command()
+    with_head(message)
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(1.5, message, period=0.002)
+
+    assert 1 <= sum("refused" in line["message"] for line in robot.log()) <= 3
+
+
+def test_a_lenient_gate_counts_what_is_wrong_in_form_and_takes_it(play):
+    robot = play("go2", "--set", "gate=lenient")
+    message = go_command()
+    with_head(message)
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(0.3, message)
+        status = robot.becomes(lambda now: now["commands"]["accepted"])
+
+    assert status["commands"]["refused"]["head"] > 0
+
+
+def test_commands_that_stop_are_said_and_the_motors_damp(play):
+    robot = play("go2")
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(0.5, go_command())
+        robot.heard("following LowCmd", "info")
+        status = robot.becomes(lambda now: now["commands"]["state"] == "damping")
+
+    assert status["commands"]["timeouts"] >= 1
+    robot.heard("commands stopped", "warning")
+
+
+def test_two_writers_of_commands_are_counted_and_said(play):
+    robot = play("go2")
+    with speaker("rt/lowcmd", GoLowCmd):
+        robot.becomes(lambda now: now["commands"]["writers"] == 1)
+        with speaker("rt/lowcmd", GoLowCmd):
+            robot.becomes(lambda now: now["commands"]["writers"] == 2)
+            robot.heard("2 programs write rt/lowcmd", "warning")
+        robot.becomes(lambda now: now["commands"]["writers"] == 1)
+
+
+def test_a_gain_in_a_slot_without_a_motor_is_counted_and_said(play):
+    robot = play("go2")
+    message = go_command()
+    message.motor_cmd[15].kp = 10.0
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(0.3, message)
+        status = robot.becomes(lambda now: now["commands"]["unused_slots"])
+
+    assert status["commands"]["accepted"] > 0
+    robot.heard("slot without a motor", "warning")
+
+
+def test_an_unset_head_is_taken_counted_and_said(play):
+    robot = play("go2")
+    message = go_command()
+    message.head = [0, 0]
+    message.level_flag = 0
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(0.3, message)
+        status = robot.becomes(lambda now: now["commands"]["unset_heads"])
+
+    assert status["commands"]["accepted"] > 0
+    assert not any(status["commands"]["refused"].values())
+    robot.heard("without head and level_flag", "info")

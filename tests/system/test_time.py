@@ -1,0 +1,77 @@
+"""How simulated time passes. Bounds are loose: they tell a wrong pace from a busy machine."""
+
+import itertools
+import signal
+import time
+
+from peers import listener
+
+
+def steps_per_second(robot, seconds=1.0):
+    """Physics steps by wall time, from two statuses."""
+    first, started = robot.status()["steps"], time.monotonic()
+    time.sleep(seconds)
+    return (robot.status()["steps"] - first) / (time.monotonic() - started)
+
+
+def gaps(ticks, step):
+    """Pairs of succeeding ticks that are not one step apart."""
+    return [pair for pair in itertools.pairwise(ticks) if pair[1] - pair[0] != step]
+
+
+def test_a_second_is_a_thousand_steps(play):
+    assert 800 < steps_per_second(play("go2")) < 1200
+
+
+def test_at_half_speed_a_second_is_half_a_thousand_steps(play):
+    robot = play("go2", "--speed", "0.5")
+
+    assert 400 < steps_per_second(robot) < 600
+    assert robot.status()["speed"] == 0.5
+
+
+def test_as_fast_as_possible_is_faster_than_real_time(play):
+    robot = play("go2", "--speed", "max")
+
+    assert steps_per_second(robot) > 1500
+    assert robot.status()["pace"]["overruns"] == 0  # nothing is late where nothing is due
+
+
+def test_a_stopped_process_counts_overruns_and_makes_up_for_every_tick(play):
+    robot = play("go2")
+    with listener() as ear:
+        ear.wait()
+        before = robot.status()
+        robot.send(signal.SIGSTOP)
+        time.sleep(0.5)
+        robot.send(signal.SIGCONT)
+        after = robot.becomes(lambda status: status["steps"] > before["steps"] + 1000)
+        ticks = [state.tick for state in ear.take()]
+
+    assert after["pace"]["overruns"] >= before["pace"]["overruns"] + 300
+    assert after["pace"]["worst_lateness"] > 0.4
+    assert len(ticks) > 400
+    assert gaps(ticks, 2) == []
+    robot.heard("ticks began late")
+
+
+def test_the_steps_of_a_stopped_process_are_made_up_for(play):
+    robot = play("go2")
+    first, started = robot.status()["steps"], time.monotonic()
+    robot.send(signal.SIGSTOP)
+    time.sleep(0.5)
+    robot.send(signal.SIGCONT)
+    time.sleep(1.0)
+
+    rate = (robot.status()["steps"] - first) / (time.monotonic() - started)
+    assert 800 < rate < 1200
+
+
+def test_the_tick_is_in_milliseconds_whatever_the_speed(play):
+    play("go2", "--speed", "0.25")
+    with listener() as ear:
+        ear.wait()
+        ticks = [state.tick for state in ear.take_for(0.8)]
+
+    assert gaps(ticks, 2) == []
+    assert 60 < len(ticks) < 140

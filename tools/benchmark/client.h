@@ -1,0 +1,60 @@
+// The other end of the bus: clients of the daemon and of each other.
+#ifndef UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_
+#define UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include <dds/dds.h>
+
+#include "bus/entity.h"
+#include "bus/reader.h"
+#include "wire/topics.h"
+
+namespace understudy {
+
+// What the two wire families call the same thing.
+struct GoFamily {
+  using LowCmd = unitree_go_msg_dds__LowCmd_;
+  using LowState = unitree_go_msg_dds__LowState_;
+  static constexpr const Topic<LowCmd>& kLowCmd = kGoLowCmd;
+  static constexpr const Topic<LowState>& kLowState = kGoLowState;
+};
+struct HgFamily {
+  using LowCmd = unitree_hg_msg_dds__LowCmd_;
+  using LowState = unitree_hg_msg_dds__LowState_;
+  static constexpr const Topic<LowCmd>& kLowCmd = kHgLowCmd;
+  static constexpr const Topic<LowState>& kLowState = kHgLowState;
+};
+
+// A reader that sleeps until something has come, as the vendor's clients do.
+template <typename Msg>
+class WaitingReader : public Reader<Msg> {
+ public:
+  WaitingReader(const Participant& participant, const Topic<Msg>& topic)
+      : Reader<Msg>(participant, topic),
+        condition_(dds_create_readcondition(this->handle(), DDS_ANY_STATE), "wait for a message"),
+        waitset_(dds_create_waitset(participant.handle()), "wait for a message") {
+    dds_waitset_attach(waitset_.handle(), condition_.handle(), 0);
+  }
+
+  // False when nothing came in time.
+  bool Wait(std::chrono::nanoseconds patience) const {
+    return dds_waitset_wait(waitset_.handle(), nullptr, 0, patience.count()) > 0;
+  }
+
+ private:
+  Entity condition_, waitset_;
+};
+
+// The command line that starts this program as a helper of itself: "echo" or "listen".
+std::vector<std::string> HelperArguments(const std::string& helper, const std::string& robot);
+
+// The helpers; they run until they are ended. Echo answers every LowCmd on bench/ping with a
+// LowState on bench/pong. Listen reads rt/lowstate.
+[[noreturn]] void RunHelper(const std::string& helper, const std::string& robot);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_

@@ -1,0 +1,25 @@
+// How long a command takes to show in the robot's state, and a robot to appear.
+#ifndef UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_
+#define UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_
+
+#include <string>
+#include <vector>
+
+#include "figure.h"
+
+namespace understudy {
+
+// From a write of rt/lowcmd to the first rt/lowstate that shows its torque, at a client, `samples`
+// times at random phases of the robot's period; in turns with the round trip of the same messages
+// through a process that only sends them back. The daemon runs at real time.
+std::vector<Figure> MeasureLatency(const std::string& understudy, const std::string& robot,
+                                   int samples);
+
+// From exec to the first rt/lowstate at a client that was there before, the median of `rounds`; and
+// the memory of the last one after `seconds`.
+std::vector<Figure> MeasureStart(const std::string& understudy, const std::string& robot,
+                                 int rounds, double seconds);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_

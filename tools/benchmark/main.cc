@@ -1,0 +1,86 @@
+// Measures the daemon from outside: see docs/performance.md.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "client.h"
+#include "exec/private_network.h"
+#include "figure.h"
+#include "latency.h"
+#include "stepping.h"
+
+namespace understudy {
+namespace {
+
+struct Effort {
+  int rounds = 40;      // of daemon against bare MuJoCo
+  double window = 0.2;  // s each
+  int samples = 1000;   // of latency
+  int starts = 5;
+  double memory_after = 5;  // s
+};
+constexpr Effort kBrief = {
+    .rounds = 3, .window = 0.1, .samples = 50, .starts = 1, .memory_after = 0.2};
+
+struct Case {
+  const char* robot;
+  const char* start;  // of the stepping; the other figures are of the robot's own start
+};
+constexpr Case kCases[] = {{"go2", "standing"}, {"g1", "hanging"}};
+
+int Main(int argc, char** argv) {
+  CLI::App app(
+      "Measures Understudy on this machine, in a private network: the speed of the whole daemon\n"
+      "against bare MuJoCo, the way of a command against a bare DDS round trip, start and memory.\n"
+      "Prints what is wanted beside what was measured; a missed figure is no failure.",
+      "bench");
+  bool json = false, brief = false;
+  std::string understudy =
+      std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
+  std::string helper, helper_robot;
+  app.add_flag("--json", json, "Print one JSON object instead of a table");
+  app.add_flag("--brief", brief, "A few seconds of each, only to see that it works");
+  app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
+      ->check(CLI::ExistingFile);
+  app.add_option("--helper", helper)->group("");  // this program as its own other end
+  app.add_option("--robot", helper_robot)->group("");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (!helper.empty()) RunHelper(helper, helper_robot);
+
+  EnterPrivateNetwork();
+  const Effort effort = brief ? kBrief : Effort{};
+  std::vector<Figure> figures;
+  const auto add = [&figures](const std::vector<Figure>& more) {
+    figures.insert(figures.end(), more.begin(), more.end());
+  };
+  for (const Case& one : kCases) {
+    for (const bool listener : {false, true}) {
+      add(MeasureStepping(understudy, one.robot, one.start, listener, effort.rounds,
+                          effort.window));
+    }
+    add(MeasureLatency(understudy, one.robot, effort.samples));
+    add(MeasureStart(understudy, one.robot, effort.starts, effort.memory_after));
+  }
+  std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+}  // namespace understudy
+
+int main(int argc, char** argv) {
+  try {
+    return understudy::Main(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "bench: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,59 @@
+// Programs that are measured from outside.
+#ifndef UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_
+#define UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <sys/types.h>
+
+namespace understudy {
+
+// A child that is silent and ends with this object.
+class Process {
+ public:
+  // Throws std::runtime_error when it cannot be started; a program that is not there shows as an
+  // early end.
+  explicit Process(const std::vector<std::string>& arguments);
+  ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  pid_t pid() const { return pid_; }
+  // Takes the processor from it, or gives it back.
+  void Stop() const;
+  void Continue() const;
+  // Seconds of CPU that the first thread has had.
+  double CpuOfFirstThread() const;
+  // MB; what is shared with other processes counts in proportion (Pss) or in full (Rss).
+  double Pss() const { return Megabytes("Pss:"); }
+  double Rss() const { return Megabytes("Rss:"); }
+
+ private:
+  double Megabytes(const std::string& key) const;
+
+  pid_t pid_;
+};
+
+// `understudy run ROBOT`, alone on lo in domain 0 of the network of this process.
+class Daemon {
+ public:
+  Daemon(const std::string& understudy, const std::string& robot,
+         const std::vector<std::string>& options);
+
+  const Process& process() const { return process_; }
+  // Waits until it says so. Throws std::runtime_error after 20 s.
+  void AwaitReady() const;
+  // Physics steps since start, as it tells by itself.
+  std::int64_t Steps() const;
+
+ private:
+  std::filesystem::path socket_;
+  Process process_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_
