@@ -18,7 +18,7 @@ struct TerrainPatch {
   double difficulty = -1;  // 0..1; below 0: the spec's
   double friction = 0;     // 0: the spec's
   double length = 0;       // m along +x; 0: the spec's
-  std::string image;       // "": the spec's
+  std::string image{};     // "": the spec's
 };
 
 // Every field is a YAML key of the same name; what each kind makes of difficulty is in

@@ -104,7 +104,7 @@ double AddGaps(const Stretch& s, TerrainPieces* pieces) {
     const double x = s.x + (gap + kPlank) * i;
     AddStrip(s, x + gap, i + 1 == gaps ? s.x + s.length : x + gap + kPlank, s.level, pieces);
   }
-  pieces->Lower(s.level - kPitDepth);
+  AddStrip(s, s.x, s.x + s.length, s.level - kPitDepth, pieces);
   return s.level;
 }
 

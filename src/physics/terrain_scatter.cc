@@ -56,7 +56,8 @@ double AddSteppingStones(const Stretch& s, TerrainPieces* pieces) {
                    .friction = s.friction});
     }
   }
-  pieces->Lower(s.level - kStonePit);
+  pieces->AddGround(s.x, s.x + s.length, -s.width / 2, s.width / 2, s.level - kStonePit,
+                    s.friction);
   return s.level;
 }
 
