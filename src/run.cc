@@ -35,9 +35,9 @@ constexpr std::int64_t kStepsPerPost = 10;
 
 PhysicsWorld MakeWorld(const Config& config) {
   const SceneFile scene(config.scene, config.terrain);
-  return {LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
-                         config.physics.timestep),
-          config.robot};
+  return {
+      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep),
+      config.robot};
 }
 
 // Somebody else's writer of rt/lowstate, if one is heard within the time to listen, which began

@@ -33,8 +33,8 @@ std::string CheckFile(const std::filesystem::path& file) {
   }
   const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
   const SceneFile scene("flat", {});
-  const ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
-                                           config.physics.timestep);
+  const ModelHandle model =
+      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep);
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
          " motors, fits its model";
 }

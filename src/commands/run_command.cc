@@ -42,7 +42,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddSetOption(app, arguments, "--interface", "network.interface", "NAME",
                "Network interface to speak on [lo]");
   AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
-  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE", "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
+  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE",
+               "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
   AddSetOption(app, arguments, "--speed", "time.speed", "X",
                "Simulated seconds per wall second; max = as fast as possible [1]");
   AddSetOption(app, arguments, "--duration", "time.duration", "S",

@@ -54,33 +54,39 @@ bool IsSceneFile(const std::string& scene) {
   return scene.ends_with(".yaml") || scene.ends_with(".yml");
 }
 
-void ReadOver(const std::vector<YamlValue>& trees, Config* config, Places* places) {
+// The last word on the scene; "" where there is none. What is no text is refused when it is read.
+std::string LastScene(const std::vector<YamlValue>& trees) {
+  std::string scene;
   for (const YamlValue& tree : trees) {
-    Reader reader(tree, places);
-    Describe(reader, *config);
-    reader.Finish();
+    if (const YamlValue* value = tree.Find("scene")) scene = value->text;
   }
+  return scene;
 }
 
 // A scene's own file lies below all other layers.
-Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
-  Config config;
-  ReadOver(trees, &config, places);
-  if (!IsSceneFile(config.scene)) return config;
-
-  Config scene;
-  scene.scene = kPatchesScene;
-  const YamlValue tree = ReadYamlFile(config.scene);
+void ReadSceneFile(const std::string& file, Config* config, Places* places) {
+  config->scene = kPatchesScene;
+  const YamlValue tree = ReadYamlFile(file);
   Reader reader(tree, places);
-  DescribeScene(reader, scene);
+  DescribeScene(reader, *config);
   reader.Finish();
-  if (IsSceneFile(scene.scene)) {
+  if (IsSceneFile(config->scene)) {
     throw ConfigError(places->at("scene") + ": scene: a scene's own file cannot name another");
   }
-  Config over = scene;
-  ReadOver(trees, &over, places);
-  over.scene = scene.scene;
-  return over;
+}
+
+Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
+  Config config;
+  const std::string last = LastScene(trees);
+  if (IsSceneFile(last)) ReadSceneFile(last, &config, places);
+  const std::string scene = config.scene;
+  for (const YamlValue& tree : trees) {
+    Reader reader(tree, places);
+    Describe(reader, config);
+    reader.Finish();
+  }
+  if (IsSceneFile(last)) config.scene = scene;
+  return config;
 }
 
 }  // namespace

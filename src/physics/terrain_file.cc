@@ -87,7 +87,7 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
   if (piece.shape == PieceShape::kHeights) {
     const std::string at = Numbers({piece.x, piece.y, piece.top - thickness});
     return text + "hfield\" hfield=\"" + HeightsName(piece.heights) + "\" pos=\"" + at +
-           "\" material=\"floor\"" + Contact(piece.friction) + "/>\n";
+           "\" material=\"floor\" rgba=\"1 0.92 0.8 1\"" + Contact(piece.friction) + "/>\n";
   }
   // The middle of a pitched plank is half its thickness away from its top, at right angles to it.
   const double half = thickness / 2;
