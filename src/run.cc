@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -35,9 +36,20 @@ constexpr std::int64_t kStepsPerPost = 10;
 
 PhysicsWorld MakeWorld(const Config& config) {
   const SceneFile scene(config.scene, config.terrain);
-  return {
-      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep),
-      config.robot};
+  // A model from elsewhere may have no geoms where the robot's own has feet.
+  const bool own = std::filesystem::path(config.robot.model).is_relative();
+  LoadNotes notes;
+  ModelHandle model =
+      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep,
+                     own ? FootNames::kRequired : FootNames::kOptional, &notes);
+  for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
+  if (!notes.rewrites.empty()) {
+    spdlog::info(
+        "{} places of the model were rewritten for this MuJoCo (--log-level debug lists them)",
+        notes.rewrites.size());
+  }
+  for (const Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
+  return {std::move(model), config.robot};
 }
 
 // Somebody else's writer of rt/lowstate, if one is heard within the time to listen, which began

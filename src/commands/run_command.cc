@@ -1,6 +1,7 @@
 #include "commands/run_command.h"
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <optional>
 
@@ -44,6 +45,14 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
   AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE",
                "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
+  app->add_option_function<std::string>(
+         "--model",
+         [arguments](const std::string& file) {
+           arguments->sets.insert(arguments->sets.begin(),
+                                  "robot.model=" + std::filesystem::absolute(file).string());
+         },
+         "MJCF to play instead of the robot's own, with the same joint names")
+      ->type_name("FILE");
   AddSetOption(app, arguments, "--speed", "time.speed", "X",
                "Simulated seconds per wall second; max = as fast as possible [1]");
   AddSetOption(app, arguments, "--duration", "time.duration", "S",

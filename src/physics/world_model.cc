@@ -147,7 +147,8 @@ void RequireFeet(const RobotSpec& spec, FootNames names, const NameCheck& check,
   for (std::size_t i = 0; i < spec.feet.size(); ++i) {
     for (const std::string& geom : spec.feet[i].geoms) {
       if (names == FootNames::kRequired) {
-        check.Require(mjOBJ_GEOM, "foot geom", geom, "robot.feet." + std::to_string(i) + ".geoms");
+        check.Require(mjOBJ_GEOM, "geom of foot " + spec.feet[i].name, geom,
+                      "robot.feet." + std::to_string(i) + ".geoms");
       } else if (!check.Has(mjOBJ_GEOM, geom)) {
         numb += (numb.empty() ? "'" : ", '") + geom + "'";
       }
