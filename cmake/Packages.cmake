@@ -26,6 +26,7 @@ understudy_package(tinyxml2 HEADER tinyxml2.h LIBRARIES tinyxml2 DEBIAN libtinyx
 understudy_package(cyclonedds HEADER dds/dds.h LIBRARIES ddsc DEBIAN cyclonedds-dev)
 understudy_package(eigen HEADER Eigen/Core SUFFIX eigen3 DEBIAN libeigen3-dev)
 understudy_package(yaml HEADER yaml-cpp/yaml.h LIBRARIES yaml-cpp DEBIAN libyaml-cpp-dev)
+understudy_package(png HEADER png.h LIBRARIES png DEBIAN libpng-dev)
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)
 understudy_package(cli11 HEADER CLI/CLI.hpp DEBIAN libcli11-dev)

@@ -12,6 +12,7 @@
 #include "commands/inspect_commands.h"
 #include "commands/log.h"
 #include "commands/run_command.h"
+#include "commands/terrain_command.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "control/ctl_command.h"
@@ -51,6 +52,10 @@ int Main(int argc, char** argv) {
     chosen = [&] { return ExecCommand(exec_arguments); };
   });
   CtlCommand ctl(&app, &std::cout);
+  TerrainArguments terrain_arguments;
+  AddTerrainCommand(&app, &terrain_arguments)->callback([&] {
+    chosen = [&] { return TerrainCommand(terrain_arguments); };
+  });
 
   bool json = false;
   CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");

@@ -35,12 +35,13 @@ constexpr milliseconds kHousekeeping(20);
 constexpr std::int64_t kStepsPerPost = 10;
 
 PhysicsWorld MakeWorld(const Config& config) {
+  const SceneFile scene(config.scene, config.terrain);
   // A model from elsewhere may have no geoms where the robot's own has feet.
   const bool own = std::filesystem::path(config.robot.model).is_relative();
   LoadNotes notes;
-  ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene),
-                                     config.physics.timestep,
-                                     own ? FootNames::kRequired : FootNames::kOptional, &notes);
+  ModelHandle model =
+      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep,
+                     own ? FootNames::kRequired : FootNames::kOptional, &notes);
   for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
   if (!notes.rewrites.empty()) {
     spdlog::info(

@@ -10,6 +10,7 @@ build_packages=(
   "cyclonedds-dev:DDS, what the robot speaks (Cyclone DDS 0.10.2)"
   "cyclonedds-tools:idlc, which compiles the robot's message types"
   "libeigen3-dev:vectors and rotations"
+  "libpng-dev:pictures as ground, ground as pictures"
   "libyaml-cpp-dev:reads robot descriptions"
   "libspdlog-dev:log"
   "libfmt-dev:formats the log"
@@ -25,7 +26,6 @@ test_packages=(
   "python3-dev:compiles the SDK's DDS binding"
   "iproute2:puts two hosts on a virtual cable"
   "util-linux:private network namespaces for tests"
-  "libpng-dev:reads back the pictures that tests draw"
 )
 
 lint_packages=(

@@ -32,8 +32,9 @@ std::string CheckFile(const std::filesystem::path& file) {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
   const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
-  const ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile("flat"),
-                                           config.physics.timestep);
+  const SceneFile scene("flat", {});
+  const ModelHandle model =
+      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep);
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
          " motors, fits its model";
 }

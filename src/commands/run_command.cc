@@ -43,7 +43,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddSetOption(app, arguments, "--interface", "network.interface", "NAME",
                "Network interface to speak on [lo]");
   AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
-  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE", "Ground to stand on [flat]");
+  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE",
+               "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
   app->add_option_function<std::string>(
          "--model",
          [arguments](const std::string& file) {
@@ -102,6 +103,7 @@ CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
       "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
+      "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
       "In another terminal: understudy ctl status --watch");
   return run;
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "physics/terrain.h"
 #include "robot/command_gate.h"
 #include "robot/robot_spec.h"
 #include "sim/crane.h"
@@ -53,7 +54,8 @@ struct Config {
   GateConfig gate;
   CraneConfig crane;
   StartConfig start;
-  std::string scene = "flat";  // a name in models/scene or a path
+  std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path
+  TerrainSpec terrain;
   RobotSpec robot;
 };
 

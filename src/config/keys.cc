@@ -1,11 +1,7 @@
 #include "config/keys.h"
 
-#include <limits>
-
 namespace understudy {
 namespace {
-
-constexpr double kMaxInt = std::numeric_limits<int>::max();
 
 void DescribeNetwork(Archive& a, NetworkConfig& c) {
   a.Key({"interface", "Network interface to speak on; lo stays on this machine"}, &c.interface);
@@ -91,7 +87,7 @@ const std::vector<std::string>& StartPoses() {
 }
 
 void Describe(Archive& a, Config& c) {
-  a.Key({"scene", "Ground to stand on: a name in models/scene or a path"}, &c.scene);
+  DescribeScene(a, c);
   a.Section({"network", "Where to speak"}, [&] { DescribeNetwork(a, c.network); });
   a.Section({"guard", "Care for other robots on the network"}, [&] { DescribeGuard(a, c.guard); });
   a.Section({"time", "How time passes"}, [&] { DescribeTime(a, c.time); });

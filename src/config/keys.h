@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_CONFIG_KEYS_H_
 #define UNDERSTUDY_CONFIG_KEYS_H_
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -10,11 +11,15 @@
 
 namespace understudy {
 
+inline constexpr double kMaxInt = std::numeric_limits<int>::max();
+
 // The poses a run can start in.
 const std::vector<std::string>& StartPoses();
 
 void Describe(Archive& archive, Config& config);
 void Describe(Archive& archive, RobotSpec& robot);
+// `scene` and `terrain` alone, which is what a scene's own YAML file may hold.
+void DescribeScene(Archive& archive, Config& config);
 
 }  // namespace understudy
 

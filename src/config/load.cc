@@ -45,10 +45,48 @@ YamlValue SetTree(const std::string& set) {
   return tree;
 }
 
-void ReadLayer(const YamlValue& tree, Config* config, Places* places) {
+void AddTrees(const Layers& layers, std::vector<YamlValue>* trees) {
+  for (const std::string& file : layers.files) trees->push_back(ReadYamlFile(file));
+  for (const std::string& set : layers.sets) trees->push_back(SetTree(set));
+}
+
+bool IsSceneFile(const std::string& scene) {
+  return scene.ends_with(".yaml") || scene.ends_with(".yml");
+}
+
+// The last word on the scene; "" where there is none. What is no text is refused when it is read.
+std::string LastScene(const std::vector<YamlValue>& trees) {
+  std::string scene;
+  for (const YamlValue& tree : trees) {
+    if (const YamlValue* value = tree.Find("scene")) scene = value->text;
+  }
+  return scene;
+}
+
+// A scene's own file lies below all other layers.
+void ReadSceneFile(const std::string& file, Config* config, Places* places) {
+  config->scene = kPatchesScene;
+  const YamlValue tree = ReadYamlFile(file);
   Reader reader(tree, places);
-  Describe(reader, *config);
+  DescribeScene(reader, *config);
   reader.Finish();
+  if (IsSceneFile(config->scene)) {
+    throw ConfigError(places->at("scene") + ": scene: a scene's own file cannot name another");
+  }
+}
+
+Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
+  Config config;
+  const std::string last = LastScene(trees);
+  if (IsSceneFile(last)) ReadSceneFile(last, &config, places);
+  const std::string scene = config.scene;
+  for (const YamlValue& tree : trees) {
+    Reader reader(tree, places);
+    Describe(reader, config);
+    reader.Finish();
+  }
+  if (IsSceneFile(last)) config.scene = scene;
+  return config;
 }
 
 }  // namespace
@@ -65,12 +103,20 @@ std::vector<std::string> RobotNames(const std::filesystem::path& data_dir) {
 }
 
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  Config config;
+  std::vector<YamlValue> trees{ReadYamlFile(RobotFile(layers.robot, data_dir))};
+  AddTrees(layers, &trees);
   Places places;
-  ReadLayer(ReadYamlFile(RobotFile(layers.robot, data_dir)), &config, &places);
-  for (const std::string& file : layers.files) ReadLayer(ReadYamlFile(file), &config, &places);
-  for (const std::string& set : layers.sets) ReadLayer(SetTree(set), &config, &places);
+  const Config config = ReadLayers(trees, &places);
   Validate(config, places);
+  return config;
+}
+
+Config LoadScene(const Layers& layers) {
+  std::vector<YamlValue> trees;
+  AddTrees(layers, &trees);
+  Places places;
+  const Config config = ReadLayers(trees, &places);
+  ValidateTerrain(config, places);
   return config;
 }
 

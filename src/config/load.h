@@ -23,8 +23,14 @@ struct Layers {
 std::vector<std::string> RobotNames(const std::filesystem::path& data_dir);
 
 // The effective configuration, validated. A robot file is a layer like the others: its `robot`
-// section says what the robot is, its other keys are that robot's run defaults. Throws ConfigError.
+// section says what the robot is, its other keys are that robot's run defaults. A `scene` that is a
+// YAML file is a layer below all of them; the configuration then has the scene it names, or row.
+// Throws ConfigError.
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);
+
+// The same without a robot, for its `scene` and `terrain`: layers.robot is left out and only these
+// two are validated. Throws ConfigError.
+Config LoadScene(const Layers& layers);
 
 // All keys and values as YAML. Given as a --config file over the same robot it yields the same
 // configuration, number by number. With comments, meaning, unit and range stand above each key.

@@ -126,7 +126,25 @@ void CheckStartPose(const std::string& pose, const std::string& key, const Check
 
 }  // namespace
 
+void ValidateTerrain(const Config& config, const Places& places) {
+  constexpr double kShortest = 2;  // m
+  const Checker checker(places);
+  const TerrainSpec& terrain = config.terrain;
+  checker.Check(terrain.size.size() == 2, "terrain.size", "expected length and width");
+  checker.Check(config.scene != kPatchesScene || !terrain.patches.empty(), "scene",
+                "'row' needs terrain.patches, as in [{kind: rough}, {kind: gaps}]");
+  checker.Check(terrain.patches.empty() || places.empty() || places.contains("scene"),
+                "terrain.patches", "nothing asks for them; set scene to row");
+  for (std::size_t i = 0; i < terrain.patches.size(); ++i) {
+    const double length = terrain.patches[i].length;
+    checker.Check(length == 0 || length >= kShortest,
+                  "terrain.patches." + std::to_string(i) + ".length",
+                  "expected 0 or at least 2 m, got " + NumberText(length));
+  }
+}
+
 void Validate(const Config& config, const Places& places) {
+  ValidateTerrain(config, places);
   const Checker checker(places);
   const RobotSpec& robot = config.robot;
   checker.Check(!robot.name.empty(), "robot.name", "expected a name");

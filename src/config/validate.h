@@ -13,6 +13,10 @@ namespace understudy {
 // that rt/lowstate's rate is no multiple of. `places` tells where each key was set.
 void Validate(const Config& config, const Places& places = {});
 
+// The part of it about scene and terrain: row without patches, patches that nothing asks for, sizes
+// too small.
+void ValidateTerrain(const Config& config, const Places& places = {});
+
 }  // namespace understudy
 
 #endif  // UNDERSTUDY_CONFIG_VALIDATE_H_

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/set_down.h"
 #include "physics/world_model.h"
 #include "robot/errors.h"
 
@@ -67,6 +68,9 @@ void PhysicsWorld::Reset(const PoseSpec& pose) {
     mju_normalize4(base + 3);
   }
   for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
+  if (!has_fixed_base()) {
+    data_->qpos[base_q_ + 2] += LiftOntoGround(*model_, data_.get(), base_body_, base_q_);
+  }
   mj_forward(model_.get(), data_.get());
   ReadKinematics();
 }

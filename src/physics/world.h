@@ -37,7 +37,8 @@ class PhysicsWorld {
   // `model` comes from LoadWorldModel with the same spec.
   PhysicsWorld(ModelHandle model, const RobotSpec& spec);
 
-  // Puts the robot at rest over the origin in that pose. A fixed base stays where its file has it.
+  // Puts the robot at rest over the origin in that pose, as high over the ground that is there as
+  // the pose says (LiftOntoGround). A fixed base stays where its file has it.
   void Reset(const PoseSpec& pose);
 
   void BeginStep();

@@ -1,5 +1,6 @@
 #include "physics/world_model.h"
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <iterator>
@@ -52,6 +53,20 @@ void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
   AddImuSensors(spec.imu.site, kImuGyroName, kImuAccelName, &sensor);
   AddImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName, &sensor);
   root->children.push_back(std::move(sensor));
+}
+
+// Room for contacts. MuJoCo 2 makes it once, before it knows what will touch; MuJoCo 3 when it is
+// needed. The most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
+void MakeRoom(const mjModel& robot, MjcfElement* root) {
+#if mjVERSION_HEADER < 300
+  constexpr int kContacts = 300, kRows = 1200;
+  root->children.push_back(
+      Element("size", {{"nconmax", std::to_string(std::max(robot.nconmax, kContacts))},
+                       {"njmax", std::to_string(std::max(robot.njmax, kRows))}}));
+#else
+  (void)robot;
+  (void)root;
+#endif
 }
 
 bool HasGround(const mjModel& model) {
@@ -210,6 +225,7 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
     std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
     place += " in " + scene_file.string();
   }
+  MakeRoom(*robot, &world);
   ModelHandle model;
   try {
     model = CompileMjcf(world);

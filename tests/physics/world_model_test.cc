@@ -70,6 +70,17 @@ TEST_F(WorldModelTest, PutsTheRobotInTheScene) {
   EXPECT_EQ(model->opt.timestep, 0.002);
 }
 
+#if mjVERSION_HEADER < 300
+TEST_F(WorldModelTest, HasRoomForManyContactsWhateverTheFilesSay) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<size nconmax="20" njmax="50"/>)"));
+  EXPECT_GE(Load()->nconmax, 300);
+  EXPECT_GE(Load()->njmax, 1200);
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<size nconmax="900" njmax="3000"/>)"));
+  EXPECT_EQ(Load()->nconmax, 900);
+  EXPECT_EQ(Load()->njmax, 3000);
+}
+#endif
+
 TEST_F(WorldModelTest, AddsTheInertialUnit) {
   const ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuGyroName), 0);

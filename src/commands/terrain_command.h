@@ -1,0 +1,28 @@
+// `understudy terrain`: the ground of a run as files for other programs.
+#ifndef UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
+#define UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace understudy {
+
+// The command line, as typed.
+struct TerrainArguments {
+  std::string scene;
+  std::vector<std::string> config_files;
+  std::vector<std::string> sets;  // "key=value"; options such as --seed are put in front of them
+  std::string out;
+};
+
+// Adds the subcommand. `arguments` is filled by parsing and must outlive the app.
+CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments);
+
+// Writes the files and says where; returns the exit code. Throws SetupError.
+int TerrainCommand(const TerrainArguments& arguments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_

@@ -1,0 +1,128 @@
+#include "physics/set_down.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace understudy {
+namespace {
+
+constexpr double kUpwards = 0.05;     // m per step in search of a free place
+constexpr double kDownwards = 0.01;   // m, less than any foot is thick
+constexpr double kHighest = 100;      // m
+constexpr double kLowest = -20;       // m
+constexpr double kResolution = 1e-6;  // m
+constexpr double kSameGround = 1e-4;  // m within which ground counts as z = 0
+
+class SetDown {
+ public:
+  SetDown(const mjModel& model, mjData* data, int base_body, int base_q)
+      : model_(model),
+        data_(data),
+        robot_(model.body_rootid[base_body]),
+        z_(data->qpos + base_q + 2),
+        start_(*z_) {}
+  ~SetDown() { *z_ = start_; }
+  SetDown(const SetDown&) = delete;
+  SetDown& operator=(const SetDown&) = delete;
+
+  double Lift() {
+    mj_kinematics(&model_, data_);
+    const double clearance = LowestPoint();
+    if (!std::isfinite(clearance)) return 0;
+    double free = 0;
+    while (Touches(free)) {
+      free += kUpwards;
+      if (free > kHighest) return 0;
+    }
+    double touching = free;
+    while (!Touches(touching)) {
+      free = touching;
+      touching -= kDownwards;
+      if (touching < kLowest) return 0;
+    }
+    while (free - touching > kResolution) {
+      const double middle = (free + touching) / 2;
+      (Touches(middle) ? touching : free) = middle;
+    }
+    const double lift = free + clearance;
+    return std::abs(lift) < kSameGround ? 0 : lift;
+  }
+
+ private:
+  bool IsRobots(int geom) const { return model_.body_rootid[model_.geom_bodyid[geom]] == robot_; }
+  bool IsGround(int geom) const { return model_.body_weldid[model_.geom_bodyid[geom]] == 0; }
+
+  bool Touches(double lift) {
+    *z_ = start_ + lift;
+    mj_kinematics(&model_, data_);
+    mj_collision(&model_, data_);
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      if (contact.dist >= 0) continue;
+      if ((IsRobots(contact.geom1) && IsGround(contact.geom2)) ||
+          (IsGround(contact.geom1) && IsRobots(contact.geom2))) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  // Of what collides of the robot, m; infinite where nothing does.
+  double LowestPoint() const {
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {
+      const bool collides = model_.geom_contype[geom] != 0 || model_.geom_conaffinity[geom] != 0;
+      if (collides && IsRobots(geom)) lowest = std::min(lowest, LowestPoint(geom));
+    }
+    return lowest;
+  }
+
+  double LowestPoint(int geom) const {
+    const mjtNum* size = model_.geom_size + 3 * geom;
+    const mjtNum* up = data_->geom_xmat + 9 * geom + 6;  // the world's up in the geom's frame
+    double below = 0;
+    switch (model_.geom_type[geom]) {
+      case mjGEOM_SPHERE:
+        below = size[0];
+        break;
+      case mjGEOM_CAPSULE:
+        below = size[0] + std::abs(up[2]) * size[1];
+        break;
+      case mjGEOM_CYLINDER:
+        below = std::hypot(up[0], up[1]) * size[0] + std::abs(up[2]) * size[1];
+        break;
+      case mjGEOM_BOX:
+        below = std::abs(up[0]) * size[0] + std::abs(up[1]) * size[1] + std::abs(up[2]) * size[2];
+        break;
+      case mjGEOM_ELLIPSOID:
+        below = std::hypot(up[0] * size[0], up[1] * size[1], up[2] * size[2]);
+        break;
+      case mjGEOM_MESH: {
+        const int mesh = model_.geom_dataid[geom];
+        const float* v = model_.mesh_vert + 3 * model_.mesh_vertadr[mesh];
+        for (int i = 0; i < model_.mesh_vertnum[mesh]; ++i, v += 3) {
+          below = std::max(below, -(up[0] * v[0] + up[1] * v[1] + up[2] * v[2]));
+        }
+        break;
+      }
+      default:  // no other shape can move
+        break;
+    }
+    return data_->geom_xpos[3 * geom + 2] - below;
+  }
+
+  const mjModel& model_;
+  mjData* data_;
+  int robot_;  // root body
+  mjtNum* z_;
+  mjtNum start_;
+};
+
+}  // namespace
+
+double LiftOntoGround(const mjModel& model, mjData* data, int base_body, int base_q) {
+  return SetDown(model, data, base_body, base_q).Lift();
+}
+
+}  // namespace understudy

@@ -1,0 +1,89 @@
+#include "physics/set_down.h"
+
+#include <string>
+
+#include "physics/world.h"
+#include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+// A box of 0.2 m in all directions, its base in the middle, and a leg that ends 0.3 m below it.
+constexpr char kRobot[] = R"(<mujoco><worldbody><body name="trunk"><freejoint/>
+  <geom type="box" size=".1 .1 .1"/><site name="imu"/>
+  <body name="leg"><joint name="knee"/><geom name="foot" pos=".05 0 -.28" size=".02"/></body>
+</body></worldbody></mujoco>)";
+
+class SetDownTest : public MujocoTest {
+ protected:
+  SetDownTest() {
+    spec_.base_body = spec_.crane_body = "trunk";
+    spec_.imu.site = "imu";
+    spec_.motors.resize(1);
+    spec_.motors[0].joint = "knee";
+    spec_.feet = {{.name = "foot", .geoms = {"foot"}}};
+  }
+
+  // Height of the base when it is put at `height` over such ground.
+  double Base(const std::string& ground, double height) {
+    PhysicsWorld world(LoadWorldModel(spec_, folder_.Write("robot.xml", kRobot),
+                                      folder_.Write("ground.xml", "<mujoco><worldbody>" + ground +
+                                                                      "</worldbody></mujoco>"),
+                                      0.001),
+                       spec_);
+    PoseSpec pose;
+    pose.q = {0};
+    pose.height = height;
+    world.Reset(pose);
+    return world.base().p_WB.z();
+  }
+
+  static std::string Box(const std::string& pos, const std::string& size = "1 1 .1") {
+    return R"(<geom type="box" size=")" + size + R"(" pos=")" + pos + R"("/>)";
+  }
+  static std::string Plane(const std::string& z) {
+    return R"(<geom type="plane" size="0 0 1" pos="0 0 )" + z + R"("/>)";
+  }
+
+  TemporaryFolder folder_;
+  RobotSpec spec_;
+};
+
+TEST_F(SetDownTest, ChangesNothingOnGroundAtNull) {
+  EXPECT_EQ(Base(Plane("0"), 0.3), 0.3);
+  EXPECT_EQ(Base(Plane("0"), 0.299), 0.299);  // pressed in a little, as a pose at rest is
+  EXPECT_EQ(Base(Plane("0"), 1.3), 1.3);      // hanging
+}
+
+TEST_F(SetDownTest, StandsOnGroundThatIsHigher) {
+  EXPECT_NEAR(Base(Plane("2.5"), 0.3), 2.8, 1e-5);
+  EXPECT_NEAR(Base(Plane("0") + Box("0 0 .1"), 0.3), 0.5, 1e-5);
+}
+
+TEST_F(SetDownTest, StandsOnGroundThatIsLower) {
+  EXPECT_NEAR(Base(Plane("-1.5"), 0.3), -1.2, 1e-5);
+}
+
+TEST_F(SetDownTest, HangsAsHighOverTheGroundAsThePoseSays) {
+  EXPECT_NEAR(Base(Plane("2"), 1.3), 3.3, 1e-5);
+}
+
+TEST_F(SetDownTest, StandsOnWhateverOfItTouchesFirst) {
+  EXPECT_NEAR(Base(Plane("0") + Box("-.09 0 .15", ".01 .01 .15"), 0.3), 0.4, 1e-5);    // its trunk
+  EXPECT_NEAR(Base(Plane("0") + Box(".05 0 .02", ".005 .005 .02"), 0.3), 0.34, 1e-5);  // its foot
+}
+
+TEST_F(SetDownTest, StandsOnTheFloorOfARoom) {
+  EXPECT_EQ(Base(Plane("0") + Box("0 0 2"), 0.3), 0.3);
+}
+
+TEST_F(SetDownTest, TakesNoNoticeOfWhatMoves) {
+  EXPECT_EQ(Base(Plane("0") + R"(<body pos="0 0 .1"><freejoint/><geom size=".1"/></body>)", 0.3),
+            0.3);
+}
+
+TEST_F(SetDownTest, StaysWhereItIsWithoutGround) { EXPECT_EQ(Base("", 0.3), 0.3); }
+
+}  // namespace
+}  // namespace understudy
