@@ -38,22 +38,21 @@ std::string Join(const std::vector<std::string>& words) {
 // Both shells walk the words typed so far down the subcommands they know.
 std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
   std::ostringstream out;
-  out << "_" << name << "() {\n  local path=\"\" word words\n"
-      << "  for word in \"${COMP_WORDS[@]:1:COMP_CWORD-1}\"; do\n"
-      << "    [[ $word == -* ]] && continue\n    case \"${path:+$path }$word\" in\n";
+  // No `path` and no `mapfile`: zsh keeps its PATH in the one and has not the other.
+  out << "_" << name << "() {\n  local typed=\"\" word words\n"
+      << "  for word in \"${COMP_WORDS[@]:1:$((COMP_CWORD - 1))}\"; do\n"
+      << "    [[ $word == -* ]] && continue\n    case \"${typed:+$typed }$word\" in\n";
   for (const Branch& branch : branches) {
     if (!branch.path.empty())
-      out << "      '" << branch.path << "') path='" << branch.path << "' ;;\n";
+      out << "      '" << branch.path << "') typed='" << branch.path << "' ;;\n";
   }
-  out << "    esac\n  done\n  case \"$path\" in\n";
+  out << "    esac\n  done\n  case \"$typed\" in\n";
   for (const Branch& branch : branches) {
     out << "    '" << branch.path << "') words='" << Join(branch.words) << "' ;;\n";
   }
   out << "  esac\n"
-      << "  mapfile -t COMPREPLY < <(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\")\n"
-      << "  [[ ${#COMPREPLY[@]} -eq 0 ]] && "
-      << "mapfile -t COMPREPLY < <(compgen -f -- \"${COMP_WORDS[COMP_CWORD]}\")\n}\n"
-      << "complete -F _" << name << " " << name << "\n";
+      << "  COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
+      << "complete -o default -F _" << name << " " << name << "\n";
   return out.str();
 }
 

@@ -70,14 +70,17 @@ def host_on_a_cable(ours, theirs):
         there = ["nsenter", "--target", str(keeper.pid), "--net", "--"]
         ip("link", "add", ours[0], "type", "veth", "peer", "name", theirs[0], "netns",
            str(keeper.pid))
-        ip("address", "add", ours[1], "dev", ours[0])
-        ip("link", "set", ours[0], "up")
-        for arguments in (["link", "set", "lo", "up"],
-                          ["address", "add", theirs[1], "dev", theirs[0]],
-                          ["link", "set", theirs[0], "up"]):
-            subprocess.run([*there, "ip", *arguments], check=True, timeout=10)
-        yield there
+        try:
+            ip("address", "add", ours[1], "dev", ours[0])
+            ip("link", "set", ours[0], "up")
+            for arguments in (["link", "set", "lo", "up"],
+                              ["address", "add", theirs[1], "dev", theirs[0]],
+                              ["link", "set", theirs[0], "up"]):
+                subprocess.run([*there, "ip", *arguments], check=True, timeout=10)
+            yield there
+        finally:
+            ip("link", "delete", ours[0])  # the network's own end would take it some time later
     finally:
-        keeper.send_signal(signal.SIGKILL)  # its network goes with it, and with that the cable
+        keeper.send_signal(signal.SIGKILL)  # its network goes with the last process in it
         keeper.wait()
         keeper.stdout.close()

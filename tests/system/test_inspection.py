@@ -153,7 +153,7 @@ def test_completions_know_subcommands_robots_and_options(understudy, shell):
 
 @pytest.mark.parametrize(("typed", "offered"), [
     ("understudy ru", ["run"]),
-    ("understudy run go", ["go2"]),
+    ("understudy run go", ["go2", "go2w"]),
     ("understudy run go2 --sp", ["--speed"]),
     ("understudy ctl crane l", ["lower"]),
     ("understudy ctl clamp o", ["off", "on"]),
