@@ -121,6 +121,27 @@ class Refused:
         assert self._word in done.stderr
 
 
+class MadeGround:
+    """`understudy terrain` writes other files with the changed key than without."""
+
+    def __init__(self, changed, scene="rough", given=()):
+        self._changed, self._scene, self._given = changed, scene, given
+
+    def check(self, play):
+        assert self._written() != self._written(self._changed)
+
+    def _written(self, *changed):
+        with tempfile.TemporaryDirectory() as folder:
+            images = {shade: pathlib.Path(folder) / f"{shade}.pgm" for shade in ("up", "down")}
+            images["up"].write_bytes(b"P5 3 3 255\n" + bytes(range(0, 90, 10)))
+            images["down"].write_bytes(b"P5 3 3 255\n" + bytes(range(80, -10, -10)))
+            settings = [setting.format(**images) for setting in (*self._given, *changed)]
+            out = pathlib.Path(folder) / "out"
+            done = understudy("terrain", self._scene, "--out", out, *options_of(settings))
+            assert done.returncode == 0, done.stderr
+            return {file.name: file.read_bytes() for file in out.iterdir()}
+
+
 class Elsewhere:
     """Another file of this folder tests each value of the key."""
 
@@ -210,6 +231,11 @@ def drives_hard_at_speed(played):
     return max(torques) > 17
 
 
+def row_of_one(changed, given="kind: rough"):
+    return MadeGround(f"terrain.patches=[{{{{{changed}}}}}]", "row",
+                      (f"terrain.patches=[{{{{{given}}}}}]",))
+
+
 def lowering_takes(played):
     """Metres of tether that half a second of simulated time pays out, in tenths."""
     before = played.status()
@@ -236,6 +262,18 @@ DIVERGING = ("start.pose=hanging", "crane.stiffness=1000000", "crane.damping=100
 
 SETTINGS = {
     "scene": Refused("scene=moon", 4, "no scene 'moon'"),
+    "terrain.difficulty": MadeGround("terrain.difficulty=0.9"),
+    "terrain.friction": MadeGround("terrain.friction=0.3"),
+    "terrain.size": MadeGround("terrain.size=[6,3]"),
+    "terrain.seed": MadeGround("terrain.seed=2"),
+    "terrain.image": MadeGround("terrain.image={down}", "image", ("terrain.image={up}",)),
+    "terrain.image_height": MadeGround("terrain.image_height=2", "image", ("terrain.image={up}",)),
+    "terrain.patches[].kind": row_of_one("kind: waves"),
+    "terrain.patches[].difficulty": row_of_one("kind: rough, difficulty: 0.9"),
+    "terrain.patches[].friction": row_of_one("kind: rough, friction: 0.3"),
+    "terrain.patches[].length": row_of_one("kind: rough, length: 3"),
+    "terrain.patches[].image": row_of_one("kind: image, image: '{down}'",
+                                          "kind: image, image: '{up}'"),
     "network.interface": Check(interface_is_used),
     "network.domain": Elsewhere("test_neighbours.py", '"--domain"'),
     "guard.listen_loopback": Check(listening_takes_its_time("listen_loopback", "lo")),
