@@ -48,7 +48,6 @@ bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
 }
 
 bool WriterCore::WriteMessage(const void* message) noexcept {
-  if (matched_readers() == 0) return true;
   const bool written = dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
   if (!written) ++failures_;
   return written;

@@ -47,9 +47,8 @@ class Writer : public WriterCore {
   Writer(const Participant& participant, const Topic<Msg>& topic)
       : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg)) {}
 
-  // Sends one message; while nobody listens there is nothing to be done, since volatile data is not
-  // kept for those who come later. False, and counted in failures(), when Cyclone refuses it.
-  // Allocates in Cyclone's C, not here.
+  // Sends one message. False, and counted in failures(), when Cyclone refuses it. Allocates in
+  // Cyclone's C, not here.
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
 };
 
