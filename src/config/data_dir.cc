@@ -28,8 +28,7 @@ std::filesystem::path FindDataDir(const char* variable, const std::filesystem::p
     throw ConfigError("UNDERSTUDY_DATA_DIR: expected a directory with config/robots, got '" +
                       std::string(variable) + "'");
   }
-  std::filesystem::path installed =
-      program.parent_path().parent_path() / "share" / "understudy";
+  std::filesystem::path installed = program.parent_path().parent_path() / "share" / "understudy";
   if (Holds(installed)) return installed;
   if (Holds(source)) return source;
   throw ConfigError("no robot files: neither " + installed.string() + " nor " + source.string() +

@@ -37,7 +37,8 @@ struct Speed {
 class BareLoop {
  public:
   explicit BareLoop(const Config& config)
-      : model_(LoadWorldModel(config.robot, ModelFile(config.robot), SceneFile(config.scene, config.terrain).path(),
+      : model_(LoadWorldModel(config.robot, ModelFile(config.robot),
+                              SceneFile(config.scene, config.terrain).path(),
                               config.physics.timestep)),
         data_(mj_makeData(model_.get())),
         crane_(config.crane),
