@@ -18,7 +18,8 @@ HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
       lf_bms_(participant, kLfBmsState) {
   CheckFits(spec, kHgMotorSlots, kHgCells);
   if (!spec.imu.secondary_site.empty()) {
-    secondary_.emplace(Writer(participant, kSecondaryImu), Writer(participant, kLfSecondaryImu));
+    secondary_.emplace(SecondaryImu{.imu = Writer(participant, kSecondaryImu),
+                                    .lf_imu = Writer(participant, kLfSecondaryImu)});
   }
 }
 
