@@ -106,7 +106,7 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
   std::vector<YamlValue> trees{ReadYamlFile(RobotFile(layers.robot, data_dir))};
   AddTrees(layers, &trees);
   Places places;
-  const Config config = ReadLayers(trees, &places);
+  Config config = ReadLayers(trees, &places);
   Validate(config, places);
   return config;
 }
@@ -115,7 +115,7 @@ Config LoadScene(const Layers& layers) {
   std::vector<YamlValue> trees;
   AddTrees(layers, &trees);
   Places places;
-  const Config config = ReadLayers(trees, &places);
+  Config config = ReadLayers(trees, &places);
   ValidateTerrain(config, places);
   return config;
 }
