@@ -1,0 +1,91 @@
+// The robot's own motion service, as the tick sees it: goals go in, a command comes out.
+#ifndef UNDERSTUDY_MOTION_MOTION_H_
+#define UNDERSTUDY_MOTION_MOTION_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// What the services, the remote controller and scripts may ask for. What `value` holds stands
+// beside each; the rest is 0.
+enum class MotionAction : std::uint8_t {
+  kZeroTorque,
+  kDamp,     // legal in every state
+  kStandUp,  // joints locked, not balanced
+  kStandDown,
+  kBalanceStand,
+  kRecoveryStand,  // from wherever the robot lies
+  kSit,
+  kRiseSit,
+  kHello,
+  kStretch,
+  kPose,        // 1 on, 0 off
+  kEuler,       // roll, pitch, yaw of the body, rad
+  kBodyHeight,  // m over the robot's own standing height
+  kStopMove,
+  kMove,            // vx, vy m/s, yaw rate rad/s in the body's frame, s it holds
+  kSetFsm,          // humanoids: the vendor's state-machine id
+  kSetBalanceMode,  // humanoids: 0 step only when needed, 1 keep stepping
+  kSetStandHeight,  // humanoids: 0 lowest to 1 highest
+  kArmAction,       // humanoids: the vendor's action id
+  kStopArmAction,   // humanoids
+};
+
+struct MotionGoal {
+  MotionAction action = MotionAction::kDamp;
+  std::array<double, 4> value{};
+};
+
+// What became of a goal. Services turn it into the code their robot would send.
+enum class MotionVerdict : std::uint8_t {
+  kTaken,    // under way; not a promise that it ends well
+  kNotNow,   // not from the present state
+  kUnknown,  // no such id
+  kUnable,   // the real robot could, no controller here can
+};
+
+// What a robot's own controller knows: one instant of its sensors. `base` is the simulation's
+// truth, for what a real robot's state estimator says; a controller that stands must not need it.
+struct MotionInput {
+  double time = 0;                // simulated s
+  std::span<const double> q, dq;  // rad, rad/s, motor order
+  ImuReading imu;                 // LowState's unit
+  BaseReading base;
+  std::span<const double> foot_force;  // N, RobotSpec::feet order
+};
+
+// What a motion service tells of itself.
+struct MotionState {
+  int id = 0;    // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
+  int mode = 0;  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving
+  int progress = 0;          // 1 while an action with an end is under way
+  int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
+  bool arm_holding = false;  // humanoids: the arms hold a pose until released
+  double body_height = 0;    // m, of the base over its feet
+};
+
+class Motion {
+ public:
+  virtual ~Motion() = default;
+
+  // As after boot: no goal, the state a robot of this kind comes up in. Called before the first
+  // Step and whenever the service takes the motors over.
+  virtual void Start(const MotionInput& input) = 0;
+
+  // Begins `goal` or says why not; never acts itself.
+  virtual MotionVerdict Ask(const MotionGoal& goal) = 0;
+
+  // Every dt seconds: what the motors are to do until the next call. `command` has the robot's
+  // size. Allocates nothing.
+  virtual void Step(const MotionInput& input, double dt, RobotCommand* command) = 0;
+
+  virtual MotionState state() const = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MOTION_MOTION_H_
