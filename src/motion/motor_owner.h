@@ -14,9 +14,9 @@ namespace understudy {
 
 // A program on the robot's own computer, as `robot_state` lists it.
 struct OnboardService {
-  std::string name;   // "sport_mode", "ai_sport", "vui_service"
-  std::string alias;  // what motion_switcher calls it ("normal", "ai", "mcf"); "" when it moves
-                      // nothing
+  std::string name{};   // "sport_mode", "ai_sport", "vui_service"
+  std::string alias{};  // what motion_switcher calls it ("normal", "ai", "mcf"); "" when it moves
+                        // nothing
   bool on = true;
   bool is_protected = false;  // refuses to be switched
 };

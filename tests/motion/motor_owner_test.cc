@@ -23,7 +23,7 @@ class CountingMotion final : public Motion {
 class MotorOwnerTest : public ::testing::Test {
  protected:
   MotorOwner Make(bool first_on) {
-    return {{{.name = "sport_mode", .alias = "normal", .on = first_on},
+    return {{OnboardService{.name = "sport_mode", .alias = "normal", .on = first_on},
              {.name = "ai_sport", .alias = "ai", .on = false},
              {.name = "vui_service"},
              {.name = "basic_service", .is_protected = true}},
