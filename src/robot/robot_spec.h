@@ -95,6 +95,25 @@ struct ThermalSpec {
   double time_constant = 600;  // s
 };
 
+// How the motion service of a quadruped stands and moves.
+struct QuadrupedMotionSpec {
+  double stand_height = 0;  // m, of the base over the ground; 0: not a quadruped
+  double foot_x = 0;        // m, how far the feet stand ahead of the hips
+  std::vector<double> height_range = {0, 0};    // m about stand_height
+  std::vector<double> euler_range = {0, 0, 0};  // rad either way: roll, pitch, yaw
+  std::vector<double> sit = {0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
+  double kp = 1;          // N·m/rad at the legs' joints
+  double kd = 0;          // N·m·s/rad
+  double damping_kd = 0;  // N·m·s/rad when damped, at all joints
+  double wheel_kp = 0;    // N·m/rad that keeps a balanced robot's wheels where they stand
+  double wheel_kd = 0;    // N·m·s/rad that brakes them
+};
+
+// What the robot's own motion service is like.
+struct MotionSpec {
+  QuadrupedMotionSpec quadruped;
+};
+
 struct RobotSpec {
   std::string name;
   std::string description;
@@ -114,6 +133,7 @@ struct RobotSpec {
   PoseSpec lying;  // on the ground, passive
   PoseSpec standing;
   PoseSpec hanging;        // on the crane or clamped; height is that of the base
+  MotionSpec motion;
   std::string crane_body;  // MJCF body the crane's hook is in
   std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
   std::string default_start;                    // damped | standing | hanging | clamped
