@@ -16,6 +16,9 @@ class QuadrupedLeg {
 
   Eigen::Vector3d Foot(const Eigen::Vector3d& q) const;
 
+  // The knee: the calf's axis.
+  Eigen::Vector3d Knee(const Eigen::Vector3d& q) const { return Place(q).calf; }
+
   // How the foot moves per angle, m/rad, a column per joint.
   Eigen::Matrix3d FootJacobian(const Eigen::Vector3d& q) const;
 
@@ -27,8 +30,8 @@ class QuadrupedLeg {
   Eigen::Vector3d HoldingTorque(const Eigen::Vector3d& q, const Eigen::Vector3d& up,
                                 double gravity) const;
 
-  // The angles, within their ranges and with the knee bent backwards, that bring the foot to or, where
-  // it cannot get there, near `foot`. Returns whether it gets there.
+  // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
+  // where it cannot get there, near `foot`. Returns whether it gets there.
   bool Reach(const Eigen::Vector3d& foot, Eigen::Vector3d* q) const;
 
   double mass() const;

@@ -202,8 +202,8 @@ MotionVerdict QuadrupedMotion::Euler(const Vector3d& rpy) {
 
 MotionVerdict QuadrupedMotion::BodyHeight(double height) {
   if (state_ != State::kBalance && state_ != State::kPosing) return MotionVerdict::kNotNow;
-  wanted_.place.z() =
-      figures_.stand_height + std::clamp(height, figures_.height_range[0], figures_.height_range[1]);
+  wanted_.place.z() = figures_.stand_height +
+                      std::clamp(height, figures_.height_range[0], figures_.height_range[1]);
   stance_.Follow(stance_.Feasible(wanted_));
   return MotionVerdict::kTaken;
 }
@@ -270,7 +270,7 @@ MotionState QuadrupedMotion::state() const {
       is(2006, 8, 0);
       break;
   }
-  state.body_height = body_.Height(reading_);
+  state.body_height = balances() ? stance_.measured().place.z() : body_.Height(reading_);
   return state;
 }
 

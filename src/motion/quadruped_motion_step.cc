@@ -183,8 +183,8 @@ bool QuadrupedMotion::stands() const {
 }
 
 bool QuadrupedMotion::balances() const {
-  return state_ == State::kBalance || state_ == State::kGesture ||
-         state_ == State::kSittingDown || state_ == State::kSitting || state_ == State::kPosing;
+  return state_ == State::kBalance || state_ == State::kGesture || state_ == State::kSittingDown ||
+         state_ == State::kSitting || state_ == State::kPosing;
 }
 
 // All is said by q alone, with dq and tau 0: so a real Go2 does while it stands (measured.md,
@@ -200,14 +200,13 @@ void QuadrupedMotion::Legs(RobotCommand* command) const {
 }
 
 void QuadrupedMotion::Wheels(const MotionInput& input, RobotCommand* command) {
-  const double pitch = std::atan2(-reading_.R_TB(2, 0), std::hypot(reading_.R_TB(2, 1), reading_.R_TB(2, 2)));
   for (std::size_t i = 12; i < command->motors.size(); ++i) {
     MotorCommand& wheel = command->motors[i];
     wheel = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.wheel_kd};
     const std::size_t leg = i - 12;
     if (!balances() || leg >= wheel_angles_.size()) continue;
-    // A wheel stands on its place when it does not turn against the world.
-    const double carried = pitch + reading_.q[leg][1] + reading_.q[leg][2];
+    // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
+    const double carried = stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
     if (wheel_angles_[leg] == kNoPosition) wheel_angles_[leg] = input.q[i] + carried;
     wheel.q = wheel_angles_[leg] - carried;
     wheel.kp = figures_.wheel_kp;

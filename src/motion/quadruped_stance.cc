@@ -15,12 +15,16 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // All assumed.
-constexpr double kTrimTime = 0.5;      // s in which an error of the pose is taken back
-constexpr double kTrimPlace = 0.06;    // m, most that it is taken back by
-constexpr double kTrimRotation = 0.2;  // rad
-constexpr double kHeightStep = 0.02;   // m, of the search for a feasible pose
-constexpr double kTiltStep = 0.1;      // of the wanted tilt, likewise
-constexpr double kFollowRate = 8;      // rad/s, of the critically damped follower
+constexpr double kTrimTime = 0.8;        // s in which an error of the pose is taken back
+constexpr double kTrimHeight = 0.06;     // m, most that it is taken back by
+constexpr double kTrimRotation = 0.2;    // rad
+constexpr double kHeightError = 0.02;    // m: more than this is a move under way, not an error
+constexpr double kRotationError = 0.06;  // rad
+constexpr double kHipClear = 0.2;        // of the leg's length over the ground
+constexpr double kKneeClear = 0.08;
+constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
+constexpr double kTiltStep = 0.1;     // of the wanted tilt, likewise
+constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
 
 Matrix3d Rotation(const Vector3d& rpy) {
   return (AngleAxisd(rpy[2], Vector3d::UnitZ()) * AngleAxisd(rpy[1], Vector3d::UnitY()) *
@@ -38,9 +42,7 @@ Vector3d RotationVector(const Matrix3d& R) {
   return turn.angle() * turn.axis();
 }
 
-Vector3d Mean(const PerLeg& points) {
-  return (points[0] + points[1] + points[2] + points[3]) / 4;
-}
+Vector3d Mean(const PerLeg& points) { return (points[0] + points[1] + points[2] + points[3]) / 4; }
 
 }  // namespace
 
@@ -55,7 +57,7 @@ void Stance::Begin(const QuadrupedReading& reading) {
     footprints_[leg] = R_FT * (feet[leg] - middle) + body_.radius() * Vector3d::UnitZ();
   }
   com_ = body_.Com(reading.q);
-  trim_place_.setZero();
+  trim_height_ = 0;
   trim_rotation_.setZero();
   Measure(reading, 1);
   from_ = measured_;
@@ -84,8 +86,7 @@ void Stance::Measure(const QuadrupedReading& reading, double paw_load) {
     along += weight[leg] * (a.x() * b.x() + a.y() * b.y());
     across += weight[leg] * (a.x() * b.y() - a.y() * b.x());
   }
-  const Matrix3d R_FT =
-      AngleAxisd(std::atan2(across, along), Vector3d::UnitZ()).toRotationMatrix();
+  const Matrix3d R_FT = AngleAxisd(std::atan2(across, along), Vector3d::UnitZ()).toRotationMatrix();
   R_FB_ = R_FT * reading.R_TB;
   measured_.place = print_middle - R_FT * middle;
   measured_.rpy = RollPitchYaw(R_FB_);
@@ -103,16 +104,32 @@ PerLeg Stance::FeetInBase(const StancePose& pose) const {
   return feet;
 }
 
-StancePose Stance::Feasible(const StancePose& wanted) const {
-  constexpr int kHeights = 15;
+bool Stance::CanHold(const StancePose& pose) const {
   PerLeg q;
+  if (!body_.Reach(FeetInBase(pose), &q)) return false;
+  const Vector3d up = Rotation(pose.rpy).row(2).transpose();
+  for (std::size_t leg = 0; leg < q.size(); ++leg) {
+    const double hip = pose.place.z() + up.dot(body_.leg(leg).figures().hip);
+    const double knee = pose.place.z() + up.dot(body_.leg(leg).Knee(q[leg]));
+    if (hip < kHipClear * body_.leg_length() || knee < kKneeClear * body_.leg_length())
+      return false;
+  }
+  return true;
+}
+
+StancePose Stance::Feasible(const StancePose& wanted) const {
+  constexpr int kHeights = 9;
+  const double length = body_.leg_length();
   for (double part = 1; part > 0; part -= kTiltStep) {
     StancePose pose = wanted;
     pose.rpy *= part;
     for (int step = 0; step < kHeights; ++step) {
       for (const double direction : {-1.0, 1.0}) {
-        pose.place.z() = wanted.place.z() + direction * step * kHeightStep;
-        if (body_.Reach(FeetInBase(pose), &q)) return pose;
+        pose.place.z() = wanted.place.z() + direction * step * kHeightStep * length;
+        for (const double ahead : {0.0, 0.07, -0.07, 0.14, -0.14}) {
+          pose.place.x() = wanted.place.x() + ahead * length;
+          if (CanHold(pose)) return pose;
+        }
       }
     }
   }
@@ -156,15 +173,18 @@ StanceCommand Stance::Step(const QuadrupedReading& reading, double dt) {
   com_ = body_.Com(reading.q);
   Measure(reading, pose.paw_load);
 
-  Vector3d error = pose.place - measured_.place;
   const Matrix3d R_wanted = Rotation(pose.rpy);
-  error.head<2>() -= (R_wanted * com_).head<2>();
-  trim_place_ += dt / kTrimTime * error;
-  trim_place_ = trim_place_.cwiseMax(-kTrimPlace).cwiseMin(kTrimPlace);
-  trim_rotation_ += dt / kTrimTime * RotationVector(R_wanted * R_FB_.transpose());
-  trim_rotation_ = trim_rotation_.cwiseMax(-kTrimRotation).cwiseMin(kTrimRotation);
-
-  pose.place += trim_place_;
+  const double rate = pose.paw_load / kTrimTime;  // on three feet a correction would rock it
+  const auto trimmed = [dt, rate](double trim, double error, double most_error, double most) {
+    return std::clamp(trim + dt * rate * std::clamp(error, -most_error, most_error), -most, most);
+  };
+  trim_height_ =
+      trimmed(trim_height_, pose.place.z() - measured_.place.z(), kHeightError, kTrimHeight);
+  const Vector3d turn = RotationVector(R_wanted * R_FB_.transpose());
+  for (int i = 0; i < 3; ++i) {
+    trim_rotation_[i] = trimmed(trim_rotation_[i], turn[i], kRotationError, kTrimRotation);
+  }
+  pose.place.z() += trim_height_;
   const double angle = trim_rotation_.norm();
   if (angle > 0) {
     pose.rpy =

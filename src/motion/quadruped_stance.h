@@ -35,8 +35,8 @@ class Stance {
   // The feet stand where they are from now on; the pose is the present one.
   void Begin(const QuadrupedReading& reading);
 
-  // The pose nearest to `wanted` that the legs can hold: the body is lowered or raised first, and
-  // tilted less where that is not enough.
+  // The pose nearest to `wanted` that the legs can hold with hips and knees clear of the ground:
+  // the body is lowered or raised first, and tilted less where that is not enough.
   StancePose Feasible(const StancePose& wanted) const;
 
   // Leads there smoothly in `duration` s, from where the body is being held.
@@ -60,6 +60,7 @@ class Stance {
  private:
   void Measure(const QuadrupedReading& reading, double paw_load);
   void Lead(double dt);
+  bool CanHold(const StancePose& pose) const;
 
   const QuadrupedBody& body_;
   PerLeg footprints_;  // centres of the feet in F, m
@@ -68,8 +69,8 @@ class Stance {
   StancePose from_, to_, held_;
   Eigen::Vector3d v_place_{0, 0, 0}, v_rpy_{0, 0, 0};  // rates of `held_` while following
   double duration_ = 0, elapsed_ = 0;
-  Eigen::Vector3d com_{0, 0, 0};           // in the base, m
-  Eigen::Vector3d trim_place_{0, 0, 0};    // m, what corrects the height
+  Eigen::Vector3d com_{0, 0, 0};            // in the base, m
+  double trim_height_ = 0;                  // m, what corrects the height
   Eigen::Vector3d trim_rotation_{0, 0, 0};  // rad, what corrects the orientation, about F's axes
   PerLeg last_q_;
   bool fresh_ = true;

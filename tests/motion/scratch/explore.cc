@@ -2,8 +2,10 @@
 #include <cstdlib>
 #include <fstream>
 #include <random>
+#include <sstream>
 #include "tests/motion/quadruped_rig.h"
 using namespace understudy;
+
 static void Show(QuadrupedRig& r, const char* what) {
   auto e = r.rpy();
   auto p=r.world().base().p_WB;
@@ -37,7 +39,7 @@ int main(int argc, char** argv) {
       bool good = r.RunUntil(1013, 20); r.Run(2);
       good = good && r.tilt() < 0.1 && r.height() > 0.9*r.spec().motion.quadruped.stand_height && r.state().id == 1013;
       ok += good;
-      std::printf("%d up0 %.2f good %d tilt %.2f h %.3f sat %.2f id %d\n", k, up0, good, r.tilt(), r.height(), r.longest_saturation(), r.state().id);
+      Dump(r, "recover" + std::to_string(k)); std::printf("%d up0 %.2f good %d tilt %.2f h %.3f sat %.2f id %d\n", k, up0, good, r.tilt(), r.height(), r.longest_saturation(), r.state().id);
     }
     std::printf("ok %d of %d\n", ok, N);
     return 0;
