@@ -17,6 +17,7 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
     : legs_{QuadrupedLeg(figures.legs[0]), QuadrupedLeg(figures.legs[1]),
             QuadrupedLeg(figures.legs[2]), QuadrupedLeg(figures.legs[3])},
       trunk_(figures.trunk),
+      trunk_shapes_(figures.trunk_shapes),
       R_IB_(figures.R_BI.conjugate()),
       mass_(figures.mass),
       gravity_(figures.gravity) {}
@@ -55,6 +56,15 @@ double QuadrupedBody::Height(const QuadrupedReading& reading) const {
   return depth + radius();
 }
 
+double QuadrupedBody::Depth(const Vector3d& up) const {
+  double depth = 0;
+  for (const TrunkShape& shape : trunk_shapes_) {
+    const double half = up.cwiseAbs().dot(shape.box.sizes()) / 2 + shape.rounding;
+    depth = std::max(depth, half - up.dot(shape.box.center()));
+  }
+  return depth;
+}
+
 // Forces s along `up` with sum m g and no moment about the centre of mass: A s = b. With the
 // diagonal matrix W of loads, s = W A' (A W A')^-1 b has the least sum of squares over load.
 std::array<double, 4> QuadrupedBody::FootForces(const QuadrupedReading& reading,
@@ -84,9 +94,9 @@ PerLeg QuadrupedBody::SupportTorque(const QuadrupedReading& reading,
   const std::array<double, 4> force = FootForces(reading, load);
   PerLeg torque;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-    torque[leg] = legs_[leg].HoldingTorque(reading.q[leg], reading.up, gravity_) -
-                  share * force[leg] * legs_[leg].FootJacobian(reading.q[leg]).transpose() *
-                      reading.up;
+    torque[leg] =
+        legs_[leg].HoldingTorque(reading.q[leg], reading.up, gravity_) -
+        share * force[leg] * legs_[leg].FootJacobian(reading.q[leg]).transpose() * reading.up;
   }
   return torque;
 }

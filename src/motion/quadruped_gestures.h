@@ -17,7 +17,7 @@ struct Keyframe {
 };
 
 // All shapes are assumed: no recording of a real robot's gestures with its joint angles is public.
-std::span<const Keyframe> HelloKeyframes();    // shifts its weight, lifts the front right paw, waves
+std::span<const Keyframe> HelloKeyframes();  // shifts its weight, lifts the front right paw, waves
 std::span<const Keyframe> StretchKeyframes();  // chest down and back, then rump down
 const StancePose& PosePosture();
 

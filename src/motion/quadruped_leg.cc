@@ -50,8 +50,8 @@ Matrix3d QuadrupedLeg::FootJacobian(const Vector3d& q) const {
   const Chain chain = Place(q);
   const Vector3d swing = chain.R_hip.col(1);  // the axis of thigh and calf
   Matrix3d jacobian;
-  jacobian << Vector3d::UnitX().cross(chain.foot - chain.hip), swing.cross(chain.foot - chain.thigh),
-      swing.cross(chain.foot - chain.calf);
+  jacobian << Vector3d::UnitX().cross(chain.foot - chain.hip),
+      swing.cross(chain.foot - chain.thigh), swing.cross(chain.foot - chain.calf);
   return jacobian;
 }
 
@@ -88,8 +88,9 @@ bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
   // Seen from the side: a triangle of thigh, calf and the line to the foot.
   const double x = p.x() - figures_.thigh.x();
   const double z = -down - figures_.thigh.z();
-  const double cosine = (x * x + z * z - thigh_length_ * thigh_length_ - calf_length_ * calf_length_) /
-                        (2 * thigh_length_ * calf_length_);
+  const double cosine =
+      (x * x + z * z - thigh_length_ * thigh_length_ - calf_length_ * calf_length_) /
+      (2 * thigh_length_ * calf_length_);
   const double knee = -std::acos(std::clamp(cosine, -1.0, 1.0));
   const double thigh =
       std::atan2(-x, -z) -

@@ -43,12 +43,12 @@ class QuadrupedMotion : public Motion {
  private:
   enum class State : std::uint8_t {
     kDamped,
-    kFolding,   // joints move to the crouch, towards a stand
-    kRising,    // feet move down under the body
-    kLocked,    // stands, joints locked
-    kLowering,  // feet move up to the crouch, towards lying
-    kUnfolding, // joints move to the lying pose
-    kLying,     // joints locked
+    kFolding,    // joints move to the crouch, towards a stand
+    kRising,     // feet move down under the body
+    kLocked,     // stands, joints locked
+    kLowering,   // feet move up to the crouch, towards lying
+    kUnfolding,  // joints move to the lying pose
+    kLying,      // joints locked
     kBalance,
     kGesture,  // hello, stretch
     kSittingDown,
@@ -87,7 +87,7 @@ class QuadrupedMotion : public Motion {
   void Advance();  // to the state that follows, where one does
   void Legs(RobotCommand* command) const;
   void Wheels(const MotionInput& input, RobotCommand* command);
-  void Damp(RobotCommand* command) const;
+  static void Brake(double kd, RobotCommand* command);
 
   // Feet as they stand under the hips, that far below them [m], in the base.
   PerLeg Under(double depth) const;
@@ -109,11 +109,11 @@ class QuadrupedMotion : public Motion {
   bool balance_next_ = false;  // once it stands, from a recovery
   QuadrupedReading reading_;
   PerLeg feet_from_, feet_to_;  // of kRising, kLowering; in the base, m
-  double elapsed_ = 0;           // s of them
+  double elapsed_ = 0;          // s of them
   std::span<const Keyframe> frames_;
   std::size_t frame_ = 0;
-  StancePose wanted_;  // by Euler and body height
-  StanceCommand legs_;  // as of the last step
+  StancePose wanted_;                     // by Euler and body height
+  StanceCommand legs_;                    // as of the last step
   std::array<double, 4> wheel_angles_{};  // rad against the world, while balancing
 };
 
