@@ -22,6 +22,7 @@ enum Cause : std::size_t {
   kWriteFailures,
   kTimeouts,
   kOverruns,
+  kShifts,
   kDivergence
 };
 
@@ -113,6 +114,11 @@ void Reporter::Update(const Status& status, WallTime now) {
                 "{} ticks began late, the worst so far by {:.1f} ms; real-time factor {:.2f}",
                 fresh, status.pace.worst_lateness * 1e3, status.pace.real_time_factor);
     said_overruns_ = status.pace.overruns;
+  }
+  if (status.pace.shifted > said_shifted_ && MaySpeak(kShifts, now)) {
+    spdlog::warn("{:.1f} s behind wall time, which is not made up for: simulated time goes on late",
+                 status.pace.shifted - said_shifted_);
+    said_shifted_ = status.pace.shifted;
   }
   if (status.divergences != last_.divergences && MaySpeak(kDivergence, now)) {
     spdlog::error("the physics diverged at {:.3f} s", status.time);
