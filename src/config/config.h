@@ -19,7 +19,8 @@ struct NetworkConfig {
   int domain = 0;
 };
 
-// What to do when somebody else's robot appears on our network after we have started.
+// What to do when somebody else's robot speaks on our network after we have started. kWarn also
+// lets a run start beside a writer of rt/lowstate that has not spoken.
 enum class StrangerAction { kSilence, kWarn, kStop };
 
 struct GuardConfig {

@@ -20,7 +20,9 @@ void DescribeGuard(Archive& a, GuardConfig& c) {
          {0, 60},
          "The same on every other interface (the default is assumed)"},
         &c.listen_network);
-  a.Choice({"on_stranger", "What to do when another robot speaks after we have started"},
+  a.Choice({"on_stranger",
+            "What to do when another robot speaks after we have started; warn also starts beside a "
+            "writer of rt/lowstate that has not spoken"},
            {"silence", "warn", "stop"}, &c.on_stranger);
 }
 
