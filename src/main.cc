@@ -15,6 +15,7 @@
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "control/control_error.h"
 #include "control/ctl_command.h"
 #include "exec/command.h"
 #include "exit_code.h"
@@ -31,8 +32,8 @@ constexpr char kFooter[] =
     "  understudy ctl status --watch           look at it from another terminal\n"
     "`understudy COMMAND --help` tells more.\n"
     "Exit codes: 0 done; 1 a bug, or an order refused; 2 command line; 3 configuration; 4 model;\n"
-    "5 network; 6 another robot is on the network; 7 the physics diverged; exec: the command's "
-    "own.";
+    "5 network; 6 another robot is on the network; 7 the physics diverged;\n"
+    "8 the robot's name is in use, or its control socket not to be had; exec: the command's own.";
 
 int Main(int argc, char** argv) {
   CLI::App app(
@@ -86,8 +87,10 @@ int Main(int argc, char** argv) {
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   completions->footer(
-      "Example: understudy completions bash > "
-      "~/.local/share/bash-completion/completions/understudy");
+      "Examples:\n"
+      "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
+      "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
+      "  source <(understudy completions zsh)          in ~/.zshrc");
   completions->callback([&] {
     chosen = [&] {
       std::fputs(Completions(app, shell, RobotNames(DataDir())).c_str(), stdout);
@@ -138,6 +141,8 @@ int main(int argc, char** argv) {
     code = Fail(error, ExitCode::kBus);
   } catch (const understudy::NeighbourError& error) {
     code = Fail(error, ExitCode::kNeighbour);
+  } catch (const understudy::SocketError& error) {
+    code = Fail(error, ExitCode::kSocket);
   } catch (const understudy::CommandError& error) {
     std::fprintf(stderr, "understudy: %s\n", error.what());
     code = error.exit_code();
