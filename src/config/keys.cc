@@ -35,7 +35,11 @@ void DescribeTime(Archive& a, TimeConfig& c) {
 }
 
 void DescribePhysics(Archive& a, PhysicsConfig& c) {
-  a.Key({"timestep", "s", {0.0001, 0.01}, "Physics step and period of the motor law"}, &c.timestep);
+  a.Key({"timestep",
+         "s",
+         {0.0001, 0.01},
+         "Physics step and period of the motor law (the default is assumed)"},
+        &c.timestep);
   a.Choice({"on_divergence", "What to do when the physics leaves all bounds"}, {"stop", "reset"},
            &c.on_divergence);
 }

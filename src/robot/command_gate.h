@@ -12,8 +12,8 @@ namespace understudy {
 
 struct GateConfig {
   bool lenient = false;   // take commands whose form is wrong; they are counted all the same
-  double timeout = 0.2;   // s without a taken command until damping
-  double damping_kd = 2;  // N·m·s/rad of that damping
+  double timeout = 0.2;   // s without a taken command until damping; assumed
+  double damping_kd = 2;  // N·m·s/rad of that damping; assumed
 };
 
 // Who moves the motors now.
