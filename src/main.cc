@@ -11,6 +11,7 @@
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
 #include "commands/log.h"
+#include "commands/missing_command.h"
 #include "commands/run_command.h"
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
@@ -100,6 +101,15 @@ int Main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (argc == 1) {
+      std::fputs(app.help().c_str(), stderr);
+    } else if (const std::string missing = MissingCommand(app, argc, argv); !missing.empty()) {
+      std::fprintf(stderr, "%s\nRun with --help for more information.\n", missing.c_str());
+    } else {
+      app.exit(error);
+    }
+    return static_cast<int>(ExitCode::kUsage);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
@@ -22,6 +23,12 @@ enum class GateState : std::uint8_t {
   kFollowing,  // the last taken command
   kDamping,    // commands stopped
 };
+
+// The word that the status line and the control plane use.
+constexpr std::string_view Name(GateState state) {
+  constexpr std::array<std::string_view, 3> kNames = {"start", "following", "damping"};
+  return kNames[static_cast<std::size_t>(state)];
+}
 
 struct GateCounts {
   std::uint64_t accepted = 0;
