@@ -43,9 +43,8 @@ enum class OutOfRange : std::uint8_t { kRefuse, kClamp };
 struct Field {
   std::string_view key;  // "" where the parameter is the value itself
   FieldKind kind = FieldKind::kNumber;
-  double low =
-      -std::numeric_limits<double>::infinity();  // of each number, inclusive; of a text its
-  double high = std::numeric_limits<double>::infinity();  // length in bytes
+  double low = -std::numeric_limits<double>::infinity();  // of each number, inclusive
+  double high = std::numeric_limits<double>::infinity();
   OutOfRange beyond = OutOfRange::kRefuse;
   int count = 0;               // elements of kNumbers and kPath; 0 = any
   bool optional = false;       // may be missing
