@@ -179,6 +179,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
+  robot.Play(options.script);
   const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
   const Housekeeper housekeeper(config, options.status_line, participant, std::move(watch), &board);
 
@@ -190,7 +191,9 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   while (true) {
     pacer.WaitFor(robot.step());
     const StepHealth health = robot.Tick();
+    mode.motion_service = robot.owner().active();
     host.Poll(&mode, clock.Now());
+    if (mode.motion_service.empty()) robot.owner().Release();
 
     if (!ready) {
       ready = true;
