@@ -57,17 +57,17 @@ struct RateSpec {
 
 // A program on the robot's own computer, as robot_state lists it.
 struct ServiceSpec {
-  std::string name;
-  std::string alias;     // motion_switcher's word for it; "" when it moves no motors
+  std::string name{};
+  std::string alias{};   // motion_switcher's word for it; "" when it moves no motors
   bool on = true;        // at boot; of motion services, motion.service says which is on
   bool protect = false;  // refuses to be switched
-  std::string since;     // firmware from which on it is there; "" = always
-  std::string before;    // firmware from which on it is gone; "" = never
+  std::string since{};   // firmware from which on it is there; "" = always
+  std::string before{};  // firmware from which on it is gone; "" = never
 };
 
 // rt/arm_sdk: commands mixed over those of the motion service.
 struct ArmSdkSpec {
-  std::vector<double> slots;       // motors it acts on, by slot; none where there is no arm_sdk
+  std::vector<double> slots{};     // motors it acts on, by slot; none where there is no arm_sdk
   int weight_slot = 0;             // whose q is the weight
   bool weight_in_mode_pr = false;  // mode_pr is the weight in percent instead
   double timeout = 0;              // s after which an old command no longer counts; 0 = never
@@ -75,11 +75,11 @@ struct ArmSdkSpec {
 
 // What a chord of the remote controller does while the motion service is on.
 struct ChordSpec {
-  std::string keys;          // "L2+B"
-  int clicks = 1;            // of the last key
-  std::string does;          // a word of kChordActions, motion/chord.h
-  double value = 0;          // state id, action id; 0 where there is none
-  std::vector<double> from;  // ids of states it works in; none = in all
+  std::string keys{};          // "L2+B"
+  int clicks = 1;              // of the last key
+  std::string does{};          // a word of kChordActions, motion/chord.h
+  double value = 0;            // state id, action id; 0 where there is none
+  std::vector<double> from{};  // ids of states it works in; none = in all
 };
 
 struct RemoteSpec {

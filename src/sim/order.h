@@ -54,8 +54,8 @@ using Order = std::variant<LowerCrane, AttachCrane, ReleaseCrane, ClampBase, Res
 // An order that a script gives.
 struct ScriptEvent {
   double at = 0;  // simulated s
-  Order order;
-  std::string where;  // "stand.yaml:3"
+  Order order{};
+  std::string where{};  // "stand.yaml:3"
 };
 
 }  // namespace understudy
