@@ -120,6 +120,7 @@ Status Emulator::status() const {
   status.motion = router_.owner().state();
   status.arm_weight = router_.service_on() ? router_.arm_weight(time()) : 0;
   status.remote = state_.remote;
+  status.stick_wish = router_.stick_wish();
   status.commands = router_.gate().counts();
   status.last_refusal = last_refusal_;
   status.port = port_->counts();

@@ -25,6 +25,7 @@ struct Status {
   MotionState motion;                     // of that service
   double arm_weight = 0;                  // of rt/arm_sdk, 0..1
   RemoteReading remote;
+  std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
   GateCounts commands;
   Refusal last_refusal = Refusal::kNone;
   PortCounts port;

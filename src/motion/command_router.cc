@@ -78,10 +78,11 @@ void CommandRouter::Obey(const RemoteReading& remote, double t) {
     FollowOwner();
   }
   const bool moved = remote.lx != 0 || remote.ly != 0 || remote.rx != 0;
+  stick_wish_ = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
+                 -stick_speed_[2] * remote.rx};
   if ((moved || sticks_moved_) && service_on()) {
     owner_.Ask({.action = MotionAction::kMove,
-                .value = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
-                          -stick_speed_[2] * remote.rx, kStickHold}});
+                .value = {stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold}});
   }
   sticks_moved_ = moved;
 }

@@ -3,6 +3,7 @@
 #ifndef UNDERSTUDY_MOTION_COMMAND_ROUTER_H_
 #define UNDERSTUDY_MOTION_COMMAND_ROUTER_H_
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -52,6 +53,8 @@ class CommandRouter {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
+  // What the sticks ask for: forward, left m/s, turn rad/s.
+  const std::array<double, 3>& stick_wish() const { return stick_wish_; }
   double arm_weight(double t) const { return arms_.weight(t); }
 
  private:
@@ -74,6 +77,7 @@ class CommandRouter {
   bool fresh_lowcmd_ = false;  // one has been taken in this tick
   bool fought_ = false;        // rt/lowcmd spoke after the service
   bool sticks_moved_ = false;
+  std::array<double, 3> stick_wish_{};
 };
 
 }  // namespace understudy

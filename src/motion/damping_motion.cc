@@ -3,10 +3,12 @@
 namespace understudy {
 
 MotionVerdict DampingMotion::Ask(const MotionGoal& goal) {
-  if (goal.action != MotionAction::kDamp && goal.action != MotionAction::kZeroTorque) {
-    return MotionVerdict::kUnable;
-  }
-  is_limp_ = goal.action == MotionAction::kZeroTorque;
+  const bool by_id = goal.action == MotionAction::kSetFsm;
+  const bool damp = goal.action == MotionAction::kDamp || (by_id && goal.value[0] == damped_.id);
+  const bool limp =
+      goal.action == MotionAction::kZeroTorque || (by_id && goal.value[0] == limp_.id);
+  if (!damp && !limp) return MotionVerdict::kUnable;
+  is_limp_ = !damp;
   return MotionVerdict::kTaken;
 }
 

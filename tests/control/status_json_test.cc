@@ -29,6 +29,7 @@ Status EveryFieldSet() {
   status.motion = {.id = 1001, .mode = 7};
   status.arm_weight = 0.25;
   status.remote = {.there = true, .keys = 0x220, .lx = 1, .ly = 0.5, .rx = -1, .ry = -0.5};
+  status.stick_wish = {1, 2, 3};
   status.script_done = 3;
   status.script_refused = 1;
   status.script_refusal = {'n', 'o'};
@@ -53,7 +54,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("motor_mode":15,"not_finite":16,"gain":17,"motion_service":18},"last_refusal":"mode_pr","unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
-      R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5},)"
+      R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
       R"("script":{"done":3,"refused":1,"refusal":"no"},)"
       R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
       R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125}})");

@@ -30,6 +30,14 @@ TEST_F(DampingMotionTest, GoesLimpAndBack) {
   EXPECT_TRUE(Step().motors[0].enabled);
 }
 
+TEST_F(DampingMotionTest, KnowsItsStatesByTheirIds) {
+  EXPECT_EQ(motion_.Ask({.action = MotionAction::kSetFsm, .value = {0}}), MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.state().id, 0);
+  EXPECT_EQ(motion_.Ask({.action = MotionAction::kSetFsm, .value = {1}}), MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.state().id, 1);
+  EXPECT_EQ(motion_.Ask({.action = MotionAction::kSetFsm, .value = {4}}), MotionVerdict::kUnable);
+}
+
 TEST_F(DampingMotionTest, CanDoNothingElse) {
   EXPECT_EQ(motion_.Ask({.action = MotionAction::kStandUp}), MotionVerdict::kUnable);
   EXPECT_TRUE(Step().motors[0].enabled);
