@@ -18,7 +18,7 @@
 #include "reporter.h"
 #include "robot/errors.h"
 #include "scene.h"
-#include "services/motion_switcher.h"
+#include "services/robot_services.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
@@ -171,10 +171,8 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
-  std::vector<std::unique_ptr<Service>> services;
-  services.push_back(std::make_unique<MotionSwitcher>());
-  ServiceHost host(participant, std::move(services));
-  RobotMode mode;
+  ServiceHost host(participant, ServicesOf(config.robot.name),
+                   [](const std::string& notice) { spdlog::warn("{}", notice); });
 
   Inbox inbox;
   StatusBoard board;
@@ -191,9 +189,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   while (true) {
     pacer.WaitFor(robot.step());
     const StepHealth health = robot.Tick();
-    mode.motion_service = robot.owner().active();
-    host.Poll(&mode, clock.Now());
-    if (mode.motion_service.empty()) robot.owner().Release();
+    host.Poll(&robot.owner(), clock.Now());
 
     if (!ready) {
       ready = true;
