@@ -173,11 +173,11 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   const auto port = OpenPort(participant, config.robot);
   ServiceHost host(participant, ServicesOf(config.robot.name),
                    [](const std::string& notice) { spdlog::warn("{}", notice); });
-  MotorOwner owner({}, "0", nullptr);
 
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
+  robot.Play(options.script);
   const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
   const Housekeeper housekeeper(config, options.status_line, participant, std::move(watch), &board);
 
@@ -189,7 +189,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   while (true) {
     pacer.WaitFor(robot.step());
     const StepHealth health = robot.Tick();
-    host.Poll(&owner, clock.Now());
+    host.Poll(&robot.owner(), clock.Now());
 
     if (!ready) {
       ready = true;

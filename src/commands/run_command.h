@@ -16,6 +16,7 @@ struct RunArguments {
   std::string robot;
   std::string name;
   std::vector<std::string> config_files;
+  std::string script;
   std::vector<std::string> sets;  // "key=value"; options such as --speed are put in front of them
   bool print_config = false;
   bool help_config = false;

@@ -165,6 +165,21 @@ ApiRow Without(std::int64_t id, std::string_view name, std::vector<Field> schema
           .source = source};
 }
 
+ServiceReply LeaveToUser(const ServiceCall& call) {
+  call.owner->SetUserControl(true);
+  return {};
+}
+
+// 0 goes on in the last state, 1 damps, 2 walks.
+ServiceReply TakeBack(const ServiceCall& call) {
+  constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
+  const int mode = call.parameter.at("data").get<int>();
+  call.owner->SetUserControl(false);
+  if (mode == kPassive) call.owner->Ask({.action = MotionAction::kDamp});
+  if (mode == kWalkRun) call.owner->Ask({.action = MotionAction::kSetFsm, .value = {kWalkId}});
+  return {};
+}
+
 ServiceReply GiveH2Ids(const ServiceCall&) {
   constexpr std::array kIds = {0, 1, 2, 3, 4, 5, 100, 502, 503, 601, 701, 703};
   constexpr std::array kNames = {"Invalid",     "Passive",       "Protection",  "Sit",
@@ -198,8 +213,18 @@ ServiceTable G1SportTable() {
   table.rows.push_back(
       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
   table.rows.push_back(SetSpeedMode(l));
-  table.rows.push_back(Without(7110, "SwitchToUserCtrl", {Optional(Bool())}, "[sdk] g1/loco"));
-  table.rows.push_back(Without(7111, "SwitchToInternalCtrl", {Int("data", 0, 2)}, "[sdk] g1/loco"));
+  table.rows.push_back({.id = 7110,
+                        .name = "SwitchToUserCtrl",
+                        .fields = {Optional(Bool())},
+                        .effect = Special{&LeaveToUser},
+                        .does = "leaves the motors to rt/user_lowcmd",
+                        .source = "[sdk] g1/loco"});
+  table.rows.push_back({.id = 7111,
+                        .name = "SwitchToInternalCtrl",
+                        .fields = {Int("data", 0, 2)},
+                        .effect = Special{&TakeBack},
+                        .does = "takes the motors back: 0 last state, 1 damping, 2 walking",
+                        .source = "[sdk] g1/loco"});
   return table;
 }
 
