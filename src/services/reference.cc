@@ -74,7 +74,10 @@ std::string ServicesReference() {
       }
     }
   }
-  text += "| any other | " + Titles(ServicesOf("")) + " |\n";
+  text += "| any other | " + Titles(ServicesOf("")) + " |\n\n";
+  text +=
+      "A Go2 also listens to `rt/utlidar/switch` (`ON`, `OFF`: the program unitree_lidar) and to "
+      "`rt/uwbswitch` (what uwbswitch SwitchSet sets).\n";
   for (const ServiceTable& table : all) text += Section(table);
   return text;
 }

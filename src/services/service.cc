@@ -58,6 +58,10 @@ Service::Service(ServiceTable table) : table_(std::move(table)) {
   }
 }
 
+void Service::Set(std::string_view name, json value) {
+  settings_[std::string(name)] = std::move(value);
+}
+
 bool Service::IsServed(const MotorOwner& owner) const {
   if (table_.needs_motion && owner.active().empty()) return false;
   const auto services = owner.services();

@@ -43,6 +43,7 @@ class Service {
 
   Lease& lease() { return lease_; }
   const Settings& settings() const { return settings_; }
+  void Set(std::string_view name, nlohmann::json value);
 
  private:
   ServiceReply Act(const ApiRow& row, const nlohmann::json& parameter, std::size_t binary_bytes,

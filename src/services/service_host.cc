@@ -38,10 +38,16 @@ ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTabl
     Service* service = services_.emplace_back(std::make_unique<Service>(std::move(table))).get();
     channels_.push_back(std::make_unique<Channel>(participant, name, service, false));
     channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
+    if (name == "uwbswitch") switches_.emplace(participant, service);
   }
 }
 
 void ServiceHost::Poll(MotorOwner* owner, WallTime now) noexcept {
+  try {
+    if (switches_) switches_->Poll(owner);
+  } catch (const std::exception&) {
+    // Out of memory: the switch stays as it was.
+  }
   for (const auto& channel : channels_) {
     try {
       Receive(channel.get());

@@ -18,6 +18,7 @@
 #include "bus/writer.h"
 #include "idl/unitree_api.h"
 #include "services/service.h"
+#include "services/switch_topics.h"
 
 namespace understudy {
 
@@ -85,6 +86,7 @@ class ServiceHost {
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
+  std::optional<SwitchTopics> switches_;  // of robots with uwbswitch
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
   std::uint64_t requests_ = 0;

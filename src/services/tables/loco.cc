@@ -176,7 +176,11 @@ ServiceReply TakeBack(const ServiceCall& call) {
   const int mode = call.parameter.at("data").get<int>();
   call.owner->SetUserControl(false);
   if (mode == kPassive) call.owner->Ask({.action = MotionAction::kDamp});
-  if (mode == kWalkRun) call.owner->Ask({.action = MotionAction::kSetFsm, .value = {kWalkId}});
+  if (mode == kWalkRun && call.owner->Ask({.action = MotionAction::kSetFsm, .value = {kWalkId}}) ==
+                              MotionVerdict::kUnable) {
+    *call.notice = "sport SwitchToInternalCtrl: nothing here walks; answered 7301";
+    return {.code = 7301};
+  }
   return {};
 }
 

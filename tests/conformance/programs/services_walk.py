@@ -6,10 +6,10 @@ a number, a number for a text. Prints one JSON object: per client and method the
 another had set.
 """
 
+import concurrent.futures
 import importlib
 import inspect
 import json
-import threading
 
 from sdk_session import arguments
 
@@ -37,13 +37,14 @@ CLIENTS = {
 }
 SWITCHER = "comm.motion_switcher.motion_switcher_client.MotionSwitcherClient"
 MOTION = ("sport", "loco", "arm")  # what the motion service serves, or only while it is on
-# Passes a dict where the binding wants a text: it raises in the client.
+# Passes a dict where the binding wants a text: the client raises.
 BROKEN = {("robot_state", "SetReportFreq")}
 GOOD = {
     ("robot_state", "ServiceSwitch"): ["vui_service", True],
     ("arm", "ExecuteAction"): [99],
     ("motion_switcher", "SelectMode"): ["dance"],
 }
+BAD = {("robot_state", "ServiceSwitch"): [7, True]}  # it makes a number of the second itself
 BY_TYPE = {int: (1, "one"), float: (0.1, "much"), bool: (True, "yes"), str: ("a", 7)}
 
 
@@ -65,7 +66,7 @@ def arguments_of(module, service, name, method):
         else:
             good.append(BY_TYPE[kind][0])
             bad.append(BY_TYPE[kind][1])
-    return GOOD.get((service, name), good), bad
+    return GOOD.get((service, name), good), BAD.get((service, name), bad)
 
 
 def call(method, given):
@@ -77,9 +78,13 @@ def call(method, given):
     return result[0] if isinstance(result, tuple) else result
 
 
-def new_client(path):
+def class_of(path):
     module, name = path.rsplit(".", 1)
-    client = getattr(importlib.import_module("unitree_sdk2py." + module), name)()
+    return getattr(importlib.import_module("unitree_sdk2py." + module), name)
+
+
+def new_client(kind):
+    client = kind()
     client.SetTimeout(3.0)
     client.Init()
     return client
@@ -87,17 +92,9 @@ def new_client(path):
 
 def new_clients(paths):
     """One client of each; they wait long in their constructors, so all at once."""
-    clients = {}
-
-    def make(service, path):
-        clients[service] = new_client(path)
-
-    threads = [threading.Thread(target=make, args=item) for item in paths.items()]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    return clients
+    kinds = {service: class_of(path) for service, path in paths.items()}
+    with concurrent.futures.ThreadPoolExecutor(len(kinds)) as pool:
+        return dict(zip(kinds, pool.map(new_client, kinds.values())))
 
 
 def methods_of(client, service):
@@ -136,7 +133,7 @@ def main():
         report["services"] = {state.name: [state.status, state.protect] for state in states}
     if "vui" in clients:
         clients["vui"].SetVolume(3)
-        report["volume_for_another"] = new_client(CLIENTS[parsed.robot]["vui"]).GetVolume()
+        report["volume_for_another"] = new_client(class_of(CLIENTS[parsed.robot]["vui"])).GetVolume()
     report["calls"]["motion_switcher"] = walk(clients["motion_switcher"], "motion_switcher")
     print(json.dumps(report))
 
