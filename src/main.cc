@@ -21,6 +21,7 @@
 #include "exec/command.h"
 #include "exit_code.h"
 #include "robot/errors.h"
+#include "services/robot_services.h"
 #include "version.h"
 
 namespace understudy {
@@ -81,6 +82,16 @@ int Main(int argc, char** argv) {
   version->add_flag("--json", json, "As a JSON object");
   version->footer("Example: understudy version --json");
   version->callback([&] { chosen = [&] { return VersionCommand(json); }; });
+
+  CLI::App* services =
+      app.add_subcommand("services", "Print what every robot's services answer, as Markdown");
+  services->footer("Example: understudy services > docs/services.md");
+  services->callback([&] {
+    chosen = [&] {
+      std::fputs(ServicesReference().c_str(), stdout);
+      return 0;
+    };
+  });
 
   std::string shell;
   CLI::App* completions = app.add_subcommand("completions", "Print completions for a shell");

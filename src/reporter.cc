@@ -22,7 +22,8 @@ enum Cause : std::size_t {
   kTimeouts,
   kOverruns,
   kShifts,
-  kDivergence
+  kDivergence,
+  kScript
 };
 
 }  // namespace
@@ -52,6 +53,9 @@ std::string Reporter::Explain(Refusal refusal) {
       return "a motor's q, dq, tau, kp or kd is not a finite number";
     case Refusal::kGain:
       return "a motor's kp or kd is negative";
+    case Refusal::kMotionService:
+      return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
+             "ReleaseMode), or start with --released";
     case Refusal::kNone:
     case Refusal::kCount:
       break;
@@ -110,6 +114,16 @@ void Reporter::Update(const Status& status, WallTime now) {
   }
   if (status.divergences != last_.divergences && MaySpeak(kDivergence, now)) {
     spdlog::error("the physics diverged at {:.3f} s", status.time);
+  }
+  if (status.motion_service != last_.motion_service) {
+    if (const std::string_view service(status.motion_service.data()); service.empty()) {
+      spdlog::info("no motion service is on: motors follow rt/lowcmd");
+    } else {
+      spdlog::info("motion service {} moves the motors", service);
+    }
+  }
+  if (status.script_refused != last_.script_refused && MaySpeak(kScript, now)) {
+    spdlog::warn("script: {}", status.script_refusal.data());
   }
   if (status_line_) DrawStatusLine(status, now);
   last_ = status;

@@ -19,7 +19,7 @@
 #include "reporter.h"
 #include "robot/errors.h"
 #include "scene.h"
-#include "services/motion_switcher.h"
+#include "services/robot_services.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
@@ -165,14 +165,13 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
-  std::vector<std::unique_ptr<Service>> services;
-  services.push_back(std::make_unique<MotionSwitcher>());
-  ServiceHost host(participant, std::move(services));
-  RobotMode mode;
+  ServiceHost host(participant, ServicesOf(config.robot.name),
+                   [](const std::string& notice) { spdlog::warn("{}", notice); });
 
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
+  robot.Play(options.script);
   const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
@@ -184,7 +183,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   while (true) {
     pacer.WaitFor(robot.step());
     const StepHealth health = robot.Tick();
-    host.Poll(&mode, clock.Now());
+    host.Poll(&robot.owner(), clock.Now());
 
     if (!ready) {
       ready = true;

@@ -7,6 +7,7 @@
 
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/script.h"
 #include "exit_code.h"
 #include "physics/world_model.h"
 #include "robot/errors.h"
@@ -30,6 +31,9 @@ std::string CheckFile(const std::filesystem::path& file) {
   }
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
+  }
+  if (const YamlValue document = ReadYamlFile(file); IsScript(document)) {
+    return "script, " + std::to_string(ReadScript(document).size()) + " events";
   }
   const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
   const SceneFile scene("flat", {});

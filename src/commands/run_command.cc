@@ -12,6 +12,7 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
+#include "config/script.h"
 #include "control/control_folder.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
@@ -41,7 +42,18 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "End after so many simulated seconds [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
                  "damped, standing, hanging or clamped [the robot's own]");
+  app->add_flag_callback(
+      "--released",
+      [arguments] {
+        arguments->sets.insert(arguments->sets.begin(),
+                               std::string("motion.service=") + kNoService);
+      },
+      "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
   AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
+  app->add_option(
+         "--script", arguments->script,
+         "YAML file of what happens to the robot and when: remote controller, crane, pushes")
+      ->type_name("FILE");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")
@@ -58,6 +70,10 @@ Config Load(const RunArguments& arguments) {
       DataDir());
 }
 
+std::vector<ScriptEvent> LoadEvents(const RunArguments& arguments) {
+  return arguments.script.empty() ? std::vector<ScriptEvent>() : LoadScript(arguments.script);
+}
+
 std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
   MakeControlFolder(ControlFolder());
   return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
@@ -72,6 +88,7 @@ CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
       "Examples:\n"
       "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
       "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run go2 --released             for programs that do not release it themselves\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
       "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
@@ -111,6 +128,7 @@ int RunCommand(const RunArguments& arguments) {
     return 0;
   }
   RunOptions options;
+  options.script = LoadEvents(arguments);
   options.control_socket = MakeControlSocket(arguments, config);
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
@@ -124,6 +142,8 @@ int RunCommand(const RunArguments& arguments) {
 int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
   const Config config = Load(arguments);
+  RunOptions options;
+  options.script = LoadEvents(arguments);
   if (arguments.network == "private") EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
@@ -137,7 +157,6 @@ int ExecCommand(const RunArguments& arguments) {
   constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
   bool terminating = false;
-  RunOptions options;
   options.control_socket = control;
   options.on_ready = [&child] { child.Release(); };
   options.should_stop = [&] {

@@ -15,6 +15,7 @@ namespace understudy {
 struct RunArguments : SetArguments {
   std::string robot;
   std::string name;
+  std::string script;
   bool print_config = false;
   bool help_config = false;
   bool json = false;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/motion_config.h"
 #include "physics/terrain.h"
 #include "robot/command_gate.h"
 #include "robot/robot_spec.h"
@@ -53,6 +54,7 @@ struct Config {
   PhysicsConfig physics;
   SensorConfig sensors;
   GateConfig gate;
+  MotionConfig motion;
   CraneConfig crane;
   StartConfig start;
   std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path

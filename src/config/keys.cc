@@ -65,6 +65,16 @@ void DescribeGate(Archive& a, GateConfig& c) {
         &c.damping_kd);
 }
 
+void DescribeMotion(Archive& a, MotionConfig& c) {
+  a.Key({"service",
+         "Motion service that moves the robot at the start, by its alias in robot.services; none: "
+         "rt/lowcmd does; \"\": the first that robot.firmware has"},
+        &c.service);
+  a.Key({"fight",
+         "Follow rt/lowcmd although a motion service is on: motors do what either said last"},
+        &c.fight);
+}
+
 void DescribeCrane(Archive& a, CraneConfig& c) {
   a.Key({"length",
          "m",
@@ -102,6 +112,9 @@ void Describe(Archive& a, Config& c) {
             [&] { DescribeSensors(a, c.sensors); });
   a.Section(
       {"gate", "Which commands the motors follow"}, [&] { DescribeGate(a, c.gate); }, "mode");
+  a.Section(
+      {"motion", "The robot's own motion service"}, [&] { DescribeMotion(a, c.motion); },
+      "service");
   a.Section({"crane", "The tether a robot hangs from"}, [&] { DescribeCrane(a, c.crane); });
   a.Section({"start", "How a run begins"}, [&] { DescribeStart(a, c.start); });
   a.Section({"robot", "What the robot is; config/robots holds one file per robot"},

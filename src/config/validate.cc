@@ -9,7 +9,10 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
+#include "motion/chord.h"
+#include "motion/onboard.h"
 #include "robot/errors.h"
+#include "robot/firmware.h"
 #include "robot/nearest_word.h"
 
 namespace understudy {
@@ -114,8 +117,52 @@ void CheckRates(const Config& config, const Checker& checker) {
                   "expected a rate that divides lowstate_hz " + NumberText(rates.lowstate_hz) +
                       ", got " + NumberText(rate));
   };
+  checker.Check(IsWhole(steps / rates.service_hz), "robot.rates.service_hz",
+                "expected a rate whose period is a whole number of physics steps, got " +
+                    NumberText(rates.service_hz));
   divides(rates.motion_hz, "robot.rates.motion_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
+}
+
+void CheckFirmware(const RobotSpec& robot, const Checker& checker) {
+  const auto check = [&](const std::string& version, const std::string& key) {
+    checker.Check(version.empty() || IsFirmware(version), key,
+                  "expected numbers between dots, as in 1.1.6, got '" + version + "'");
+  };
+  check(robot.firmware, "robot.firmware");
+  check(robot.state_id_since, "robot.state_id_since");
+  for (std::size_t i = 0; i < robot.services.size(); ++i) {
+    const ServiceSpec& service = robot.services[i];
+    const std::string key = "robot.services." + std::to_string(i) + ".";
+    checker.Check(!service.name.empty(), key + "name", "expected a name");
+    check(service.since, key + "since");
+    check(service.before, key + "before");
+  }
+}
+
+void CheckMotionService(const Config& config, const Checker& checker) {
+  const std::string& wanted = config.motion.service;
+  std::vector<std::string> words = MotionServices(config.robot);
+  words.emplace_back(kNoService);
+  const bool known = wanted.empty() || std::find(words.begin(), words.end(), wanted) != words.end();
+  checker.Check(known, "motion.service",
+                "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
+                    DidYouMean(wanted, words));
+}
+
+void CheckArmSdk(const RobotSpec& robot, const Checker& checker) {
+  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
+  const ArmSdkSpec& arms = robot.arm_sdk;
+  for (std::size_t i = 0; i < arms.slots.size(); ++i) {
+    const double slot = arms.slots[i];
+    const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
+                                 [&](const MotorSpec& motor) { return motor.slot == slot; });
+    checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + NumberText(slot));
+  }
+  checker.Check(arms.weight_slot < slots, "robot.arm_sdk.weight_slot",
+                "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
+                    std::to_string(arms.weight_slot));
+  checker.Check(robot.remote.speed.size() == 3, "robot.remote.speed", "expected three numbers");
 }
 
 void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker) {
@@ -159,6 +206,14 @@ void Validate(const Config& config, const Places& places) {
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
   CheckRates(config, checker);
+  CheckFirmware(robot, checker);
+  CheckMotionService(config, checker);
+  CheckArmSdk(robot, checker);
+  for (std::size_t i = 0; i < robot.remote.chords.size(); ++i) {
+    const std::string key = "robot.remote.chords." + std::to_string(i);
+    const auto place = places.find(key + ".keys");
+    MakeChord(robot.remote.chords[i], (place == places.end() ? "" : place->second + ": ") + key);
+  }
   checker.Check(robot.battery.cell_empty_v < robot.battery.cell_full_v,
                 "robot.battery.cell_empty_v", "expected less than cell_full_v");
   checker.Check(robot.battery.cells > 0, "robot.battery.cells", "expected at least one cell");

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "robot/remote_keys.h"
+
 namespace understudy {
 namespace {
 
@@ -41,6 +43,23 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
+      {"motion",
+       {{"service", status.motion_service.data()},
+        {"state", status.motion.id},
+        {"mode", status.motion.mode},
+        {"arm_weight", status.arm_weight}}},
+      {"remote",
+       {{"there", status.remote.there},
+        {"keys", RemoteKeyNames(status.remote.keys)},
+        {"lx", status.remote.lx},
+        {"ly", status.remote.ly},
+        {"rx", status.remote.rx},
+        {"ry", status.remote.ry},
+        {"wish", status.stick_wish}}},
+      {"script",
+       {{"done", status.script_done},
+        {"refused", status.script_refused},
+        {"refusal", status.script_refusal.data()}}},
       {"published", status.published},
       {"write_failures", status.port.write_failures},
       {"divergences", status.divergences},

@@ -119,8 +119,16 @@ bool PhysicsWorld::clamped() const {
   return has_fixed_base() || Active(model_.get(), data_.get())[clamp_] != 0;
 }
 
+int PhysicsWorld::FindBody(const std::string& name) const {
+  return mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
+}
+
+Eigen::Vector3d PhysicsWorld::CenterOfMass(int body) const {
+  return Vector(data_->xipos + 3 * body);
+}
+
 int PhysicsWorld::Body(const std::string& name) const {
-  const int body = mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
+  const int body = FindBody(name);
   if (body < 0) throw ModelError("the model has no body '" + name + "'");
   return body;
 }

@@ -28,7 +28,7 @@ class Sensors {
   Sensors(const SensorConfig& config, const RobotSpec& spec);
 
   // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
-  // state->remote.
+  // state->remote and state->motion.
   void Sample(const PhysicsWorld& world, const MotorBank& motors, const RobotCommand& command,
               const Battery& battery, std::int64_t tick_ms, RobotState* state);
 

@@ -9,6 +9,7 @@
 #include "robot/parallel_joint.h"
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
+#include "wire/remote_codec.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
@@ -87,7 +88,8 @@ void Encode(const RobotState& state, const RobotSpec& spec,
       EncodePair(state, spec, ParallelJoint(pair), message);
     }
   }
-  std::ranges::copy(state.remote, message->wireless_remote);
+  const auto remote = EncodeRemote(state.remote);
+  std::ranges::copy(remote, message->wireless_remote);
   message->crc = MessageCrc(*message);
 }
 

@@ -104,5 +104,29 @@ TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
   EXPECT_EQ(ErrorOf([&] { Validate(config); }), "network.domain: expected 0 to 232");
 }
 
+TEST_F(ValidateTest, AMotionServiceIsOneOfTheFirmwares) {
+  EXPECT_THAT(SetError("motion.service=ai"), testing::HasSubstr("has no motion service 'ai'"));
+  Load({}, {"motion.service=none"});
+  Load({}, {"robot.services=[{name: sport, alias: ai}]", "motion.service=ai"});
+  EXPECT_THAT(ErrorOf([&] {
+                Load({}, {"robot.services=[{name: sport, alias: ai, since: \"2\"}]",
+                          "robot.firmware=\"1\"", "motion.service=ai"});
+              }),
+              testing::HasSubstr("firmware '1' has no motion service 'ai'"));
+}
+
+TEST_F(ValidateTest, FirmwareIsNumbersBetweenDots) {
+  EXPECT_THAT(SetError("robot.firmware=new"), testing::HasSubstr("expected numbers between dots"));
+}
+
+TEST_F(ValidateTest, ArmSdkMovesMotorsThatAreThere) {
+  EXPECT_THAT(SetError("robot.arm_sdk.slots=[0, 5]"), testing::HasSubstr("no motor is in slot 5"));
+}
+
+TEST_F(ValidateTest, ChordsAreOfKeysThatExist) {
+  EXPECT_THAT(SetError("robot.remote.chords=[{keys: L9, does: damp}]"),
+              testing::HasSubstr("robot.remote.chords.0.keys: expected keys joined by +"));
+}
+
 }  // namespace
 }  // namespace understudy

@@ -25,7 +25,7 @@ def messages(robot, settings, topic, kind, until):
     """The samples of a topic, from wherever discovery lets one in to the tick `until`."""
     with listener(topic, kind, domain=3) as ear:
         # A wait before the first word gives discovery its time: then no sample is missed.
-        played = Robot(robot, "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", 4,
+        played = Robot(robot, "--released", "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", 4,
                        "--duration", until / 1000, *options_of(settings))
         try:
             played.exit_code()
@@ -73,7 +73,7 @@ class Seen:
     def check(self, play):
         looks = []
         for settings in ([], [self._changed]):
-            played = play(self._robot, *self._given, *options_of(settings))
+            played = play(self._robot, "--released", *self._given, *options_of(settings))
             looks.append(self._look(played))
             played.end()
         assert looks[0] != looks[1]

@@ -7,6 +7,8 @@ import tempfile
 import time
 
 import pytest
+from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
+from unitree_sdk2py.go2.robot_state.robot_state_client import RobotStateClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import IMUState_
 
@@ -31,6 +33,7 @@ from peers import (
     HgLowState,
     go_command,
     hg_command,
+    join,
     listener,
     speaker,
 )
@@ -140,9 +143,120 @@ def differs_hanging(setting):
 
 DROPPED = ("start.pose=standing", "robot.standing.height=1")  # lands hard on held legs
 DIVERGING = ("start.pose=hanging", "crane.stiffness=1000000", "crane.damping=100000",
-             "physics.timestep=0.01", "robot.rates.lowstate_hz=100", "robot.rates.motion_hz=100")
+             "physics.timestep=0.01", "robot.rates.lowstate_hz=100", "robot.rates.motion_hz=100",
+             "robot.rates.service_hz=100")
+
+def arm_weight(played):
+    """Of rt/arm_sdk, half a second after clients have stopped sending 0.5 in slot 29."""
+    message = hg_command(mode_machine=0)
+    message.motor_cmd[29].q = 0.5
+    with speaker("rt/arm_sdk", HgLowCmd) as client:
+        client.write_for(0.4, message)
+        time.sleep(0.5)
+        return played.status()["motion"]["arm_weight"]
+
+
+def arm_sdk(key, value):
+    return Seen(f"robot.arm_sdk.{key}={value}", arm_weight, robot="g1", given=("motion.service=ai",))
+
+
+def arm_moves(played):
+    """Where an elbow is to which a client alone has held 1 rad."""
+    message = hg_command(mode_machine=0)
+    message.motor_cmd[29].q = 1.0
+    message.motor_cmd[18].q, message.motor_cmd[18].kp, message.motor_cmd[18].kd = 1.0, 60.0, 2.0
+    with speaker("rt/arm_sdk", HgLowCmd) as client, listener("rt/lowstate", HgLowState) as ear:
+        client.write_for(1.0, message)
+        return round(ear.take()[-1].motor_state[18].q, 1)
+
+
+def takes_user_lowcmd(played):
+    with speaker("rt/user_lowcmd", HgLowCmd) as client:
+        time.sleep(0.3)
+        return bool(client._writer.get_matched_subscriptions())
+
+
+def by_a_chord(changed, look=lambda played: played.status()["motion"], does="debug"):
+    """The motion service after L2+B, where that is the only chord."""
+    def press(played):
+        played.ctl("remote", "press", "L2+B")
+        time.sleep(0.3)
+        return look(played)
+
+    given = f"robot.remote.chords=[{{keys: L2+B, does: {does}}}]"
+    return Seen(f"robot.remote.chords=[{{{changed}}}]", press, robot="g1",
+                given=("motion.service=ai", given))
+
+
+def stick_wish(played):
+    played.ctl("remote", "stick", "ly=1")
+    return played.becomes(lambda now: now["remote"]["ly"] == 1)["remote"]["wish"]
+
+
+def state_of_the_switcher(played):
+    join(0)
+    client = MotionSwitcherClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    return client.CheckMode()
+
+
+def on_board(played):
+    """What robot_state lists."""
+    join(0)
+    client = RobotStateClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    code, services = client.ServiceList()
+    assert code == 0
+    return [(one.name, one.status, one.protect) for one in services]
+
+
+def board(changed):
+    return Seen(f"robot.services=[{{name: one}}, {{{changed}}}]", on_board,
+                given=("robot.services=[{name: one}, {name: two}]",))
+
+
+def motion_service(played):
+    return played.status()["motion"]["service"]
+
+
+def state_told(played):
+    with listener("rt/sportmodestate", SportModeState_) as ear:
+        return ear.wait()[-1].error_code
+
+
+MCF = ("motion.service=mcf",)
 
 SETTINGS = {
+    "motion.service": Seen("motion.service=mcf", motion_service),
+    "motion.fight": Seen("motion.fight=true", given=MCF, look=lambda robot: commanded(
+        robot, GoLowCmd, go_command())["commands"]["accepted"] > 0),
+    "robot.firmware": Seen("robot.firmware=1.1.5", motion_service, given=("motion.service=",)),
+    "robot.form": Seen("robot.form='1'", state_of_the_switcher),
+    "robot.state_id_since": Seen("robot.state_id_since=", state_told),
+    "robot.services[].name": board("name: three"),
+    "robot.services[].alias": Seen("robot.services=[{name: mcf, alias: ai}]", motion_service,
+                                   given=("motion.service=",)),
+    "robot.services[].on": board("name: two, on: false"),
+    "robot.services[].protect": board("name: two, protect: true"),
+    "robot.services[].since": board("name: two, since: 9"),
+    "robot.services[].before": board("name: two, before: 1"),
+    "robot.arm_sdk.slots": Seen("robot.arm_sdk.slots=[15]", arm_moves, robot="g1",
+                                given=("motion.service=ai",)),
+    "robot.arm_sdk.weight_slot": arm_sdk("weight_slot", 30),
+    "robot.arm_sdk.weight_in_mode_pr": arm_sdk("weight_in_mode_pr", "true"),
+    "robot.arm_sdk.timeout": arm_sdk("timeout", 0.01),
+    "robot.user_lowcmd": Seen("robot.user_lowcmd=false", takes_user_lowcmd, robot="g1"),
+    "robot.remote.chords[].keys": by_a_chord("keys: A, does: debug"),
+    "robot.remote.chords[].clicks": by_a_chord("keys: L2+B, clicks: 2, does: debug"),
+    "robot.remote.chords[].does": by_a_chord("keys: L2+B, does: damp"),
+    "robot.remote.chords[].value": by_a_chord("keys: L2+B, does: set_fsm, value: 1",
+                                              does="set_fsm"),
+    "robot.remote.chords[].from": by_a_chord("keys: L2+B, does: debug, from: [99]"),
+    "robot.remote.speed": Seen("robot.remote.speed=[0.1, 0, 0]", stick_wish),
+    "robot.rates.service_hz": Differs("robot.rates.service_hz=100",
+                                      given=("start.pose=standing", *MCF)),
     "scene": Refused("scene=moon", 4, "no scene 'moon'"),
     "terrain.difficulty": MadeGround("terrain.difficulty=0.9"),
     "terrain.friction": MadeGround("terrain.friction=0.3"),

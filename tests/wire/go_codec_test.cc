@@ -209,12 +209,11 @@ TEST(GoEncodeTest, WritesTheBatteryAsARealGo2Did) {
 TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {
   RobotState state = StateOf(GoRobot());
   EXPECT_EQ(EncodeOnce(state).bit_flag, 0x24);
-  state.remote[0] = 0x55;
-  state.remote[39] = 9;
+  state.remote = {.there = true, .keys = 9};
   const LowState message = EncodeOnce(state);
   EXPECT_EQ(message.bit_flag, 0x04);
   EXPECT_EQ(message.wireless_remote[0], 0x55);
-  EXPECT_EQ(message.wireless_remote[39], 9);
+  EXPECT_EQ(message.wireless_remote[2], 9);
 }
 
 TEST(GoEncodeTest, WritesTheBoardAsARealGo2Did) {

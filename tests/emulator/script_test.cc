@@ -1,0 +1,80 @@
+#include "robot/errors.h"
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy {
+namespace {
+
+class ScriptTest : public EmulatorTest {};
+
+TEST_F(ScriptTest, GivesEachOrderToTheTickOfItsTime) {
+  config_.robot.rates.lowstate_hz = 1000;
+  StartAs("standing");
+  emulator_->Play({{.at = 0.3, .order = ClampBase{}, .where = ""},
+                   {.at = 0.5, .order = ClampBase{.on = false}, .where = ""}});
+  Tick(300);
+  EXPECT_FALSE(emulator_->status().clamped);
+  Tick();
+  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_EQ(emulator_->status().script_done, 1U);
+  Tick(200);
+  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_EQ(emulator_->status().script_done, 2U);
+}
+
+TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
+  StartAs("standing");
+  emulator_->Play({{.at = 0, .order = LowerCrane{.by = 1}, .where = "s.yaml:3"}});
+  Tick();
+  EXPECT_EQ(emulator_->status().script_refused, 1U);
+  EXPECT_STREQ(emulator_->status().script_refusal.data(),
+               "s.yaml:3: the robot does not hang from the crane");
+}
+
+TEST_F(ScriptTest, RefusesABodyThatTheModelDoesNotHave) {
+  Start();
+  EXPECT_THROW(emulator_->Play({{.at = 0, .order = PushBody{.body = "tail"}, .where = "s:1"}}),
+               ConfigError);
+}
+
+class PushTest : public EmulatorTest {
+ protected:
+  // Speed of the base after a tick that follows `ticks` of a push of 60 N on 6 kg in free fall.
+  double SpeedAfter(int ticks, double seconds) {
+    config_.start.pose = "hanging";
+    Start();
+    Order(ReleaseCrane{});
+    Order(PushBody{.body = "", .force = {60, 0, 0}, .seconds = seconds});
+    Tick(ticks);
+    return emulator_->world().base().v_WB_W.x();
+  }
+};
+
+TEST_F(PushTest, GivesTheRobotItsImpulse) {
+  EXPECT_NEAR(SpeedAfter(150, 0.1), 1, 0.2);  // 60 N · 0.1 s on 6 kg, part of it to the legs
+}
+
+TEST_F(PushTest, LastsAsLongAsItIsTold) {
+  const double short_push = SpeedAfter(40, 0.01);
+  const double long_push = SpeedAfter(40, 0.02);
+  EXPECT_NEAR(long_push, 2 * short_push, 0.1 * long_push);
+}
+
+TEST_F(PushTest, OfABodyThatIsNotThereIsRefused) {
+  Start();
+  auto answer = inbox_.Put(PushBody{.body = "tail", .seconds = 1}, Inbox::WallTime::max());
+  Tick();
+  EXPECT_EQ(answer->get(), "the model has no body 'tail'");
+}
+
+TEST_F(PushTest, EndsWithAReset) {
+  config_.start.pose = "clamped";
+  Start();
+  Order(PushBody{.body = "", .force = {60, 0, 0}, .seconds = 100});
+  Order(ResetRobot{});
+  Order(ClampBase{.on = false});
+  Tick(100);
+  EXPECT_NEAR(emulator_->world().base().v_WB_W.x(), 0, 1e-6);
+}
+
+}  // namespace
+}  // namespace understudy
