@@ -142,8 +142,7 @@ Emulator::Start Emulator::StartOf(const Config& config) {
   const std::string& name = config.start.pose.empty() ? robot.default_start : config.start.pose;
   const RobotCommand damping = DampingCommand(robot.motors.size(), config.gate.damping_kd);
   if (name == "standing") {
-    return {
-        .command = HoldCommand(robot, robot.standing.q), .pose = robot.standing, .standing = true};
+    return {.command = HoldCommand(robot, robot.standing.q), .pose = robot.standing};
   }
   if (name == "hanging") return {.command = damping, .pose = robot.hanging, .on_crane = true};
   if (name == "clamped") return {.command = damping, .pose = robot.hanging, .clamped = true};
