@@ -15,6 +15,7 @@ import time
 
 import pytest
 from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
+from unitree_sdk2py.g1.loco.g1_loco_client import LocoClient
 from unitree_sdk2py.go2.robot_state.robot_state_client import RobotStateClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import IMUState_
@@ -278,20 +279,24 @@ def arm_sdk(key, value):
     return Seen(f"robot.arm_sdk.{key}={value}", arm_weight, robot="g1", given=("motion.service=ai",))
 
 
-def arm_moves(played):
-    """Where an elbow is to which a client alone has held 1 rad."""
+def arm_moves(played, topic="rt/arm_sdk"):
+    """Whether an elbow comes near -0.5 rad, where a client holds it; left alone it hangs."""
     message = hg_command(mode_machine=0)
     message.motor_cmd[29].q = 1.0
-    message.motor_cmd[18].q, message.motor_cmd[18].kp, message.motor_cmd[18].kd = 1.0, 60.0, 2.0
-    with speaker("rt/arm_sdk", HgLowCmd) as client, listener("rt/lowstate", HgLowState) as ear:
+    message.motor_cmd[18].q, message.motor_cmd[18].kp, message.motor_cmd[18].kd = -0.5, 60.0, 2.0
+    with speaker(topic, HgLowCmd) as client, listener("rt/lowstate", HgLowState) as ear:
         client.write_for(1.0, message)
-        return round(ear.take()[-1].motor_state[18].q, 1)
+        return abs(ear.take()[-1].motor_state[18].q + 0.5) < 0.3
 
 
-def takes_user_lowcmd(played):
-    with speaker("rt/user_lowcmd", HgLowCmd) as client:
-        time.sleep(0.3)
-        return bool(client._writer.get_matched_subscriptions())
+def moves_by_user_lowcmd(played):
+    join(0)
+    client = LocoClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    client._RegistApi(7110, 0)  # SwitchToUserCtrl; not in the Python client
+    assert client._Call(7110, '{"data": false}')[0] == 0
+    return arm_moves(played, "rt/user_lowcmd")
 
 
 def by_a_chord(changed, look=lambda played: played.status()["motion"], does="debug"):
@@ -360,12 +365,12 @@ SETTINGS = {
     "motion.service": Seen("motion.service=mcf", motion_service),
     "motion.fight": Seen("motion.fight=true", given=MCF, look=lambda robot: commanded(
         robot, GoLowCmd, go_command())["commands"]["accepted"] > 0),
-    "robot.firmware": Seen("robot.firmware=1.1.5", motion_service, given=("motion.service=",)),
+    "robot.firmware": Seen("robot.firmware=1.1.5", motion_service, given=("motion.service=''",)),
     "robot.form": Seen("robot.form='1'", state_of_the_switcher),
-    "robot.state_id_since": Seen("robot.state_id_since=", state_told),
+    "robot.state_id_since": Seen("robot.state_id_since=''", state_told),
     "robot.services[].name": board("name: three"),
     "robot.services[].alias": Seen("robot.services=[{name: mcf, alias: ai}]", motion_service,
-                                   given=("motion.service=",)),
+                                   given=("motion.service=''",)),
     "robot.services[].on": board("name: two, on: false"),
     "robot.services[].protect": board("name: two, protect: true"),
     "robot.services[].since": board("name: two, since: 9"),
@@ -375,7 +380,8 @@ SETTINGS = {
     "robot.arm_sdk.weight_slot": arm_sdk("weight_slot", 30),
     "robot.arm_sdk.weight_in_mode_pr": arm_sdk("weight_in_mode_pr", "true"),
     "robot.arm_sdk.timeout": arm_sdk("timeout", 0.01),
-    "robot.user_lowcmd": Seen("robot.user_lowcmd=false", takes_user_lowcmd, robot="g1"),
+    "robot.user_lowcmd": Seen("robot.user_lowcmd=false", moves_by_user_lowcmd, robot="g1",
+                              given=("motion.service=ai",)),
     "robot.remote.chords[].keys": by_a_chord("keys: A, does: debug"),
     "robot.remote.chords[].clicks": by_a_chord("keys: L2+B, clicks: 2, does: debug"),
     "robot.remote.chords[].does": by_a_chord("keys: L2+B, does: damp"),
@@ -528,7 +534,7 @@ def hears_hg(robot):
 
 def secondary_imu_is_there():
     counts = [len(messages("g1", settings, "rt/secondary_imu", IMUState_, 200)[0])
-              for settings in ((), ("robot.imu.secondary_site=",))]
+              for settings in ((), ("robot.imu.secondary_site=''",))]
     assert counts[0] > 100
     assert counts[1] == 0
 
