@@ -1,27 +1,11 @@
 #include "control/status_json.h"
 
-#include <string_view>
+#include <string>
 
 #include "robot/remote_keys.h"
 
 namespace understudy {
 namespace {
-
-std::string_view Word(GateState state) {
-  switch (state) {
-    case GateState::kStart:
-      return "start";
-    case GateState::kFollowing:
-      return "following";
-    case GateState::kLimp:
-      return "limp";
-    case GateState::kClosed:
-      return "motion_service";
-    case GateState::kDamping:
-      break;
-  }
-  return "damping";
-}
 
 nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
   nlohmann::ordered_json refused;
@@ -47,9 +31,11 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
        {{"real_time_factor", status.pace.real_time_factor},
         {"overruns", status.pace.overruns},
         {"lateness", status.pace.lateness},
-        {"worst_lateness", status.pace.worst_lateness}}},
+        {"worst_lateness", status.pace.worst_lateness},
+        {"shifts", status.pace.shifts},
+        {"shifted", status.pace.shifted}}},
       {"commands",
-       {{"state", Word(status.gate)},
+       {{"state", Name(status.gate)},
         {"accepted", status.commands.accepted},
         {"timeouts", status.commands.timeouts},
         {"refused", RefusedJson(status.commands)},

@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace understudy {
+// What no program can mean. That a robot refuses it too is assumed: nothing is published.
 Refusal HarmIn(const RobotCommand& command) {
   for (const MotorCommand& m : command.motors) {
     if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
