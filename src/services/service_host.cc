@@ -9,15 +9,15 @@
 namespace understudy {
 namespace {
 
-constexpr std::chrono::milliseconds kMatchPatience(300);
+constexpr std::chrono::milliseconds kMatchPatience(300);  // assumed
 // The vendor's header: a held arm lets go after 20 s at most, so no action is under way longer.
 constexpr std::chrono::seconds kArmPatience(20);
 constexpr std::chrono::seconds kNoticePeriod(1);
-constexpr std::size_t kMostPending = 64;
-constexpr std::size_t kMostNormal = 10;  // the server of the vendor's Python SDK
+constexpr std::size_t kMostPending = 64;  // assumed
+constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
 constexpr std::size_t kMostUrgent = 5;
-constexpr int kMostServed = 8;
-constexpr int kReaderDepth = 64;
+constexpr int kMostServed = 8;    // assumed: bounds what a poll costs
+constexpr int kReaderDepth = 64;  // assumed
 
 }  // namespace
 
