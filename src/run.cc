@@ -155,7 +155,8 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   const Participant participant(config.network.interface, config.network.domain);
   if (!participant.multicast()) {
     spdlog::info(
-        "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` as "
+        "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
+        "as "
         "root, or `understudy exec`, lifts that",
         config.network.interface, config.network.interface);
   }

@@ -8,7 +8,7 @@
 namespace understudy {
 namespace {
 
-constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts; renewed each tick
+constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts (assumed); renewed each tick
 
 std::vector<Chord> ChordsOf(const RobotSpec& spec) {
   std::vector<Chord> chords;
