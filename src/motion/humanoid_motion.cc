@@ -76,7 +76,7 @@ HumanoidMotion::Stand HumanoidMotion::StandOf(std::span<const double> q) {
       Eigen::AngleAxisd(pitch, Eigen::Vector3d::UnitY()).toRotationMatrix();
   imu.R_WI = Eigen::Quaterniond(Eigen::Matrix3d(R_WB * R_IB.transpose()));
   body_.Update(q, still, imu);
-  return {.com_height = body_.com().z(), .pitch = pitch};
+  return {.com_height = body_.com().z(), .base_height = body_.base().z(), .pitch = pitch};
 }
 
 void HumanoidMotion::FindGains() {
@@ -301,8 +301,8 @@ StandGoal HumanoidMotion::BalanceGoal() const {
   const double d = depth_.q(0);
   const double up = (1 - d) * (1 - 2 * d), half = 4 * d * (1 - d), down = d * (2 * d - 1);
   return {.com_offset = {com_offset_.q(0), com_offset_.q(1)},
-          .com_height = up * standing_.com_height + half * half_down_.com_height +
-                        down * squatting_.com_height,
+          .base_height = up * standing_.base_height + half * half_down_.base_height +
+                         down * squatting_.base_height,
           .pitch = up * standing_.pitch + half * half_down_.pitch + down * squatting_.pitch};
 }
 

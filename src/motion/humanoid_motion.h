@@ -38,8 +38,9 @@ class HumanoidMotion final : public Motion {
  private:
   // What standing in one posture comes to, on flat soles.
   struct Stand {
-    double com_height = 0;  // m over the soles
-    double pitch = 0;       // rad, of the base
+    double com_height = 0;   // m over the soles
+    double base_height = 0;  // m
+    double pitch = 0;        // rad, of the base
   };
 
   Stand StandOf(std::span<const double> q);

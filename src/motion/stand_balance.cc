@@ -17,6 +17,7 @@ constexpr double kGyration = 0.3;        // radius of gyration of the body, of t
 constexpr double kBalanceMargin = 0.8;   // share of the soles that balance may lean on
 constexpr double kSoleMargin = 0.9;      // share of a sole that may be pressed on at all
 constexpr double kVelocityTime = 0.008;  // s, over which the velocity is smoothed
+constexpr double kMostLift = 0.4;        // of the weight, more or less
 constexpr double kMostPush = 0.3;  // of horizontal to vertical force; soles slip at 0.4 or more
 
 // The soles seen from above, in axes along and across the line that leads from one to the other.
@@ -72,9 +73,9 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
 
   const double weight = load * body.mass() * body.gravity();
   const double lift = load * body.mass() *
-                      (kHeightRate * kHeightRate * (goal.com_height - c.z()) -
-                       2 * kHeightRate * body.com_velocity().z());
-  const double up = std::clamp(weight + lift, 0.3 * weight, 2 * weight);
+                      (kHeightRate * kHeightRate * (goal.base_height - body.base().z()) -
+                       2 * kHeightRate * body.base_velocity().z());
+  const double up = weight + std::clamp(lift, -kMostLift * weight, kMostLift * weight);
   Eigen::Vector2d push = load * body.mass() * omega * omega * (c.head<2>() - p);
   if (push.norm() > kMostPush * up) push *= kMostPush * up / push.norm();
   const Eigen::Vector3d force = Above(push, up);

@@ -18,7 +18,7 @@ struct GroundReaction {
 // Where the body is wanted, from the middle of the soles.
 struct StandGoal {
   Eigen::Vector2d com_offset{0, 0};  // m, of the centre of mass, x forwards, y left
-  double com_height = 0;             // m
+  double base_height = 0;            // m, of the base body
   double pitch = 0;                  // rad, of the base; its roll is 0, its yaw that of the soles
 };
 

@@ -218,6 +218,7 @@ void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
   p_OC_ = R_WB_ * (p_BC - p_BO);
   v_OC_ = R_WB_ * (v_BC - v_BO + w_WB_B.cross(p_BC - p_BO));
   p_OB_ = R_WB_ * -p_BO;
+  v_OB_ = R_WB_ * (-v_BO - w_WB_B.cross(p_BO));
   for (std::size_t i = 0; i < feet_.size(); ++i) soles_[i].p_OS = R_WB_ * (feet_[i].p_BS - p_BO);
 }
 

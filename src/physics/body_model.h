@@ -36,15 +36,16 @@ class BodyModel {
   // Everything below is of that instant; before the first call, of joint angles 0 and upright.
   void Update(std::span<const double> q, std::span<const double> dq, const ImuReading& imu);
 
-  double motor_period() const { return model_.opt.timestep; }    // s, of the motor law
-  double mass() const { return mass_; }                          // kg
-  double gravity() const { return gravity_; }                    // m/s²
-  const Eigen::Vector3d& com() const { return p_OC_; }           // m, from O
-  const Eigen::Vector3d& com_velocity() const { return v_OC_; }  // m/s, against the soles
-  const Eigen::Vector3d& base() const { return p_OB_; }          // m, base body's origin, from O
-  const Eigen::Matrix3d& attitude() const { return R_WB_; }      // of the base body
-  const Eigen::Vector3d& base_rate() const { return w_WB_W_; }   // rad/s
-  std::span<const Sole> soles() const { return soles_; }         // in RobotSpec::feet order
+  double motor_period() const { return model_.opt.timestep; }     // s, of the motor law
+  double mass() const { return mass_; }                           // kg
+  double gravity() const { return gravity_; }                     // m/s²
+  const Eigen::Vector3d& com() const { return p_OC_; }            // m, from O
+  const Eigen::Vector3d& com_velocity() const { return v_OC_; }   // m/s, against the soles
+  const Eigen::Vector3d& base() const { return p_OB_; }           // m, base body's origin, from O
+  const Eigen::Vector3d& base_velocity() const { return v_OB_; }  // m/s, against the soles
+  const Eigen::Matrix3d& attitude() const { return R_WB_; }       // of the base body
+  const Eigen::Vector3d& base_rate() const { return w_WB_W_; }    // rad/s
+  std::span<const Sole> soles() const { return soles_; }          // in RobotSpec::feet order
 
   // Whether the motor is between base and sole.
   bool IsOfLeg(std::size_t motor) const { return joints_[motor].foot >= 0; }
@@ -101,7 +102,7 @@ class BodyModel {
   std::vector<Eigen::Vector3d> carried_com_;  // likewise, from the base, base axes
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d w_WB_W_{0, 0, 0};
-  Eigen::Vector3d p_OC_{0, 0, 0}, v_OC_{0, 0, 0}, p_OB_{0, 0, 0};
+  Eigen::Vector3d p_OC_{0, 0, 0}, v_OC_{0, 0, 0}, p_OB_{0, 0, 0}, v_OB_{0, 0, 0};
 };
 
 }  // namespace understudy
