@@ -12,14 +12,14 @@ namespace {
 // Left arms:                      pitch  roll  yaw    elbow wrist
 constexpr ArmPose kSideways = {0, 1.4, 0, 1.5, 0, 0, 0};
 constexpr ArmPose kForwards = {-1.45, 0.1, 0, 1.4, 0, 0, 0};
-constexpr ArmPose kAtMouth = {-1.1, 0.2, -0.25, -0.6, 0, 0, 0};
+constexpr ArmPose kAtMouth = {-1.1, 0.2, -0.15, -0.6, 0, 0, 0};
 constexpr ArmPose kKissThrown = {-1.1, 0.45, 0.2, 0.7, 0, 0, 0};
 constexpr ArmPose kHandsApart = {-0.5, 0.1, 0.15, 0.1, 0, 0, 0};
-constexpr ArmPose kHandsTogether = {-0.5, 0.1, -0.28, 0.1, 0, 0, 0};
+constexpr ArmPose kHandsTogether = {-0.5, 0.1, -0.12, 0.1, 0, 0, 0};
 constexpr ArmPose kHighFive = {-1.4, 0.2, 0, 0, 0, 0, 0};
 constexpr ArmPose kOpenArms = {-1.1, 0.6, 0.2, 1.1, 0, 0, 0};
-constexpr ArmPose kHug = {-1.1, 0.25, -0.4, 0.8, 0, 0, 0};
-constexpr ArmPose kHeartHalf = {-1.7, 0.2, -0.5, 0.1, 0, 0, 0};
+constexpr ArmPose kHug = {-1.1, 0.25, -0.3, 0.8, 0, 0, 0};
+constexpr ArmPose kHeartHalf = {-1.7, 0.2, -0.3, 0.1, 0, 0, 0};
 constexpr ArmPose kSmallHeart = {-0.9, 0.15, -0.1, -0.4, 0, 0, 0};
 constexpr ArmPose kCrossOver = {-1.15, 0.15, -0.55, 0.1, 0, 0, 0};
 constexpr ArmPose kCrossUnder = {-0.6, 0.15, -0.5, 0.2, 0, 0, 0};

@@ -113,6 +113,7 @@ void HumanoidMotion::Start(const MotionInput& input) {
 }
 
 MotionVerdict HumanoidMotion::Ask(const MotionGoal& goal) {
+  if (!std::isfinite(goal.value[0])) return MotionVerdict::kUnknown;
   const int number = static_cast<int>(std::clamp(goal.value[0], -1.0, 1e6));
   const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
   const auto when_balanced = [balanced](MotionVerdict verdict) {

@@ -12,12 +12,12 @@ constexpr double kHeightRate = 10;    // rad/s of the spring that keeps the heig
 constexpr double kTiltRate = 10;      // rad/s of the spring that keeps the base upright
 constexpr double kTurnRate = 5;       // rad/s, about the vertical
 constexpr double kDampingRatio = 0.7;
-constexpr double kGyration = 0.3;        // radius of gyration of the body, of the height of its
-                                         // centre of mass
-constexpr double kBalanceMargin = 0.8;   // share of the soles that balance may lean on
-constexpr double kSoleMargin = 0.9;      // share of a sole that may be pressed on at all
-constexpr double kVelocityTime = 0.008;  // s, over which the velocity is smoothed
-constexpr double kMostLift = 0.4;        // of the weight, more or less
+constexpr double kGyration = 0.3;       // radius of gyration of the body, of the height of its
+                                        // centre of mass
+constexpr double kBalanceMargin = 0.9;  // share of the soles that balance may lean on
+constexpr double kSoleMargin = 0.95;    // share of a sole that may be pressed on at all
+constexpr double kSmoothTime = 0.008;   // s, over which rates are smoothed
+constexpr double kMostLift = 0.4;       // of the weight, more or less
 constexpr double kMostPush = 0.3;  // of horizontal to vertical force; soles slip at 0.4 or more
 
 // The soles seen from above, in axes along and across the line that leads from one to the other.
@@ -60,7 +60,9 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   const Support support(body.soles());
   const Eigen::Vector3d& c = body.com();
   const Eigen::Vector2d v = body.com_velocity().head<2>();
-  velocity_ = fresh_ ? v : Eigen::Vector2d(velocity_ + (v - velocity_) * dt / (dt + kVelocityTime));
+  const double share = fresh_ ? 1 : dt / (dt + kSmoothTime);
+  velocity_ += share * (v - velocity_);
+  rate_ += share * (body.base_rate() - rate_);
   fresh_ = false;
 
   const double height = std::max(c.z(), 0.1);
@@ -87,10 +89,10 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   const Eigen::AngleAxisd error(wanted.toRotationMatrix() * body.attitude().transpose());
   const double gyration = kGyration * height;
   const double inertia = load * body.mass() * gyration * gyration;
-  const Eigen::Vector3d rate(kTiltRate, kTiltRate, kTurnRate);
+  const Eigen::Vector3d spring(kTiltRate, kTiltRate, kTurnRate);
   const Eigen::Vector3d moment =
-      inertia * (rate.cwiseProduct(rate).cwiseProduct(error.angle() * error.axis()) -
-                 2 * kDampingRatio * rate.cwiseProduct(body.base_rate()));
+      inertia * (spring.cwiseProduct(spring).cwiseProduct(error.angle() * error.axis()) -
+                 2 * kDampingRatio * spring.cwiseProduct(rate_));
 
   // Where the ground has to press for that force and that moment about the centre of mass.
   const Eigen::Vector3d about_O = moment + c.cross(force);

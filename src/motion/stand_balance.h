@@ -51,6 +51,7 @@ class StandBalance {
 
   std::array<GroundReaction, 2> reactions_{};
   Eigen::Vector2d velocity_{0, 0};  // of the centre of mass, m/s, smoothed
+  Eigen::Vector3d rate_{0, 0, 0};   // of the base, rad/s, likewise
   bool fresh_ = true;
 };
 

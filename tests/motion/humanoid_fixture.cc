@@ -13,9 +13,10 @@ namespace {
 
 const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
 
-PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)>& change) {
+PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)>& change,
+                       double timestep) {
   ModelHandle model = LoadWorldModel(spec, kData / "models" / spec.model,
-                                     kData / "models/scene/flat.xml", 0.001);
+                                     kData / "models/scene/flat.xml", timestep);
   if (change) change(*model);
   return {std::move(model), spec};
 }
@@ -24,9 +25,10 @@ PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)
 
 Config HumanoidConfig(const std::string& robot) { return LoadConfig({.robot = robot}, kData); }
 
-HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjModel&)>& change)
+HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjModel&)>& change,
+                         double timestep)
     : config_(HumanoidConfig(robot)),
-      world_(MakeWorld(config_.robot, change)),
+      world_(MakeWorld(config_.robot, change, timestep)),
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(SensorConfig{}, config_.robot),
@@ -61,7 +63,7 @@ void HumanoidRig::Hang() {
 
 void HumanoidRig::Sense() {
   // As in the tick: positions and rates of now, accelerations and forces of a step ago.
-  sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
+  if (noisy) sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = noisy ? state_.motors[i].q : world_.q()[i];
     dq_[i] = noisy ? state_.motors[i].dq : world_.dq()[i];
@@ -77,6 +79,7 @@ bool HumanoidRig::Run(double seconds) {
     world_.BeginStep();
     Sense();
     motion_->Step(input_, world_.timestep(), &command_);
+    if (change_command) change_command(command_);
     motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
     for (std::size_t m = 0; m < torque_.size(); ++m) {
       torque_change = std::max(torque_change, std::abs(motors_.torque()[m] - torque_[m]));

@@ -25,7 +25,8 @@ class HumanoidRig {
  public:
   // `change_model` may alter the compiled model, as other motors or another floor would.
   explicit HumanoidRig(const std::string& robot,
-                       const std::function<void(mjModel&)>& change_model = {});
+                       const std::function<void(mjModel&)>& change_model = {},
+                       double timestep = 0.001);
 
   // Puts the robot on the ground standing, or on the crane, and starts the service.
   void Stand();
@@ -43,9 +44,9 @@ class HumanoidRig {
 
   bool standing() const { return world_.tilt() < 0.4 && height() > 0.75 * spec().standing.height; }
   double height() const { return world_.base().p_WB.z(); }
-  double Load() const;          // N on the feet
+  double Load() const;                // N on the feet
   double DeepestSelfContact() const;  // m, 0 when it does not touch itself
-  double FastestJoint() const;  // rad/s
+  double FastestJoint() const;        // rad/s
   double q(const std::string& joint) const;
 
   const RobotSpec& spec() const { return config_.robot; }
@@ -54,9 +55,10 @@ class HumanoidRig {
   Motion& motion() { return *motion_; }
   int id() const { return motion_->state().id; }
 
-  bool noisy = false;               // the service sees what the sensors make of the world
-  double torque_change = 0;         // N·m, largest between two steps of any motor since set to 0
-  std::function<void()> watch;      // after every step
+  bool noisy = false;        // the service sees what the sensors make of the world
+  double torque_change = 0;  // N·m, largest between two steps of any motor since set to 0
+  std::function<void(RobotCommand&)> change_command;  // between service and motors
+  std::function<void()> watch;                        // after every step
 
  private:
   void Sense();
