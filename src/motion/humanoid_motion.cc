@@ -142,7 +142,7 @@ MotionVerdict HumanoidMotion::Ask(const MotionGoal& goal) {
     case MotionAction::kSetBalanceMode:
       return when_balanced(number == 0 ? MotionVerdict::kTaken : MotionVerdict::kUnable);
     case MotionAction::kSetStandHeight:
-      return when_balanced(SetStandHeight(goal.value[0]));
+      return balanced ? SetStandHeight(goal.value[0]) : MotionVerdict::kNotNow;
     case MotionAction::kArmAction:
       return BeginArmAction(number);
     case MotionAction::kStopArmAction:
@@ -340,8 +340,8 @@ void HumanoidMotion::HoldPosture(RobotCommand* command) const {
   }
 }
 
-std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const mjModel& model) {
-  return std::make_unique<HumanoidMotion>(spec, model);
+std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const PhysicsWorld& world) {
+  return std::make_unique<HumanoidMotion>(spec, world.model());
 }
 
 }  // namespace understudy

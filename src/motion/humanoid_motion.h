@@ -13,6 +13,7 @@
 #include "motion/motion.h"
 #include "motion/stand_balance.h"
 #include "physics/body_model.h"
+#include "physics/world.h"
 #include "robot/robot_spec.h"
 
 namespace understudy {
@@ -82,7 +83,9 @@ class HumanoidMotion final : public Motion {
   std::vector<double> tau_;  // N·m, of the last Sense
 };
 
-std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const mjModel& model);
+// `world`, which may move to another place meanwhile, must outlive the service; it lends its model
+// and is not looked at otherwise.
+std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const PhysicsWorld& world);
 
 }  // namespace understudy
 

@@ -32,7 +32,7 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(SensorConfig{}, config_.robot),
-      motion_(MakeHumanoidMotion(config_.robot, world_.model())),
+      motion_(MakeHumanoidMotion(config_.robot, world_)),
       hook_body_(world_.Body(config_.robot.crane_body)),
       hook_(config_.robot.crane_point.data()),
       command_{.motors = std::vector<MotorCommand>(spec().motors.size())},
