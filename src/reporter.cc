@@ -1,7 +1,6 @@
 #include "reporter.h"
 
 #include <cstdio>
-#include <string_view>
 
 #include <spdlog/spdlog.h>
 
@@ -22,20 +21,9 @@ enum Cause : std::size_t {
   kWriteFailures,
   kTimeouts,
   kOverruns,
+  kShifts,
   kDivergence
 };
-
-constexpr std::string_view Name(GateState state) {
-  switch (state) {
-    case GateState::kFollowing:
-      return "following";
-    case GateState::kDamping:
-      return "damping";
-    case GateState::kStart:
-      break;
-  }
-  return "waiting";
-}
 
 }  // namespace
 
@@ -76,7 +64,7 @@ void Reporter::Update(const Status& status, WallTime now) {
     const std::uint64_t fresh = status.commands.refused[i] - said_refused_[i];
     if (fresh == 0 || !MaySpeak(i, now)) continue;
     const auto refusal = static_cast<Refusal>(i);
-    spdlog::warn("refused {} LowCmd ({}): {}", fresh, understudy::Name(refusal), Explain(refusal));
+    spdlog::warn("refused {} LowCmd ({}): {}", fresh, Name(refusal), Explain(refusal));
     said_refused_[i] = status.commands.refused[i];
   }
   if (status.command_writers > 1 && status.command_writers != last_.command_writers &&
@@ -109,10 +97,16 @@ void Reporter::Update(const Status& status, WallTime now) {
     // A few late ticks are made up for unnoticed. Many mean that the machine is too slow.
     const std::uint64_t fresh = status.pace.overruns - said_overruns_;
     const auto level = fresh > kManyOverruns ? spdlog::level::warn : spdlog::level::info;
-    spdlog::log(level,
-                "{} ticks began late, the worst so far by {:.1f} ms; real-time factor {:.2f}",
-                fresh, status.pace.worst_lateness * 1e3, status.pace.real_time_factor);
+    const double factor = status.pace.real_time_factor;
+    spdlog::log(level, "{} ticks began late, the worst so far by {:.1f} ms{}", fresh,
+                status.pace.worst_lateness * 1e3,
+                factor > 0 ? fmt::format("; real-time factor {:.2f}", factor) : "");
     said_overruns_ = status.pace.overruns;
+  }
+  if (status.pace.shifted > said_shifted_ && MaySpeak(kShifts, now)) {
+    spdlog::warn("{:.1f} s behind wall time, which is not made up for: simulated time goes on late",
+                 status.pace.shifted - said_shifted_);
+    said_shifted_ = status.pace.shifted;
   }
   if (status.divergences != last_.divergences && MaySpeak(kDivergence, now)) {
     spdlog::error("the physics diverged at {:.3f} s", status.time);
@@ -128,15 +122,20 @@ bool Reporter::MaySpeak(std::size_t cause, WallTime now) {
 }
 
 void Reporter::DrawStatusLine(const Status& status, WallTime now) {
+  if (status.pace.real_time_factor == 0) {  // until a second has passed there are no rates
+    drawn_at_ = now;
+    drawn_published_ = status.published;
+    drawn_accepted_ = status.commands.accepted;
+    return;
+  }
   if (now - drawn_at_ < milliseconds(500)) return;
   const double wall = std::chrono::duration<double>(now - drawn_at_).count();
   const auto rate = [wall](std::uint64_t to, std::uint64_t from) {
     return static_cast<double>(to - from) / wall;
   };
-  const std::string refusal =
-      status.last_refusal == Refusal::kNone
-          ? ""
-          : "  last refusal " + std::string(understudy::Name(status.last_refusal));
+  const std::string refusal = status.last_refusal == Refusal::kNone
+                                  ? ""
+                                  : "  last refusal " + std::string(Name(status.last_refusal));
   std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s",
                status.time, status.pace.real_time_factor, rate(status.published, drawn_published_),
                expected_hz_ * status.pace.real_time_factor,

@@ -22,55 +22,26 @@
 namespace understudy {
 namespace {
 
-// An option that is short for a --set: its value goes to `key`.
-void AddSetOption(CLI::App* app, RunArguments* arguments, const std::string& option,
-                  const std::string& key, const std::string& type, const std::string& help) {
-  app->add_option_function<std::string>(
-         option,
-         [arguments, key](const std::string& value) {
-           // In front: what the user sets by --set has the last word.
-           arguments->sets.insert(arguments->sets.begin(),
-                                  key + "=" + (value == "max" ? "0" : value));
-         },
-         help)
-      ->type_name(type);
-}
-
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
       ->required()
       ->type_name("ROBOT");
-  AddSetOption(app, arguments, "--interface", "network.interface", "NAME",
-               "Network interface to speak on [lo]");
-  AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
-  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE",
-               "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
-  app->add_option_function<std::string>(
-         "--model",
-         [arguments](const std::string& file) {
-           arguments->sets.insert(arguments->sets.begin(),
-                                  "robot.model=" + std::filesystem::absolute(file).string());
-         },
-         "MJCF to play instead of the robot's own, with the same joint names")
-      ->type_name("FILE");
-  AddSetOption(app, arguments, "--speed", "time.speed", "X",
-               "Simulated seconds per wall second; max = as fast as possible [1]");
-  AddSetOption(app, arguments, "--duration", "time.duration", "S",
-               "End after so many simulated seconds [never]");
-  AddSetOption(app, arguments, "--start", "start.pose", "POSE",
-               "damped, standing, hanging or clamped [the robot's own]");
-  app->add_option("--config", arguments->config_files,
-                  "YAML file laid over the robot's own; may be given again")
-      ->type_name("FILE")
-      ->take_all();
-  app->add_option_function<std::vector<std::string>>(
-         "--set",
-         [arguments](const std::vector<std::string>& sets) {
-           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-         },
-         "Sets one key, e.g. --set gate.timeout=0.5; may be given again")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  AddShortOption(app, arguments, "--interface", "network.interface", "NAME",
+                 "Network interface to speak on [lo]");
+  AddShortOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
+  AddShortOption(app, arguments, "--scene", "scene", "NAME|FILE",
+                 "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
+  AddShortOption(app, arguments, "--model", "robot.model", "FILE",
+                 "MJCF to play instead of the robot's own, with the same joint names")
+      ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
+  AddShortOption(app, arguments, "--speed", "time.speed", "X",
+                 "Simulated seconds per wall second; max = as fast as possible [1]")
+      ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });
+  AddShortOption(app, arguments, "--duration", "time.duration", "S",
+                 "End after so many simulated seconds [never]");
+  AddShortOption(app, arguments, "--start", "start.pose", "POSE",
+                 "damped, standing, hanging or clamped [the robot's own]");
+  AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")

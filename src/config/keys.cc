@@ -20,7 +20,9 @@ void DescribeGuard(Archive& a, GuardConfig& c) {
          {0, 60},
          "The same on every other interface (the default is assumed)"},
         &c.listen_network);
-  a.Choice({"on_stranger", "What to do when another robot speaks after we have started"},
+  a.Choice({"on_stranger",
+            "What to do when another robot speaks after we have started; warn also starts beside a "
+            "writer of rt/lowstate that has not spoken"},
            {"silence", "warn", "stop"}, &c.on_stranger);
 }
 
@@ -33,7 +35,11 @@ void DescribeTime(Archive& a, TimeConfig& c) {
 }
 
 void DescribePhysics(Archive& a, PhysicsConfig& c) {
-  a.Key({"timestep", "s", {0.0001, 0.01}, "Physics step and period of the motor law"}, &c.timestep);
+  a.Key({"timestep",
+         "s",
+         {0.0001, 0.01},
+         "Physics step and period of the motor law (the default is assumed)"},
+        &c.timestep);
   a.Choice({"on_divergence", "What to do when the physics leaves all bounds"}, {"stop", "reset"},
            &c.on_divergence);
 }

@@ -89,6 +89,7 @@ std::string StatusText(const ordered_json& status) {
       {"lateness", Fixed(pace.at("lateness"), 3, kMilli), "ms"},
       {"worst lateness", Fixed(pace.at("worst_lateness"), 3, kMilli), "ms"},
       {"overruns", Count(pace.at("overruns"))},
+      {"not made up for", Fixed(pace.at("shifted"), 3), "s"},
       {"states published", Count(status.at("published"))},
       {"divergences", Count(status.at("divergences"))},
       {"motors follow", commands.at("state").get<std::string>()},

@@ -1,21 +1,9 @@
 #include "control/status_json.h"
 
-#include <string_view>
+#include <string>
 
 namespace understudy {
 namespace {
-
-std::string_view Word(GateState state) {
-  switch (state) {
-    case GateState::kStart:
-      return "start";
-    case GateState::kFollowing:
-      return "following";
-    case GateState::kDamping:
-      break;
-  }
-  return "damping";
-}
 
 nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
   nlohmann::ordered_json refused;
@@ -41,9 +29,11 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
        {{"real_time_factor", status.pace.real_time_factor},
         {"overruns", status.pace.overruns},
         {"lateness", status.pace.lateness},
-        {"worst_lateness", status.pace.worst_lateness}}},
+        {"worst_lateness", status.pace.worst_lateness},
+        {"shifts", status.pace.shifts},
+        {"shifted", status.pace.shifted}}},
       {"commands",
-       {{"state", Word(status.gate)},
+       {{"state", Name(status.gate)},
         {"accepted", status.commands.accepted},
         {"timeouts", status.commands.timeouts},
         {"refused", RefusedJson(status.commands)},

@@ -25,7 +25,7 @@ void AddStrip(const Stretch& s, double x0, double x1, double top, TerrainPieces*
 
 // A plank whose top goes from (x0, z0) to (x1, z1).
 void AddRamp(const Stretch& s, double x0, double z0, double x1, double z1, TerrainPieces* pieces) {
-  constexpr double kThickness = 0.2;
+  constexpr double kThickness = 0.2;  // m, assumed
   pieces->Add({.x = (x0 + x1) / 2,
                .top = (z0 + z1) / 2,
                .half_x = std::hypot(x1 - x0, z1 - z0) / 2,

@@ -42,6 +42,7 @@ void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
 // What the emulator needs of the robot beyond its file.
 void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
   if (has_free_base) {
+    // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
     MjcfElement equality = Element("equality", {});
     equality.children.push_back(Element("weld", {{"name", kClampName},
                                                  {"body1", spec.base_body},

@@ -6,6 +6,7 @@
 namespace understudy {
 namespace {
 
+// What no program can mean. That a robot refuses it too is assumed: nothing is published.
 Refusal Harm(const RobotCommand& command) {
   for (const MotorCommand& m : command.motors) {
     if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||

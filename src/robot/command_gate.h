@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
@@ -12,8 +13,8 @@ namespace understudy {
 
 struct GateConfig {
   bool lenient = false;   // take commands whose form is wrong; they are counted all the same
-  double timeout = 0.2;   // s without a taken command until damping
-  double damping_kd = 2;  // N·m·s/rad of that damping
+  double timeout = 0.2;   // s without a taken command until damping; assumed
+  double damping_kd = 2;  // N·m·s/rad of that damping; assumed
 };
 
 // Who moves the motors now.
@@ -22,6 +23,12 @@ enum class GateState : std::uint8_t {
   kFollowing,  // the last taken command
   kDamping,    // commands stopped
 };
+
+// The word that the status line and the control plane use.
+constexpr std::string_view Name(GateState state) {
+  constexpr std::array<std::string_view, 3> kNames = {"start", "following", "damping"};
+  return kNames[static_cast<std::size_t>(state)];
+}
 
 struct GateCounts {
   std::uint64_t accepted = 0;

@@ -60,10 +60,10 @@ struct ImuReading {
 };
 
 struct BatteryReading {
-  double voltage = 0;  // V, sum of the cells
-  double current = 0;  // A, negative while the pack gives
-  double soc = 1;      // 0..1
-  double temperature_c = 25;
+  double voltage = 0;         // V, sum of the cells
+  double current = 0;         // A, negative while the pack gives
+  double soc = 1;             // 0..1
+  double temperature_c = 25;  // constant, *assumed*
 };
 
 // Where the base, B, is and how it moves. Truth of the simulation; ports decide who may see it.

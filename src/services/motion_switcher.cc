@@ -22,7 +22,8 @@ constexpr std::int32_t kBadParameter = 7001;
 constexpr std::int32_t kUnknownName = 7004;
 constexpr std::int32_t kCannotSelect = 7007;
 
-// Names and aliases that robots of the family know (hardware_contract.md, section 3).
+// Names and aliases that robots of the family know (hardware_contract.md, section 3). That each
+// robot knows all of them, and form "0" on wheeled robots too, is assumed.
 constexpr std::array<std::string_view, 6> kNames = {"ai",   "normal",   "advanced",
                                                     "ai-w", "normal-w", "mcf"};
 

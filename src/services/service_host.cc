@@ -8,8 +8,8 @@ namespace understudy {
 namespace {
 
 constexpr std::int64_t kApiVersion = 1;
-constexpr std::chrono::milliseconds kMatchPatience(300);
-constexpr std::size_t kMostPending = 64;
+constexpr std::chrono::milliseconds kMatchPatience(300);  // assumed
+constexpr std::size_t kMostPending = 64;                  // assumed
 
 std::string Text(const char* text) { return text == nullptr ? std::string() : std::string(text); }
 

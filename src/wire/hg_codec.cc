@@ -22,7 +22,7 @@ static_assert(std::size(unitree_hg_msg_dds__LowState_{}.motor_state) == kHgMotor
 static_assert(std::size(unitree_hg_msg_dds__BmsState_{}.cell_vol) == kHgCells);
 
 constexpr std::uint8_t kEnabled = 1;
-constexpr double kVolStep = 0.5;    // V, public audit of a real G1
+constexpr double kVolStep = 0.5;    // V, public audit of a real G1; on other robots *assumed*
 constexpr std::uint8_t kSoh = 100;  // percent, *assumed*
 
 void EncodeMotion(double q, double dq, double tau, MotorState* wire) {

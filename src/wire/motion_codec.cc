@@ -7,7 +7,8 @@
 namespace understudy {
 namespace {
 
-constexpr std::uint32_t kDamping = 1001;  // vendor, Go2 motion services V2.0
+// Vendor, Go2 motion services V2.0; on other robots assumed.
+constexpr std::uint32_t kDamping = 1001;
 
 }  // namespace
 

@@ -30,6 +30,7 @@ speed              0.000   x real time
 lateness           0.000   ms
 worst lateness     0.250   ms
 overruns           0
+not made up for    0.000   s
 states published   0
 divergences        0
 motors follow      start

@@ -16,8 +16,12 @@ Status EveryFieldSet() {
   status.time = 12.5;
   status.steps = 12500;
   status.speed = 0.5;
-  status.pace = {
-      .overruns = 3, .lateness = 0.25, .worst_lateness = 0.75, .real_time_factor = 0.9375};
+  status.pace = {.overruns = 3,
+                 .lateness = 0.25,
+                 .worst_lateness = 0.75,
+                 .shifts = 2,
+                 .shifted = 1.5,
+                 .real_time_factor = 0.9375};
   status.gate = GateState::kFollowing;
   status.commands.accepted = 100;
   status.commands.timeouts = 2;
@@ -41,8 +45,8 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
       R"("steps":12500,"speed":0.5,"pace":{"real_time_factor":0.9375,"overruns":3,)"
-      R"("lateness":0.25,"worst_lateness":0.75},"commands":{"state":"following","accepted":100,)"
-      R"("timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
+      R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
+      R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"not_finite":16,"gain":17},"last_refusal":"mode_pr","unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},"published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"

@@ -33,7 +33,7 @@ def test_help_names_every_subcommand_and_exit_code(understudy):
 
     for subcommand in SUBCOMMANDS:
         assert subcommand in help_text
-    for code in range(8):
+    for code in range(9):
         assert f"{code} " in help_text.split("Exit codes:")[1]
 
 
@@ -151,25 +151,41 @@ def test_completions_know_subcommands_robots_and_options(understudy, shell):
         assert word in done.stdout
 
 
+COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our script
+    "bash": """
+        source {file}
+        COMP_WORDS=({typed}); COMP_CWORD={last}; _understudy; printf '%s\\n' "${{COMPREPLY[@]}}"
+    """,
+    "zsh": """
+        autoload -U +X compinit && compinit -D -u
+        source {file}
+        emulate sh  # as bashcompinit does before it calls a function
+        COMP_WORDS=({typed}); COMP_CWORD={last}; _understudy; printf '%s\\n' "${{COMPREPLY[@]}}"
+    """,
+    "fish": "source {file}; complete -C'{typed}'",
+}
+
+
+@pytest.mark.parametrize("shell", COMPLETE)
 @pytest.mark.parametrize(("typed", "offered"), [
     ("understudy ru", ["run"]),
     ("understudy run go", ["go2", "go2w"]),
     ("understudy run go2 --sp", ["--speed"]),
+    ("understudy ctl cr", ["crane"]),
+    ("understudy ctl lo", []),
     ("understudy ctl crane l", ["lower"]),
     ("understudy ctl clamp o", ["off", "on"]),
     ("understudy ctl status --w", ["--watch"]),
 ])
-def test_bash_completes(understudy, tmp_path, typed, offered):
-    completions = tmp_path / "completions.bash"
-    completions.write_text(understudy("completions", "bash").stdout)
+def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
+    file = tmp_path / f"completions.{shell}"
+    file.write_text(understudy("completions", shell).stdout)
     words = typed.split()
-    script = f"""
-        source {completions}
-        COMP_WORDS=({typed}); COMP_CWORD={len(words) - 1}
-        _understudy; printf '%s\\n' "${{COMPREPLY[@]}}" | sort
-    """
-    checked = subprocess.run(["bash", "-n", completions], capture_output=True, text=True)
-    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=10)
+    script = COMPLETE[shell].format(file=file, typed=typed, last=len(words) - 1)
+    rc = {"bash": ["--norc"], "zsh": ["-f"], "fish": ["--no-config"]}[shell]
+    checked = subprocess.run([shell, "-n", file], capture_output=True, text=True, timeout=10)
+    done = subprocess.run([shell, *rc, "-c", script], capture_output=True, text=True, timeout=10)
 
     assert checked.returncode == 0, checked.stderr
-    assert [w for w in done.stdout.split() if w.startswith(words[-1])] == offered, done.stderr
+    assert done.stderr == ""
+    assert sorted(w for w in done.stdout.split() if w.startswith(words[-1])) == offered

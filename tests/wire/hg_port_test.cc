@@ -4,8 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
-#include "tests/wire/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
@@ -14,33 +12,6 @@
 
 namespace understudy {
 namespace {
-
-unitree_hg_msg_dds__LowCmd_ Command(float q) {
-  unitree_hg_msg_dds__LowCmd_ message{};
-  message.mode_machine = 5;
-  message.motor_cmd[4].mode = 1;
-  message.motor_cmd[4].q = q;
-  message.crc = MessageCrc(message);
-  return message;
-}
-
-TEST(HgPortTest, TakesCommandsOldestFirst) {
-  const Participant participant("lo", 161);
-  const RobotSpec spec = HgRobot();
-  HgPort port(participant, spec);
-  RobotCommand command = CommandOf(spec);
-  Refusal wire = Refusal::kNone;
-  EXPECT_FALSE(port.TakeCommand(&command, &wire));
-  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
-  for (const float q : {1.0F, 2.0F}) ASSERT_TRUE(client.Write(Command(q)));
-  for (const double q : {1.0, 2.0}) {
-    ASSERT_TRUE(port.TakeCommand(&command, &wire));
-    EXPECT_EQ(wire, Refusal::kNone);
-    EXPECT_EQ(command.motors[1].q, q);
-  }
-  EXPECT_FALSE(port.TakeCommand(&command, &wire));
-}
 
 TEST(HgPortTest, PublishesTheFastMessages) {
   const Participant participant("lo", 162);
@@ -94,32 +65,6 @@ TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
   Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
   ASSERT_TRUE(Eventually([&] { return lowstate.matched_writers() == 1; }));
   EXPECT_EQ(secondary.matched_writers(), 0);
-}
-
-TEST(HgPortTest, AllocatesNothingInATick) {
-  const Participant participant("lo", 165);
-  const RobotSpec spec = HgRobot();
-  HgPort port(participant, spec);
-  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
-  const RobotState state = StateOf(spec);
-  RobotCommand command = CommandOf(spec);
-  Refusal wire = Refusal::kNone;
-  const auto message = Command(1);
-  const std::uint64_t before = Allocations();
-  client.Write(message);
-  const bool taken = port.TakeCommand(&command, &wire);
-  port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
-  const std::uint64_t after = Allocations();
-  EXPECT_TRUE(taken);
-  EXPECT_EQ(after - before, 0);
-}
-
-TEST(HgPortTest, RefusesARobotThatDoesNotFit) {
-  const Participant participant("lo", 166);
-  RobotSpec spec = HgRobot();
-  spec.motors.back().slot = 35;
-  EXPECT_THROW(HgPort(participant, spec), ModelError);
 }
 
 }  // namespace
