@@ -137,6 +137,21 @@ void DescribeThermal(Archive& a, ThermalSpec& t) {
   a.Key({"time_constant", "s", {1, 1e6}, "Time constant of the rise"}, &t.time_constant);
 }
 
+void DescribeHumanoidMotion(Archive& a, HumanoidMotionSpec& h) {
+  constexpr Range kId{-1, 1000};
+  a.Key({"lock_stand", "", kId, "State with joints locked, standing; -1 is not a humanoid"},
+        &h.lock_stand);
+  a.Key({"balance", "", kId, "States that stand balanced, the usual one first"}, &h.balance);
+  a.Key({"squat", "", kId, "State with joints locked in squat_q; -1 is none"}, &h.squat);
+  a.Key({"sit", "", kId, "State with joints locked in sit_q; -1 is none"}, &h.sit);
+  a.Key({"balanced_squat", "", kId, "State that squats down balanced and rises again; -1 is none"},
+        &h.balanced_squat);
+  a.Key({"unplayed", "", kId, "States that the robot has and nothing here plays"}, &h.unplayed);
+  a.Key({"squat_q", "rad", {-10, 10}, "Joint angles of the squat in motor order"}, &h.squat_q);
+  a.Key({"sit_q", "rad", {-10, 10}, "Joint angles of sitting in motor order"}, &h.sit_q);
+  a.Key({"arm_actions", "Whether the robot has the arm action service"}, &h.arm_actions);
+}
+
 }  // namespace
 
 void Describe(Archive& a, RobotSpec& r) {
@@ -175,6 +190,10 @@ void Describe(Archive& a, RobotSpec& r) {
   a.Section({"lying", "Pose on the ground, passive"}, [&] { DescribePose(a, r.lying); });
   a.Section({"standing", "Pose of standing"}, [&] { DescribePose(a, r.standing); });
   a.Section({"hanging", "Pose on the crane or clamped"}, [&] { DescribePose(a, r.hanging); });
+  a.Section({"motion", "The robot's own motion service"}, [&] {
+    a.Section({"humanoid", "State machine of a humanoid"},
+              [&] { DescribeHumanoidMotion(a, r.motion.humanoid); });
+  });
   a.Key({"crane_body", "Body of the model that the crane's hook is in"}, &r.crane_body);
   a.Key({"crane_point", "m", {-5, 5}, "The hook in that body's frame"}, &r.crane_point, 3);
   a.Word({"default_start", "Pose a run starts in unless start.pose says otherwise"}, StartPoses(),

@@ -93,6 +93,29 @@ void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors
                 "expected four numbers w, x, y, z of length 1");
 }
 
+void CheckHumanoid(const RobotSpec& robot, const Checker& checker) {
+  const HumanoidMotionSpec& humanoid = robot.motion.humanoid;
+  const std::string section = "robot.motion.humanoid.";
+  const auto check_ids = [&](const std::vector<double>& ids, const std::string& key) {
+    for (const double id : ids) {
+      checker.Check(id == std::floor(id), section + key,
+                    "expected whole numbers, got " + NumberText(id));
+    }
+  };
+  check_ids(humanoid.balance, "balance");
+  check_ids(humanoid.unplayed, "unplayed");
+  const auto check_pose = [&](const std::vector<double>& q, bool needed, const std::string& key,
+                              const std::string& state) {
+    checker.Check(q.size() == robot.motors.size() || (q.empty() && !needed), section + key,
+                  "expected one angle per motor, " + std::to_string(robot.motors.size()) +
+                      (needed ? ", as there is a " + state : "") + ", got " +
+                      std::to_string(q.size()));
+  };
+  check_pose(humanoid.squat_q, humanoid.squat >= 0 || humanoid.balanced_squat >= 0, "squat_q",
+             "squat");
+  check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
+}
+
 void CheckFeet(const RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < robot.feet.size(); ++i) {
     checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
@@ -205,6 +228,7 @@ void Validate(const Config& config, const Places& places) {
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
+  CheckHumanoid(robot, checker);
   CheckRates(config, checker);
   CheckFirmware(robot, checker);
   CheckMotionService(config, checker);

@@ -1,6 +1,8 @@
 #include "motion/make_motion.h"
 
 #include "motion/damping_motion.h"
+#include "motion/humanoid_motion.h"
+#include "robot/errors.h"
 
 namespace understudy {
 namespace {
@@ -13,7 +15,15 @@ constexpr MotionState kHumanoidLimp{.id = 0};
 
 }  // namespace
 
-std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld&, double damping_kd) {
+std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
+                                   double damping_kd) {
+  if (spec.motion.humanoid.lock_stand >= 0) {
+    try {
+      return MakeHumanoidMotion(spec, world);
+    } catch (const ModelError&) {
+      // Somebody else's model, in which the feet are not to be found: it can only damp.
+    }
+  }
   const bool four_feet = spec.feet.size() == 4;
   return std::make_unique<DampingMotion>(four_feet ? kQuadrupedDamped : kHumanoidDamped,
                                          four_feet ? kQuadrupedDamped : kHumanoidLimp, damping_kd);

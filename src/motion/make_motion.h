@@ -11,7 +11,7 @@
 namespace understudy {
 
 // Never null. `spec` and the world's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
-// that can only damp. Throws ModelError where the model is not what the robot's controller needs.
+// that can only damp: those without a controller, and a model in which its feet are not found.
 std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
                                    double damping_kd);
 

@@ -128,6 +128,25 @@ struct ThermalSpec {
   double time_constant = 600;  // s
 };
 
+// The state machine of a humanoid's own motion service, by the vendor's numbers; -1 or empty where
+// the robot has no such state.
+struct HumanoidMotionSpec {
+  int lock_stand = -1;              // joints locked, standing; -1: not a humanoid
+  std::vector<double> balance{};    // standing balanced, the first one when none is named
+  int squat = -1;                   // joints locked in squat_q
+  int sit = -1;                     // joints locked in sit_q
+  int balanced_squat = -1;          // from standing into squat_q and back, balanced
+  std::vector<double> unplayed{};   // what the robot has and nothing here plays
+  std::vector<double> squat_q{};    // rad, motor order
+  std::vector<double> sit_q{};
+  bool arm_actions = false;         // has the arm action service
+};
+
+// What the robot's own motion service is like.
+struct MotionSpec {
+  HumanoidMotionSpec humanoid;
+};
+
 struct RobotSpec {
   std::string name;
   std::string description;
@@ -156,6 +175,7 @@ struct RobotSpec {
   PoseSpec lying;  // on the ground, passive
   PoseSpec standing;
   PoseSpec hanging;        // on the crane or clamped; height is that of the base
+  MotionSpec motion;
   std::string crane_body;  // MJCF body the crane's hook is in
   std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
   std::string default_start;                    // damped | standing | hanging | clamped

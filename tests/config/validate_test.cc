@@ -56,6 +56,21 @@ TEST_F(ValidateTest, RefusesAPoseWithTooFewAngles) {
             "--set robot.standing.q=[0]: robot.standing.q: expected one angle per motor, 2, got 1");
 }
 
+TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
+  EXPECT_EQ(SetError("robot.motion.humanoid.squat=2"),
+            "robot.motion.humanoid.squat_q: expected one angle per motor, 2, as there is a squat, "
+            "got 0");
+  EXPECT_EQ(SetError("robot.motion.humanoid.sit_q=[1]"),
+            "--set robot.motion.humanoid.sit_q=[1]: robot.motion.humanoid.sit_q: expected one "
+            "angle per motor, 2, got 1");
+}
+
+TEST_F(ValidateTest, RefusesStatesThatAreNotWholeNumbers) {
+  EXPECT_EQ(SetError("robot.motion.humanoid.balance=[1.5]"),
+            "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance: expected "
+            "whole numbers, got 1.5");
+}
+
 TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {
   EXPECT_EQ(FileError("robot:\n  parallel:\n    - {pitch: 0, roll: 2}\n"),
             "run.yaml:3: robot.parallel.0.roll: expected 0 to 1, as there are 2 motors, got 2");

@@ -125,7 +125,7 @@ class MadeGround:
 
 
 class Elsewhere:
-    """Another file of this folder tests each value of the key."""
+    """Another test, by its path from this folder, tests each value of the key."""
 
     def __init__(self, file, word):
         self._file, self._word = file, word

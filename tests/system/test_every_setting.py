@@ -373,6 +373,12 @@ SETTINGS = {
     "robot.thermal.rise_per_nm2_c": differs_standing("thermal.rise_per_nm2_c", 1000),
     "robot.thermal.time_constant": differs_standing("thermal.time_constant", 1,
                                                     "robot.thermal.rise_per_nm2_c=10"),
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_fsm_test.cc", f"spec.{key} =")
+       for key in ("lock_stand", "balance", "squat", "sit", "balanced_squat", "unplayed")},
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_motion_test.cc", word)
+       for key, word in (("squat_q", "SquatsAndRisesWithLockedJoints"),
+                         ("sit_q", "LocksItsJointsAsOnAChair"),
+                         ("arm_actions", "WavesAndLetsItsArmDown"))},
     "robot.lying.q": differs_lying("lying.q", [0, 1, -2.5] * 4),
     "robot.lying.height": differs_lying("lying.height", 0.3),
     "robot.lying.quat": differs_lying("lying.quat", "[0.7071, 0, 0, 0.7071]"),
