@@ -39,9 +39,8 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
       crane_(config_.crane),
-      router_(config_.robot, config_.gate, config_.motion,
-              {.command = start_.command, .standing = start_.standing},
-              MakeMotion(config_.robot, config_.gate.damping_kd)),
+      router_(config_.robot, config_.gate, config_.motion, start_.command,
+              MakeMotion(config_.robot, world_, config_.gate.damping_kd)),
       crane_body_(world_.Body(config_.robot.crane_body)),
       crane_point_(config_.robot.crane_point.data()),
       step_ns_(std::llround(config_.physics.timestep * 1e9)),
@@ -143,8 +142,7 @@ Emulator::Start Emulator::StartOf(const Config& config) {
   const std::string& name = config.start.pose.empty() ? robot.default_start : config.start.pose;
   const RobotCommand damping = DampingCommand(robot.motors.size(), config.gate.damping_kd);
   if (name == "standing") {
-    return {
-        .command = HoldCommand(robot, robot.standing.q), .pose = robot.standing, .standing = true};
+    return {.command = HoldCommand(robot, robot.standing.q), .pose = robot.standing};
   }
   if (name == "hanging") return {.command = damping, .pose = robot.hanging, .on_crane = true};
   if (name == "clamped") return {.command = damping, .pose = robot.hanging, .clamped = true};

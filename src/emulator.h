@@ -57,7 +57,6 @@ class Emulator {
   struct Start {
     RobotCommand command;
     PoseSpec pose;
-    bool standing = false;
     bool on_crane = false;
     bool clamped = false;
   };

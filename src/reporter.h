@@ -38,7 +38,7 @@ class Reporter {
   bool status_line_;
   bool line_drawn_ = false;
   Status last_;
-  static constexpr std::size_t kCauses = kRefusals + 8;
+  static constexpr std::size_t kCauses = kRefusals + 9;
   std::array<WallTime, kCauses> spoken_;
   std::array<std::uint64_t, kRefusals> said_refused_{};
   std::uint64_t said_overruns_ = 0;

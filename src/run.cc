@@ -35,22 +35,35 @@ constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
 
-PhysicsWorld MakeWorld(const Config& config) {
-  const SceneFile scene(config.scene, config.terrain);
-  // A model from elsewhere may have no geoms where the robot's own has feet.
-  const bool own = std::filesystem::path(config.robot.model).is_relative();
-  LoadNotes notes;
-  ModelHandle model =
-      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep,
-                     own ? FootNames::kRequired : FootNames::kOptional, &notes);
+// Says what loading a model brought up.
+void Tell(const LoadNotes& notes) {
   for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
   if (!notes.rewrites.empty()) {
     spdlog::info(
-        "{} places of the model were rewritten for this MuJoCo (--log-level debug lists them)",
+        "{} places of the model were rewritten for this MuJoCo (`understudy check` lists them)",
         notes.rewrites.size());
   }
   for (const Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
-  return {std::move(model), config.robot};
+  for (const std::string& looks : notes.looks) spdlog::debug("{}", looks);
+}
+
+// The world of the configured robot. A model from elsewhere may call things otherwise than the
+// robot's description: config->robot then takes its names.
+PhysicsWorld MakeWorld(Config* config) {
+  const SceneFile scene(config->scene, config->terrain);
+  const std::filesystem::path file = ModelFile(config->robot);
+  const double timestep = config->physics.timestep;
+  LoadNotes notes;
+  ModelHandle model;
+  if (std::filesystem::path(config->robot.model).is_relative()) {
+    model = LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
+  } else {
+    FittedModel fitted = LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
+    config->robot = std::move(fitted.spec);
+    model = std::move(fitted.model);
+  }
+  Tell(notes);
+  return {std::move(model), config->robot};
 }
 
 // Returns when nobody else is a robot here, or only may be one and the configuration allows that.
@@ -149,7 +162,8 @@ class Housekeeper {
 
 }  // namespace
 
-ExitCode RunRobot(const Config& config, const RunOptions& options) {
+ExitCode RunRobot(const Config& asked, const RunOptions& options) {
+  Config config = asked;
   SteadyClock clock;
   // First the network: discovery listens while the model compiles.
   const Participant participant(config.network.interface, config.network.domain);
@@ -162,7 +176,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   }
   StrangerWatch watch(participant);
   const Clock::Time watch_set = clock.Now();
-  PhysicsWorld world = MakeWorld(config);
+  PhysicsWorld world = MakeWorld(&config);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);

@@ -49,11 +49,11 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                                std::string("motion.service=") + kNoService);
       },
       "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
-  AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
   app->add_option(
          "--script", arguments->script,
          "YAML file of what happens to the robot and when: remote controller, crane, pushes")
       ->type_name("FILE");
+  AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")

@@ -142,7 +142,8 @@ void DescribeThermal(Archive& a, ThermalSpec& t) {
 void Describe(Archive& a, RobotSpec& r) {
   a.Key({"name", "Short name"}, &r.name);
   a.Key({"description", "What it is, in a line"}, &r.description);
-  a.Key({"model", "Model file, below models or absolute"}, &r.model);
+  a.Key({"model", "Model file: absolute, seen from the YAML that names it, or below models"},
+        &r.model);
   a.Key({"base_body", "Body of the model that moves freely"}, &r.base_body);
   a.Choice({"family", "Message family on rt/lowcmd and rt/lowstate"}, {"go", "hg"}, &r.family);
   a.Key({"firmware", "Version of the robot's software that is played"}, &r.firmware);

@@ -8,7 +8,7 @@
 namespace understudy {
 namespace {
 
-constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts (assumed); renewed each tick
+constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts, *assumed*; renewed each tick
 
 std::vector<Chord> ChordsOf(const RobotSpec& spec) {
   std::vector<Chord> chords;
@@ -21,13 +21,12 @@ std::vector<Chord> ChordsOf(const RobotSpec& spec) {
 }  // namespace
 
 CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
-                             const MotionConfig& config, Start start,
+                             const MotionConfig& config, RobotCommand start,
                              std::unique_ptr<Motion> motion)
     : fight_(config.fight),
-      start_standing_(start.standing),
       stick_speed_(spec.remote.speed),
-      gate_(gate, start.command),
-      user_gate_(gate, start.command),
+      gate_(gate, start),
+      user_gate_(gate, std::move(start)),
       owner_(OnboardServices(spec, StartService(spec, config)), spec.form, std::move(motion)),
       arms_(spec),
       chords_(ChordsOf(spec)),
@@ -40,7 +39,7 @@ void CommandRouter::Restart() {
   gate_.Restart();
   owner_.Restart();
   arms_.Clear();
-  start_asked_ = fought_ = fresh_lowcmd_ = false;
+  fought_ = fresh_lowcmd_ = false;
   was_on_ = service_on();
   if (was_on_ && !fight_) gate_.Close();
 }
@@ -92,7 +91,6 @@ const RobotCommand& CommandRouter::Current(const MotionInput& input, bool servic
   if (!service_on()) return gate_.Current(input.time);
   if (service_due) {
     owner_.Step(input, dt, &own_);
-    if (!std::exchange(start_asked_, true) && start_standing_) AskForStart();
     fought_ = false;
   }
   if (std::exchange(fresh_lowcmd_, false)) fought_ = true;
@@ -115,17 +113,11 @@ void CommandRouter::FollowOwner() {
   was_on_ = service_on();
   arms_.Clear();
   fought_ = fresh_lowcmd_ = false;
-  start_asked_ = true;
   if (was_on_ && !fight_) {
     gate_.Close();
   } else {
     gate_.Rest();
   }
-}
-
-void CommandRouter::AskForStart() {
-  owner_.Ask({.action = MotionAction::kDamp});
-  owner_.Ask({.action = MotionAction::kStandUp});
 }
 
 }  // namespace understudy

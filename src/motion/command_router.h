@@ -21,15 +21,10 @@ namespace understudy {
 // (*assumed*: what a robot does in between is not documented).
 class CommandRouter {
  public:
-  // What the robot holds at the start when no service is on, and what a service is then asked for.
-  struct Start {
-    RobotCommand command;
-    bool standing = false;
-  };
-
-  // `spec` must outlive the router and has been validated; so has `config`.
+  // `spec` and `config` have been validated. `start` is what the motors do when no service is on
+  // and nobody has commanded.
   CommandRouter(const RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
-                Start start, std::unique_ptr<Motion> motion);
+                RobotCommand start, std::unique_ptr<Motion> motion);
 
   // The robot is back where it started; whoever moves the motors begins anew.
   void Restart();
@@ -59,10 +54,8 @@ class CommandRouter {
 
  private:
   void FollowOwner();  // opens or closes the gate when the owner has changed
-  void AskForStart();
 
   bool fight_;
-  bool start_standing_;
   std::vector<double> stick_speed_;
   CommandGate gate_;
   CommandGate user_gate_;
@@ -73,7 +66,6 @@ class CommandRouter {
   RobotCommand mixed_;  // the same with the arms
   bool was_on_ = false;
   bool was_user_ = false;
-  bool start_asked_ = false;
   bool fresh_lowcmd_ = false;  // one has been taken in this tick
   bool fought_ = false;        // rt/lowcmd spoke after the service
   bool sticks_moved_ = false;

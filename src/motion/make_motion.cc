@@ -13,7 +13,7 @@ constexpr MotionState kHumanoidLimp{.id = 0};
 
 }  // namespace
 
-std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, double damping_kd) {
+std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld&, double damping_kd) {
   const bool four_feet = spec.feet.size() == 4;
   return std::make_unique<DampingMotion>(four_feet ? kQuadrupedDamped : kHumanoidDamped,
                                          four_feet ? kQuadrupedDamped : kHumanoidLimp, damping_kd);

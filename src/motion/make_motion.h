@@ -5,12 +5,15 @@
 #include <memory>
 
 #include "motion/motion.h"
+#include "physics/world.h"
 #include "robot/robot_spec.h"
 
 namespace understudy {
 
-// Never null. `damping_kd` [N·m·s/rad] is for robots that can only damp.
-std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, double damping_kd);
+// Never null. `spec` and the world's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
+// that can only damp. Throws ModelError where the model is not what the robot's controller needs.
+std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
+                                   double damping_kd);
 
 }  // namespace understudy
 

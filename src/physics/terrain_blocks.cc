@@ -7,7 +7,8 @@ namespace understudy {
 namespace {
 
 // Isaac Lab's and legged_gym's curricula for legged robots both end at a grade of 0.4 and at stairs
-// of 0.23 m rise; Isaac Lab's treads have 0.3 m, legged_gym's gaps reach 1 m. The rest is assumed.
+// of 0.23 m rise; Isaac Lab's treads have 0.3 m, legged_gym's gaps reach 1 m (docs/terrain.md). The
+// rest is assumed.
 constexpr double kMostGrade = 0.4;
 constexpr double kRise = 0.01, kRiseByDifficulty = 0.22;  // m
 constexpr double kTread = 0.3;                            // m

@@ -131,7 +131,7 @@ struct ThermalSpec {
 struct RobotSpec {
   std::string name;
   std::string description;
-  std::string model;      // MJCF, below models/, or absolute
+  std::string model;      // MJCF: absolute, else below models/
   std::string base_body;  // MJCF body with the free joint
   WireFamily family = WireFamily::kGo;
   std::string firmware;    // version of the software that is played

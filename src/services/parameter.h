@@ -12,9 +12,9 @@
 
 namespace understudy {
 
-// More is refused unread: reading a text of this size takes about 0.1 ms of the tick's thread. The
-// longest parameter of the vendor's clients, 30 path points, has 6 kB.
-inline constexpr std::size_t kMostParameterBytes = 16384;  // assumed
+// More is refused unread (the bound is assumed): reading a text of this size takes about 0.1 ms of
+// the tick's thread. The longest parameter of the vendor's clients, 30 path points, has 6 kB.
+inline constexpr std::size_t kMostParameterBytes = 16384;
 
 // The object with the schema's keys alone, numbers clamped where their field says so; nullopt when
 // `text` is no JSON, lacks a field, has one of another type or one out of range. Where no field is

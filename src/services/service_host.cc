@@ -16,8 +16,8 @@ constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
 constexpr std::size_t kMostUrgent = 5;
-constexpr int kMostServed = 8;  // assumed
-constexpr int kReaderDepth = 64;
+constexpr int kMostServed = 8;    // assumed: bounds what a poll costs
+constexpr int kReaderDepth = 64;  // assumed
 
 }  // namespace
 

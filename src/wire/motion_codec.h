@@ -20,9 +20,10 @@ enum class MotionFields : std::uint8_t {
 };
 MotionFields MotionFieldsOf(const RobotSpec& spec);
 
-// Writes one instant. In the world frame, except yaw_speed, which is the gyro's z, the same float.
-// stamp is simulated time since start. Nothing is estimated: position and velocity are the
-// simulation's truth, without drift.
+// Writes one instant. In the world frame
+// (*assumed*: no page states it), except yaw_speed, which is the gyro's z, the same float.
+// stamp is simulated time since start (*assumed*). Nothing is estimated: position and velocity are
+// the simulation's truth, without drift.
 //
 // kStateId is what a Go2 fills in 2026 (public capture of a real one, 2026-03): body_height is the
 // height of the base over the world's ground plane (*assumed*; the capture shows 8 mm more than

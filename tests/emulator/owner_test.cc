@@ -112,6 +112,7 @@ TEST_F(OwnerTest, FightsWhereFirmwareDoes) {
 
 TEST_F(OwnerTest, ChordsActOnTheService) {
   Start();
+  Tick();
   Order(PressRemote{.keys = 0x820, .seconds = 0.01});  // L2+Y
   Tick(3);
   EXPECT_FALSE(port_.last().state.motors[0].enabled);

@@ -40,11 +40,9 @@ class CommandRouterTest : public ::testing::Test {
                            {.keys = "L2+Y", .does = "zero_torque", .from = {1}}};
     spec_.remote.speed = {1, 0.5, 2};
   }
-  void Make(bool standing = false) {
-    router_ = std::make_unique<CommandRouter>(
-        spec_, GateConfig{}, config_,
-        CommandRouter::Start{.command = Of(kStartTorque), .standing = standing},
-        std::make_unique<RecordingMotion>(&asked_));
+  void Make() {
+    router_ = std::make_unique<CommandRouter>(spec_, GateConfig{}, config_, Of(kStartTorque),
+                                              std::make_unique<RecordingMotion>(&asked_));
   }
   // Torques of both motors in a tick of the service, or in one between.
   std::pair<double, double> Torques(bool service_due = true) {
@@ -138,27 +136,6 @@ TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
   EXPECT_EQ(Offer(), Refusal::kMotionService);
   router_->owner().SetUserControl(false);
   EXPECT_EQ(Torques(), Pair(kService, kService));
-}
-
-TEST_F(CommandRouterTest, AsksForAStandAtAStandingStartOnce) {
-  Make(/*standing=*/true);
-  Torques();
-  ASSERT_EQ(asked_.size(), 2U);
-  EXPECT_EQ(asked_[1].action, MotionAction::kStandUp);
-  Torques();
-  EXPECT_EQ(asked_.size(), 2U);
-  router_->Restart();
-  Torques();
-  EXPECT_EQ(asked_.size(), 4U);
-}
-
-TEST_F(CommandRouterTest, AsksForNothingAfterASelection) {
-  config_.service = kNoService;
-  Make(/*standing=*/true);
-  Torques();
-  router_->owner().Select("ai");
-  Torques();
-  EXPECT_TRUE(asked_.empty());
 }
 
 TEST_F(CommandRouterTest, PassesChordsToTheService) {

@@ -94,6 +94,41 @@ def test_check_of_a_bad_model_ends_with_4(understudy, tmp_path):
     assert "wordbody" in done.stdout
 
 
+MUJOCO_3 = """<mujoco>
+  <worldbody>
+    <body><joint name="knee" range="-1 1" actuatorfrcrange="-5 5"/><geom size="0.1"/></body>
+  </worldbody>
+  <actuator><motor name="knee" joint="knee"/></actuator>
+  <sensor><jointactuatorfrc joint="knee"/></sensor>
+</mujoco>
+"""
+
+
+def test_check_lists_what_was_rewritten_each_with_its_line(understudy, tmp_path):
+    model = tmp_path / "leg.xml"
+    model.write_text(MUJOCO_3)
+    entry = json.loads(understudy("check", "--json", model).stdout)[0]
+    lines = understudy("check", model).stdout.splitlines()
+
+    assert entry["ok"]
+    assert sorted(rewrite["line"] for rewrite in entry["rewrites"]) == [3, 3, 6]
+    assert "3 places rewritten" in lines[0]
+    assert f"{model}:6: sensor jointactuatorfrc" in "\n".join(lines[1:])
+
+
+def test_check_names_everything_that_cannot_be_carried_over(understudy, tmp_path):
+    model = tmp_path / "leg.xml"
+    model.write_text("<mujoco>\n<worldbody>\n<body gravcomp='1'><geom size='1'/>\n<frame/></body>"
+                     "\n</worldbody></mujoco>")
+    done = understudy("check", model)
+    lines = done.stdout.splitlines()
+
+    assert done.returncode == 4
+    assert len(lines) == 2
+    assert f"{model}:3" in lines[0] and "gravcomp" in lines[0]
+    assert f"{model}:4" in lines[1] and "frame" in lines[1]
+
+
 def test_check_of_what_is_no_description_names_the_kinds_there_are(understudy, tmp_path):
     done = understudy("check", tmp_path / "robot.txt")
 
