@@ -105,6 +105,29 @@ TEST_F(MjcfLooksTest, ChangesNoMassAndNoReading) {
   EXPECT_EQ(after->nsensordata, before->nsensordata);
 }
 
+// Where the robot is after half a second of falling on a floor.
+std::vector<double> Fallen(const MjcfElement& root) {
+  const ModelHandle model = CompileMjcf(root);
+  const DataHandle data(mj_makeData(model.get()));
+  for (int i = 0; i < 500; ++i) mj_step(model.get(), data.get());
+  return {data->qpos, data->qpos + model->nq};
+}
+
+TEST_F(MjcfLooksTest, ChangesNoBitOfTheMotion) {
+  MjcfElement root = ReadMjcf(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/go2/go2.xml");
+  MjcfElement floor;
+  floor.name = "worldbody";
+  floor.children.push_back(
+      {"geom",
+       {{"type", "plane"}, {"size", "0 0 1"}, {"contype", "1"}, {"conaffinity", "1"}},
+       {},
+       {}});
+  root.children.push_back(floor);
+  const std::vector<double> before = Fallen(root);
+  EXPECT_GT(LeaveOutLooks(&root).geoms, 10);
+  EXPECT_EQ(Fallen(root), before);
+}
+
 TEST_F(MjcfLooksTest, NamesAFileThatIsOnlyAPointer) {
   folder_.Write("sole.obj", "version https://git-lfs.github.com/spec/v1\noid sha256:0\n");
   const MjcfElement root = Read(Geom("type='mesh' mesh='sole'"),
