@@ -131,15 +131,15 @@ struct ThermalSpec {
 // The state machine of a humanoid's own motion service, by the vendor's numbers; -1 or empty where
 // the robot has no such state.
 struct HumanoidMotionSpec {
-  int lock_stand = -1;              // joints locked, standing; -1: not a humanoid
-  std::vector<double> balance{};    // standing balanced, the first one when none is named
-  int squat = -1;                   // joints locked in squat_q
-  int sit = -1;                     // joints locked in sit_q
-  int balanced_squat = -1;          // from standing into squat_q and back, balanced
-  std::vector<double> unplayed{};   // what the robot has and nothing here plays
-  std::vector<double> squat_q{};    // rad, motor order
+  int lock_stand = -1;             // joints locked, standing; -1: not a humanoid
+  std::vector<double> balance{};   // standing balanced, the first one when none is named
+  int squat = -1;                  // joints locked in squat_q
+  int sit = -1;                    // joints locked in sit_q
+  int balanced_squat = -1;         // from standing into squat_q and back, balanced
+  std::vector<double> unplayed{};  // what the robot has and nothing here plays
+  std::vector<double> squat_q{};   // rad, motor order
   std::vector<double> sit_q{};
-  bool arm_actions = false;         // has the arm action service
+  bool arm_actions = false;  // has the arm action service
 };
 
 // What the robot's own motion service is like.
@@ -174,9 +174,9 @@ struct RobotSpec {
   ThermalSpec thermal;
   PoseSpec lying;  // on the ground, passive
   PoseSpec standing;
-  PoseSpec hanging;        // on the crane or clamped; height is that of the base
+  PoseSpec hanging;  // on the crane or clamped; height is that of the base
   MotionSpec motion;
-  std::string crane_body;  // MJCF body the crane's hook is in
+  std::string crane_body;                       // MJCF body the crane's hook is in
   std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
   std::string default_start;                    // damped | standing | hanging | clamped
 };
