@@ -152,6 +152,25 @@ void DescribeHumanoidMotion(Archive& a, HumanoidMotionSpec& h) {
   a.Key({"arm_actions", "Whether the robot has the arm action service"}, &h.arm_actions);
 }
 
+void DescribeQuadrupedMotion(Archive& a, QuadrupedMotionSpec& m) {
+  a.Key({"stand_height", "m", {0, 2}, "Height of the base standing; 0 is not a quadruped"},
+        &m.stand_height);
+  a.Key({"foot_x", "m", {-1, 1}, "How far the feet stand ahead of the hips"}, &m.foot_x);
+  a.Key({"height_range", "m", {-1, 1}, "Least and most that it may be over stand_height"},
+        &m.height_range, 2);
+  a.Key({"euler_range", "rad", {0, 1.5}, "Most roll, pitch, yaw of the body either way"},
+        &m.euler_range, 3);
+  a.Key({"sit", "", {-2, 2}, "Base when sitting: m ahead, m over stand_height, rad of pitch"},
+        &m.sit, 3);
+  a.Key({"kp", "N·m/rad", {1, 1e5}, "Gain of the legs' joints"}, &m.kp);
+  a.Key({"kd", "N·m·s/rad", kNotNegative, "Damping of the legs' joints"}, &m.kd);
+  a.Key({"damping_kd", "N·m·s/rad", kNotNegative, "Damping of all joints when damped"},
+        &m.damping_kd);
+  a.Key({"wheel_kp", "N·m/rad", kNotNegative, "Gain that keeps wheels in place while balancing"},
+        &m.wheel_kp);
+  a.Key({"wheel_kd", "N·m·s/rad", kNotNegative, "Damping that brakes wheels"}, &m.wheel_kd);
+}
+
 }  // namespace
 
 void Describe(Archive& a, RobotSpec& r) {
@@ -193,6 +212,8 @@ void Describe(Archive& a, RobotSpec& r) {
   a.Section({"motion", "The robot's own motion service"}, [&] {
     a.Section({"humanoid", "State machine of a humanoid"},
               [&] { DescribeHumanoidMotion(a, r.motion.humanoid); });
+    a.Section({"quadruped", "How a quadruped stands and moves"},
+              [&] { DescribeQuadrupedMotion(a, r.motion.quadruped); });
   });
   a.Key({"crane_body", "Body of the model that the crane's hook is in"}, &r.crane_body);
   a.Key({"crane_point", "m", {-5, 5}, "The hook in that body's frame"}, &r.crane_point, 3);

@@ -238,6 +238,9 @@ void Validate(const Config& config, const Places& places) {
     const auto place = places.find(key + ".keys");
     MakeChord(robot.remote.chords[i], (place == places.end() ? "" : place->second + ": ") + key);
   }
+  const std::vector<double>& height_range = robot.motion.quadruped.height_range;
+  checker.Check(height_range[0] <= height_range[1], "robot.motion.quadruped.height_range",
+                "expected least before most");
   checker.Check(robot.battery.cell_empty_v < robot.battery.cell_full_v,
                 "robot.battery.cell_empty_v", "expected less than cell_full_v");
   checker.Check(robot.battery.cells > 0, "robot.battery.cells", "expected at least one cell");

@@ -2,6 +2,7 @@
 
 #include "motion/damping_motion.h"
 #include "motion/humanoid_motion.h"
+#include "motion/quadruped_motion.h"
 #include "robot/errors.h"
 
 namespace understudy {
@@ -17,12 +18,11 @@ constexpr MotionState kHumanoidLimp{.id = 0};
 
 std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
                                    double damping_kd) {
-  if (spec.motion.humanoid.lock_stand >= 0) {
-    try {
-      return MakeHumanoidMotion(spec, world);
-    } catch (const ModelError&) {
-      // Somebody else's model, in which the feet are not to be found: it can only damp.
-    }
+  try {
+    if (spec.motion.humanoid.lock_stand >= 0) return MakeHumanoidMotion(spec, world);
+    if (spec.motion.quadruped.stand_height > 0) return MakeQuadrupedMotion(spec, world);
+  } catch (const ModelError&) {
+    // Somebody else's model, in which the feet are not to be found: it can only damp.
   }
   const bool four_feet = spec.feet.size() == 4;
   return std::make_unique<DampingMotion>(four_feet ? kQuadrupedDamped : kHumanoidDamped,

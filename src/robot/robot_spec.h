@@ -142,9 +142,24 @@ struct HumanoidMotionSpec {
   bool arm_actions = false;  // has the arm action service
 };
 
+// How the motion service of a quadruped stands and moves.
+struct QuadrupedMotionSpec {
+  double stand_height = 0;                    // m, of the base over the ground; 0: not a quadruped
+  double foot_x = 0;                          // m, how far the feet stand ahead of the hips
+  std::vector<double> height_range = {0, 0};  // m about stand_height
+  std::vector<double> euler_range = {0, 0, 0};  // rad either way: roll, pitch, yaw
+  std::vector<double> sit = {0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
+  double kp = 1;                        // N·m/rad at the legs' joints
+  double kd = 0;                        // N·m·s/rad
+  double damping_kd = 0;                // N·m·s/rad when damped, at all joints
+  double wheel_kp = 0;  // N·m/rad that keeps a balanced robot's wheels where they stand
+  double wheel_kd = 0;  // N·m·s/rad that brakes them
+};
+
 // What the robot's own motion service is like.
 struct MotionSpec {
   HumanoidMotionSpec humanoid;
+  QuadrupedMotionSpec quadruped;
 };
 
 struct RobotSpec {

@@ -373,6 +373,12 @@ SETTINGS = {
     "robot.thermal.rise_per_nm2_c": differs_standing("thermal.rise_per_nm2_c", 1000),
     "robot.thermal.time_constant": differs_standing("thermal.time_constant", 1,
                                                     "robot.thermal.rise_per_nm2_c=10"),
+    **{f"robot.motion.quadruped.{key}": Elsewhere("../motion/quadruped_settings_test.cc", word)
+       for key, word in {
+           "stand_height": "stand_height=", "foot_x": "foot_x=", "height_range": "height_range=",
+           "euler_range": "euler_range=", "sit": "sit=", "kp": "quadruped.kp=", "kd": "quadruped.kd=",
+           "damping_kd": "damping_kd=", "wheel_kp": "wheel_kp=", "wheel_kd": "wheel_kd=",
+       }.items()},
     **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_fsm_test.cc", f"spec.{key} =")
        for key in ("lock_stand", "balance", "squat", "sit", "balanced_squat", "unplayed")},
     **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_motion_test.cc", word)

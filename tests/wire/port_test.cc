@@ -2,7 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "robot/errors.h"
-#include "tests/wire/allocations.h"
+#include "tests/support/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"

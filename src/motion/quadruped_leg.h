@@ -1,0 +1,58 @@
+// The kinematics of a leg of three hinges, in closed form.
+#ifndef UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
+#define UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
+
+#include <Eigen/Core>
+
+#include "physics/quadruped_figures.h"
+
+namespace understudy {
+
+// Angles are hip, thigh, calf [rad]; points are in the base's frame [m]. The foot is the centre of
+// its ball or tyre.
+class QuadrupedLeg {
+ public:
+  explicit QuadrupedLeg(const LegFigures& figures);
+
+  Eigen::Vector3d Foot(const Eigen::Vector3d& q) const;
+
+  // The knee: the calf's axis.
+  Eigen::Vector3d Knee(const Eigen::Vector3d& q) const { return Place(q).calf; }
+
+  // How the foot moves per angle, m/rad, a column per joint.
+  Eigen::Matrix3d FootJacobian(const Eigen::Vector3d& q) const;
+
+  // The sum of mass times place of its links, kg·m.
+  Eigen::Vector3d MassMoment(const Eigen::Vector3d& q) const;
+
+  // Torques [N·m] that hold the leg's own links where gravity pulls along -`up` with `gravity`
+  // m/s².
+  Eigen::Vector3d HoldingTorque(const Eigen::Vector3d& q, const Eigen::Vector3d& up,
+                                double gravity) const;
+
+  // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
+  // where it cannot get there, near `foot`. Returns whether it gets there.
+  bool Reach(const Eigen::Vector3d& foot, Eigen::Vector3d* q) const;
+
+  double mass() const;
+  // m from the thigh's axis to the foot of a straight leg.
+  double length() const { return thigh_length_ + calf_length_; }
+  const LegFigures& figures() const { return figures_; }
+
+ private:
+  // Origins of hip, thigh, calf and foot, and the axes of the joints.
+  struct Chain {
+    Eigen::Matrix3d R_hip, R_thigh, R_calf;
+    Eigen::Vector3d hip, thigh, calf, foot;
+  };
+  Chain Place(const Eigen::Vector3d& q) const;
+
+  LegFigures figures_;
+  double side_;  // m, how far the foot is beside the hip's axis
+  // Length and angle at zero of thigh and calf in the plane of the leg.
+  double thigh_length_, thigh_angle_, calf_length_, calf_angle_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
