@@ -1,7 +1,11 @@
 #include "emulator.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
+
+#include "motion/make_motion.h"
 
 namespace understudy {
 namespace {
@@ -17,12 +21,11 @@ RobotCommand HoldCommand(const RobotSpec& spec, const std::vector<double>& q) {
   return command;
 }
 
-template <class... Visitors>
-struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
-template <class... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
+// Cut to what there is room for, with a zero at the end.
+template <std::size_t kRoom>
+void Copy(std::string_view text, std::array<char, kRoom>* to) {
+  *std::copy_n(text.begin(), std::min(text.size(), kRoom - 1), to->begin()) = '\0';
+}
 
 }  // namespace
 
@@ -36,29 +39,30 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
       crane_(config_.crane),
-      gate_(config_.gate, start_.command),
+      router_(config_.robot, config_.gate, config_.motion, start_.command,
+              MakeMotion(config_.robot, world_, config_.gate.damping_kd)),
       crane_body_(world_.Body(config_.robot.crane_body)),
       crane_point_(config_.robot.crane_point.data()),
       step_ns_(std::llround(config_.physics.timestep * 1e9)),
       lowstate_every_(Every(config_.robot.rates.lowstate_hz)),
       motion_every_(Every(config_.robot.rates.motion_hz)),
       lf_every_(Every(config_.robot.rates.lf_hz)),
-      offered_(start_.command) {
+      service_every_(Every(config_.robot.rates.service_hz)),
+      offered_(start_.command),
+      foot_force_(config_.robot.feet.size()) {
+  pushes_.reserve(kMostPushes);
   ToStart();
 }
 
 StepHealth Emulator::Tick() {
   const double t = time();
-  inbox_->Drain([this](const Order& order) { return CarryOut(order); });
-  for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
-    const Refusal refusal = gate_.Offer(offered_, wire, t);
-    if (refusal != Refusal::kNone) last_refusal_ = refusal;
-  }
-  const RobotCommand& command = gate_.Current(t);
+  TakeOrders(t);
+  TakeCommands(t);
+  const RobotCommand& command = Decide(t);
 
   world_.BeginStep();
   motors_.Step(command, world_.q(), world_.dq(), world_.timestep());
-  PullCrane();
+  PushAndPull(t);
   const StepHealth health = world_.EndStep(motors_.torque());
   battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
 
@@ -67,6 +71,8 @@ StepHealth Emulator::Tick() {
     if (config_.physics.on_divergence == DivergenceAction::kReset) ToStart();
   } else if (const Due due = DueNow(); due.any()) {
     sensors_.Sample(world_, motors_, command, battery_, step_ * step_ns_ / 1'000'000, &state_);
+    state_.remote = remote_.Read(t);
+    state_.motion = router_.motion();
     if (!silenced_) {
       port_->Publish(state_, due);
       if (due.lowstate) ++published_;
@@ -76,17 +82,52 @@ StepHealth Emulator::Tick() {
   return health;
 }
 
+void Emulator::TakeCommands(double t) {
+  router_.Obey(remote_.Read(t), t);
+  double weight = 0;
+  while (port_->TakeArmCommand(&offered_, &weight)) router_.OfferArms(offered_, weight, t);
+  while (port_->TakeUserCommand(&offered_)) router_.OfferUser(offered_, t);
+  for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
+    const Refusal refusal = router_.Offer(offered_, wire, t);
+    if (refusal != Refusal::kNone) last_refusal_ = refusal;
+  }
+}
+
+// All that a motion service knows is of the step before, as a robot's own computer has it.
+const RobotCommand& Emulator::Decide(double t) {
+  const bool service_due = step_ % service_every_ == 0;
+  input_.time = t;
+  if (service_due && router_.service_on()) {
+    world_.FootForces(foot_force_);
+    input_.q = world_.q();
+    input_.dq = world_.dq();
+    input_.imu = world_.Imu();
+    input_.base = world_.base();
+    input_.foot_force = foot_force_;
+  }
+  return router_.Current(input_, service_due,
+                         static_cast<double>(service_every_ * step_ns_) * 1e-9);
+}
+
 Status Emulator::status() const {
   Status status;
   status.silenced = silenced_;
   status.time = time();
   status.steps = step_;
-  status.gate = gate_.state();
-  status.commands = gate_.counts();
+  status.gate = router_.gate().state();
+  Copy(router_.owner().active(), &status.motion_service);
+  status.motion = router_.owner().state();
+  status.arm_weight = router_.service_on() ? router_.arm_weight(time()) : 0;
+  status.remote = state_.remote;
+  status.stick_wish = router_.stick_wish();
+  status.commands = router_.gate().counts();
   status.last_refusal = last_refusal_;
   status.port = port_->counts();
   status.published = published_;
   status.divergences = divergences_;
+  status.script_done = script_next_;
+  status.script_refused = script_refused_;
+  Copy(script_refusal_, &status.script_refusal);
   status.crane_attached = crane_.attached();
   status.crane_length = crane_.length();
   status.crane_tension = crane_.tension();
@@ -113,7 +154,8 @@ std::int64_t Emulator::Every(double hz) const {
 }
 
 void Emulator::ToStart() {
-  gate_.Restart();
+  router_.Restart();
+  pushes_.clear();
   world_.Reset(start_.pose);
   crane_.Release();
   if (start_.on_crane) HangFromCrane();
@@ -126,7 +168,11 @@ Due Emulator::DueNow() const {
           .lf = step_ % lf_every_ == 0};
 }
 
-void Emulator::PullCrane() {
+void Emulator::PushAndPull(double t) {
+  for (const Push& push : pushes_) {
+    world_.AddForce(push.body, world_.CenterOfMass(push.body), push.force_W);
+  }
+  std::erase_if(pushes_, [t](const Push& push) { return t >= push.until; });
   if (!crane_.attached()) return;
   const PointReading hook = world_.Point(crane_body_, crane_point_);
   world_.AddForce(crane_body_, hook.p_WP, crane_.Step(hook, world_.timestep()));
@@ -134,33 +180,6 @@ void Emulator::PullCrane() {
 
 void Emulator::HangFromCrane() {
   crane_.Attach(world_.Point(crane_body_, crane_point_).p_WP, world_.weight());
-}
-
-Answer Emulator::CarryOut(const Order& order) {
-  return std::visit(Overloaded{
-                        [this](const LowerCrane& lower) -> Answer {
-                          if (!crane_.attached()) return "the robot does not hang from the crane";
-                          crane_.Lower(lower.by);
-                          return {};
-                        },
-                        [this](const AttachCrane&) -> Answer {
-                          HangFromCrane();
-                          return {};
-                        },
-                        [this](const ReleaseCrane&) -> Answer {
-                          crane_.Release();
-                          return {};
-                        },
-                        [this](const ClampBase& clamp) -> Answer {
-                          world_.Clamp(clamp.on);
-                          return {};
-                        },
-                        [this](const ResetRobot&) -> Answer {
-                          ToStart();
-                          return {};
-                        },
-                    },
-                    order);
 }
 
 }  // namespace understudy

@@ -4,15 +4,18 @@
 #define UNDERSTUDY_EMULATOR_H_
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "config/config.h"
 #include "control/inbox.h"
 #include "control/status.h"
+#include "motion/command_router.h"
 #include "physics/world.h"
-#include "robot/command_gate.h"
 #include "robot/motor.h"
 #include "sim/battery.h"
 #include "sim/crane.h"
+#include "sim/remote.h"
 #include "sim/sensors.h"
 #include "wire/robot_port.h"
 
@@ -29,6 +32,10 @@ class Emulator {
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
+  // Events in order of time, each given to the tick of its time as if it had come by the inbox.
+  // Before the first Tick. Throws ConfigError for a body that the model does not have.
+  void Play(std::vector<ScriptEvent> script);
+
   // One physics step. After the first few it allocates nothing. On kDiverged nothing was sent for
   // this step and, with on_divergence = reset, the robot is back at its start pose while time goes
   // on.
@@ -36,6 +43,9 @@ class Emulator {
 
   // Stops or resumes sending; the robot goes on moving.
   void Silence(bool on) { silenced_ = on; }
+
+  // Who moves the motors. For services, between ticks.
+  MotorOwner& owner() { return router_.owner(); }
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
@@ -50,14 +60,25 @@ class Emulator {
     bool on_crane = false;
     bool clamped = false;
   };
+  struct Push {
+    int body;
+    Eigen::Vector3d force_W;
+    double until;  // s
+  };
+
+  static constexpr std::size_t kMostPushes = 16;  // at a time
 
   static Start StartOf(const Config& config);
   std::int64_t Every(double hz) const;
   void ToStart();
   Due DueNow() const;
-  void PullCrane();
+  void TakeOrders(double t);
+  void TakeCommands(double t);
+  const RobotCommand& Decide(double t);
+  void PushAndPull(double t);
   void HangFromCrane();
   Answer CarryOut(const Order& order);
+  Answer BeginPush(const PushBody& push);
 
   Config config_;
   Start start_;
@@ -68,14 +89,22 @@ class Emulator {
   Battery battery_;
   Sensors sensors_;
   Crane crane_;
-  CommandGate gate_;
+  Remote remote_;
+  CommandRouter router_;
   int crane_body_;
   Eigen::Vector3d crane_point_;
   std::int64_t step_ns_;
-  std::int64_t lowstate_every_, motion_every_, lf_every_;  // in steps
+  std::int64_t lowstate_every_, motion_every_, lf_every_, service_every_;  // in steps
 
   std::int64_t step_ = 0;
+  std::vector<ScriptEvent> script_;
+  std::size_t script_next_ = 0;
+  std::size_t script_refused_ = 0;
+  std::string script_refusal_;
+  std::vector<Push> pushes_;
   RobotCommand offered_;
+  MotionInput input_;
+  std::vector<double> foot_force_;
   RobotState state_;
   bool silenced_ = false;
   Refusal last_refusal_ = Refusal::kNone;

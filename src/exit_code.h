@@ -13,6 +13,7 @@ enum class ExitCode {
   kBus = 5,        // interface, domain, namespace
   kNeighbour = 6,  // another robot is on this network
   kDiverged = 7,   // the physics diverged and physics.on_divergence is stop
+  kSocket = 8,     // the robot's name or its control socket: in use, or not to be had
 };
 
 }  // namespace understudy

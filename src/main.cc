@@ -11,14 +11,17 @@
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
 #include "commands/log.h"
+#include "commands/missing_command.h"
 #include "commands/run_command.h"
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "control/control_error.h"
 #include "control/ctl_command.h"
 #include "exec/command.h"
 #include "exit_code.h"
 #include "robot/errors.h"
+#include "services/robot_services.h"
 #include "version.h"
 
 namespace understudy {
@@ -31,8 +34,8 @@ constexpr char kFooter[] =
     "  understudy ctl status --watch           look at it from another terminal\n"
     "`understudy COMMAND --help` tells more.\n"
     "Exit codes: 0 done; 1 a bug, or an order refused; 2 command line; 3 configuration; 4 model;\n"
-    "5 network; 6 another robot is on the network; 7 the physics diverged; exec: the command's "
-    "own.";
+    "5 network; 6 another robot is on the network; 7 the physics diverged;\n"
+    "8 the robot's name is in use, or its control socket not to be had; exec: the command's own.";
 
 int Main(int argc, char** argv) {
   CLI::App app(
@@ -80,14 +83,26 @@ int Main(int argc, char** argv) {
   version->footer("Example: understudy version --json");
   version->callback([&] { chosen = [&] { return VersionCommand(json); }; });
 
+  CLI::App* services =
+      app.add_subcommand("services", "Print what every robot's services answer, as Markdown");
+  services->footer("Example: understudy services > docs/services.md");
+  services->callback([&] {
+    chosen = [&] {
+      std::fputs(ServicesReference().c_str(), stdout);
+      return 0;
+    };
+  });
+
   std::string shell;
   CLI::App* completions = app.add_subcommand("completions", "Print completions for a shell");
   completions->add_option("shell", shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}));
   completions->footer(
-      "Example: understudy completions bash > "
-      "~/.local/share/bash-completion/completions/understudy");
+      "Examples:\n"
+      "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
+      "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
+      "  source <(understudy completions zsh)          in ~/.zshrc");
   completions->callback([&] {
     chosen = [&] {
       std::fputs(Completions(app, shell, RobotNames(DataDir())).c_str(), stdout);
@@ -97,6 +112,15 @@ int Main(int argc, char** argv) {
 
   try {
     app.parse(argc, argv);
+  } catch (const CLI::RequiredError& error) {
+    if (argc == 1) {
+      std::fputs(app.help().c_str(), stderr);
+    } else if (const std::string missing = MissingCommand(app, argc, argv); !missing.empty()) {
+      std::fprintf(stderr, "%s\nRun with --help for more information.\n", missing.c_str());
+    } else {
+      app.exit(error);
+    }
+    return static_cast<int>(ExitCode::kUsage);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
@@ -138,6 +162,8 @@ int main(int argc, char** argv) {
     code = Fail(error, ExitCode::kBus);
   } catch (const understudy::NeighbourError& error) {
     code = Fail(error, ExitCode::kNeighbour);
+  } catch (const understudy::SocketError& error) {
+    code = Fail(error, ExitCode::kSocket);
   } catch (const understudy::CommandError& error) {
     std::fprintf(stderr, "understudy: %s\n", error.what());
     code = error.exit_code();

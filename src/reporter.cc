@@ -1,7 +1,6 @@
 #include "reporter.h"
 
 #include <cstdio>
-#include <string_view>
 
 #include <spdlog/spdlog.h>
 
@@ -22,20 +21,10 @@ enum Cause : std::size_t {
   kWriteFailures,
   kTimeouts,
   kOverruns,
-  kDivergence
+  kShifts,
+  kDivergence,
+  kScript
 };
-
-constexpr std::string_view Name(GateState state) {
-  switch (state) {
-    case GateState::kFollowing:
-      return "following";
-    case GateState::kDamping:
-      return "damping";
-    case GateState::kStart:
-      break;
-  }
-  return "waiting";
-}
 
 }  // namespace
 
@@ -64,6 +53,9 @@ std::string Reporter::Explain(Refusal refusal) {
       return "a motor's q, dq, tau, kp or kd is not a finite number";
     case Refusal::kGain:
       return "a motor's kp or kd is negative";
+    case Refusal::kMotionService:
+      return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
+             "ReleaseMode), or start with --released";
     case Refusal::kNone:
     case Refusal::kCount:
       break;
@@ -76,7 +68,7 @@ void Reporter::Update(const Status& status, WallTime now) {
     const std::uint64_t fresh = status.commands.refused[i] - said_refused_[i];
     if (fresh == 0 || !MaySpeak(i, now)) continue;
     const auto refusal = static_cast<Refusal>(i);
-    spdlog::warn("refused {} LowCmd ({}): {}", fresh, understudy::Name(refusal), Explain(refusal));
+    spdlog::warn("refused {} LowCmd ({}): {}", fresh, Name(refusal), Explain(refusal));
     said_refused_[i] = status.commands.refused[i];
   }
   if (status.command_writers > 1 && status.command_writers != last_.command_writers &&
@@ -109,13 +101,29 @@ void Reporter::Update(const Status& status, WallTime now) {
     // A few late ticks are made up for unnoticed. Many mean that the machine is too slow.
     const std::uint64_t fresh = status.pace.overruns - said_overruns_;
     const auto level = fresh > kManyOverruns ? spdlog::level::warn : spdlog::level::info;
-    spdlog::log(level,
-                "{} ticks began late, the worst so far by {:.1f} ms; real-time factor {:.2f}",
-                fresh, status.pace.worst_lateness * 1e3, status.pace.real_time_factor);
+    const double factor = status.pace.real_time_factor;
+    spdlog::log(level, "{} ticks began late, the worst so far by {:.1f} ms{}", fresh,
+                status.pace.worst_lateness * 1e3,
+                factor > 0 ? fmt::format("; real-time factor {:.2f}", factor) : "");
     said_overruns_ = status.pace.overruns;
+  }
+  if (status.pace.shifted > said_shifted_ && MaySpeak(kShifts, now)) {
+    spdlog::warn("{:.1f} s behind wall time, which is not made up for: simulated time goes on late",
+                 status.pace.shifted - said_shifted_);
+    said_shifted_ = status.pace.shifted;
   }
   if (status.divergences != last_.divergences && MaySpeak(kDivergence, now)) {
     spdlog::error("the physics diverged at {:.3f} s", status.time);
+  }
+  if (status.motion_service != last_.motion_service) {
+    if (const std::string_view service(status.motion_service.data()); service.empty()) {
+      spdlog::info("no motion service is on: motors follow rt/lowcmd");
+    } else {
+      spdlog::info("motion service {} moves the motors", service);
+    }
+  }
+  if (status.script_refused != last_.script_refused && MaySpeak(kScript, now)) {
+    spdlog::warn("script: {}", status.script_refusal.data());
   }
   if (status_line_) DrawStatusLine(status, now);
   last_ = status;
@@ -128,15 +136,20 @@ bool Reporter::MaySpeak(std::size_t cause, WallTime now) {
 }
 
 void Reporter::DrawStatusLine(const Status& status, WallTime now) {
+  if (status.pace.real_time_factor == 0) {  // until a second has passed there are no rates
+    drawn_at_ = now;
+    drawn_published_ = status.published;
+    drawn_accepted_ = status.commands.accepted;
+    return;
+  }
   if (now - drawn_at_ < milliseconds(500)) return;
   const double wall = std::chrono::duration<double>(now - drawn_at_).count();
   const auto rate = [wall](std::uint64_t to, std::uint64_t from) {
     return static_cast<double>(to - from) / wall;
   };
-  const std::string refusal =
-      status.last_refusal == Refusal::kNone
-          ? ""
-          : "  last refusal " + std::string(understudy::Name(status.last_refusal));
+  const std::string refusal = status.last_refusal == Refusal::kNone
+                                  ? ""
+                                  : "  last refusal " + std::string(Name(status.last_refusal));
   std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s",
                status.time, status.pace.real_time_factor, rate(status.published, drawn_published_),
                expected_hz_ * status.pace.real_time_factor,

@@ -38,10 +38,11 @@ class Reporter {
   bool status_line_;
   bool line_drawn_ = false;
   Status last_;
-  static constexpr std::size_t kCauses = kRefusals + 7;
+  static constexpr std::size_t kCauses = kRefusals + 9;
   std::array<WallTime, kCauses> spoken_;
   std::array<std::uint64_t, kRefusals> said_refused_{};
   std::uint64_t said_overruns_ = 0;
+  double said_shifted_ = 0;
   std::uint64_t drawn_published_ = 0;
   std::uint64_t drawn_accepted_ = 0;
   WallTime drawn_at_{};

@@ -1,29 +1,30 @@
 #include "run.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include <spdlog/spdlog.h>
 
-#include "bus/neighbours.h"
 #include "bus/participant.h"
-#include "bus/reader.h"
 #include "control/server.h"
 #include "emulator.h"
 #include "physics/world_model.h"
 #include "reporter.h"
 #include "robot/errors.h"
 #include "scene.h"
-#include "services/motion_switcher.h"
+#include "services/robot_services.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
 #include "wire/open_port.h"
-#include "wire/topics.h"
+#include "wire/strangers.h"
 
 namespace understudy {
 namespace {
@@ -34,69 +35,83 @@ constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
 
-PhysicsWorld MakeWorld(const Config& config) {
-  const SceneFile scene(config.scene, config.terrain);
-  // A model from elsewhere may have no geoms where the robot's own has feet.
-  const bool own = std::filesystem::path(config.robot.model).is_relative();
-  LoadNotes notes;
-  ModelHandle model =
-      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep,
-                     own ? FootNames::kRequired : FootNames::kOptional, &notes);
+// Says what loading a model brought up.
+void Tell(const LoadNotes& notes) {
   for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
   if (!notes.rewrites.empty()) {
     spdlog::info(
-        "{} places of the model were rewritten for this MuJoCo (--log-level debug lists them)",
+        "{} places of the model were rewritten for this MuJoCo (`understudy check` lists them)",
         notes.rewrites.size());
   }
   for (const Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
-  return {std::move(model), config.robot};
+  for (const std::string& looks : notes.looks) spdlog::debug("{}", looks);
 }
 
-// Somebody else's writer of rt/lowstate, if one is heard within the time to listen, which began
-// when the watch was set.
-void RefuseToStartBeside(NeighbourWatch* watch, Clock::Time set, const Participant& participant,
+// The world of the configured robot. A model from elsewhere may call things otherwise than the
+// robot's description: config->robot then takes its names.
+PhysicsWorld MakeWorld(Config* config) {
+  const SceneFile scene(config->scene, config->terrain);
+  const std::filesystem::path file = ModelFile(config->robot);
+  const double timestep = config->physics.timestep;
+  LoadNotes notes;
+  ModelHandle model;
+  if (std::filesystem::path(config->robot.model).is_relative()) {
+    model = LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
+  } else {
+    FittedModel fitted = LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
+    config->robot = std::move(fitted.spec);
+    model = std::move(fitted.model);
+  }
+  Tell(notes);
+  return {std::move(model), config->robot};
+}
+
+// Returns when nobody else is a robot here, or only may be one and the configuration allows that.
+// `since`: when the watch was set. Who has a writer is given the same time again to speak.
+void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Participant& participant,
                          const GuardConfig& guard, Clock* clock) {
-  const double listen =
+  const double seconds =
       participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
-  const Clock::Time until =
-      set + std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(listen));
-  do {
-    for (const Neighbour& neighbour : watch->Poll()) {
-      throw NeighbourError("a robot is already on " + participant.interface() + ", domain " +
-                           std::to_string(participant.domain()) + ": " + Describe(neighbour) +
-                           " writes rt/lowstate; nothing was sent. Use another --domain or "
+  const auto listen =
+      std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(seconds));
+  const std::string where =
+      participant.interface() + ", domain " + std::to_string(participant.domain()) + ": ";
+  Clock::Time until = since + listen;
+  bool alone = true;
+  while (true) {
+    const StrangerWatch::News news = watch->Poll();
+    if (!news.spoke.empty()) {
+      throw NeighbourError("a robot is already on " + where + Describe(news.spoke) +
+                           " sends rt/lowstate; nothing was sent. Use another --domain or "
                            "--interface, or `understudy exec`");
     }
-    clock->SleepUntil(std::min(until, clock->Now() + milliseconds(10)));
-  } while (clock->Now() < until);
-}
-
-// Tells whether a stranger only has a writer of rt/lowstate or sends with it. Clients on the
-// vendor's C++ library may have one and never use it (far-unitree-sdk 0.1.8 does).
-class StrangerEar {
- public:
-  explicit StrangerEar(const Participant& participant)
-      : go_(participant, kGoLowState, kOptions), hg_(participant, kHgLowState, kOptions) {}
-
-  bool HearsOne() {
-    const auto ignore = [](const auto&, WriterHandle) {};
-    return go_.Take(ignore) + hg_.Take(ignore) > 0;
+    const Clock::Time now = clock->Now();
+    if (alone && !news.appeared.empty()) {
+      alone = false;
+      until = std::max(until, now + listen);
+    }
+    if (now >= until) break;
+    clock->SleepUntil(std::min(until, now + milliseconds(10)));
   }
-
- private:
-  static constexpr ReaderOptions kOptions{.depth = 1, .reliable = false, .foreign_only = true};
-  Reader<unitree_go_msg_dds__LowState_> go_;
-  Reader<unitree_hg_msg_dds__LowState_> hg_;
-};
+  const std::vector<Neighbour> silent = watch->silent();
+  if (silent.empty()) return;
+  const std::string what = Describe(silent) + " can send rt/lowstate and has not done so yet";
+  if (guard.on_stranger == StrangerAction::kWarn) {
+    spdlog::warn("{}; we start all the same (guard.on_stranger: warn)", what);
+    return;
+  }
+  throw NeighbourError(
+      "a robot may already be on " + where + what +
+      "; nothing was sent. Is it a program of yours, as some clients in C++ are? Then start the "
+      "robot before it, or use `understudy exec`, or allow it by --set guard.on_stranger=warn");
+}
 
 // Watches the network and talks to the log and the terminal, beside the loop.
 class Housekeeper {
  public:
-  Housekeeper(const Config& config, bool status_line, const Participant& participant,
-              NeighbourWatch watch, const StatusBoard* board)
+  Housekeeper(const Config& config, bool status_line, StrangerWatch watch, const StatusBoard* board)
       : action_(config.guard.on_stranger),
         watch_(std::move(watch)),
-        ear_(participant),
         board_(board),
         reporter_(config.robot.rates.lowstate_hz, status_line),
         thread_([this](const std::stop_token& stop) { Run(stop); }) {}
@@ -118,35 +133,27 @@ class Housekeeper {
   }
 
   void Watch() {
-    const auto& strangers = watch_.Poll();
-    // Listened to each time: a last word left unread would be taken for the next stranger's.
-    const bool heard = ear_.HearsOne() && !strangers.empty();
-    if (strangers.size() != known_) {
-      for (const Neighbour& stranger : strangers) {
-        spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
-      }
-      if (strangers.empty() && speaks_) {
-        spdlog::info("the other robot has gone");
-        speaks_ = must_silence_ = false;
-      }
-      known_ = strangers.size();
+    const StrangerWatch::News news = watch_.Poll();
+    for (const Neighbour& stranger : news.appeared) {
+      spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
     }
-    if (speaks_ || !heard) return;
-    speaks_ = true;
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
-    spdlog::critical("another robot speaks on this network: {}; {}", Describe(strangers.front()),
-                     kWhatWeDo[static_cast<int>(action_)]);
-    must_silence_ = action_ == StrangerAction::kSilence;
-    must_stop_ = action_ == StrangerAction::kStop;
+    if (!news.spoke.empty()) {
+      spdlog::critical("another robot speaks on this network: {}; {}", Describe(news.spoke),
+                       kWhatWeDo[static_cast<int>(action_)]);
+    }
+    const bool speaks = !watch_.speaking().empty();
+    if (speaks_ && !speaks) spdlog::info("the other robot has gone");
+    speaks_ = speaks;
+    must_silence_ = speaks && action_ == StrangerAction::kSilence;
+    must_stop_ = speaks && action_ == StrangerAction::kStop;
   }
 
   StrangerAction action_;
-  NeighbourWatch watch_;
-  StrangerEar ear_;
+  StrangerWatch watch_;
   const StatusBoard* board_;
   Reporter reporter_;
-  std::size_t known_ = 0;
   bool speaks_ = false;
   std::atomic<bool> must_silence_{false};
   std::atomic<bool> must_stop_{false};
@@ -155,32 +162,33 @@ class Housekeeper {
 
 }  // namespace
 
-ExitCode RunRobot(const Config& config, const RunOptions& options) {
+ExitCode RunRobot(const Config& asked, const RunOptions& options) {
+  Config config = asked;
   SteadyClock clock;
   // First the network: discovery listens while the model compiles.
   const Participant participant(config.network.interface, config.network.domain);
   if (!participant.multicast()) {
     spdlog::info(
-        "{} has no multicast: about ten programs find each other. `ip link set {} multicast on` as "
+        "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
+        "as "
         "root, or `understudy exec`, lifts that",
         config.network.interface, config.network.interface);
   }
-  NeighbourWatch watch(participant, "rt/lowstate");
+  StrangerWatch watch(participant);
   const Clock::Time watch_set = clock.Now();
-  PhysicsWorld world = MakeWorld(config);
+  PhysicsWorld world = MakeWorld(&config);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
-  std::vector<std::unique_ptr<Service>> services;
-  services.push_back(std::make_unique<MotionSwitcher>());
-  ServiceHost host(participant, std::move(services));
-  RobotMode mode;
+  ServiceHost host(participant, ServicesOf(config.robot.name),
+                   [](const std::string& notice) { spdlog::warn("{}", notice); });
 
   Inbox inbox;
   StatusBoard board;
   Emulator robot(config, std::move(world), port.get(), &inbox);
+  robot.Play(options.script);
   const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
-  const Housekeeper housekeeper(config, options.status_line, participant, std::move(watch), &board);
+  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
   Pacer pacer(&clock, Clock::Time(std::llround(config.physics.timestep * 1e9)), config.time.speed);
@@ -190,7 +198,7 @@ ExitCode RunRobot(const Config& config, const RunOptions& options) {
   while (true) {
     pacer.WaitFor(robot.step());
     const StepHealth health = robot.Tick();
-    host.Poll(&mode, clock.Now());
+    host.Poll(&robot.owner(), clock.Now());
 
     if (!ready) {
       ready = true;

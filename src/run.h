@@ -4,14 +4,17 @@
 
 #include <filesystem>
 #include <functional>
+#include <vector>
 
 #include "config/config.h"
 #include "exit_code.h"
+#include "sim/order.h"
 
 namespace understudy {
 
 struct RunOptions {
   std::filesystem::path control_socket;  // where `ctl` finds the robot; see MakeControlFolder
+  std::vector<ScriptEvent> script;       // what happens when; may be empty
   bool status_line = false;              // redraw a line on the terminal
   // Called once in the loop's thread when the first LowState is out. May be empty.
   std::function<void()> on_ready;

@@ -27,6 +27,7 @@ std::filesystem::path FindFile(const std::string& scene) {
   const std::filesystem::path path(scene);
   std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
   if (std::filesystem::is_regular_file(file)) return file;
+  if (path.has_extension()) throw ModelError("scene " + scene + ": no such file");
   std::vector<std::string> scenes = TerrainKinds();
   scenes.emplace_back(kPatchesScene);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {

@@ -25,6 +25,8 @@ test_packages=(
   "python3-venv:a Python environment for the vendor's SDKs"
   "python3-dev:compiles the SDK's DDS binding"
   "iproute2:puts two hosts on a virtual cable"
+  "zsh:completions are tried in their shells"
+  "fish:completions are tried in their shells"
   "util-linux:private network namespaces for tests"
 )
 

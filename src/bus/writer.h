@@ -47,8 +47,8 @@ class Writer : public WriterCore {
   Writer(const Participant& participant, const Topic<Msg>& topic)
       : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg)) {}
 
-  // Sends one message. False, and counted in failures(), when Cyclone refuses it. Allocates in
-  // Cyclone's C, not here.
+  // Sends one message to the readers matched now; without one it does nothing. False, and counted
+  // in failures(), when Cyclone refuses it. Allocates in Cyclone's C, not here.
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
 };
 

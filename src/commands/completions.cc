@@ -10,11 +10,12 @@ namespace {
 struct Branch {
   std::string path;  // "ctl crane"; "" for the program itself
   std::vector<std::string> words;
+  bool has_subcommands = false;
 };
 
 void Collect(const CLI::App& app, const std::string& path, const std::vector<std::string>& robots,
              std::vector<Branch>* branches) {
-  Branch branch{.path = path, .words = {}};
+  Branch branch{.path = path, .words = {}, .has_subcommands = !app.get_subcommands({}).empty()};
   for (const CLI::App* child : app.get_subcommands({})) branch.words.push_back(child->get_name());
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& name : option->get_lnames()) branch.words.push_back("--" + name);
@@ -35,7 +36,7 @@ std::string Join(const std::vector<std::string>& words) {
   return text;
 }
 
-// Both shells walk the words typed so far down the subcommands they know.
+// All shells walk the words typed so far down the subcommands they know.
 std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
   std::ostringstream out;
   // No `path` and no `mapfile`: zsh keeps its PATH in the one and has not the other.
@@ -56,19 +57,29 @@ std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
   return out.str();
 }
 
+// zsh runs bash completions by a layer of its own, which needs the completion system started.
+constexpr char kZshPreamble[] =
+    "(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
+    "autoload -U +X bashcompinit && bashcompinit\n";
+
 std::string Fish(const std::string& name, const std::vector<Branch>& branches) {
+  const std::string path = "__" + name + "_path";
   std::ostringstream out;
+  out << "function " << path << "\n  set -l typed ''\n"
+      << "  for word in (commandline -opc)[2..-1]\n"
+      << "    switch (string trim \"$typed $word\")\n      case";
   for (const Branch& branch : branches) {
-    const std::string condition = branch.path.empty()
-                                      ? "__fish_use_subcommand"
-                                      : "__fish_seen_subcommand_from " + branch.path;
+    if (!branch.path.empty()) out << " '" << branch.path << "'";
+  }
+  out << "\n        set typed (string trim \"$typed $word\")\n    end\n  end\n  echo $typed\nend\n";
+  for (const Branch& branch : branches) {
+    const std::string begin =
+        "complete -c " + name + " -n 'test (" + path + ") = \"" + branch.path + "\"' ";
+    // Where subcommands follow no file does.
+    if (branch.has_subcommands) out << begin << "-f\n";
     for (const std::string& word : branch.words) {
-      out << "complete -c " << name << " -n '" << condition << "' ";
-      if (word.rfind("--", 0) == 0) {
-        out << "-l " << word.substr(2) << "\n";
-      } else {
-        out << "-a " << word << "\n";
-      }
+      const bool option = word.starts_with("--");
+      out << begin << (option ? "-l " + word.substr(2) : "-a " + word) << "\n";
     }
   }
   return out.str();
@@ -82,8 +93,7 @@ std::string Completions(const CLI::App& app, const std::string& shell,
   Collect(app, "", robots, &branches);
   const std::string& name = app.get_name();
   if (shell == "bash") return Bash(name, branches);
-  // zsh runs bash completions by its own compatibility layer.
-  if (shell == "zsh") return "autoload -U +X bashcompinit && bashcompinit\n" + Bash(name, branches);
+  if (shell == "zsh") return kZshPreamble + Bash(name, branches);
   if (shell == "fish") return Fish(name, branches);
   throw std::invalid_argument("no completions for '" + shell + "': bash, zsh or fish");
 }

@@ -7,6 +7,7 @@
 
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/script.h"
 #include "exit_code.h"
 #include "physics/world_model.h"
 #include "robot/errors.h"
@@ -20,23 +21,61 @@ using nlohmann::json;
 
 const char* Family(WireFamily family) { return family == WireFamily::kGo ? "go" : "hg"; }
 
-// What a sound file holds, in one line. Throws SetupError for an unsound one.
-std::string CheckFile(const std::filesystem::path& file) {
+// What a sound file holds, in one line. Throws SetupError for an unsound one. Of a model, `notes`
+// has what loading it brought up.
+std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
   const std::string extension = file.extension();
   if (extension == ".xml") {
-    const ModelHandle model = LoadModelFile(file);
+    const ModelHandle model = LoadModelFile(file, notes);
     return "MJCF, " + std::to_string(model->nbody - 1) + " bodies, " + std::to_string(model->njnt) +
            " joints, " + std::to_string(model->nu) + " actuators";
   }
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
+  if (const YamlValue document = ReadYamlFile(file); IsScript(document)) {
+    return "script, " + std::to_string(ReadScript(document).size()) + " events";
+  }
   const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
   const SceneFile scene("flat", {});
-  const ModelHandle model =
-      LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(), config.physics.timestep);
+  const ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
+                                           config.physics.timestep, notes);
+  notes->looks.clear();  // of interest where one checks a model
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
          " motors, fits its model";
+}
+
+// One file's result. A refusal's text names file and line by itself; that of an included file does
+// not name the one that was asked for.
+json Entry(const std::string& file, const std::string& text, bool ok, const LoadNotes& notes) {
+  json entry = {{"file", file}, {"ok", ok}, {"text", text}};
+  entry["rewrites"] = json::array();
+  for (const Rewrite& rewrite : notes.rewrites) {
+    entry["rewrites"].push_back({{"file", rewrite.place.file},
+                                 {"line", rewrite.place.line},
+                                 {"what", rewrite.what},
+                                 {"why", rewrite.why}});
+  }
+  entry["notes"] = notes.warnings;
+  for (const std::string& looks : notes.looks) entry["notes"].push_back(looks);
+  entry["unknown"] = notes.unknown;
+  return entry;
+}
+
+void Print(const std::string& file, const std::string& text, bool ok, const LoadNotes& notes) {
+  const bool names_file = !ok && text.starts_with(file);
+  std::string line = (ok ? "ok   " : "FAIL ") + (names_file ? "" : file + ": ") + text;
+  if (!notes.rewrites.empty()) {
+    line += "; " + std::to_string(notes.rewrites.size()) + " places rewritten for MuJoCo " +
+            mj_versionString();
+  }
+  std::printf("%s\n", line.c_str());
+  for (const Rewrite& rewrite : notes.rewrites) std::printf("     %s\n", rewrite.text().c_str());
+  for (const std::string& note : notes.warnings) std::printf("     %s\n", note.c_str());
+  for (const std::string& looks : notes.looks) std::printf("     %s\n", looks.c_str());
+  for (const std::string& unknown : notes.unknown) {
+    if (unknown != text) std::printf("     %s\n", unknown.c_str());
+  }
 }
 
 ExitCode CodeOf(const SetupError& error) {
@@ -82,21 +121,21 @@ int CheckCommand(const std::vector<std::string>& files, bool as_json) {
   ExitCode code = ExitCode::kOk;
   json list = json::array();
   for (const std::string& file : files) {
-    json entry = {{"file", file}};
+    LoadNotes notes;
+    std::string text;
+    bool ok = true;
     try {
-      entry["ok"] = true;
-      entry["text"] = CheckFile(file);
+      text = CheckFile(file, &notes);
     } catch (const SetupError& error) {
-      entry["ok"] = false;
-      entry["text"] = error.what();
+      ok = false;
+      text = error.what();
       if (code == ExitCode::kOk) code = CodeOf(error);
     }
-    if (!as_json) {
-      const bool ok = entry["ok"].get<bool>();
-      std::printf("%s %s%s\n", ok ? "ok  " : "FAIL", ok ? (file + ": ").c_str() : "",
-                  entry["text"].get<std::string>().c_str());
+    if (as_json) {
+      list.push_back(Entry(file, text, ok, notes));
+    } else {
+      Print(file, text, ok, notes);
     }
-    list.push_back(std::move(entry));
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());
   return static_cast<int>(code);

@@ -12,6 +12,7 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
+#include "config/script.h"
 #include "control/control_folder.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
@@ -22,55 +23,37 @@
 namespace understudy {
 namespace {
 
-// An option that is short for a --set: its value goes to `key`.
-void AddSetOption(CLI::App* app, RunArguments* arguments, const std::string& option,
-                  const std::string& key, const std::string& type, const std::string& help) {
-  app->add_option_function<std::string>(
-         option,
-         [arguments, key](const std::string& value) {
-           // In front: what the user sets by --set has the last word.
-           arguments->sets.insert(arguments->sets.begin(),
-                                  key + "=" + (value == "max" ? "0" : value));
-         },
-         help)
-      ->type_name(type);
-}
-
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
       ->required()
       ->type_name("ROBOT");
-  AddSetOption(app, arguments, "--interface", "network.interface", "NAME",
-               "Network interface to speak on [lo]");
-  AddSetOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
-  AddSetOption(app, arguments, "--scene", "scene", "NAME|FILE",
-               "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
-  app->add_option_function<std::string>(
-         "--model",
-         [arguments](const std::string& file) {
-           arguments->sets.insert(arguments->sets.begin(),
-                                  "robot.model=" + std::filesystem::absolute(file).string());
-         },
-         "MJCF to play instead of the robot's own, with the same joint names")
+  AddShortOption(app, arguments, "--interface", "network.interface", "NAME",
+                 "Network interface to speak on [lo]");
+  AddShortOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
+  AddShortOption(app, arguments, "--scene", "scene", "NAME|FILE",
+                 "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
+  AddShortOption(app, arguments, "--model", "robot.model", "FILE",
+                 "MJCF to play instead of the robot's own, with the same joint names")
+      ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
+  AddShortOption(app, arguments, "--speed", "time.speed", "X",
+                 "Simulated seconds per wall second; max = as fast as possible [1]")
+      ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });
+  AddShortOption(app, arguments, "--duration", "time.duration", "S",
+                 "End after so many simulated seconds [never]");
+  AddShortOption(app, arguments, "--start", "start.pose", "POSE",
+                 "damped, standing, hanging or clamped [the robot's own]");
+  app->add_flag_callback(
+      "--released",
+      [arguments] {
+        arguments->sets.insert(arguments->sets.begin(),
+                               std::string("motion.service=") + kNoService);
+      },
+      "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
+  app->add_option(
+         "--script", arguments->script,
+         "YAML file of what happens to the robot and when: remote controller, crane, pushes")
       ->type_name("FILE");
-  AddSetOption(app, arguments, "--speed", "time.speed", "X",
-               "Simulated seconds per wall second; max = as fast as possible [1]");
-  AddSetOption(app, arguments, "--duration", "time.duration", "S",
-               "End after so many simulated seconds [never]");
-  AddSetOption(app, arguments, "--start", "start.pose", "POSE",
-               "damped, standing, hanging or clamped [the robot's own]");
-  app->add_option("--config", arguments->config_files,
-                  "YAML file laid over the robot's own; may be given again")
-      ->type_name("FILE")
-      ->take_all();
-  app->add_option_function<std::vector<std::string>>(
-         "--set",
-         [arguments](const std::vector<std::string>& sets) {
-           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-         },
-         "Sets one key, e.g. --set gate.timeout=0.5; may be given again")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")
@@ -87,6 +70,10 @@ Config Load(const RunArguments& arguments) {
       DataDir());
 }
 
+std::vector<ScriptEvent> LoadEvents(const RunArguments& arguments) {
+  return arguments.script.empty() ? std::vector<ScriptEvent>() : LoadScript(arguments.script);
+}
+
 std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
   MakeControlFolder(ControlFolder());
   return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
@@ -101,6 +88,7 @@ CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
       "Examples:\n"
       "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
       "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run go2 --released             for programs that do not release it themselves\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
       "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
@@ -140,6 +128,7 @@ int RunCommand(const RunArguments& arguments) {
     return 0;
   }
   RunOptions options;
+  options.script = LoadEvents(arguments);
   options.control_socket = MakeControlSocket(arguments, config);
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
@@ -153,6 +142,8 @@ int RunCommand(const RunArguments& arguments) {
 int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
   const Config config = Load(arguments);
+  RunOptions options;
+  options.script = LoadEvents(arguments);
   if (arguments.network == "private") EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
@@ -166,7 +157,6 @@ int ExecCommand(const RunArguments& arguments) {
   constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
   bool terminating = false;
-  RunOptions options;
   options.control_socket = control;
   options.on_ready = [&child] { child.Release(); };
   options.should_stop = [&] {

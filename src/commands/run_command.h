@@ -7,16 +7,15 @@
 
 #include <CLI/CLI.hpp>
 
-#include "exit_code.h"
+#include "commands/set_options.h"
 
 namespace understudy {
 
 // The command line of a run, as typed.
-struct RunArguments {
+struct RunArguments : SetArguments {
   std::string robot;
   std::string name;
-  std::vector<std::string> config_files;
-  std::vector<std::string> sets;  // "key=value"; options such as --speed are put in front of them
+  std::string script;
   bool print_config = false;
   bool help_config = false;
   bool json = false;

@@ -10,21 +10,6 @@
 #include "robot/nearest_word.h"
 
 namespace understudy {
-namespace {
-
-// An option that is short for a --set, which has the last word.
-void AddSetOption(CLI::App* app, TerrainArguments* arguments, const std::string& key,
-                  const std::string& type, const std::string& help) {
-  app->add_option_function<std::string>(
-         "--" + key,
-         [arguments, key](const std::string& value) {
-           arguments->sets.insert(arguments->sets.begin(), "terrain." + key + "=" + value);
-         },
-         help)
-      ->type_name(type);
-}
-
-}  // namespace
 
 CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments) {
   CLI::App* terrain = app->add_subcommand("terrain", "Write a run's ground as MJCF and pictures");
@@ -34,22 +19,15 @@ CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments) {
   terrain->add_option("--out", arguments->out, "Folder to write to; is made where it is missing")
       ->required()
       ->type_name("DIR");
-  AddSetOption(terrain, arguments, "difficulty", "D", "From 0 to 1 [0.5]");
-  AddSetOption(terrain, arguments, "friction", "MU", "Of every contact with the ground");
-  AddSetOption(terrain, arguments, "seed", "N", "Of all that is random in it [1]");
-  AddSetOption(terrain, arguments, "image", "FILE", "Grey PNG or PGM of kind image");
-  terrain->add_option("--config", arguments->config_files, "YAML file, as of a run")
-      ->type_name("FILE")
-      ->take_all();
-  terrain
-      ->add_option_function<std::vector<std::string>>(
-          "--set",
-          [arguments](const std::vector<std::string>& sets) {
-            arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-          },
-          "Sets one key, e.g. --set terrain.size=[12,4]; may be given again")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  AddShortOption(terrain, arguments, "--difficulty", "terrain.difficulty", "D",
+                 "From 0 to 1 [0.5]");
+  AddShortOption(terrain, arguments, "--friction", "terrain.friction", "MU",
+                 "Of every contact with the ground");
+  AddShortOption(terrain, arguments, "--seed", "terrain.seed", "N",
+                 "Of all that is random in it [1]");
+  AddShortOption(terrain, arguments, "--image", "terrain.image", "FILE",
+                 "Grey PNG or PGM of kind image");
+  AddSetOptions(terrain, arguments, "YAML file, as of a run", "terrain.size=[12,4]");
   terrain->footer(
       "Writes DIR/scene.xml, plain MJCF, and for each height field terrain_N.hf, which it names,\n"
       "and terrain_N.png, the same heights in 16 bits of grey.\n"

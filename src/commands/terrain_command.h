@@ -7,13 +7,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "commands/set_options.h"
+
 namespace understudy {
 
 // The command line, as typed.
-struct TerrainArguments {
+struct TerrainArguments : SetArguments {
   std::string scene;
-  std::vector<std::string> config_files;
-  std::vector<std::string> sets;  // "key=value"; options such as --seed are put in front of them
   std::string out;
 };
 

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "motion/motion_config.h"
 #include "physics/terrain.h"
 #include "robot/command_gate.h"
 #include "robot/robot_spec.h"
@@ -19,12 +20,13 @@ struct NetworkConfig {
   int domain = 0;
 };
 
-// What to do when somebody else's robot appears on our network after we have started.
+// What to do when somebody else's robot speaks on our network after we have started. kWarn also
+// lets a run start beside a writer of rt/lowstate that has not spoken.
 enum class StrangerAction { kSilence, kWarn, kStop };
 
 struct GuardConfig {
   double listen_loopback = 0.2;  // s to listen for another robot before the first word, on lo
-  double listen_network = 1;     // s, on any other interface
+  double listen_network = 1;     // s, on any other interface; both assumed
   StrangerAction on_stranger = StrangerAction::kSilence;
 };
 
@@ -37,7 +39,7 @@ struct TimeConfig {
 enum class DivergenceAction { kStop, kReset };
 
 struct PhysicsConfig {
-  double timestep = 0.001;  // s; also the period of the motor law
+  double timestep = 0.001;  // s; also the period of the motor law; assumed
   DivergenceAction on_divergence = DivergenceAction::kStop;
 };
 
@@ -52,6 +54,7 @@ struct Config {
   PhysicsConfig physics;
   SensorConfig sensors;
   GateConfig gate;
+  MotionConfig motion;
   CraneConfig crane;
   StartConfig start;
   std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path

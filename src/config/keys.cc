@@ -20,7 +20,9 @@ void DescribeGuard(Archive& a, GuardConfig& c) {
          {0, 60},
          "The same on every other interface (the default is assumed)"},
         &c.listen_network);
-  a.Choice({"on_stranger", "What to do when another robot speaks after we have started"},
+  a.Choice({"on_stranger",
+            "What to do when another robot speaks after we have started; warn also starts beside a "
+            "writer of rt/lowstate that has not spoken"},
            {"silence", "warn", "stop"}, &c.on_stranger);
 }
 
@@ -33,7 +35,11 @@ void DescribeTime(Archive& a, TimeConfig& c) {
 }
 
 void DescribePhysics(Archive& a, PhysicsConfig& c) {
-  a.Key({"timestep", "s", {0.0001, 0.01}, "Physics step and period of the motor law"}, &c.timestep);
+  a.Key({"timestep",
+         "s",
+         {0.0001, 0.01},
+         "Physics step and period of the motor law (the default is assumed)"},
+        &c.timestep);
   a.Choice({"on_divergence", "What to do when the physics leaves all bounds"}, {"stop", "reset"},
            &c.on_divergence);
 }
@@ -57,6 +63,16 @@ void DescribeGate(Archive& a, GateConfig& c) {
         &c.timeout);
   a.Key({"damping_kd", "N·m·s/rad", {0, 100}, "Gain of that damping (the default is assumed)"},
         &c.damping_kd);
+}
+
+void DescribeMotion(Archive& a, MotionConfig& c) {
+  a.Key({"service",
+         "Motion service that moves the robot at the start, by its alias in robot.services; none: "
+         "rt/lowcmd does; \"\": the first that robot.firmware has"},
+        &c.service);
+  a.Key({"fight",
+         "Follow rt/lowcmd although a motion service is on: motors do what either said last"},
+        &c.fight);
 }
 
 void DescribeCrane(Archive& a, CraneConfig& c) {
@@ -96,6 +112,9 @@ void Describe(Archive& a, Config& c) {
             [&] { DescribeSensors(a, c.sensors); });
   a.Section(
       {"gate", "Which commands the motors follow"}, [&] { DescribeGate(a, c.gate); }, "mode");
+  a.Section(
+      {"motion", "The robot's own motion service"}, [&] { DescribeMotion(a, c.motion); },
+      "service");
   a.Section({"crane", "The tether a robot hangs from"}, [&] { DescribeCrane(a, c.crane); });
   a.Section({"start", "How a run begins"}, [&] { DescribeStart(a, c.start); });
   a.Section({"robot", "What the robot is; config/robots holds one file per robot"},

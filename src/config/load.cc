@@ -45,8 +45,29 @@ YamlValue SetTree(const std::string& set) {
   return tree;
 }
 
+YamlValue* FindIn(YamlValue* map, std::string_view key) {
+  for (std::size_t i = 0; i < map->keys.size(); ++i) {
+    if (map->keys[i].text == key) return &map->items[i];
+  }
+  return nullptr;
+}
+
+// A model that lies beside the file that names it is that one, else it is below models.
+YamlValue ReadLayer(const std::filesystem::path& file) {
+  YamlValue tree = ReadYamlFile(file);
+  YamlValue* robot = FindIn(&tree, "robot");
+  YamlValue* model = robot == nullptr ? nullptr : FindIn(robot, "model");
+  if (model == nullptr || model->text.empty()) return tree;
+  std::error_code error;
+  const std::filesystem::path beside = file.parent_path() / model->text;
+  if (std::filesystem::is_regular_file(beside, error)) {
+    model->text = std::filesystem::absolute(beside).lexically_normal().string();
+  }
+  return tree;
+}
+
 void AddTrees(const Layers& layers, std::vector<YamlValue>* trees) {
-  for (const std::string& file : layers.files) trees->push_back(ReadYamlFile(file));
+  for (const std::string& file : layers.files) trees->push_back(ReadLayer(file));
   for (const std::string& set : layers.sets) trees->push_back(SetTree(set));
 }
 
@@ -103,7 +124,7 @@ std::vector<std::string> RobotNames(const std::filesystem::path& data_dir) {
 }
 
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  std::vector<YamlValue> trees{ReadYamlFile(RobotFile(layers.robot, data_dir))};
+  std::vector<YamlValue> trees{ReadLayer(RobotFile(layers.robot, data_dir))};
   AddTrees(layers, &trees);
   Places places;
   Config config = ReadLayers(trees, &places);

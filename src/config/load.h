@@ -23,7 +23,8 @@ struct Layers {
 std::vector<std::string> RobotNames(const std::filesystem::path& data_dir);
 
 // The effective configuration, validated. A robot file is a layer like the others: its `robot`
-// section says what the robot is, its other keys are that robot's run defaults. A `scene` that is a
+// section says what the robot is, its other keys are that robot's run defaults. A relative
+// `robot.model` that is a file beside the YAML that names it becomes absolute. A `scene` that is a
 // YAML file is a layer below all of them; the configuration then has the scene it names, or row.
 // Throws ConfigError.
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);

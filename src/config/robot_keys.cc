@@ -1,4 +1,5 @@
 #include "config/keys.h"
+#include "motion/chord.h"
 
 namespace understudy {
 namespace {
@@ -52,6 +53,42 @@ void DescribeRates(Archive& a, RateSpec& r) {
   a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
   a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
   a.Key({"lf_hz", "Hz", kHz, "Rate of all rt/lf topics"}, &r.lf_hz);
+  a.Key({"service_hz", "Hz", kHz, "Rate of the commands of the robot's own motion service"},
+        &r.service_hz);
+}
+
+void DescribeService(Archive& a, ServiceSpec& s) {
+  a.Key({"name", "Its name, as robot_state lists it"}, &s.name);
+  a.Key({"alias", "What motion_switcher calls it; \"\" when it moves no motors"}, &s.alias);
+  a.Key({"on", "Whether it runs after boot; of motion services, motion.service says which"}, &s.on);
+  a.Key({"protect", "Whether it refuses to be switched"}, &s.protect);
+  a.Key({"since", "Firmware from which on it is there; \"\" is always"}, &s.since);
+  a.Key({"before", "Firmware from which on it is gone; \"\" is never"}, &s.before);
+}
+
+void DescribeArmSdk(Archive& a, ArmSdkSpec& s) {
+  a.Key({"slots", "", {0, 34}, "Slots of the motors it moves; none where there is no rt/arm_sdk"},
+        &s.slots);
+  a.Key({"weight_slot", "", {0, 34}, "Slot whose q is the weight, 0 to 1"}, &s.weight_slot);
+  a.Key({"weight_in_mode_pr", "Whether mode_pr is the weight in percent, as on R1"},
+        &s.weight_in_mode_pr);
+  a.Key({"timeout", "s", {0, 3600}, "Age at which a command no longer counts; 0 is never"},
+        &s.timeout);
+}
+
+void DescribeChord(Archive& a, ChordSpec& c) {
+  a.Key({"keys", "Keys that are held, as in L2+B"}, &c.keys);
+  a.Key({"clicks", "", {1, 2}, "How often the last of them is pressed within half a second"},
+        &c.clicks);
+  a.Word({"does", "What the robot is asked for"}, ChordActions(), &c.does);
+  a.Key({"value", "", {0, 1e6}, "State or action id, where that takes one"}, &c.value);
+  a.Key({"from", "", {0, 1e6}, "Ids of the states in which it works; none is all"}, &c.from);
+}
+
+void DescribeRemote(Archive& a, RemoteSpec& r) {
+  a.List({"chords", "What keys do while the motion service is on"}, &r.chords, DescribeChord);
+  a.Key({"speed", "m/s, rad/s", {0, 10}, "Forward, left and turning speed of sticks fully moved"},
+        &r.speed, 3);
 }
 
 void DescribeImu(Archive& a, ImuSpec& i) {
@@ -100,6 +137,21 @@ void DescribeThermal(Archive& a, ThermalSpec& t) {
   a.Key({"time_constant", "s", {1, 1e6}, "Time constant of the rise"}, &t.time_constant);
 }
 
+void DescribeHumanoidMotion(Archive& a, HumanoidMotionSpec& h) {
+  constexpr Range kId{-1, 1000};
+  a.Key({"lock_stand", "", kId, "State with joints locked, standing; -1 is not a humanoid"},
+        &h.lock_stand);
+  a.Key({"balance", "", kId, "States that stand balanced, the usual one first"}, &h.balance);
+  a.Key({"squat", "", kId, "State with joints locked in squat_q; -1 is none"}, &h.squat);
+  a.Key({"sit", "", kId, "State with joints locked in sit_q; -1 is none"}, &h.sit);
+  a.Key({"balanced_squat", "", kId, "State that squats down balanced and rises again; -1 is none"},
+        &h.balanced_squat);
+  a.Key({"unplayed", "", kId, "States that the robot has and nothing here plays"}, &h.unplayed);
+  a.Key({"squat_q", "rad", {-10, 10}, "Joint angles of the squat in motor order"}, &h.squat_q);
+  a.Key({"sit_q", "rad", {-10, 10}, "Joint angles of sitting in motor order"}, &h.sit_q);
+  a.Key({"arm_actions", "Whether the robot has the arm action service"}, &h.arm_actions);
+}
+
 void DescribeQuadrupedMotion(Archive& a, QuadrupedMotionSpec& m) {
   a.Key({"stand_height", "m", {0, 2}, "Height of the base standing; 0 is not a quadruped"},
         &m.stand_height);
@@ -124,9 +176,16 @@ void DescribeQuadrupedMotion(Archive& a, QuadrupedMotionSpec& m) {
 void Describe(Archive& a, RobotSpec& r) {
   a.Key({"name", "Short name"}, &r.name);
   a.Key({"description", "What it is, in a line"}, &r.description);
-  a.Key({"model", "Model file, below models or absolute"}, &r.model);
+  a.Key({"model", "Model file: absolute, seen from the YAML that names it, or below models"},
+        &r.model);
   a.Key({"base_body", "Body of the model that moves freely"}, &r.base_body);
   a.Choice({"family", "Message family on rt/lowcmd and rt/lowstate"}, {"go", "hg"}, &r.family);
+  a.Key({"firmware", "Version of the robot's software that is played"}, &r.firmware);
+  a.Word({"form", "motion_switcher's word: 0 legged, 1 wheel-legged"}, {"0", "1"}, &r.form);
+  a.Key({"state_id_since",
+         "Firmware from which on states are told by the state machine's id: in go's SportModeState "
+         "in error_code, in hg on rt/sportmodestate; \"\" is never"},
+        &r.state_id_since);
   a.Key({"mode_machine", "", {0, 255}, "Robot type that an hg robot announces and commands echo"},
         &r.mode_machine);
   a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
@@ -139,12 +198,20 @@ void Describe(Archive& a, RobotSpec& r) {
   a.Section({"foot_sensor", "What foot_force shows"},
             [&] { DescribeFootSensor(a, r.foot_sensor); });
   a.Section({"rates", "How often topics are written"}, [&] { DescribeRates(a, r.rates); });
+  a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService);
+  a.Section({"arm_sdk", "rt/arm_sdk: commands mixed over the motion service's"},
+            [&] { DescribeArmSdk(a, r.arm_sdk); });
+  a.Key({"user_lowcmd", "Whether the motion service can hand the motors to rt/user_lowcmd"},
+        &r.user_lowcmd);
+  a.Section({"remote", "The remote controller"}, [&] { DescribeRemote(a, r.remote); });
   a.Section({"battery", "The battery"}, [&] { DescribeBattery(a, r.battery); });
   a.Section({"thermal", "How warm motors get"}, [&] { DescribeThermal(a, r.thermal); });
   a.Section({"lying", "Pose on the ground, passive"}, [&] { DescribePose(a, r.lying); });
   a.Section({"standing", "Pose of standing"}, [&] { DescribePose(a, r.standing); });
   a.Section({"hanging", "Pose on the crane or clamped"}, [&] { DescribePose(a, r.hanging); });
   a.Section({"motion", "The robot's own motion service"}, [&] {
+    a.Section({"humanoid", "State machine of a humanoid"},
+              [&] { DescribeHumanoidMotion(a, r.motion.humanoid); });
     a.Section({"quadruped", "How a quadruped stands and moves"},
               [&] { DescribeQuadrupedMotion(a, r.motion.quadruped); });
   });

@@ -9,7 +9,10 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
+#include "motion/chord.h"
+#include "motion/onboard.h"
 #include "robot/errors.h"
+#include "robot/firmware.h"
 #include "robot/nearest_word.h"
 
 namespace understudy {
@@ -90,6 +93,29 @@ void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors
                 "expected four numbers w, x, y, z of length 1");
 }
 
+void CheckHumanoid(const RobotSpec& robot, const Checker& checker) {
+  const HumanoidMotionSpec& humanoid = robot.motion.humanoid;
+  const std::string section = "robot.motion.humanoid.";
+  const auto check_ids = [&](const std::vector<double>& ids, const std::string& key) {
+    for (const double id : ids) {
+      checker.Check(id == std::floor(id), section + key,
+                    "expected whole numbers, got " + NumberText(id));
+    }
+  };
+  check_ids(humanoid.balance, "balance");
+  check_ids(humanoid.unplayed, "unplayed");
+  const auto check_pose = [&](const std::vector<double>& q, bool needed, const std::string& key,
+                              const std::string& state) {
+    checker.Check(q.size() == robot.motors.size() || (q.empty() && !needed), section + key,
+                  "expected one angle per motor, " + std::to_string(robot.motors.size()) +
+                      (needed ? ", as there is a " + state : "") + ", got " +
+                      std::to_string(q.size()));
+  };
+  check_pose(humanoid.squat_q, humanoid.squat >= 0 || humanoid.balanced_squat >= 0, "squat_q",
+             "squat");
+  check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
+}
+
 void CheckFeet(const RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < robot.feet.size(); ++i) {
     checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
@@ -114,8 +140,52 @@ void CheckRates(const Config& config, const Checker& checker) {
                   "expected a rate that divides lowstate_hz " + NumberText(rates.lowstate_hz) +
                       ", got " + NumberText(rate));
   };
+  checker.Check(IsWhole(steps / rates.service_hz), "robot.rates.service_hz",
+                "expected a rate whose period is a whole number of physics steps, got " +
+                    NumberText(rates.service_hz));
   divides(rates.motion_hz, "robot.rates.motion_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
+}
+
+void CheckFirmware(const RobotSpec& robot, const Checker& checker) {
+  const auto check = [&](const std::string& version, const std::string& key) {
+    checker.Check(version.empty() || IsFirmware(version), key,
+                  "expected numbers between dots, as in 1.1.6, got '" + version + "'");
+  };
+  check(robot.firmware, "robot.firmware");
+  check(robot.state_id_since, "robot.state_id_since");
+  for (std::size_t i = 0; i < robot.services.size(); ++i) {
+    const ServiceSpec& service = robot.services[i];
+    const std::string key = "robot.services." + std::to_string(i) + ".";
+    checker.Check(!service.name.empty(), key + "name", "expected a name");
+    check(service.since, key + "since");
+    check(service.before, key + "before");
+  }
+}
+
+void CheckMotionService(const Config& config, const Checker& checker) {
+  const std::string& wanted = config.motion.service;
+  std::vector<std::string> words = MotionServices(config.robot);
+  words.emplace_back(kNoService);
+  const bool known = wanted.empty() || std::find(words.begin(), words.end(), wanted) != words.end();
+  checker.Check(known, "motion.service",
+                "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
+                    DidYouMean(wanted, words));
+}
+
+void CheckArmSdk(const RobotSpec& robot, const Checker& checker) {
+  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
+  const ArmSdkSpec& arms = robot.arm_sdk;
+  for (std::size_t i = 0; i < arms.slots.size(); ++i) {
+    const double slot = arms.slots[i];
+    const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
+                                 [&](const MotorSpec& motor) { return motor.slot == slot; });
+    checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + NumberText(slot));
+  }
+  checker.Check(arms.weight_slot < slots, "robot.arm_sdk.weight_slot",
+                "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
+                    std::to_string(arms.weight_slot));
+  checker.Check(robot.remote.speed.size() == 3, "robot.remote.speed", "expected three numbers");
 }
 
 void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker) {
@@ -158,7 +228,16 @@ void Validate(const Config& config, const Places& places) {
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
+  CheckHumanoid(robot, checker);
   CheckRates(config, checker);
+  CheckFirmware(robot, checker);
+  CheckMotionService(config, checker);
+  CheckArmSdk(robot, checker);
+  for (std::size_t i = 0; i < robot.remote.chords.size(); ++i) {
+    const std::string key = "robot.remote.chords." + std::to_string(i);
+    const auto place = places.find(key + ".keys");
+    MakeChord(robot.remote.chords[i], (place == places.end() ? "" : place->second + ": ") + key);
+  }
   const std::vector<double>& height_range = robot.motion.quadruped.height_range;
   checker.Check(height_range[0] <= height_range[1], "robot.motion.quadruped.height_range",
                 "expected least before most");

@@ -18,7 +18,7 @@ struct RunningRobot {
 };
 
 // The robots whose sockets are in the control folder, by name; none when there is no such folder.
-// Sockets of dead processes are removed on the way. Throws ControlError for a folder that is not
+// Sockets of dead processes are removed on the way. Throws SocketError for a folder that is not
 // this user's alone.
 std::vector<RunningRobot> FindRobots();
 

@@ -6,10 +6,16 @@
 
 namespace understudy {
 
-// The control folder or socket cannot be used, no robot is there, or it refused.
+// No robot is there, or it refused.
 class ControlError : public SetupError {
  public:
   using SetupError::SetupError;
+};
+
+// A name is none or is in use, or the folder or file of a control socket cannot be used.
+class SocketError : public ControlError {
+ public:
+  using ControlError::ControlError;
 };
 
 }  // namespace understudy

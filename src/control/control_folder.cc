@@ -34,7 +34,7 @@ bool IsNameLetter(char c) {
 }
 
 [[noreturn]] void Refuse(const std::filesystem::path& folder, const std::string& why) {
-  throw ControlError("control folder " + folder.string() + ": " + why);
+  throw SocketError("control folder " + folder.string() + ": " + why);
 }
 
 }  // namespace
@@ -78,9 +78,8 @@ void MakeControlFolder(const std::filesystem::path& folder) {
 std::filesystem::path ControlSocket(const std::string& name) {
   if (name.empty() || name.size() > kLongestName || name.front() == '.' ||
       !std::all_of(name.begin(), name.end(), IsNameLetter)) {
-    throw ControlError("robot name \"" + name + "\": expected 1 to " +
-                       std::to_string(kLongestName) +
-                       " letters, digits, dots, underscores or hyphens, the first not a dot");
+    throw SocketError("robot name \"" + name + "\": expected 1 to " + std::to_string(kLongestName) +
+                      " letters, digits, dots, underscores or hyphens, the first not a dot");
   }
   return ControlFolder() / (name + ".sock");
 }
@@ -91,8 +90,8 @@ std::string DefaultName(const std::string& robot) {
 
 void CheckSocketPath(const std::filesystem::path& socket) {
   if (const std::size_t bytes = socket.native().size(); bytes > kLongestPath) {
-    throw ControlError("control socket " + socket.string() + ": " + std::to_string(bytes) +
-                       " bytes, a socket's path holds " + std::to_string(kLongestPath));
+    throw SocketError("control socket " + socket.string() + ": " + std::to_string(bytes) +
+                      " bytes, a socket's path holds " + std::to_string(kLongestPath));
   }
 }
 

@@ -11,7 +11,7 @@ namespace understudy {
 // understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
 std::filesystem::path ControlFolder();
 
-// Throws ControlError unless `folder` is a folder, not a link, of this user and nobody else may
+// Throws SocketError unless `folder` is a folder, not a link, of this user and nobody else may
 // look into it: whoever can write there could pose as a robot.
 void CheckControlFolder(const std::filesystem::path& folder);
 
@@ -19,13 +19,13 @@ void CheckControlFolder(const std::filesystem::path& folder);
 void MakeControlFolder(const std::filesystem::path& folder);
 
 // `<name>.sock` in the control folder. A name is 1 to 64 of A-Z a-z 0-9 . _ -, the first not a dot;
-// anything else throws ControlError.
+// anything else throws SocketError.
 std::filesystem::path ControlSocket(const std::string& name);
 
 // `<robot>-<pid of this process>`: what a robot is called that was given no name.
 std::string DefaultName(const std::string& robot);
 
-// Throws ControlError if `socket` has more bytes than the address of a Unix socket holds (107).
+// Throws SocketError if `socket` has more bytes than the address of a Unix socket holds (107).
 void CheckSocketPath(const std::filesystem::path& socket);
 
 }  // namespace understudy

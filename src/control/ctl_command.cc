@@ -30,6 +30,7 @@ constexpr std::chrono::milliseconds kWaitPoll{50};
 constexpr std::chrono::seconds kWatchPeriod{1};
 // A day: longer than any script waits, and well within what a duration holds.
 constexpr double kLongestWait = 86'400;
+constexpr double kShove = 0.1;  // s that a push lasts unless told otherwise; *assumed*
 
 // "" when `text` is a finite number from `low` to `high`, else what was expected.
 std::string CheckNumber(const std::string& text, double low, double high) {
@@ -110,6 +111,8 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
   list->add_flag("--json", json_, "One line of JSON");
 
   AddCrane(ctl);
+  AddPush(ctl);
+  AddRemote(ctl);
 
   CLI::App* clamp = ctl->add_subcommand("clamp", "Hold the base where it is, or let it go");
   clamp->require_subcommand(1)->fallthrough();
@@ -118,6 +121,66 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
 
   AddAction(ctl, "reset", "Back to the start pose",
             [this] { GiveOrder("/reset", json::object()); });
+}
+
+void CtlCommand::AddPush(CLI::App* ctl) {
+  CLI::App* push =
+      AddAction(ctl, "push", "Push a body with a force, world axes, for a time", [this] {
+        const double seconds = seconds_ > 0 ? seconds_ : kShove;
+        GiveOrder("/push", {{"body", body_}, {"force", force_}, {"seconds", seconds}});
+      });
+  push->add_option("BODY", body_, "A body of the model, such as base_link")->required();
+  push->add_option("FORCE", force_, "FX FY FZ in N")
+      ->required()
+      ->expected(3)
+      ->check(NumberWithin(-kMostForce, kMostForce));
+  push->add_option("--for", seconds_, "Simulated seconds that it acts [0.1]")
+      ->check(NumberWithin(0.0001, kMostSeconds));
+  push->footer("Example: understudy ctl push base_link 100 0 0 --for 0.2");
+}
+
+void CtlCommand::AddRemote(CLI::App* ctl) {
+  CLI::App* remote = ctl->add_subcommand("remote", "Use the remote controller");
+  remote->require_subcommand(1)->fallthrough();
+  remote->footer(
+      "Keys: R1 L1 START SELECT R2 L2 F1 F2 A B X Y UP RIGHT DOWN LEFT, joined by +.\n"
+      "Examples:\n"
+      "  understudy ctl remote press L2+B          damping\n"
+      "  understudy ctl remote stick ly=0.5 --for 2\n"
+      "  understudy ctl remote off                 as if it were not there");
+  const auto add_keys = [&](const char* name, const char* help) {
+    CLI::App* action = AddAction(remote, name, help, [this, name] {
+      nlohmann::json order{{name, keys_}};
+      if (seconds_ > 0) order["seconds"] = seconds_;
+      GiveOrder("/remote", order);
+    });
+    action->add_option("KEYS", keys_, "As in L2+B")->required();
+    return action;
+  };
+  const auto add_time = [&](CLI::App* action, const char* help) {
+    action->add_option("--for", seconds_, help)->check(NumberWithin(0, kMostSeconds));
+  };
+  add_time(add_keys("press", "Press keys together and let them go"),
+           "Simulated seconds that they stay down [0.1]");
+  add_keys("hold", "Hold keys until `release`");
+  add_keys("release", "Let keys go");
+  CLI::App* stick = AddAction(remote, "stick", "Move sticks", [this] {
+    nlohmann::json sticks = json::object();
+    for (const std::string& axis : axes_) {
+      const std::size_t equals = axis.find('=');
+      double value = 0;
+      if (equals == std::string::npos ||
+          !CLI::detail::lexical_cast(axis.substr(equals + 1), value)) {
+        throw ControlError("expected AXIS=VALUE, as in ly=0.5, got " + axis);
+      }
+      sticks[axis.substr(0, equals)] = value;
+    }
+    GiveOrder("/remote", {{"sticks", sticks}, {"seconds", seconds_}});
+  });
+  stick->add_option("AXIS=VALUE", axes_, "lx, ly, rx or ry, from -1 to 1")->required();
+  add_time(stick, "Simulated seconds after which they come back to the middle [never]");
+  AddAction(remote, "on", "Switch it on", [this] { GiveOrder("/remote", {{"on", true}}); });
+  AddAction(remote, "off", "Switch it off", [this] { GiveOrder("/remote", {{"on", false}}); });
 }
 
 void CtlCommand::AddCrane(CLI::App* ctl) {

@@ -8,6 +8,7 @@
 #include <iosfwd>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -23,6 +24,7 @@ namespace understudy {
 //
 //   status [--json] [--watch]   wait [--timeout S]   list [--json]
 //   crane lower M | raise M | attach | release   clamp on | off   reset
+//   push BODY FX FY FZ [--for S]   remote press | hold | release KEYS, stick AXIS=VALUE, on, off
 //
 // each with --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket path), else
 // the only robot that runs. What cannot be understood makes App::parse throw CLI::ParseError.
@@ -50,6 +52,8 @@ class CtlCommand {
   CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
                       std::function<void()> action);
   void AddCrane(CLI::App* ctl);
+  void AddPush(CLI::App* ctl);
+  void AddRemote(CLI::App* ctl);
 
   Target FindTarget() const;
   std::filesystem::path TargetSocket() const;
@@ -66,6 +70,10 @@ class CtlCommand {
   bool watch_ = false;
   double timeout_ = 30;  // s
   double metres_ = 0;
+  double seconds_ = 0;
+  std::string body_, keys_;
+  std::vector<double> force_;
+  std::vector<std::string> axes_;
 };
 
 }  // namespace understudy

@@ -51,6 +51,12 @@ std::string Speed(const ordered_json& speed) {
   return speed.is_number() && speed.get<double>() == 0 ? "unlimited" : Fixed(speed, 3);
 }
 
+// "mcf, state 1001"
+std::string Service(const ordered_json& motion) {
+  const auto service = motion.at("service").get<std::string>();
+  return service.empty() ? "none" : service + ", state " + Count(motion.at("state"));
+}
+
 std::string Crane(const ordered_json& crane) {
   return crane.at("attached").get<bool>() ? "attached" : "released";
 }
@@ -89,8 +95,10 @@ std::string StatusText(const ordered_json& status) {
       {"lateness", Fixed(pace.at("lateness"), 3, kMilli), "ms"},
       {"worst lateness", Fixed(pace.at("worst_lateness"), 3, kMilli), "ms"},
       {"overruns", Count(pace.at("overruns"))},
+      {"not made up for", Fixed(pace.at("shifted"), 3), "s"},
       {"states published", Count(status.at("published"))},
       {"divergences", Count(status.at("divergences"))},
+      {"motion service", Service(status.at("motion"))},
       {"motors follow", commands.at("state").get<std::string>()},
       {"command writers", Count(commands.at("writers"))},
       {"commands taken", Count(commands.at("accepted"))},

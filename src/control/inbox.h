@@ -1,4 +1,4 @@
-// What the outside asks of a running robot.
+// Orders on their way to the tick.
 #ifndef UNDERSTUDY_CONTROL_INBOX_H_
 #define UNDERSTUDY_CONTROL_INBOX_H_
 
@@ -9,21 +9,10 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <variant>
+
+#include "sim/order.h"
 
 namespace understudy {
-
-struct LowerCrane {
-  double by = 0;  // m; negative raises
-};
-struct AttachCrane {};  // from straight above, where the robot is
-struct ReleaseCrane {};
-struct ClampBase {
-  bool on = true;
-};
-struct ResetRobot {};  // back to the start pose, command gate included
-
-using Order = std::variant<LowerCrane, AttachCrane, ReleaseCrane, ClampBase, ResetRobot>;
 
 // "" when done, else why not.
 using Answer = std::string;

@@ -73,11 +73,15 @@ const sockaddr* Generic(const sockaddr_un& address) {
 }
 
 [[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& why) {
-  throw ControlError("control socket " + path.string() + ": " + why);
+  throw SocketError("control socket " + path.string() + ": " + why);
 }
 
 [[noreturn]] void RefuseBySystem(const std::filesystem::path& path) {
   Refuse(path, std::generic_category().message(errno));
+}
+
+std::string Listener(const SocketProbe& probe) {
+  return probe.pid == 0 ? "a process out of sight" : "process " + std::to_string(probe.pid);
 }
 
 std::filesystem::path FolderOf(const std::filesystem::path& path) {
@@ -131,8 +135,8 @@ ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path
       ::unlink(path_.c_str());
       break;
     case SocketState::kAlive:
-      Refuse(path_, "the name is in use by process " + std::to_string(before.pid) +
-                        "; give this robot another name");
+      Refuse(path_, "the name is in use by " + Listener(before) +
+                        "; give this robot another --name, or end that one");
     case SocketState::kUnknown:
       Refuse(path_, "something else is there, which is left alone");
   }

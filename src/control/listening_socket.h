@@ -32,7 +32,7 @@ void RemoveIfStale(const std::filesystem::path& path);
 // (flock on the folder), so that nobody takes a socket between its bind and its listen for stale.
 class ListeningSocket {
  public:
-  // Throws ControlError when somebody listens at `path`, when something else than a socket is
+  // Throws SocketError when somebody listens at `path`, when something else than a socket is
   // there, or when the system refuses.
   explicit ListeningSocket(const std::filesystem::path& path);
   ~ListeningSocket();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -9,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "robot/nearest_word.h"
+#include "robot/remote_keys.h"
 
 namespace understudy {
 namespace {
@@ -88,6 +90,58 @@ std::variant<json, std::string> ReadObject(std::string_view body) {
   }
 }
 
+// "" when the object has these keys only, else what is wrong.
+std::string UnknownKey(const json& object, const std::vector<std::string>& names) {
+  for (const auto& item : object.items()) {
+    if (std::find(names.begin(), names.end(), item.key()) == names.end()) {
+      return "unknown key " + Shown(item.key()) + DidYouMean(item.key(), names);
+    }
+  }
+  return {};
+}
+
+// A number within ±most, or NaN if the value is none.
+double NumberWithin(const json& value, double most) {
+  const double number = value.is_number() ? value.get<double>() : std::nan("");
+  return std::abs(number) <= most ? number : std::nan("");
+}
+
+// The seconds of an order, 0 where it says none, NaN for what is no time.
+double SecondsOf(const json& object) {
+  const auto value = object.find("seconds");
+  if (value == object.end()) return 0;
+  const double seconds = NumberWithin(*value, kMostSeconds);
+  return seconds >= 0 ? seconds : std::nan("");
+}
+
+OrderReading ReadKeys(const std::string& name, const json& value, double seconds) {
+  const auto keys =
+      value.is_string() ? RemoteKeys(value.get_ref<const std::string&>()) : std::nullopt;
+  if (!keys) return Expected(name, "keys of the remote controller, as in \"L2+B\"", value);
+  if (name == "hold") return Order{HoldRemote{*keys}};
+  if (name == "release") return Order{ReleaseRemote{*keys}};
+  PressRemote press{.keys = *keys};
+  if (seconds > 0) press.seconds = seconds;
+  return Order{press};
+}
+
+OrderReading ReadSticks(const json& value, double seconds) {
+  if (!value.is_object() || value.empty()) {
+    return Expected("sticks", "an object of lx, ly, rx, ry", value);
+  }
+  if (std::string why = UnknownKey(value, {"lx", "ly", "rx", "ry"}); !why.empty()) return why;
+  MoveSticks sticks{.seconds = seconds};
+  const std::pair<const char*, std::optional<double>*> axes[] = {
+      {"lx", &sticks.lx}, {"ly", &sticks.ly}, {"rx", &sticks.rx}, {"ry", &sticks.ry}};
+  for (const auto& [name, stick] : axes) {
+    const auto axis = value.find(name);
+    if (axis == value.end()) continue;
+    *stick = NumberWithin(*axis, 1);
+    if (!std::isfinite(**stick)) return Expected(name, "a number from -1 to 1", *axis);
+  }
+  return Order{sticks};
+}
+
 std::string Listed(const std::vector<std::string>& words) {
   std::string list;
   for (const std::string& word : words) list += (list.empty() ? "\"" : ", \"") + word + "\"";
@@ -101,11 +155,7 @@ OrderReading ReadOneKey(std::span<const OrderKey> keys, std::string_view body) {
 
   std::vector<std::string> names;
   for (const OrderKey& key : keys) names.emplace_back(key.name);
-  for (const auto& item : object.items()) {
-    if (std::find(names.begin(), names.end(), item.key()) == names.end()) {
-      return "unknown key " + Shown(item.key()) + DidYouMean(item.key(), names);
-    }
-  }
+  if (std::string why = UnknownKey(object, names); !why.empty()) return why;
   if (object.size() != 1) {
     return "expected exactly one of " + Listed(names) + ", got " + std::to_string(object.size());
   }
@@ -128,6 +178,58 @@ OrderReading ReadResetOrder(std::string_view body) {
   const json& object = std::get<json>(read);
   if (object.empty()) return Order{ResetRobot{}};
   return "unknown key " + Shown(object.begin().key()) + ": a reset takes none";
+}
+
+OrderReading ReadPushOrder(std::string_view body) {
+  const auto read = ReadObject(body);
+  if (const auto* why = std::get_if<std::string>(&read)) return *why;
+  const json& object = std::get<json>(read);
+  if (std::string why = UnknownKey(object, {"body", "force", "seconds"}); !why.empty()) return why;
+  PushBody push{.seconds = SecondsOf(object)};
+  if (!(push.seconds > 0)) return std::string{"\"seconds\": expected how long it acts"};
+  const auto name = object.find("body");
+  if (name != object.end()) {
+    if (!name->is_string()) return Expected("body", "the name of a body", *name);
+    push.body = name->get<std::string>();
+  }
+  const auto force = object.find("force");
+  if (force == object.end() || !force->is_array() || force->size() != 3) {
+    return std::string{"\"force\": expected three numbers"};
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double part = NumberWithin((*force)[i], kMostForce);
+    if (!std::isfinite(part)) return Expected("force", "three numbers in N", (*force)[i]);
+    push.force[static_cast<Eigen::Index>(i)] = part;
+  }
+  return Order{push};
+}
+
+OrderReading ReadRemoteOrder(std::string_view body) {
+  const auto read = ReadObject(body);
+  if (const auto* why = std::get_if<std::string>(&read)) return *why;
+  const json& object = std::get<json>(read);
+  const std::vector<std::string> orders{"press", "hold", "release", "sticks", "on"};
+  std::vector<std::string> names = orders;
+  names.emplace_back("seconds");
+  if (std::string why = UnknownKey(object, names); !why.empty()) return why;
+  const double seconds = SecondsOf(object);
+  if (!std::isfinite(seconds)) return Expected("seconds", "a time", object["seconds"]);
+  const auto given = std::count_if(orders.begin(), orders.end(),
+                                   [&](const std::string& name) { return object.contains(name); });
+  if (given != 1) {
+    return "expected exactly one of " + Listed(orders) + ", got " + std::to_string(given);
+  }
+  if (const auto on = object.find("on"); on != object.end()) {
+    if (!on->is_boolean()) return Expected("on", "true or false", *on);
+    return Order{SwitchRemote{on->get<bool>()}};
+  }
+  if (const auto sticks = object.find("sticks"); sticks != object.end()) {
+    return ReadSticks(*sticks, seconds);
+  }
+  const std::string name = object.contains("press")  ? "press"
+                           : object.contains("hold") ? "hold"
+                                                     : "release";
+  return ReadKeys(name, object.at(name), seconds);
 }
 
 }  // namespace understudy

@@ -12,6 +12,8 @@ namespace understudy {
 
 // The most the crane is lowered or raised by one order [m]; *assumed*, several times its height.
 inline constexpr double kMostCraneOrder = 10;
+inline constexpr double kMostForce = 1e6;    // N, of a push; *assumed*
+inline constexpr double kMostSeconds = 1e6;  // that an order lasts; *assumed*
 
 // The order, or one line that says what was expected and what was found.
 using OrderReading = std::variant<Order, std::string>;
@@ -23,6 +25,11 @@ OrderReading ReadCraneOrder(std::string_view body);
 OrderReading ReadClampOrder(std::string_view body);
 // {} or nothing at all.
 OrderReading ReadResetOrder(std::string_view body);
+// {"body": name, "force": [x, y, z], "seconds": s}; without "body" the base is pushed.
+OrderReading ReadPushOrder(std::string_view body);
+// Exactly one of {"press": "L2+B"}, {"hold": keys}, {"release": keys}, {"sticks": {"lx": x, ...}},
+// {"on": true | false}; "seconds" beside the first and the fourth.
+OrderReading ReadRemoteOrder(std::string_view body);
 
 }  // namespace understudy
 

@@ -37,6 +37,14 @@ Routed PostReset(const HttpRequest& request, const RobotIdentity&, const StatusB
   return FromReading(ReadResetOrder(request.body));
 }
 
+Routed PostPush(const HttpRequest& request, const RobotIdentity&, const StatusBoard&) {
+  return FromReading(ReadPushOrder(request.body));
+}
+
+Routed PostRemote(const HttpRequest& request, const RobotIdentity&, const StatusBoard&) {
+  return FromReading(ReadRemoteOrder(request.body));
+}
+
 struct Row {
   std::string_view path;
   std::string_view method;
@@ -44,10 +52,8 @@ struct Row {
 };
 
 constexpr Row kRoutes[] = {
-    {"/status", "GET", GetStatus},
-    {"/crane", "POST", PostCrane},
-    {"/clamp", "POST", PostClamp},
-    {"/reset", "POST", PostReset},
+    {"/status", "GET", GetStatus}, {"/crane", "POST", PostCrane}, {"/clamp", "POST", PostClamp},
+    {"/reset", "POST", PostReset}, {"/push", "POST", PostPush},   {"/remote", "POST", PostRemote},
 };
 
 HttpReply NoSuchPath(std::string_view path) {

@@ -174,8 +174,8 @@ class ControlServer::Loop {
     shared_.done = [this](Session* session) { sessions_.erase(session); };
     const int fd = ::fcntl(listening_.fd(), F_DUPFD_CLOEXEC, 0);
     if (fd < 0) {
-      throw ControlError("control socket " + path.string() + ": " +
-                         std::generic_category().message(errno));
+      throw SocketError("control socket " + path.string() + ": " +
+                        std::generic_category().message(errno));
     }
     acceptor_.assign(Protocol{}, fd);
     Accept();

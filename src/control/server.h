@@ -38,7 +38,7 @@ struct ServerLimits {
 class ControlServer {
  public:
   // Listens at `socket`, in a folder that exists (MakeControlFolder). `board` and `inbox` must
-  // outlive the server. Throws ControlError as ListeningSocket does.
+  // outlive the server. Throws SocketError as ListeningSocket does.
   ControlServer(const std::filesystem::path& socket, const std::string& robot,
                 const StatusBoard* board, Inbox* inbox, const ServerLimits& limits = {});
   // Hangs up on whoever is connected and removes the socket file.

@@ -2,11 +2,13 @@
 #ifndef UNDERSTUDY_CONTROL_STATUS_H_
 #define UNDERSTUDY_CONTROL_STATUS_H_
 
+#include <array>
 #include <cstdint>
 #include <mutex>
 
 #include "robot/command_gate.h"
 #include "robot/port_counts.h"
+#include "robot/robot_values.h"
 #include "time/pacer.h"
 
 namespace understudy {
@@ -19,14 +21,22 @@ struct Status {
   double speed = 1;  // wanted; 0 = as fast as possible
   PaceReading pace;
   GateState gate = GateState::kStart;
+  std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
+  MotionState motion;                     // of that service
+  double arm_weight = 0;                  // of rt/arm_sdk, 0..1
+  RemoteReading remote;
+  std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
   GateCounts commands;
   Refusal last_refusal = Refusal::kNone;
   PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;
-  double crane_tension = 0;  // N
-  double crane_length = 0;   // m
+  std::size_t script_done = 0;  // events of the script that are over
+  std::size_t script_refused = 0;
+  std::array<char, 128> script_refusal{};  // the last one: where it stands and why; "" for none
+  double crane_tension = 0;                // N
+  double crane_length = 0;                 // m
   bool crane_attached = false;
   bool clamped = false;
   double base_height = 0;  // m

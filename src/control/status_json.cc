@@ -1,21 +1,11 @@
 #include "control/status_json.h"
 
-#include <string_view>
+#include <string>
+
+#include "robot/remote_keys.h"
 
 namespace understudy {
 namespace {
-
-std::string_view Word(GateState state) {
-  switch (state) {
-    case GateState::kStart:
-      return "start";
-    case GateState::kFollowing:
-      return "following";
-    case GateState::kDamping:
-      break;
-  }
-  return "damping";
-}
 
 nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
   nlohmann::ordered_json refused;
@@ -41,9 +31,11 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
        {{"real_time_factor", status.pace.real_time_factor},
         {"overruns", status.pace.overruns},
         {"lateness", status.pace.lateness},
-        {"worst_lateness", status.pace.worst_lateness}}},
+        {"worst_lateness", status.pace.worst_lateness},
+        {"shifts", status.pace.shifts},
+        {"shifted", status.pace.shifted}}},
       {"commands",
-       {{"state", Word(status.gate)},
+       {{"state", Name(status.gate)},
         {"accepted", status.commands.accepted},
         {"timeouts", status.commands.timeouts},
         {"refused", RefusedJson(status.commands)},
@@ -51,6 +43,23 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
+      {"motion",
+       {{"service", status.motion_service.data()},
+        {"state", status.motion.id},
+        {"mode", status.motion.mode},
+        {"arm_weight", status.arm_weight}}},
+      {"remote",
+       {{"there", status.remote.there},
+        {"keys", RemoteKeyNames(status.remote.keys)},
+        {"lx", status.remote.lx},
+        {"ly", status.remote.ly},
+        {"rx", status.remote.rx},
+        {"ry", status.remote.ry},
+        {"wish", status.stick_wish}}},
+      {"script",
+       {{"done", status.script_done},
+        {"refused", status.script_refused},
+        {"refusal", status.script_refusal.data()}}},
       {"published", status.published},
       {"write_failures", status.port.write_failures},
       {"divergences", status.divergences},

@@ -58,16 +58,6 @@ struct MotionInput {
   std::span<const double> foot_force;  // N, RobotSpec::feet order
 };
 
-// What a motion service tells of itself.
-struct MotionState {
-  int id = 0;    // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
-  int mode = 0;  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving
-  int progress = 0;          // 1 while an action with an end is under way
-  int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
-  bool arm_holding = false;  // humanoids: the arms hold a pose until released
-  double body_height = 0;    // m, of the base over its feet
-};
-
 class Motion {
  public:
   virtual ~Motion() = default;

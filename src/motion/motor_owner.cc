@@ -29,6 +29,7 @@ OwnerVerdict MotorOwner::Select(std::string_view alias) {
 }
 
 void MotorOwner::Release() {
+  user_control_ = false;
   for (OnboardService& service : services_) {
     if (!service.alias.empty()) service.on = false;
   }
@@ -42,6 +43,11 @@ OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
   if (on && !found->alias.empty()) return Select(found->alias);
   found->on = on;
   return OwnerVerdict::kDone;
+}
+
+void MotorOwner::Restart() {
+  user_control_ = false;
+  fresh_ = true;
 }
 
 MotionVerdict MotorOwner::Ask(const MotionGoal& goal) {

@@ -54,6 +54,14 @@ class MotorOwner {
   void SetSilent(bool on) { silent_ = on; }
   bool silent() const { return silent_; }
 
+  // rt/user_lowcmd moves the motors as long as the service that is on leaves them to it (G1, loco
+  // api 7110 to 7111). Ends with the service.
+  void SetUserControl(bool on) { user_control_ = on; }
+  bool user_control() const { return user_control_ && !active().empty(); }
+
+  // The robot has been put back to where it started: the service that is on starts anew.
+  void Restart();
+
   // Hands a goal to the service that is on; kNotNow when none is.
   MotionVerdict Ask(const MotionGoal& goal);
   // That of the motion service; default values when none is on.
@@ -68,6 +76,7 @@ class MotorOwner {
   std::string form_;
   std::unique_ptr<Motion> motion_;
   bool silent_ = false;
+  bool user_control_ = false;
   bool fresh_ = true;  // the service has not started yet
 };
 

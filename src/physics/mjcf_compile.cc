@@ -33,6 +33,8 @@ class MemoryFile {
   std::unique_ptr<mjVFS> vfs_;
 };
 
+constexpr char kUnknown[] = "Schema violation: unrecognized";
+
 // MuJoCo counts lines of the text it was given: ", line 12" or "line = 12, column = -1".
 std::string InTermsOfFiles(std::string message, const MjcfText& text) {
   for (char& c : message) {
@@ -48,10 +50,30 @@ std::string InTermsOfFiles(std::string message, const MjcfText& text) {
   }
   message = std::regex_replace(message, std::regex(" +"), " ");
   message.erase(message.find_last_not_of(' ') + 1);
-  if (message.find("Schema violation: unrecognized") != std::string::npos) {
+  if (message.find(kUnknown) != std::string::npos) {
     message += " (unknown to MuJoCo " + std::string(mj_versionString()) + ")";
   }
   return place + ": " + message;
+}
+
+// The first element of that name at that place that has the attribute, null where there is none.
+// Without an attribute: takes it out of the tree instead.
+bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& name,
+             const std::string& attribute) {
+  for (auto child = parent->children.begin(); child != parent->children.end(); ++child) {
+    if (child->place.text() == place && child->name == name) {
+      if (attribute.empty()) {
+        parent->children.erase(child);
+        return true;
+      }
+      if (child->Find(attribute) != nullptr) {
+        child->Drop(attribute);
+        return true;
+      }
+    }
+    if (TakeOut(&*child, place, name, attribute)) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -64,6 +86,29 @@ ModelHandle CompileMjcf(const MjcfElement& root) {
   ModelHandle model(mj_loadXML(kName, file.get(), error.data(), static_cast<int>(error.size())));
   if (!model) throw ModelError(InTermsOfFiles(error.data(), text));
   return model;
+}
+
+std::vector<std::string> UnknownWords(MjcfElement root) {
+  // place: XML Error: Schema violation: unrecognized attribute: 'x' Element 'y' (unknown ...)
+  static const std::regex kAttribute("^(.*): XML Error: .*attribute: '(.*)' Element '(.*)' .*");
+  static const std::regex kElement("^(.*): XML Error: .*unrecognized element Element '(.*)' .*");
+  std::vector<std::string> unknown;
+  while (true) {
+    try {
+      CompileMjcf(root);
+      return unknown;
+    } catch (const ModelError& error) {
+      const std::string message = error.what();
+      if (message.find(kUnknown) == std::string::npos) return unknown;
+      unknown.push_back(message);
+      std::smatch match;
+      const bool taken = std::regex_match(message, match, kAttribute)
+                             ? TakeOut(&root, match.str(1), match.str(3), match.str(2))
+                             : std::regex_match(message, match, kElement) &&
+                                   TakeOut(&root, match.str(1), match.str(2), "");
+      if (!taken) return unknown;
+    }
+  }
 }
 
 }  // namespace understudy

@@ -2,6 +2,9 @@
 #ifndef UNDERSTUDY_PHYSICS_MJCF_COMPILE_H_
 #define UNDERSTUDY_PHYSICS_MJCF_COMPILE_H_
 
+#include <string>
+#include <vector>
+
 #include "physics/mjcf_document.h"
 #include "physics/mujoco_handles.h"
 
@@ -10,6 +13,10 @@ namespace understudy {
 // Throws ModelError with MuJoCo's message and the file and line of the element it is about, or only
 // the root's file where MuJoCo names no line.
 ModelHandle CompileMjcf(const MjcfElement& root);
+
+// Every element and attribute that this MuJoCo does not know, one line each with file and line, in
+// the order in which it refuses them. Empty where only something else is wrong, or nothing.
+std::vector<std::string> UnknownWords(MjcfElement root);
 
 }  // namespace understudy
 

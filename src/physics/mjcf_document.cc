@@ -8,6 +8,7 @@
 
 #include <tinyxml2.h>
 
+#include "physics/mjcf_assets.h"
 #include "robot/errors.h"
 
 namespace understudy {
@@ -118,52 +119,6 @@ class Reader {
   std::uintmax_t bytes_ = 0;
 };
 
-// Where MuJoCo looks for the files that assets name.
-struct AssetFolders {
-  path main, mesh, texture;
-  bool strip = false;  // of a file name take the last part only
-};
-
-// Later <compiler> elements override earlier ones, as in MuJoCo.
-AssetFolders TakeAssetFolders(MjcfElement* root, const path& folder) {
-  AssetFolders folders{folder, folder, folder};
-  for (MjcfElement& compiler : root->children) {
-    if (compiler.name != "compiler") continue;
-    if (const auto* both = compiler.Find("assetdir")) {
-      folders.mesh = folders.texture = folder / *both;
-    }
-    if (const auto* mesh = compiler.Find("meshdir")) folders.mesh = folder / *mesh;
-    if (const auto* texture = compiler.Find("texturedir")) folders.texture = folder / *texture;
-    if (const auto* strip = compiler.Find("strippath")) folders.strip = *strip == "true";
-    for (const char* spent : {"assetdir", "meshdir", "texturedir", "strippath"}) {
-      compiler.Drop(spent);
-    }
-  }
-  return folders;
-}
-
-// Makes the file names of textures (file, fileright, ...), meshes, height fields, skins, flexible
-// bodies and attached models absolute.
-void FindAssets(MjcfElement* element, const AssetFolders& folders) {
-  const std::string& kind = element->name;
-  const bool in_meshes = kind == "mesh" || kind == "hfield" || kind == "skin" || kind == "flexcomp";
-  const bool has_files = in_meshes || kind == "texture" || kind == "model";
-  const path& folder =
-      in_meshes ? folders.mesh : (kind == "texture" ? folders.texture : folders.main);
-  for (auto& [name, value] : element->attributes) {
-    if (!has_files || !name.starts_with("file") || value.empty()) continue;
-    const path asked = folders.strip ? path(value).filename() : path(value);
-    const path file = folder / asked;
-    std::error_code error;
-    if (!std::filesystem::is_regular_file(file, error)) {
-      throw ModelError(element->place.text() + ": <" + kind + "> " + name + ": no file " +
-                       file.string());
-    }
-    value = std::filesystem::absolute(file).lexically_normal().string();
-  }
-  for (MjcfElement& child : element->children) FindAssets(&child, folders);
-}
-
 std::string Escaped(const std::string& text) {
   std::string escaped;
   for (const char c : text) {
@@ -236,7 +191,7 @@ MjcfElement ReadMjcf(const std::filesystem::path& file) {
     throw ModelError(root.place.text() + ": expected MJCF, whose root is <mujoco>; got <" +
                      root.name + ">");
   }
-  FindAssets(&root, TakeAssetFolders(&root, file.parent_path()));
+  MakeAssetsAbsolute(&root, file.parent_path());
   return root;
 }
 

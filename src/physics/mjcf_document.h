@@ -41,8 +41,9 @@ struct MjcfText {
 // in that of the file that includes it, as MuJoCo does. Places carry file names as they are reached
 // from `file`.
 //
-// Throws ModelError with file and line when a file is missing, no regular file, not XML, no MJCF or
-// included twice, or when the whole is larger than 32 MiB or nested deeper than MuJoCo reads.
+// Throws ModelError with file and line when a file of XML is missing, no regular file, not XML, no
+// MJCF or included twice, or when the whole is larger than 32 MiB or nested deeper than MuJoCo
+// reads.
 MjcfElement ReadMjcf(const std::filesystem::path& file);
 
 // One line for the start and one for the end of each element.

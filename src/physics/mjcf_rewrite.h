@@ -11,7 +11,6 @@
 #ifndef UNDERSTUDY_PHYSICS_MJCF_REWRITE_H_
 #define UNDERSTUDY_PHYSICS_MJCF_REWRITE_H_
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -28,19 +27,12 @@ struct Rewrite {
   std::string text() const { return place.text() + ": " + what + " (" + why + ")"; }
 };
 
-struct RewrittenModel {
-  MjcfElement root;
-  std::vector<Rewrite> rewrites;  // empty where the file was fine as it is
-};
-
-// Reads a model with all it includes. Before MuJoCo 3 it is rewritten; from 3 on it is as read.
+// The rewriting, for MuJoCo 2.2.2. Appends to `rewrites`; nothing where the file is fine as it is.
+// From MuJoCo 3 on models are taken as they are.
 //
-// Throws ModelError with file and line as ReadMjcf does, and for what cannot be carried over: an
-// actuatorfrcrange on a joint that two actuators or an actuator through something else than a joint
-// may drive, or a dampratio of such an actuator.
-RewrittenModel ReadForThisMujoco(const std::filesystem::path& file);
-
-// The rewriting itself, for MuJoCo 2.2.2. Appends to `rewrites`.
+// Throws ModelError with file and line for what cannot be carried over: an actuatorfrcrange on a
+// joint that two actuators or an actuator through something else than a joint may drive, or a
+// dampratio of such an actuator.
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites);
 
 }  // namespace understudy

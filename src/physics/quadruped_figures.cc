@@ -130,7 +130,7 @@ LegFigures ReadLeg(const mjModel& model, const RobotSpec& spec, std::size_t leg,
   figures.hip = origin(bodies[0], base);
   figures.thigh = origin(bodies[1], bodies[0]);
   figures.calf = origin(bodies[2], bodies[1]);
-  const std::string& foot = spec.feet[leg].geoms.front();
+  const std::string foot = spec.feet[leg].geoms.empty() ? "" : spec.feet[leg].geoms.front();
   const int geom = mj_name2id(&model, mjOBJ_GEOM, foot.c_str());
   if (geom < 0 || !HangsOn(model, model.geom_bodyid[geom], bodies[2])) {
     throw ModelError("geom '" + foot + "': the motion service expects a foot on " +

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "physics/geom_extent.h"
+
 namespace understudy {
 namespace {
 
@@ -72,44 +74,11 @@ class SetDown {
   double LowestPoint() const {
     double lowest = std::numeric_limits<double>::infinity();
     for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {
-      const bool collides = model_.geom_contype[geom] != 0 || model_.geom_conaffinity[geom] != 0;
-      if (collides && IsRobots(geom)) lowest = std::min(lowest, LowestPoint(geom));
+      if (Collides(model_, geom) && IsRobots(geom)) {
+        lowest = std::min(lowest, understudy::LowestPoint(model_, *data_, geom));
+      }
     }
     return lowest;
-  }
-
-  double LowestPoint(int geom) const {
-    const mjtNum* size = model_.geom_size + 3 * geom;
-    const mjtNum* up = data_->geom_xmat + 9 * geom + 6;  // the world's up in the geom's frame
-    double below = 0;
-    switch (model_.geom_type[geom]) {
-      case mjGEOM_SPHERE:
-        below = size[0];
-        break;
-      case mjGEOM_CAPSULE:
-        below = size[0] + std::abs(up[2]) * size[1];
-        break;
-      case mjGEOM_CYLINDER:
-        below = std::hypot(up[0], up[1]) * size[0] + std::abs(up[2]) * size[1];
-        break;
-      case mjGEOM_BOX:
-        below = std::abs(up[0]) * size[0] + std::abs(up[1]) * size[1] + std::abs(up[2]) * size[2];
-        break;
-      case mjGEOM_ELLIPSOID:
-        below = std::hypot(up[0] * size[0], up[1] * size[1], up[2] * size[2]);
-        break;
-      case mjGEOM_MESH: {
-        const int mesh = model_.geom_dataid[geom];
-        const float* v = model_.mesh_vert + 3 * model_.mesh_vertadr[mesh];
-        for (int i = 0; i < model_.mesh_vertnum[mesh]; ++i, v += 3) {
-          below = std::max(below, -(up[0] * v[0] + up[1] * v[1] + up[2] * v[2]));
-        }
-        break;
-      }
-      default:  // no other shape can move
-        break;
-    }
-    return data_->geom_xpos[3 * geom + 2] - below;
   }
 
   const mjModel& model_;

@@ -7,7 +7,8 @@ namespace understudy {
 namespace {
 
 // Isaac Lab's and legged_gym's curricula for legged robots both end at a grade of 0.4 and at stairs
-// of 0.23 m rise; Isaac Lab's treads have 0.3 m, legged_gym's gaps reach 1 m. The rest is assumed.
+// of 0.23 m rise; Isaac Lab's treads have 0.3 m, legged_gym's gaps reach 1 m (docs/terrain.md). The
+// rest is assumed.
 constexpr double kMostGrade = 0.4;
 constexpr double kRise = 0.01, kRiseByDifficulty = 0.22;  // m
 constexpr double kTread = 0.3;                            // m
@@ -25,7 +26,7 @@ void AddStrip(const Stretch& s, double x0, double x1, double top, TerrainPieces*
 
 // A plank whose top goes from (x0, z0) to (x1, z1).
 void AddRamp(const Stretch& s, double x0, double z0, double x1, double z1, TerrainPieces* pieces) {
-  constexpr double kThickness = 0.2;
+  constexpr double kThickness = 0.2;  // m, assumed
   pieces->Add({.x = (x0 + x1) / 2,
                .top = (z0 + z1) / 2,
                .half_x = std::hypot(x1 - x0, z1 - z0) / 2,

@@ -18,7 +18,7 @@
 namespace understudy {
 namespace {
 
-constexpr double kHeightsBase = 0.5;  // m of solid ground below a height field's lowest point
+constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
 
 // Light, sky and colours, as in models/scene/flat.xml.
 constexpr char kHead[] = R"(  <visual>

@@ -10,8 +10,7 @@
 namespace understudy {
 namespace {
 
-// Isaac Lab's and legged_gym's height fields have 0.1 m cells; Isaac Lab's roughness reaches 0.1 m.
-// The rest is assumed.
+// Isaac Lab's and legged_gym's height fields have 0.1 m cells. The rest is assumed.
 constexpr double kCell = 0.1;                       // m
 constexpr double kRoughness = 0.1;                  // m up and down at difficulty 1
 constexpr double kScales[] = {1.6, 0.8, 0.4, 0.2};  // m, of the noise; each half as strong

@@ -10,7 +10,8 @@ namespace understudy {
 namespace {
 
 constexpr std::size_t kMostPieces = 4000;
-// A height field's lowest point stays so far [m] above the floor that nothing touches both.
+// A height field's lowest point stays so far [m] above the floor that nothing touches both;
+// assumed.
 constexpr double kOverFloor = 0.05;
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/feet.h"
 #include "physics/set_down.h"
 #include "physics/world_model.h"
 #include "robot/errors.h"
@@ -19,9 +20,9 @@ Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
 // What says whether an equality constraint acts: part of the state since MuJoCo 3.
 #if mjVERSION_HEADER < 300
-mjtByte* Active(mjModel* model, mjData*) { return model->eq_active; }
+auto* Active(mjModel* model, mjData*) { return model->eq_active; }
 #else
-mjtByte* Active(mjModel*, mjData* data) { return data->eq_active; }
+auto* Active(mjModel*, mjData* data) { return data->eq_active; }
 #endif
 
 }  // namespace
@@ -29,7 +30,6 @@ mjtByte* Active(mjModel*, mjData* data) { return data->eq_active; }
 PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
     : model_(std::move(model)),
       data_(mj_makeData(model_.get())),
-      foot_of_geom_(static_cast<std::size_t>(model_->ngeom), -1),
       q_(spec.motors.size()),
       dq_(spec.motors.size()) {
   for (const MotorSpec& motor : spec.motors) {
@@ -37,13 +37,9 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
     q_address_.push_back(model_->jnt_qposadr[joint]);
     dq_address_.push_back(model_->jnt_dofadr[joint]);
   }
-  for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
-    foot_axis_.emplace_back(spec.feet[foot].axis.data());
-    for (const std::string& geom : spec.feet[foot].geoms) {
-      const int id = mj_name2id(model_.get(), mjOBJ_GEOM, geom.c_str());
-      if (id >= 0) foot_of_geom_[static_cast<std::size_t>(id)] = static_cast<int>(foot);
-    }
-  }
+  for (const FootSpec& foot : spec.feet) foot_axis_.emplace_back(foot.axis.data());
+  mj_kinematics(model_.get(), data_.get());
+  foot_of_geom_ = FindFeet(*model_, *data_, spec);
   base_body_ = Body(spec.base_body);
   clamp_ = mj_name2id(model_.get(), mjOBJ_EQUALITY, kClampName);
   if (!has_fixed_base()) {
@@ -85,7 +81,7 @@ StepHealth PhysicsWorld::EndStep(std::span<const double> tau) {
     data_->qfrc_applied[dq_address_[i]] = tau[i];
   }
   mj_step2(model_.get(), data_.get());
-  mju_zero(data_->xfrc_applied, 6 * model_->nbody);
+  mju_zero(data_->xfrc_applied, 6 * static_cast<int>(model_->nbody));
   StepHealth health = StepHealth::kFine;
   for (const int warning : kDivergenceWarnings) {
     if (data_->warning[warning].number != 0) health = StepHealth::kDiverged;
@@ -104,7 +100,7 @@ void PhysicsWorld::AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::
 
 void PhysicsWorld::Clamp(bool on) {
   if (has_fixed_base()) return;
-  Active(model_.get(), data_.get())[clamp_] = on ? 1 : 0;
+  Active(model_.get(), data_.get())[clamp_] = on;
   if (!on) return;
   // eq_data of a weld: anchor in the second body (the world), the same point in the first (the
   // base), attitude of the second in the first, scale. The point is the base's own origin: one far
@@ -119,8 +115,16 @@ bool PhysicsWorld::clamped() const {
   return has_fixed_base() || Active(model_.get(), data_.get())[clamp_] != 0;
 }
 
+int PhysicsWorld::FindBody(const std::string& name) const {
+  return mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
+}
+
+Eigen::Vector3d PhysicsWorld::CenterOfMass(int body) const {
+  return Vector(data_->xipos + 3 * body);
+}
+
 int PhysicsWorld::Body(const std::string& name) const {
-  const int body = mj_name2id(model_.get(), mjOBJ_BODY, name.c_str());
+  const int body = FindBody(name);
   if (body < 0) throw ModelError("the model has no body '" + name + "'");
   return body;
 }

@@ -56,6 +56,9 @@ class PhysicsWorld {
 
   // Body index by name. Throws ModelError when there is none.
   int Body(const std::string& name) const;
+  // The same without a throw: -1 when there is none.
+  int FindBody(const std::string& name) const;
+  Eigen::Vector3d CenterOfMass(int body) const;  // m, world; as of the last BeginStep
 
   // The point p [m] in the frame of a body.
   PointReading Point(int body, const Eigen::Vector3d& p_BP) const;

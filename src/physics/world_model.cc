@@ -7,7 +7,12 @@
 #include <mutex>
 #include <utility>
 
+#include "physics/feet.h"
+#include "physics/fit_names.h"
+#include "physics/geom_extent.h"
+#include "physics/mjcf_assets.h"
 #include "physics/mjcf_compile.h"
+#include "physics/mjcf_looks.h"
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 
@@ -42,6 +47,7 @@ void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
 // What the emulator needs of the robot beyond its file.
 void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
   if (has_free_base) {
+    // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
     MjcfElement equality = Element("equality", {});
     equality.children.push_back(Element("weld", {{"name", kClampName},
                                                  {"body1", spec.base_body},
@@ -72,7 +78,8 @@ void MakeRoom(const mjModel& robot, MjcfElement* root) {
 bool HasGround(const mjModel& model) {
   for (int i = 0; i < model.ngeom; ++i) {
     const int type = model.geom_type[i];
-    if (model.geom_bodyid[i] == 0 && (type == mjGEOM_PLANE || type == mjGEOM_HFIELD)) return true;
+    const bool ground = type == mjGEOM_PLANE || type == mjGEOM_HFIELD;
+    if (model.geom_bodyid[i] == 0 && ground && Collides(model, i)) return true;
   }
   return false;
 }
@@ -142,26 +149,16 @@ void RequireMotors(const mjModel& model, const RobotSpec& spec, const NameCheck&
   }
 }
 
-void RequireFeet(const RobotSpec& spec, FootNames names, const NameCheck& check, LoadNotes* notes) {
-  std::string numb;
+void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
   for (std::size_t i = 0; i < spec.feet.size(); ++i) {
     for (const std::string& geom : spec.feet[i].geoms) {
-      if (names == FootNames::kRequired) {
-        check.Require(mjOBJ_GEOM, "geom of foot " + spec.feet[i].name, geom,
-                      "robot.feet." + std::to_string(i) + ".geoms");
-      } else if (!check.Has(mjOBJ_GEOM, geom)) {
-        numb += (numb.empty() ? "'" : ", '") + geom + "'";
-      }
+      check.Require(mjOBJ_GEOM, "geom of foot " + spec.feet[i].name, geom,
+                    "robot.feet." + std::to_string(i) + ".geoms");
     }
   }
-  if (numb.empty() || notes == nullptr) return;
-  notes->warnings.push_back("the model has no geom named " + numb +
-                            ": contacts there give no foot force; name its geoms in robot.feet");
 }
 
-void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, FootNames feet,
-                          const std::filesystem::path& file, LoadNotes* notes) {
-  const NameCheck check(model, file);
+void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
   RequireBase(model, spec, check);
   RequireMotors(model, spec, check);
   check.Require(mjOBJ_SITE, "IMU site", spec.imu.site, "robot.imu.site");
@@ -169,15 +166,104 @@ void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, FootNames
     check.Require(mjOBJ_SITE, "IMU site", spec.imu.secondary_site, "robot.imu.secondary_site");
   }
   check.Require(mjOBJ_BODY, "crane body", spec.crane_body, "robot.crane_body");
-  RequireFeet(spec, feet, check, notes);
+}
+
+// Says of each foot of another hand's model what stands for it.
+void NoteFeet(const mjModel& model, const RobotSpec& spec, LoadNotes* notes) {
+  const DataHandle data(mj_makeData(&model));
+  mj_kinematics(&model, data.get());
+  const std::vector<int> foot_of_geom = FindFeet(model, *data, spec);
+  for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
+    const std::vector<std::string>& names = spec.feet[foot].geoms;
+    if (std::ranges::all_of(names, [&](const std::string& name) {
+          return mj_name2id(&model, mjOBJ_GEOM, name.c_str()) >= 0;
+        })) {
+      continue;
+    }
+    int count = 0;
+    std::string body;
+    for (int geom = 0; geom < static_cast<int>(model.ngeom); ++geom) {
+      if (foot_of_geom[static_cast<std::size_t>(geom)] != static_cast<int>(foot)) continue;
+      ++count;
+      const char* name = mj_id2name(&model, mjOBJ_BODY, model.geom_bodyid[geom]);
+      body = name == nullptr ? "" : name;
+    }
+    const std::string& name = spec.feet[foot].name;
+    notes->warnings.push_back(
+        count == 0 ? "foot " + name +
+                         ": the model has none of its geoms, so it feels no force; "
+                         "name them in robot.feet." +
+                         std::to_string(foot) + ".geoms"
+                   : "foot " + name + ": " + std::to_string(count) + " geom" +
+                         (count == 1 ? "" : "s") + " of body '" + body + "', the lowest there");
+  }
 }
 
 MjcfElement Read(const std::filesystem::path& file, LoadNotes* notes) {
-  RewrittenModel model = ReadForThisMujoco(file);
-  if (notes != nullptr) {
-    std::move(model.rewrites.begin(), model.rewrites.end(), std::back_inserter(notes->rewrites));
+  LoadNotes unread;
+  if (notes == nullptr) notes = &unread;
+  MjcfElement root = ReadMjcf(file);
+#if mjVERSION_HEADER < 300
+  // MuJoCo 2.2.2 also takes its time over what nobody sees.
+  const LeftOutLooks looks = LeaveOutLooks(&root);
+  if (!looks.text().empty()) notes->looks.push_back(file.string() + ": " + looks.text());
+  for (const std::string& missing : looks.missing) {
+    notes->warnings.push_back(missing + "; it was only looked at and is left out");
   }
-  return std::move(model.root);
+  RewriteForMujoco2(&root, &notes->rewrites);
+#endif
+  RequireAssets(root);
+  return root;
+}
+
+// The robot's tree and what it compiles to by itself, which makes every message name the right
+// file.
+struct LoadedRobot {
+  MjcfElement tree;
+  ModelHandle model;
+};
+
+LoadedRobot LoadRobot(const std::filesystem::path& file, LoadNotes* notes) {
+  InstallMujocoHooks();
+  MjcfElement tree = Read(file, notes);
+  ModelHandle model = CompileMjcf(tree);
+  return {std::move(tree), std::move(model)};
+}
+
+ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
+                    const std::filesystem::path& robot_file,
+                    const std::filesystem::path& scene_file, double timestep, LoadNotes* notes) {
+  RequireWhatSpecNames(*robot.model, spec, NameCheck(*robot.model, robot_file));
+  MjcfElement& world = robot.tree;
+  const int base = mj_name2id(robot.model.get(), mjOBJ_BODY, spec.base_body.c_str());
+  world.Set("model", spec.name);
+  AddOurs(spec, HasFreeBase(*robot.model, base), &world);
+
+  std::string place = robot_file.string();
+  if (HasGround(*robot.model)) {
+    if (notes != nullptr) {
+      notes->warnings.push_back(place + " brings its own ground; the run's scene is left out");
+    }
+  } else {
+    MjcfElement scene = Read(scene_file, notes);
+    CompileMjcf(scene);
+    std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
+    place += " in " + scene_file.string();
+  }
+  MakeRoom(*robot.model, &world);
+  ModelHandle model;
+  try {
+    model = CompileMjcf(world);
+  } catch (const ModelError& error) {
+    throw ModelError(place + ": " + error.what());
+  }
+  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
+    throw ModelError(
+        place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
+  }
+  model->opt.timestep = timestep;
+  model->opt.disableflags |= mjDSBL_ACTUATION;
+  return model;
 }
 
 }  // namespace
@@ -197,48 +283,31 @@ std::optional<std::string> TakeMujocoWarning() {
 
 ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
-  return CompileMjcf(Read(file, notes));
+  const MjcfElement root = Read(file, notes);
+  try {
+    return CompileMjcf(root);
+  } catch (const ModelError&) {
+    if (notes != nullptr) notes->unknown = UnknownWords(root);
+    throw;
+  }
 }
 
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep, FootNames feet,
+                           const std::filesystem::path& scene_file, double timestep,
                            LoadNotes* notes) {
-  InstallMujocoHooks();
-  // Each file by itself first costs a few milliseconds and makes every message name the right file.
-  MjcfElement world = Read(robot_file, notes);
-  const ModelHandle robot = CompileMjcf(world);
-  RequireWhatSpecNames(*robot, spec, feet, robot_file, notes);
-  const bool has_ground = HasGround(*robot);
-  const int base = mj_name2id(robot.get(), mjOBJ_BODY, spec.base_body.c_str());
-  world.Set("model", spec.name);
-  AddOurs(spec, HasFreeBase(*robot, base), &world);
+  LoadedRobot robot = LoadRobot(robot_file, notes);
+  RequireFeet(spec, NameCheck(*robot.model, robot_file));
+  return Compose(std::move(robot), spec, robot_file, scene_file, timestep, notes);
+}
 
-  std::string place = robot_file.string();
-  if (has_ground) {
-    if (notes != nullptr) {
-      notes->warnings.push_back(place + " has ground of its own: scene " + scene_file.string() +
-                                " is left out");
-    }
-  } else {
-    MjcfElement scene = Read(scene_file, notes);
-    CompileMjcf(scene);
-    std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
-    place += " in " + scene_file.string();
-  }
-  MakeRoom(*robot, &world);
-  ModelHandle model;
-  try {
-    model = CompileMjcf(world);
-  } catch (const ModelError& error) {
-    throw ModelError(place + ": " + error.what());
-  }
-  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
-    throw ModelError(
-        place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
-  }
-  model->opt.timestep = timestep;
-  model->opt.disableflags |= mjDSBL_ACTUATION;
-  return model;
+FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                            const std::filesystem::path& scene_file, double timestep,
+                            LoadNotes* notes) {
+  LoadedRobot robot = LoadRobot(robot_file, notes);
+  RobotSpec fitted = FitNames(spec, *robot.model, &notes->warnings);
+  NoteFeet(*robot.model, fitted, notes);
+  ModelHandle model = Compose(std::move(robot), fitted, robot_file, scene_file, timestep, notes);
+  return {std::move(fitted), std::move(model)};
 }
 
 }  // namespace understudy

@@ -21,24 +21,20 @@ inline constexpr char kImuAccelName[] = "understudy_imu_accel";
 inline constexpr char kSecondaryGyroName[] = "understudy_secondary_gyro";
 inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 
-// What a user should hear about a model that did load.
+// What a user should hear about a model.
 struct LoadNotes {
   std::vector<Rewrite> rewrites;      // what was said otherwise for this MuJoCo, file by file
-  std::vector<std::string> warnings;  // what the run does without, one line each
-};
-
-// Whether a robot's description and its model were made for each other.
-enum class FootNames {
-  kRequired,
-  kOptional,  // another model was put in: feet it has no geoms for feel nothing, which is noted
+  std::vector<std::string> warnings;  // what the run does without or takes instead, one line each
+  std::vector<std::string> looks;     // what nobody sees and was left out, one line per file
+  std::vector<std::string> unknown;   // from LoadModelFile that throws: see UnknownWords
 };
 
 // Compiles the robot in the scene at the given time step [s], with gyro and accelerometer at the
 // sites the spec names and, where the base has a free joint, an inactive weld of the base to the
 // world. MuJoCo's own actuators are switched off: the motors are ours. A robot file that brings
 // ground of its own (a plane or height field of the world) is compiled without the scene, which is
-// noted. Before MuJoCo 3 a file written for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h).
-// `notes` may be null.
+// noted. Before MuJoCo 3 a file written for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h),
+// and what is only to be looked at is left out (physics/mjcf_looks.h). `notes` may be null.
 //
 // Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
 // cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the
@@ -47,10 +43,22 @@ enum class FootNames {
 // RK4, which cannot be split around the motor law.
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                            const std::filesystem::path& scene_file, double timestep,
-                           FootNames feet = FootNames::kRequired, LoadNotes* notes = nullptr);
+                           LoadNotes* notes = nullptr);
 
-// Compiles one MJCF file, rewritten where this MuJoCo needs that. `notes` may be null. Throws
-// ModelError with MuJoCo's message and the file and line it is about.
+struct FittedModel {
+  RobotSpec spec;  // with the names of the model
+  ModelHandle model;
+};
+
+// The same for a model that another hand has written of the robot: the spec takes its names where
+// it lacks the spec's own (physics/fit_names.h), and feet are looked for (physics/feet.h), each
+// with a warning in `notes`. Throws as above for what is not found.
+FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                            const std::filesystem::path& scene_file, double timestep,
+                            LoadNotes* notes);
+
+// Compiles one MJCF file, rewritten as above where this MuJoCo needs that. `notes` may be null.
+// Throws ModelError with MuJoCo's message and the file and line it is about.
 ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
 
 // Sends MuJoCo's errors and warnings to us: an error becomes a ModelError, the last warning is kept

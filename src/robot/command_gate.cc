@@ -4,9 +4,8 @@
 #include <utility>
 
 namespace understudy {
-namespace {
-
-Refusal Harm(const RobotCommand& command) {
+// What no program can mean. That a robot refuses it too is assumed: nothing is published.
+Refusal HarmIn(const RobotCommand& command) {
   for (const MotorCommand& m : command.motors) {
     if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
         !std::isfinite(m.kp) || !std::isfinite(m.kd)) {
@@ -16,8 +15,6 @@ Refusal Harm(const RobotCommand& command) {
   }
   return Refusal::kNone;
 }
-
-}  // namespace
 
 RobotCommand DampingCommand(std::size_t motors, double kd) {
   RobotCommand command;
@@ -29,15 +26,20 @@ CommandGate::CommandGate(const GateConfig& config, RobotCommand start)
     : config_(config),
       start_(std::move(start)),
       taken_(start_),
-      damping_(DampingCommand(start_.motors.size(), config.damping_kd)) {}
+      damping_(DampingCommand(start_.motors.size(), config.damping_kd)),
+      limp_{.motors = std::vector<MotorCommand>(start_.motors.size())} {}
 
 Refusal CommandGate::Offer(const RobotCommand& command, Refusal wire, double t) {
-  const Refusal harm = Harm(command);
+  const Refusal harm = HarmIn(command);
   if (wire != Refusal::kNone) ++counts_.refused[static_cast<std::size_t>(wire)];
   if (wire != Refusal::kNone && !config_.lenient) return wire;
   if (harm != Refusal::kNone) {
     ++counts_.refused[static_cast<std::size_t>(harm)];
     return harm;
+  }
+  if (state_ == GateState::kClosed) {
+    ++counts_.refused[static_cast<std::size_t>(Refusal::kMotionService)];
+    return Refusal::kMotionService;
   }
   ++counts_.accepted;
   taken_ = command;
@@ -55,7 +57,10 @@ const RobotCommand& CommandGate::Current(double t) {
     case GateState::kFollowing:
       return taken_;
     case GateState::kDamping:
+    case GateState::kClosed:
       return damping_;
+    case GateState::kLimp:
+      return limp_;
     case GateState::kStart:
       break;
   }

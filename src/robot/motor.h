@@ -24,7 +24,8 @@ double DesiredTorque(const MotorCommand& command, double q, double dq);
 
 // `tau` [N·m] cut to what the motor can give at rate dq [rad/s]: torque_limit up to knee_speed,
 // from there falling linearly to 0 at no_load_speed when it drives; braking is limited by
-// torque_limit alone. knee_speed = 0 means that only torque_limit counts.
+// torque_limit alone. All of this shape is *assumed*. knee_speed = 0 means that only torque_limit
+// counts.
 double AvailableTorque(const MotorSpec& spec, double tau, double dq);
 
 // All motors of one robot. Knows temperatures; allocates only in the constructor.
@@ -35,7 +36,8 @@ class MotorBank {
 
   // Joint torques [N·m] in motor order for the joint angles q [rad] and rates dq [rad/s] of the
   // same instant, and the motor temperatures one step of dt [s] on. The span stays valid until the
-  // next call. In JointSpace::kMotors the parallel pairs follow their command in motor space.
+  // next call. In JointSpace::kMotors the parallel pairs follow their command in motor space; their
+  // limits stay those of pitch and roll (*assumed*).
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
                                std::span<const double> dq, double dt);
 

@@ -10,13 +10,14 @@ namespace understudy {
 
 enum class Refusal : std::uint8_t {
   kNone,
-  kCrc,          // the crc word does not fit the rest
-  kHead,         // go: head is not FE EF, or level_flag not FF
-  kModeMachine,  // hg: not the machine LowState announces
-  kModePr,       // hg: neither PR (0) nor AB (1)
-  kMotorMode,    // a motor's mode byte is none that the robot knows
-  kNotFinite,    // NaN or infinity in a motor's command
-  kGain,         // a negative kp or kd
+  kCrc,            // the crc word does not fit the rest
+  kHead,           // go: head is not FE EF, or level_flag not FF
+  kModeMachine,    // hg: not the machine LowState announces
+  kModePr,         // hg: neither PR (0) nor AB (1)
+  kMotorMode,      // a motor's mode byte is none that the robot knows
+  kNotFinite,      // NaN or infinity in a motor's command
+  kGain,           // a negative kp or kd
+  kMotionService,  // the robot's own motion service moves the motors
   kCount,
 };
 
@@ -25,7 +26,8 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 // The word that logs, counters and the control plane use.
 constexpr std::string_view Name(Refusal refusal) {
   constexpr std::array<std::string_view, kRefusals> kNames = {
-      "none", "crc", "head", "mode_machine", "mode_pr", "motor_mode", "not_finite", "gain"};
+      "none",       "crc",        "head", "mode_machine",  "mode_pr",
+      "motor_mode", "not_finite", "gain", "motion_service"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

@@ -52,6 +52,39 @@ struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
   double lf_hz = 20;         // all rt/lf/*
+  double service_hz = 500;   // commands of the robot's own motion service
+};
+
+// A program on the robot's own computer, as robot_state lists it.
+struct ServiceSpec {
+  std::string name{};
+  std::string alias{};   // motion_switcher's word for it; "" when it moves no motors
+  bool on = true;        // at boot; of motion services, motion.service says which is on
+  bool protect = false;  // refuses to be switched
+  std::string since{};   // firmware from which on it is there; "" = always
+  std::string before{};  // firmware from which on it is gone; "" = never
+};
+
+// rt/arm_sdk: commands mixed over those of the motion service.
+struct ArmSdkSpec {
+  std::vector<double> slots{};     // motors it acts on, by slot; none where there is no arm_sdk
+  int weight_slot = 0;             // whose q is the weight
+  bool weight_in_mode_pr = false;  // mode_pr is the weight in percent instead
+  double timeout = 0;              // s after which an old command no longer counts; 0 = never
+};
+
+// What a chord of the remote controller does while the motion service is on.
+struct ChordSpec {
+  std::string keys{};          // "L2+B"
+  int clicks = 1;              // of the last key
+  std::string does{};          // a word of kChordActions, motion/chord.h
+  double value = 0;            // state id, action id; 0 where there is none
+  std::vector<double> from{};  // ids of states it works in; none = in all
+};
+
+struct RemoteSpec {
+  std::vector<ChordSpec> chords;
+  std::vector<double> speed = {0, 0, 0};  // forward, left m/s, turn rad/s of fully moved sticks
 };
 
 // Lattice and noise of the inertial unit; encoder lattices are MotorSpec's.
@@ -95,31 +128,51 @@ struct ThermalSpec {
   double time_constant = 600;  // s
 };
 
+// The state machine of a humanoid's own motion service, by the vendor's numbers; -1 or empty where
+// the robot has no such state.
+struct HumanoidMotionSpec {
+  int lock_stand = -1;             // joints locked, standing; -1: not a humanoid
+  std::vector<double> balance{};   // standing balanced, the first one when none is named
+  int squat = -1;                  // joints locked in squat_q
+  int sit = -1;                    // joints locked in sit_q
+  int balanced_squat = -1;         // from standing into squat_q and back, balanced
+  std::vector<double> unplayed{};  // what the robot has and nothing here plays
+  std::vector<double> squat_q{};   // rad, motor order
+  std::vector<double> sit_q{};
+  bool arm_actions = false;  // has the arm action service
+};
+
 // How the motion service of a quadruped stands and moves.
 struct QuadrupedMotionSpec {
-  double stand_height = 0;  // m, of the base over the ground; 0: not a quadruped
-  double foot_x = 0;        // m, how far the feet stand ahead of the hips
-  std::vector<double> height_range = {0, 0};    // m about stand_height
+  double stand_height = 0;                    // m, of the base over the ground; 0: not a quadruped
+  double foot_x = 0;                          // m, how far the feet stand ahead of the hips
+  std::vector<double> height_range = {0, 0};  // m about stand_height
   std::vector<double> euler_range = {0, 0, 0};  // rad either way: roll, pitch, yaw
   std::vector<double> sit = {0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
-  double kp = 1;          // N·m/rad at the legs' joints
-  double kd = 0;          // N·m·s/rad
-  double damping_kd = 0;  // N·m·s/rad when damped, at all joints
-  double wheel_kp = 0;    // N·m/rad that keeps a balanced robot's wheels where they stand
-  double wheel_kd = 0;    // N·m·s/rad that brakes them
+  double kp = 1;                        // N·m/rad at the legs' joints
+  double kd = 0;                        // N·m·s/rad
+  double damping_kd = 0;                // N·m·s/rad when damped, at all joints
+  double wheel_kp = 0;  // N·m/rad that keeps a balanced robot's wheels where they stand
+  double wheel_kd = 0;  // N·m·s/rad that brakes them
 };
 
 // What the robot's own motion service is like.
 struct MotionSpec {
+  HumanoidMotionSpec humanoid;
   QuadrupedMotionSpec quadruped;
 };
 
 struct RobotSpec {
   std::string name;
   std::string description;
-  std::string model;      // MJCF, below models/, or absolute
+  std::string model;      // MJCF: absolute, else below models/
   std::string base_body;  // MJCF body with the free joint
   WireFamily family = WireFamily::kGo;
+  std::string firmware;    // version of the software that is played
+  std::string form = "0";  // motion_switcher's word: "0" legged, "1" wheel-legged
+  // Firmware from which on states are told by the state machine's id: in go's SportModeState in
+  // error_code, in hg in a message of its own. "" = never.
+  std::string state_id_since;
   int mode_machine = 0;           // hg only: what LowState announces and LowCmd must echo
   std::vector<MotorSpec> motors;  // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
@@ -128,13 +181,17 @@ struct RobotSpec {
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force
   FootSensorSpec foot_sensor;
   RateSpec rates;
+  std::vector<ServiceSpec> services;
+  ArmSdkSpec arm_sdk;
+  bool user_lowcmd = false;  // rt/user_lowcmd, which its motion service can hand the motors to
+  RemoteSpec remote;
   BatterySpec battery;
   ThermalSpec thermal;
   PoseSpec lying;  // on the ground, passive
   PoseSpec standing;
-  PoseSpec hanging;        // on the crane or clamped; height is that of the base
+  PoseSpec hanging;  // on the crane or clamped; height is that of the base
   MotionSpec motion;
-  std::string crane_body;  // MJCF body the crane's hook is in
+  std::string crane_body;                       // MJCF body the crane's hook is in
   std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
   std::string default_start;                    // damped | standing | hanging | clamped
 };

@@ -2,8 +2,8 @@
 #ifndef UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
 #define UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
 
-#include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include <Eigen/Core>
@@ -60,10 +60,10 @@ struct ImuReading {
 };
 
 struct BatteryReading {
-  double voltage = 0;  // V, sum of the cells
-  double current = 0;  // A, negative while the pack gives
-  double soc = 1;      // 0..1
-  double temperature_c = 25;
+  double voltage = 0;         // V, sum of the cells
+  double current = 0;         // A, negative while the pack gives
+  double soc = 1;             // 0..1
+  double temperature_c = 25;  // constant, *assumed*
 };
 
 // Where the base, B, is and how it moves. Truth of the simulation; ports decide who may see it.
@@ -72,9 +72,23 @@ struct BaseReading {
   Eigen::Vector3d v_WB_W{0, 0, 0};  // m/s
 };
 
-// The 40 bytes of the remote controller; all zero while no remote is there (measured.md, section
-// c).
-using RemoteBytes = std::array<std::uint8_t, 40>;
+// What a motion service tells of itself.
+struct MotionState {
+  int id = 0;    // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
+  int mode = 0;  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving
+  int progress = 0;          // 1 while an action with an end is under way
+  int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
+  bool arm_holding = false;  // humanoids: the arms hold a pose until released
+  double body_height = 0;    // m, of the base over its feet
+};
+
+// What the remote controller sends. Sticks -1..1: right, forward and clockwise are positive.
+struct RemoteReading {
+  bool there = false;      // false: nothing is received, and all that follows is 0
+  std::uint16_t keys = 0;  // pressed ones, see robot/remote_keys.h
+  double lx = 0, ly = 0;   // left stick
+  double rx = 0, ry = 0;   // right stick
+};
 
 // Everything the robot can tell about one instant. Before the first sample: default values.
 struct RobotState {
@@ -86,7 +100,8 @@ struct RobotState {
   std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
   BatteryReading battery;
   BaseReading base;
-  RemoteBytes remote{};
+  RemoteReading remote;
+  std::optional<MotionState> motion;  // of the motion service; none while none moves the motors
 };
 
 }  // namespace understudy

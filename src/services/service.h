@@ -3,42 +3,62 @@
 #define UNDERSTUDY_SERVICES_SERVICE_H_
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <string_view>
 
+#include "services/api_row.h"
+#include "services/lease.h"
+
 namespace understudy {
 
-// What services may know and change of the robot.
-struct RobotMode {
-  std::string motion_service;  // the one that moves the motors; "" when LowCmd does
-  bool silent = false;         // do not start a motion service at boot
+// The longest binary part of a request that is taken: a chunk of the vendor's audio example. More
+// is refused with the service's code for a bad parameter.
+inline constexpr std::size_t kMostBinaryBytes = 96000;
+
+// One request without the network. Bytes are as sent: anything may come.
+struct ServiceRequest {
+  std::int64_t api_id = 0;
+  std::int64_t lease_id = 0;
+  std::string_view parameter{};
+  std::size_t parameter_bytes = 0;  // may be more than `parameter` holds: then it is refused
+  std::size_t binary_bytes = 0;
 };
 
-// Codes of the vendor's RPC layer (sdk_surface.md, section 3).
-inline constexpr std::int32_t kRpcOk = 0;
-inline constexpr std::int32_t kRpcServerInternal = 3202;
-inline constexpr std::int32_t kRpcApiNotImplemented = 3203;
-inline constexpr std::int32_t kRpcApiParameter = 3204;
-
-struct ServiceReply {
-  std::int32_t code = kRpcOk;
-  std::string data{};  // JSON, or "" where the vendor's clients ignore it
-};
-
+// Answers by its table. All calls come from the tick's thread; long actions are begun, not done.
 class Service {
  public:
-  virtual ~Service() = default;
+  explicit Service(ServiceTable table);
 
-  virtual std::string_view name() const = 0;         // "motion_switcher"
-  virtual std::string_view api_version() const = 0;  // what internal api 1 answers
+  const ServiceTable& table() const { return table_; }
 
-  // Answers api `api_id` with its parameter as sent: JSON, or "" or "{}" where there is none; any
-  // bytes may come. nullopt when the service has no such api. Called in the tick's thread: long
-  // actions are begun here, not done.
-  virtual std::optional<ServiceReply> Handle(std::int64_t api_id, std::string_view parameter,
-                                             RobotMode* mode) = 0;
+  // False while nothing would answer: the program that serves it is off, or the motion service that
+  // it belongs to. Requests are then dropped, and the caller times out (3104), as seen on an H1-2.
+  bool IsServed(const MotorOwner& owner) const;
+
+  // Checks in the order of the vendor's server: api 1 gives the version; an unknown api is 3203; a
+  // lease that another holds 3205; a bad parameter the service's code; then the row's effect. What
+  // throws inside is 3202. `notice` becomes what the log should say of it, "" for nothing.
+  ServiceReply Answer(const ServiceRequest& request, MotorOwner* owner, Lease::Time now,
+                      std::string* notice);
+
+  Lease& lease() { return lease_; }
+  const Settings& settings() const { return settings_; }
+  void Set(std::string_view name, nlohmann::json value);
+
+ private:
+  ServiceReply Act(const ApiRow& row, const nlohmann::json& parameter, std::size_t binary_bytes,
+                   MotorOwner* owner, std::string* notice);
+  ServiceReply Ask(const ApiRow& row, const AskGoal& effect, const nlohmann::json& parameter,
+                   MotorOwner* owner, std::string* notice);
+  ServiceReply Refuse(const ApiRow& row, std::string* notice) const;
+
+  ServiceTable table_;
+  Settings settings_;
+  Lease lease_;
 };
+
+// Whether a row only reads: leases do not concern it.
+bool OnlyReads(const ApiRow& row);
 
 }  // namespace understudy
 

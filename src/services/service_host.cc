@@ -1,90 +1,154 @@
 #include "services/service_host.h"
 
 #include <algorithm>
-#include <string>
-#include <utility>
+#include <cstring>
+#include <exception>
+
+#include "services/parameter.h"
 
 namespace understudy {
 namespace {
 
-constexpr std::int64_t kApiVersion = 1;
-constexpr std::chrono::milliseconds kMatchPatience(300);
-constexpr std::size_t kMostPending = 64;
-
-std::string Text(const char* text) { return text == nullptr ? std::string() : std::string(text); }
+constexpr std::chrono::milliseconds kMatchPatience(300);  // assumed
+// The vendor's header: a held arm lets go after 20 s at most, so no action is under way longer.
+constexpr std::chrono::seconds kArmPatience(20);
+constexpr std::chrono::seconds kNoticePeriod(1);
+constexpr std::size_t kMostPending = 64;  // assumed
+constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
+constexpr std::size_t kMostUrgent = 5;
+constexpr int kMostServed = 8;    // assumed: bounds what a poll costs
+constexpr int kReaderDepth = 64;  // assumed
 
 }  // namespace
 
-ServiceReply AnswerRequest(Service* service, std::int64_t api_id, std::string_view parameter,
-                           RobotMode* mode) {
-  if (api_id == kApiVersion) return {.data = std::string(service->api_version())};
-  if (auto reply = service->Handle(api_id, parameter, mode)) {
-    // Clients get data with success only (unitree_sdk2_python rpc/server.py).
-    if (reply->code != kRpcOk) reply->data.clear();
-    return *reply;
-  }
-  return {.code = kRpcApiNotImplemented};
-}
+ServiceHost::Channel::Channel(const Participant& participant, const std::string& name, Service* of,
+                              bool leases)
+    : service(of),
+      is_lease(leases),
+      request_topic("rt/api/" + name + "/request"),
+      response_topic("rt/api/" + name + "/response"),
+      reader(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc},
+             {.depth = kReaderDepth}),
+      writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
-ServiceHost::Channel::Channel(const Participant& participant, std::unique_ptr<Service> with)
-    : service(std::move(with)),
-      request_topic("rt/api/" + std::string(service->name()) + "/request"),
-      response_topic("rt/api/" + std::string(service->name()) + "/response"),
-      requests(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc}),
-      responses(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
-
-ServiceHost::ServiceHost(const Participant& participant,
-                         std::vector<std::unique_ptr<Service>> services) {
-  for (auto& service : services) {
-    channels_.push_back(std::make_unique<Channel>(participant, std::move(service)));
+ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTable> tables, Say say)
+    : say_(std::move(say)) {
+  for (ServiceTable& table : tables) {
+    const std::string name(table.name);
+    Service* service = services_.emplace_back(std::make_unique<Service>(std::move(table))).get();
+    channels_.push_back(std::make_unique<Channel>(participant, name, service, false));
+    channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
+    if (name == "uwbswitch") switches_.emplace(participant, service);
   }
 }
 
-void ServiceHost::Poll(RobotMode* mode, WallTime now) {
+void ServiceHost::Poll(MotorOwner* owner, WallTime now) noexcept {
+  try {
+    if (switches_) switches_->Poll(owner);
+  } catch (const std::exception&) {
+    // Out of memory: the switch stays as it was.
+  }
   for (const auto& channel : channels_) {
-    channel->requests.Take([&](const unitree_api_msg_dds__Request_& request, WriterHandle writer) {
-      Serve(channel.get(), request, writer, mode, now);
-    });
-    if (!channel->pending.empty()) SendPending(channel.get(), now);
+    try {
+      Receive(channel.get());
+      for (int served = 0; served < kMostServed; ++served) {
+        auto& queue = channel->urgent.empty() ? channel->normal : channel->urgent;
+        if (queue.empty()) break;
+        const Request request = std::move(queue.front());
+        queue.pop_front();
+        Serve(channel.get(), request, owner, now);
+      }
+      if (!channel->pending.empty()) SendPending(channel.get(), *owner, now);
+    } catch (const std::exception&) {
+      ++lost_replies_;  // out of memory: the request goes unanswered, the robot goes on
+    }
   }
 }
 
-void ServiceHost::Serve(Channel* channel, const unitree_api_msg_dds__Request_& request,
-                        WriterHandle writer, RobotMode* mode, WallTime now) {
-  ++requests_;
-  const auto& identity = request.header.identity;
+void ServiceHost::Receive(Channel* channel) {
+  // What finds no room waits in the reader.
+  const std::size_t room = kMostNormal - channel->normal.size();
+  if (room == 0) return;
+  channel->reader.Take(
+      [&](const unitree_api_msg_dds__Request_& message, WriterHandle writer) {
+        ++requests_;
+        const char* text = message.parameter == nullptr ? "" : message.parameter;
+        const std::size_t bytes = std::strlen(text);
+        Request request{.id = message.header.identity.id,
+                        .api_id = message.header.identity.api_id,
+                        .lease_id = message.header.lease.id,
+                        .noreply = message.header.policy.noreply,
+                        .parameter = bytes > kMostParameterBytes ? "" : text,
+                        .parameter_bytes = bytes,
+                        .binary_bytes = message.binary._length,
+                        .client = std::nullopt};
+        if (!request.noreply) request.client = channel->reader.ParticipantOf(writer);
+        auto& queue = message.header.policy.priority > 0 ? channel->urgent : channel->normal;
+        queue.push_back(std::move(request));
+        if (channel->urgent.size() > kMostUrgent) {
+          channel->urgent.pop_front();
+          ++lost_replies_;
+        }
+      },
+      static_cast<int>(room));
+}
+
+void ServiceHost::Serve(Channel* channel, const Request& request, MotorOwner* owner, WallTime now) {
+  Service& service = *channel->service;
+  if (!service.IsServed(*owner)) return;
+  std::string notice;
   ServiceReply reply =
-      AnswerRequest(channel->service.get(), identity.api_id, Text(request.parameter), mode);
-  if (request.header.policy.noreply) return;
-  const auto client = channel->requests.ParticipantOf(writer);
-  if (!client) return;  // it has gone
+      channel->is_lease
+          ? service.lease().Answer(request.api_id, request.parameter, request.lease_id, now)
+          : service.Answer({.api_id = request.api_id,
+                            .lease_id = request.lease_id,
+                            .parameter = request.parameter,
+                            .parameter_bytes = request.parameter_bytes,
+                            .binary_bytes = request.binary_bytes},
+                           owner, now, &notice);
+  if (!notice.empty()) Tell(service, request.api_id, notice, now);
+  if (request.noreply || !request.client) return;
   if (channel->pending.size() >= kMostPending) {
     channel->pending.pop_front();
     ++lost_replies_;
   }
   unitree_api_msg_dds__ResponseHeader_ header{};
-  header.identity.id = identity.id;
-  header.identity.api_id = identity.api_id;
+  header.identity.id = request.id;
+  header.identity.api_id = request.api_id;
   header.status.code = reply.code;
-  channel->pending.push_back({.client = *client,
+  const WallTime patience = reply.after_arm_action ? WallTime(kArmPatience) : kMatchPatience;
+  channel->pending.push_back({.client = *request.client,
                               .header = header,
                               .data = std::move(reply.data),
-                              .give_up = now + kMatchPatience});
+                              .after_arm_action = reply.after_arm_action,
+                              .give_up = now + patience});
 }
 
-void ServiceHost::SendPending(Channel* channel, WallTime now) {
+void ServiceHost::SendPending(Channel* channel, const MotorOwner& owner, WallTime now) {
+  const MotionState state = owner.state();
+  const bool arm_moves = state.arm_action != 0 && !state.arm_holding;
   const auto settled = [&](Pending& pending) {
-    const bool reaches = channel->responses.ReachesParticipant(pending.client);
-    if (!reaches && now < pending.give_up) return false;
+    const bool over = now >= pending.give_up;
+    if (pending.after_arm_action && arm_moves && !over) return false;
+    const bool reaches = channel->writer.ReachesParticipant(pending.client);
+    if (!reaches && !over) return false;
     unitree_api_msg_dds__Response_ response{};
     response.header = pending.header;
     response.data = pending.data.data();
     // Past the wait it is sent all the same: a reader may be there that discovery has not told us
     // whose it is.
-    if (!channel->responses.Write(response) || !reaches) ++lost_replies_;
+    if (!channel->writer.Write(response) || !reaches) ++lost_replies_;
     return true;
   };
   std::erase_if(channel->pending, settled);
+}
+
+void ServiceHost::Tell(const Service& service, std::int64_t api_id, const std::string& notice,
+                       WallTime now) {
+  const auto [last, first] = told_.try_emplace({&service, api_id}, now);
+  if (!first && now < last->second + kNoticePeriod) return;
+  last->second = now;
+  say_(notice);
 }
 
 }  // namespace understudy

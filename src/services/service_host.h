@@ -5,7 +5,12 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <functional>
+#include <map>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "bus/participant.h"
@@ -13,61 +18,80 @@
 #include "bus/writer.h"
 #include "idl/unitree_api.h"
 #include "services/service.h"
+#include "services/switch_topics.h"
 
 namespace understudy {
 
-// Polled by the loop; nothing here waits. The rules are the vendor's (sdk_surface.md, section 3):
+// Polled by the loop; nothing here waits or throws. The rules are the vendor's (sdk_surface.md,
+// section 3; the server of the Python SDK):
 //
+//   - readers of requests are best effort, writers of replies reliable, as on a robot;
 //   - the request's identity is echoed, since clients match a reply by id;
-//   - api 1 answers the service's version, an api the service does not have answers 3203;
+//   - requests of priority above 0 go first. Of each service 10 requests and 5 of priority wait in
+//     queues, 64 more in the reader; where there are more, the oldest is dropped. 8 are served in a
+//     poll;
 //   - a request with noreply set is carried out and not answered;
+//   - while a service is not served (Service::IsServed), what comes for it is dropped;
 //   - a reply waits until a response reader of the asking participant is matched, 300 ms at most:
-//   response readers are
-//     volatile, and ROS 2 clients make theirs with each call. The oldest waiting reply is given up
-//     when 64 wait.
+//     response readers are volatile, and ROS 2 clients make theirs with each call. The oldest
+//     waiting reply is given up when 64 wait;
+//   - each service has a lease, asked for on <service>_lease.
 class ServiceHost {
  public:
   using WallTime = std::chrono::nanoseconds;
+  // Gets what the log should say, of each api at most once a second.
+  using Say = std::function<void(const std::string& notice)>;
 
   // Throws BusError. `participant` must outlive the host.
-  ServiceHost(const Participant& participant, std::vector<std::unique_ptr<Service>> services);
+  ServiceHost(const Participant& participant, std::vector<ServiceTable> tables, Say say);
 
-  // Takes requests, carries them out in order of arrival and sends the replies that can go. `now`
-  // only has to grow.
-  void Poll(RobotMode* mode, WallTime now);
+  // Takes requests, carries them out on `owner` and sends the replies that can go. `now` only has
+  // to grow. Allocates only when there is a request or a reply waits.
+  void Poll(MotorOwner* owner, WallTime now) noexcept;
 
   std::uint64_t requests() const { return requests_; }
   std::uint64_t lost_replies() const { return lost_replies_; }
 
  private:
+  struct Request {
+    std::int64_t id, api_id, lease_id;
+    bool noreply;
+    std::string parameter;  // empty when it was too long to be read
+    std::size_t parameter_bytes, binary_bytes;
+    std::optional<ParticipantKey> client;  // nullopt when it has gone
+  };
   struct Pending {
     ParticipantKey client;
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
+    bool after_arm_action;
     WallTime give_up;
   };
   struct Channel {
-    Channel(const Participant& participant, std::unique_ptr<Service> with);
+    Channel(const Participant& participant, const std::string& name, Service* of, bool leases);
 
-    std::unique_ptr<Service> service;
+    Service* service;
+    bool is_lease;
     std::string request_topic, response_topic;
-    Reader<unitree_api_msg_dds__Request_> requests;
-    Writer<unitree_api_msg_dds__Response_> responses;
+    Reader<unitree_api_msg_dds__Request_> reader;
+    Writer<unitree_api_msg_dds__Response_> writer;
+    std::deque<Request> normal, urgent;
     std::deque<Pending> pending;
   };
 
-  void Serve(Channel* channel, const unitree_api_msg_dds__Request_& request, WriterHandle writer,
-             RobotMode* mode, WallTime now);
-  void SendPending(Channel* channel, WallTime now);
+  void Receive(Channel* channel);
+  void Serve(Channel* channel, const Request& request, MotorOwner* owner, WallTime now);
+  void SendPending(Channel* channel, const MotorOwner& owner, WallTime now);
+  void Tell(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
 
+  std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
+  std::optional<SwitchTopics> switches_;  // of robots with uwbswitch
+  Say say_;
+  std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
   std::uint64_t requests_ = 0;
   std::uint64_t lost_replies_ = 0;
 };
-
-// The reply to one request, without the network: api 1, the service's own apis, or 3203.
-ServiceReply AnswerRequest(Service* service, std::int64_t api_id, std::string_view parameter,
-                           RobotMode* mode);
 
 }  // namespace understudy
 

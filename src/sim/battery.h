@@ -17,7 +17,8 @@ namespace understudy {
 // The open-circuit voltage falls linearly with the charge from cell_full_v to cell_empty_v;
 // internal_ohm takes its share of the load. A pack gives no more than what halves its voltage; the
 // motors get what they ask for all the same. Figures are fitted to captures of real packs where
-// such exist (docs/fidelity.md). Nothing happens at an empty pack: charge stays 0 and the robot
+// such exist (docs/fidelity.md); that the voltage is linear in the charge, and the most that a pack
+// gives, are *assumed*. Nothing happens at an empty pack, *assumed*: charge stays 0 and the robot
 // goes on.
 class Battery {
  public:

@@ -5,7 +5,7 @@
 namespace understudy {
 namespace {
 
-// m; the winch stops here, so that a taut tether always has a direction.
+// m, assumed; the winch stops here, so that a taut tether always has a direction.
 constexpr double kShortest = 0.05;
 
 }  // namespace

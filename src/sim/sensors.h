@@ -28,13 +28,14 @@ class Sensors {
   Sensors(const SensorConfig& config, const RobotSpec& spec);
 
   // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
-  // state->remote.
+  // state->remote and state->motion.
   void Sample(const PhysicsWorld& world, const MotorBank& motors, const RobotCommand& command,
               const Battery& battery, std::int64_t tick_ms, RobotState* state);
 
  private:
-  // A random number of mean 0 and deviation 1, of bell shape (the sum of four uniform ones, never
-  // beyond 3.5): 6 ns where a normal one takes 23, and the same on every standard library.
+  // A random number of mean 0 and deviation 1, independent of the last: that noise is white and of
+  // bell shape is *assumed*. The sum of four uniform ones, never beyond 3.5: 6 ns where a normal
+  // one takes 23, and the same on every standard library.
   double Bell();
   double Measure(double truth, double sigma, double step);
   ImuReading Measure(const ImuReading& truth);

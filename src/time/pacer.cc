@@ -22,9 +22,15 @@ void Pacer::WaitFor(std::int64_t step) {
       clock_->SleepUntil(deadline);
       now = clock_->Now();
     }
-    reading_.lateness = std::max(0.0, Seconds(now - deadline));
+    const Clock::Time late = std::max(Clock::Time(0), now - deadline);
+    reading_.lateness = Seconds(late);
     reading_.worst_lateness = std::max(reading_.worst_lateness, reading_.lateness);
     if (reading_.lateness > Seconds(period_) / speed_) ++reading_.overruns;
+    if (late > kMostMadeUp) {
+      start_ += late;
+      ++reading_.shifts;
+      reading_.shifted += Seconds(late);
+    }
   }
   Measure(step, now);
 }

@@ -13,13 +13,21 @@ struct PaceReading {
   std::uint64_t overruns = 0;  // ticks that began more than one period late
   double lateness = 0;         // s, of the last tick; 0 when on time
   double worst_lateness = 0;   // s, since start
+  std::uint64_t shifts = 0;    // ticks later than kMostMadeUp, from which the deadlines count anew
+  double shifted = 0;          // s, by which those have moved the deadlines in all
   double real_time_factor =
       0;  // simulated / wall time over the last second; 0 until one has passed
 };
 
+// Wall time of lateness that is made up for. Assumed: the default of gate.timeout, so that at real
+// time the burst that makes up for a stall cannot outlast a program's last command.
+inline constexpr Clock::Time kMostMadeUp = std::chrono::milliseconds(200);
+
 // Every deadline is absolute: start + step · period / speed. A late tick is therefore made up for
-// by the next ones and nothing is dropped; how late each began is measured and counted. With speed
-// 0 the pacer never waits.
+// by the next ones; how late each began is measured and counted. No step is ever left out. After a
+// stall of more than kMostMadeUp (a debugger, a stopped process, a machine too slow for the speed)
+// the deadlines move by the whole of it and the late step counts as due: simulated time stays
+// behind, and nothing races after it. With speed 0 the pacer never waits.
 class Pacer {
  public:
   // period: simulated time of one step. speed: simulated seconds per wall second, 0 for as fast as

@@ -8,6 +8,7 @@
 
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
+#include "wire/remote_codec.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
@@ -96,16 +97,13 @@ void Encode(const RobotState& state, const RobotSpec& spec,
 
   const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
   for (std::size_t i = 0; i < feet; ++i) {
-    const double counts =
-        spec.foot_sensor.offset_counts + spec.foot_sensor.counts_per_newton * state.foot_force[i];
-    message->foot_force[i] = Rounded<std::int16_t>(counts, 0, 4095);
+    message->foot_force[i] = FootCounts(state.foot_force[i], spec.foot_sensor);
   }
 
   message->tick = static_cast<std::uint32_t>(state.tick_ms);
-  std::ranges::copy(state.remote, message->wireless_remote);
-  const bool remote =
-      std::ranges::any_of(state.remote, [](std::uint8_t byte) { return byte != 0; });
-  message->bit_flag = remote ? kNotCharging : kNotCharging | kNoRemote;
+  const auto remote = EncodeRemote(state.remote);
+  std::ranges::copy(remote, message->wireless_remote);
+  message->bit_flag = state.remote.there ? kNotCharging : kNotCharging | kNoRemote;
   message->adc_reel = kReel;
   message->temperature_ntc1 = kBoard_c[0];
   message->temperature_ntc2 = kBoard_c[1];

@@ -1,7 +1,7 @@
 #include "wire/go_port.h"
 
 #include "wire/go_codec.h"
-#include "wire/motion_codec.h"
+#include "wire/remote_codec.h"
 #include "wire/slots.h"
 #include "wire/topics.h"
 
@@ -9,12 +9,15 @@ namespace understudy {
 
 GoPort::GoPort(const Participant& participant, const RobotSpec& spec)
     : spec_(spec),
+      motion_fields_(MotionFieldsOf(spec)),
       commands_(participant, kGoLowCmd),
       lowstate_(participant, kGoLowState),
       lf_lowstate_(participant, kGoLfLowState),
       motion_(participant, kSportModeState),
-      lf_motion_(participant, kLfSportModeState) {
+      lf_motion_(participant, kLfSportModeState),
+      remote_(participant, kWirelessController) {
   CheckFits(spec, kGoMotorSlots, kGoCells);
+  if (!spec.arm_sdk.slots.empty()) arm_commands_.emplace(participant, kGoArmSdk);
 }
 
 bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
@@ -26,11 +29,28 @@ bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
   return commands_.Take(visit, 1) == 1;
 }
 
+bool GoPort::TakeArmCommand(RobotCommand* command, double* weight) {
+  if (!arm_commands_) return false;
+  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, WriterHandle) {
+    DecodeUnsigned(message, spec_, command);
+    *weight = ArmWeight(message, spec_.arm_sdk);
+  };
+  return arm_commands_->Take(visit, 1) == 1;
+}
+
+bool GoPort::TakeUserCommand(RobotCommand*) { return false; }
+
 void GoPort::Publish(const RobotState& state, const Due& due) {
   if (due.lowstate || due.lf) Encode(state, spec_, &lowstate_message_);
-  if (due.motion || due.lf) EncodeMotion(state, &motion_message_);
+  if (due.motion || due.lf) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
   if (due.lowstate) lowstate_.Write(lowstate_message_);
-  if (due.motion) motion_.Write(motion_message_);
+  if (due.motion) {
+    motion_.Write(motion_message_);
+    if (state.remote.there) {
+      EncodeRemote(state.remote, &remote_message_);
+      remote_.Write(remote_message_);
+    }
+  }
   if (due.lf) {
     lf_lowstate_.Write(lowstate_message_);
     lf_motion_.Write(motion_message_);
@@ -39,8 +59,8 @@ void GoPort::Publish(const RobotState& state, const Due& due) {
 
 PortCounts GoPort::counts() const {
   PortCounts counts = counts_;
-  counts.write_failures =
-      lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() + lf_motion_.failures();
+  counts.write_failures = lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
+                          lf_motion_.failures() + remote_.failures();
   return counts;
 }
 

@@ -9,6 +9,7 @@
 #include "robot/parallel_joint.h"
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
+#include "wire/remote_codec.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
@@ -22,7 +23,7 @@ static_assert(std::size(unitree_hg_msg_dds__LowState_{}.motor_state) == kHgMotor
 static_assert(std::size(unitree_hg_msg_dds__BmsState_{}.cell_vol) == kHgCells);
 
 constexpr std::uint8_t kEnabled = 1;
-constexpr double kVolStep = 0.5;    // V, public audit of a real G1
+constexpr double kVolStep = 0.5;    // V, public audit of a real G1; on other robots *assumed*
 constexpr std::uint8_t kSoh = 100;  // percent, *assumed*
 
 void EncodeMotion(double q, double dq, double tau, MotorState* wire) {
@@ -87,7 +88,8 @@ void Encode(const RobotState& state, const RobotSpec& spec,
       EncodePair(state, spec, ParallelJoint(pair), message);
     }
   }
-  std::ranges::copy(state.remote, message->wireless_remote);
+  const auto remote = EncodeRemote(state.remote);
+  std::ranges::copy(remote, message->wireless_remote);
   message->crc = MessageCrc(*message);
 }
 

@@ -1,22 +1,41 @@
 #include "wire/hg_port.h"
 
+#include <algorithm>
+
+#include "robot/firmware.h"
 #include "wire/hg_codec.h"
 #include "wire/imu_codec.h"
-#include "wire/motion_codec.h"
+#include "wire/remote_codec.h"
 #include "wire/slots.h"
 #include "wire/topics.h"
 
 namespace understudy {
+namespace {
+
+constexpr const char* kArmActionService = "g1_arm_example";  // what writes rt/arm/action/state
+
+}  // namespace
 
 HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
     : spec_(spec),
+      motion_fields_(MotionFieldsOf(spec)),
       commands_(participant, kHgLowCmd),
       lowstate_(participant, kHgLowState),
       lf_lowstate_(participant, kHgLfLowState),
       motion_(participant, kOdomModeState),
       lf_motion_(participant, kLfOdomModeState),
-      lf_bms_(participant, kLfBmsState) {
+      lf_bms_(participant, kLfBmsState),
+      lf_board_(participant, kLfMainBoardState),
+      remote_(participant, kWirelessController) {
   CheckFits(spec, kHgMotorSlots, kHgCells);
+  if (!spec.arm_sdk.slots.empty()) arm_commands_.emplace(participant, kHgArmSdk);
+  if (spec.user_lowcmd) user_commands_.emplace(participant, kUserLowCmd);
+  if (TellsStateId(spec)) {
+    fsm_.emplace(Fsm{.state = Writer(participant, kHgSportModeState),
+                     .lf_state = Writer(participant, kLfHgSportModeState)});
+  }
+  const auto acts = [&](const ServiceSpec& service) { return service.name == kArmActionService; };
+  if (std::ranges::any_of(spec.services, acts)) arm_action_.emplace(participant, kArmActionState);
   if (!spec.imu.secondary_site.empty()) {
     secondary_.emplace(SecondaryImu{.imu = Writer(participant, kSecondaryImu),
                                     .lf_imu = Writer(participant, kLfSecondaryImu)});
@@ -31,23 +50,60 @@ bool HgPort::TakeCommand(RobotCommand* command, Refusal* wire) {
   return commands_.Take(visit, 1) == 1;
 }
 
+bool HgPort::TakeArmCommand(RobotCommand* command, double* weight) {
+  if (!arm_commands_) return false;
+  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
+    DecodeUnsigned(message, spec_, command);
+    *weight = ArmWeight(message, spec_.arm_sdk);
+  };
+  return arm_commands_->Take(visit, 1) == 1;
+}
+
+bool HgPort::TakeUserCommand(RobotCommand* command) {
+  if (!user_commands_) return false;
+  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
+    DecodeUnsigned(message, spec_, command);
+  };
+  return user_commands_->Take(visit, 1) == 1;
+}
+
 void HgPort::Publish(const RobotState& state, const Due& due) {
   if (due.lowstate || due.lf) {
     Encode(state, spec_, &lowstate_message_);
     if (secondary_) EncodeImu(state.secondary_imu, &secondary_->message);
   }
-  if (due.motion || due.lf) EncodeMotion(state, &motion_message_);
+  if (due.motion || due.lf) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
   if (due.lowstate) {
     lowstate_.Write(lowstate_message_);
     if (secondary_) secondary_->imu.Write(secondary_->message);
   }
-  if (due.motion) motion_.Write(motion_message_);
+  if (due.motion) {
+    motion_.Write(motion_message_);
+    if (state.remote.there) {
+      EncodeRemote(state.remote, &remote_message_);
+      remote_.Write(remote_message_);
+    }
+  }
   if (due.lf) {
     EncodeBms(state, spec_, &bms_message_);
     lf_lowstate_.Write(lowstate_message_);
     lf_motion_.Write(motion_message_);
     lf_bms_.Write(bms_message_);
+    lf_board_.Write(unitree_hg_msg_dds__MainBoardState_{});
     if (secondary_) secondary_->lf_imu.Write(secondary_->message);
+  }
+  if (state.motion) PublishService(state, due);
+}
+
+void HgPort::PublishService(const RobotState& state, const Due& due) {
+  if (fsm_ && (due.motion || due.lf)) {
+    EncodeFsm(state, &fsm_->message);
+    if (due.motion) fsm_->state.Write(fsm_->message);
+    if (due.lf) fsm_->lf_state.Write(fsm_->message);
+  }
+  if (arm_action_ && due.lf) {
+    std::array<char, 96> text = ArmActionText(*state.motion);
+    arm_action_->Write({.data = text.data()});
   }
 }
 
@@ -55,8 +111,11 @@ PortCounts HgPort::counts() const {
   PortCounts counts = counts_;
   const std::uint64_t secondary =
       secondary_ ? secondary_->imu.failures() + secondary_->lf_imu.failures() : 0;
+  const std::uint64_t service = (fsm_ ? fsm_->state.failures() + fsm_->lf_state.failures() : 0) +
+                                (arm_action_ ? arm_action_->failures() : 0);
   counts.write_failures = lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
-                          lf_motion_.failures() + lf_bms_.failures() + secondary;
+                          lf_motion_.failures() + lf_bms_.failures() + lf_board_.failures() +
+                          remote_.failures() + secondary + service;
   return counts;
 }
 

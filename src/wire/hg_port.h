@@ -7,15 +7,22 @@
 
 #include "bus/reader.h"
 #include "bus/writer.h"
+#include "idl/std_msgs.h"
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 #include "robot/robot_spec.h"
+#include "wire/motion_codec.h"
 #include "wire/robot_port.h"
 
 namespace understudy {
 
-// Reads rt/lowcmd; writes rt/lowstate, rt/odommodestate, rt/secondary_imu where the robot has one,
-// their rt/lf/ twins, and rt/lf/bmsstate, which has no fast twin.
+// Reads rt/lowcmd and, where the robot has them, rt/arm_sdk and rt/user_lowcmd; writes rt/lowstate,
+// rt/odommodestate, rt/secondary_imu where the robot has one, their rt/lf/ twins, rt/lf/bmsstate
+// and rt/lf/mainboardstate, which have no fast twin, and rt/wirelesscontroller while a remote
+// controller is there. Where firmware tells the state machine's id, rt/sportmodestate and its twin
+// while a motion service is on; G1 rt/arm/action/state then too.
+//
+// No page documents what is in MainBoardState_: it is all 0.
 class HgPort final : public RobotPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
@@ -23,6 +30,8 @@ class HgPort final : public RobotPort {
   HgPort(const Participant& participant, const RobotSpec& spec);
 
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
+  bool TakeArmCommand(RobotCommand* command, double* weight) override;
+  bool TakeUserCommand(RobotCommand* command) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
   PortCounts counts() const override;
@@ -34,17 +43,33 @@ class HgPort final : public RobotPort {
     unitree_hg_msg_dds__IMUState_ message{};
   };
 
+  struct Fsm {
+    Writer<unitree_hg_msg_dds__SportModeState_> state;
+    Writer<unitree_hg_msg_dds__SportModeState_> lf_state;
+    unitree_hg_msg_dds__SportModeState_ message{};
+  };
+
+  void PublishService(const RobotState& state, const Due& due);
+
   const RobotSpec& spec_;
+  MotionFields motion_fields_;
   Reader<unitree_hg_msg_dds__LowCmd_> commands_;
+  std::optional<Reader<unitree_hg_msg_dds__LowCmd_>> arm_commands_;
+  std::optional<Reader<unitree_hg_msg_dds__LowCmd_>> user_commands_;
   Writer<unitree_hg_msg_dds__LowState_> lowstate_;
   Writer<unitree_hg_msg_dds__LowState_> lf_lowstate_;
   Writer<unitree_go_msg_dds__SportModeState_> motion_;
   Writer<unitree_go_msg_dds__SportModeState_> lf_motion_;
   Writer<unitree_hg_msg_dds__BmsState_> lf_bms_;
+  Writer<unitree_hg_msg_dds__MainBoardState_> lf_board_;
+  Writer<unitree_go_msg_dds__WirelessController_> remote_;
   std::optional<SecondaryImu> secondary_;
+  std::optional<Fsm> fsm_;
+  std::optional<Writer<std_msgs_msg_dds__String_>> arm_action_;
   unitree_hg_msg_dds__LowState_ lowstate_message_{};
   unitree_go_msg_dds__SportModeState_ motion_message_{};
   unitree_hg_msg_dds__BmsState_ bms_message_{};
+  unitree_go_msg_dds__WirelessController_ remote_message_{};
   PortCounts counts_;
 };
 

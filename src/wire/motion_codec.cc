@@ -1,20 +1,48 @@
 #include "wire/motion_codec.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <cstdio>
+#include <iterator>
 
+#include "robot/firmware.h"
 #include "wire/imu_codec.h"
+#include "wire/rounded.h"
 
 namespace understudy {
 namespace {
 
-constexpr std::uint32_t kDamping = 1001;  // vendor, Go2 motion services V2.0
+constexpr std::uint32_t kDampedId = 1001;  // vendor, Go2 motion services V2.0; assumed on others
+constexpr std::uint8_t kDampedMode = 7;    // vendor, Go2 sports services
+// A damped Go2 of 2024-09, public capture.
+constexpr std::uint8_t kGait = 1;
+constexpr float kFootRaise = 0.09F;     // m
+constexpr float kBodyHeight = 0.32F;    // m
+constexpr float kRangeObstacle = 2.0F;  // m
+
+struct ArmAction {
+  int id;
+  const char* name;
+};
+
+// unitree_sdk2_python g1_arm_action_client
+constexpr ArmAction kArmActions[] = {
+    {99, "release arm"}, {11, "two-hand kiss"}, {12, "left kiss"}, {13, "right kiss"},
+    {15, "hands up"},    {17, "clap"},          {18, "high five"}, {19, "hug"},
+    {20, "heart"},       {21, "right heart"},   {22, "reject"},    {23, "right hand up"},
+    {24, "x-ray"},       {25, "face wave"},     {26, "high wave"}, {27, "shake hand"}};
 
 }  // namespace
 
-void EncodeMotion(const RobotState& state, unitree_go_msg_dds__SportModeState_* message) {
+MotionFields MotionFieldsOf(const RobotSpec& spec) {
+  if (spec.family != WireFamily::kGo || spec.feet.size() != 4) return MotionFields::kNone;
+  return TellsStateId(spec) ? MotionFields::kStateId : MotionFields::kMode;
+}
+
+void EncodeMotion(const RobotState& state, const RobotSpec& spec, MotionFields fields,
+                  unitree_go_msg_dds__SportModeState_* message) {
   message->stamp.sec = static_cast<std::int32_t>(state.tick_ms / 1000);
   message->stamp.nanosec = static_cast<std::uint32_t>(state.tick_ms % 1000) * 1'000'000;
-  message->error_code = kDamping;
   EncodeImu(state.imu, &message->imu_state);
   for (int i = 0; i < 3; ++i) {
     message->position[i] = static_cast<float>(state.base.p_WB[i]);
@@ -22,6 +50,35 @@ void EncodeMotion(const RobotState& state, unitree_go_msg_dds__SportModeState_* 
   }
   message->body_height = message->position[2];
   message->yaw_speed = message->imu_state.gyroscope[2];
+
+  if (fields == MotionFields::kStateId) {
+    message->error_code = state.motion ? static_cast<std::uint32_t>(state.motion->id) : kDampedId;
+  } else if (fields == MotionFields::kMode) {
+    message->mode = state.motion ? static_cast<std::uint8_t>(state.motion->mode) : kDampedMode;
+    message->progress = state.motion ? static_cast<float>(state.motion->progress) : 0;
+    message->gait_type = kGait;
+    message->foot_raise_height = kFootRaise;
+    message->body_height = kBodyHeight;
+    std::ranges::fill(message->range_obstacle, kRangeObstacle);
+    const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
+    for (std::size_t i = 0; i < feet; ++i) {
+      message->foot_force[i] = FootCounts(state.foot_force[i], spec.foot_sensor);
+    }
+  }
+}
+
+void EncodeFsm(const RobotState& state, unitree_hg_msg_dds__SportModeState_* message) {
+  message->fsm_id = static_cast<std::uint32_t>(state.motion->id);
+  message->fsm_mode = static_cast<std::uint32_t>(state.motion->mode);
+}
+
+std::array<char, 96> ArmActionText(const MotionState& motion) {
+  const auto* action = std::ranges::find(kArmActions, motion.arm_action, &ArmAction::id);
+  std::array<char, 96> text{};
+  std::snprintf(text.data(), text.size(), R"({"holding":%s,"id":%d,"name":"%s"})",
+                motion.arm_holding ? "true" : "false", motion.arm_action,
+                action == std::end(kArmActions) ? "" : action->name);
+  return text;
 }
 
 }  // namespace understudy

@@ -31,6 +31,12 @@ class RobotPort {
   // gate can go on with them.
   virtual bool TakeCommand(RobotCommand* command, Refusal* wire) = 0;
 
+  // The same for rt/arm_sdk, with the weight it carries, and for rt/user_lowcmd; both without crc
+  // and modes, which the vendor's clients leave 0: motors with them count as enabled. Always false
+  // where the robot has no such topic.
+  virtual bool TakeArmCommand(RobotCommand* command, double* weight) = 0;
+  virtual bool TakeUserCommand(RobotCommand* command) = 0;
+
   // Sends what is due of `state`. `joint_space` of the state says in which space parallel joints
   // are reported.
   virtual void Publish(const RobotState& state, const Due& due) = 0;

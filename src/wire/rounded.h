@@ -4,7 +4,10 @@
 
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 #include <limits>
+
+#include "robot/robot_spec.h"
 
 namespace understudy {
 
@@ -15,6 +18,11 @@ Int Rounded(double x, Int lo = std::numeric_limits<Int>::min(),
   if (!(x > static_cast<double>(lo))) return lo;
   if (x >= static_cast<double>(hi)) return hi;
   return static_cast<Int>(std::lround(x));
+}
+
+// What foot_force shows of a force [N]: counts, 0..4095.
+inline std::int16_t FootCounts(double force, const FootSensorSpec& sensor) {
+  return Rounded<std::int16_t>(sensor.offset_counts + sensor.counts_per_newton * force, 0, 4095);
 }
 
 }  // namespace understudy

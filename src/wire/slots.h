@@ -35,6 +35,26 @@ MotorCommand DecodeMotor(const MotorCmd& wire) {
           .kd = wire.kd};
 }
 
+// A command of rt/arm_sdk or rt/user_lowcmd: every motor counts as enabled, for the vendor's
+// clients leave the mode 0, and as commanded in PR.
+template <typename LowCmd>
+void DecodeUnsigned(const LowCmd& message, const RobotSpec& spec, RobotCommand* command) {
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    command->motors[i] = DecodeMotor(message.motor_cmd[SlotOf(spec.motors[i])]);
+    command->motors[i].enabled = true;
+  }
+  command->joint_space = JointSpace::kPitchRoll;
+}
+
+// The weight of a command of rt/arm_sdk: as sent, neither cut nor checked.
+template <typename LowCmd>
+double ArmWeight(const LowCmd& message, const ArmSdkSpec& spec) {
+  if constexpr (requires { message.mode_pr; }) {
+    if (spec.weight_in_mode_pr) return message.mode_pr / 100.0;
+  }
+  return message.motor_cmd[static_cast<std::size_t>(spec.weight_slot)].q;
+}
+
 // How many slots without a motor carry gains or torque.
 template <typename LowCmd>
 int UnusedSlotCommands(const LowCmd& message, const RobotSpec& spec) {

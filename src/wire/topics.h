@@ -3,6 +3,7 @@
 #define UNDERSTUDY_WIRE_TOPICS_H_
 
 #include "bus/topic.h"
+#include "idl/std_msgs.h"
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 
@@ -37,6 +38,26 @@ inline constexpr Topic<unitree_go_msg_dds__SportModeState_> kOdomModeState{
     "rt/odommodestate", &unitree_go_msg_dds__SportModeState__desc};
 inline constexpr Topic<unitree_go_msg_dds__SportModeState_> kLfOdomModeState{
     "rt/lf/odommodestate", &unitree_go_msg_dds__SportModeState__desc};
+
+// What programs mix over the motion service's commands, and what it can leave the motors to.
+inline constexpr Topic<unitree_go_msg_dds__LowCmd_> kGoArmSdk{"rt/arm_sdk",
+                                                              &unitree_go_msg_dds__LowCmd__desc};
+inline constexpr Topic<unitree_hg_msg_dds__LowCmd_> kHgArmSdk{"rt/arm_sdk",
+                                                              &unitree_hg_msg_dds__LowCmd__desc};
+inline constexpr Topic<unitree_hg_msg_dds__LowCmd_> kUserLowCmd{"rt/user_lowcmd",
+                                                                &unitree_hg_msg_dds__LowCmd__desc};
+
+// The same name as the go family's, in a type of its own.
+inline constexpr Topic<unitree_hg_msg_dds__SportModeState_> kHgSportModeState{
+    "rt/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc};
+inline constexpr Topic<unitree_hg_msg_dds__SportModeState_> kLfHgSportModeState{
+    "rt/lf/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc};
+inline constexpr Topic<unitree_hg_msg_dds__MainBoardState_> kLfMainBoardState{
+    "rt/lf/mainboardstate", &unitree_hg_msg_dds__MainBoardState__desc};
+inline constexpr Topic<std_msgs_msg_dds__String_> kArmActionState{"rt/arm/action/state",
+                                                                  &std_msgs_msg_dds__String__desc};
+inline constexpr Topic<unitree_go_msg_dds__WirelessController_> kWirelessController{
+    "rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc};
 
 }  // namespace understudy
 

@@ -65,6 +65,22 @@ TEST_F(LoadConfigTest, TakesAPathForARobot) {
   EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "tiny");
 }
 
+TEST_F(LoadConfigTest, FindsAModelBesideTheFileThatNamesIt) {
+  EXPECT_EQ(Load({}).robot.model, "tiny.xml");  // none is there: below models
+  const std::string beside = Write("config/robots/tiny.xml", "<mujoco/>");
+  EXPECT_EQ(Load({}).robot.model, beside);
+  const std::string mine = Write("mine.xml", "<mujoco/>");
+  EXPECT_EQ(LoadText("robot: {model: mine.xml}\n").robot.model, mine);
+  EXPECT_EQ(LoadText("robot: {model: config/robots/../../mine.xml}\n").robot.model, mine);
+  EXPECT_EQ(Load({}, {"robot.model=mine.xml"}).robot.model, "mine.xml");
+  EXPECT_EQ(Load({}, {"robot.model=" + mine}).robot.model, mine);
+}
+
+TEST_F(LoadConfigTest, TakesAModelThatIsNoTextForWhatItIs) {
+  EXPECT_NE(FileError("robot: {model: [a]}\n"), "");
+  EXPECT_NE(FileError("robot: x\n"), "");
+}
+
 TEST_F(LoadConfigTest, ListsRobotsInOrder) {
   Write("config/robots/alpha.yaml", "");
   Write("config/robots/notes.txt", "");

@@ -17,7 +17,8 @@ TEST_F(ConfigMisuseTest, NamesAnUnknownKeyAndTheNearestOne) {
 TEST_F(ConfigMisuseTest, NamesAnUnknownSection) {
   EXPECT_EQ(FileError("gait: lenient\n"),
             "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: scene, terrain, "
-            "network, guard, time, physics, sensors, gate, crane, start, robot)");
+            "network, guard, time, physics, sensors, gate, "
+            "motion, crane, start, robot)");
 }
 
 TEST_F(ConfigMisuseTest, NamesAnUnknownKeyOfAListElement) {

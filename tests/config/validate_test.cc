@@ -56,6 +56,21 @@ TEST_F(ValidateTest, RefusesAPoseWithTooFewAngles) {
             "--set robot.standing.q=[0]: robot.standing.q: expected one angle per motor, 2, got 1");
 }
 
+TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
+  EXPECT_EQ(SetError("robot.motion.humanoid.squat=2"),
+            "robot.motion.humanoid.squat_q: expected one angle per motor, 2, as there is a squat, "
+            "got 0");
+  EXPECT_EQ(SetError("robot.motion.humanoid.sit_q=[1]"),
+            "--set robot.motion.humanoid.sit_q=[1]: robot.motion.humanoid.sit_q: expected one "
+            "angle per motor, 2, got 1");
+}
+
+TEST_F(ValidateTest, RefusesStatesThatAreNotWholeNumbers) {
+  EXPECT_EQ(SetError("robot.motion.humanoid.balance=[1.5]"),
+            "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance: expected "
+            "whole numbers, got 1.5");
+}
+
 TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {
   EXPECT_EQ(FileError("robot:\n  parallel:\n    - {pitch: 0, roll: 2}\n"),
             "run.yaml:3: robot.parallel.0.roll: expected 0 to 1, as there are 2 motors, got 2");
@@ -102,6 +117,30 @@ TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
   config = LoadText("");
   config.network.domain = 233;
   EXPECT_EQ(ErrorOf([&] { Validate(config); }), "network.domain: expected 0 to 232");
+}
+
+TEST_F(ValidateTest, AMotionServiceIsOneOfTheFirmwares) {
+  EXPECT_THAT(SetError("motion.service=ai"), testing::HasSubstr("has no motion service 'ai'"));
+  Load({}, {"motion.service=none"});
+  Load({}, {"robot.services=[{name: sport, alias: ai}]", "motion.service=ai"});
+  EXPECT_THAT(ErrorOf([&] {
+                Load({}, {"robot.services=[{name: sport, alias: ai, since: \"2\"}]",
+                          "robot.firmware=\"1\"", "motion.service=ai"});
+              }),
+              testing::HasSubstr("firmware '1' has no motion service 'ai'"));
+}
+
+TEST_F(ValidateTest, FirmwareIsNumbersBetweenDots) {
+  EXPECT_THAT(SetError("robot.firmware=new"), testing::HasSubstr("expected numbers between dots"));
+}
+
+TEST_F(ValidateTest, ArmSdkMovesMotorsThatAreThere) {
+  EXPECT_THAT(SetError("robot.arm_sdk.slots=[0, 5]"), testing::HasSubstr("no motor is in slot 5"));
+}
+
+TEST_F(ValidateTest, ChordsAreOfKeysThatExist) {
+  EXPECT_THAT(SetError("robot.remote.chords=[{keys: L9, does: damp}]"),
+              testing::HasSubstr("robot.remote.chords.0.keys: expected keys joined by +"));
 }
 
 }  // namespace

@@ -30,8 +30,10 @@ speed              0.000   x real time
 lateness           0.000   ms
 worst lateness     0.250   ms
 overruns           0
+not made up for    0.000   s
 states published   0
 divergences        0
+motion service     none
 motors follow      start
 command writers    0
 commands taken     0
@@ -52,6 +54,13 @@ TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 1};
   status.last_refusal = Refusal::kGain;
   EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
+}
+
+TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
+  Status status;
+  status.motion_service = {'m', 'c', 'f'};
+  status.motion.id = 1002;
+  EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, state 1002\n"));
 }
 
 TEST(CtlTextTest, SaysThatARobotWasSilenced) {

@@ -50,10 +50,10 @@ TEST_F(ListeningSocketTest, DoesNotPassItsDescriptorOnToPrograms) {
 
 TEST_F(ListeningSocketTest, ANameInUseIsAnErrorThatNamesTheProcess) {
   const ListeningSocket first(path_);
-  EXPECT_THAT([&] { ListeningSocket second(path_); },
-              ThrowsMessage<ControlError>(
-                  AllOf(HasSubstr("in use by process " + std::to_string(::getpid())),
-                        HasSubstr(path_.string()))));
+  EXPECT_THAT(
+      [&] { ListeningSocket second(path_); },
+      ThrowsMessage<SocketError>(AllOf(HasSubstr("in use by process " + std::to_string(::getpid())),
+                                       HasSubstr("another --name"), HasSubstr(path_.string()))));
   EXPECT_EQ(ProbeSocket(path_).state, SocketState::kAlive);
 }
 

@@ -34,6 +34,47 @@ TEST(OrderJsonTest, ReadsBothClampOrders) {
   EXPECT_FALSE(std::get<ClampBase>(std::get<Order>(ReadClampOrder(R"({"on": false})"))).on);
 }
 
+TEST(OrderJsonTest, ReadsAPush) {
+  const auto push = std::get<PushBody>(std::get<Order>(
+      ReadPushOrder(R"({"body": "trunk", "force": [1, -2, 3.5], "seconds": 0.25})")));
+  EXPECT_EQ(push.body, "trunk");
+  EXPECT_EQ(push.force, Eigen::Vector3d(1, -2, 3.5));
+  EXPECT_EQ(push.seconds, 0.25);
+}
+
+TEST(OrderJsonTest, RefusesAPushWithoutForceOrTime) {
+  EXPECT_EQ(Refusal(ReadPushOrder(R"({"force": [1, 2, 3]})")),
+            R"("seconds": expected how long it acts)");
+  EXPECT_EQ(Refusal(ReadPushOrder(R"({"force": [1, 2], "seconds": 1})")),
+            R"("force": expected three numbers)");
+  EXPECT_EQ(Refusal(ReadPushOrder(R"({"force": [1, 2, "x"], "seconds": 1})")),
+            R"("force": expected three numbers in N, got "x")");
+}
+
+TEST(OrderJsonTest, ReadsEveryRemoteOrder) {
+  const auto press =
+      std::get<PressRemote>(std::get<Order>(ReadRemoteOrder(R"({"press": "l2+b", "seconds": 2})")));
+  EXPECT_EQ(press.keys, 0x220);
+  EXPECT_EQ(press.seconds, 2);
+  EXPECT_TRUE(Is<HoldRemote>(ReadRemoteOrder(R"({"hold": "L2"})")));
+  EXPECT_TRUE(Is<ReleaseRemote>(ReadRemoteOrder(R"({"release": "L2"})")));
+  EXPECT_TRUE(Is<SwitchRemote>(ReadRemoteOrder(R"({"on": false})")));
+  const auto sticks = std::get<MoveSticks>(
+      std::get<Order>(ReadRemoteOrder(R"({"sticks": {"ly": 0.5}, "seconds": 3})")));
+  EXPECT_EQ(sticks.ly, 0.5);
+  EXPECT_FALSE(sticks.lx.has_value());
+  EXPECT_EQ(sticks.seconds, 3);
+}
+
+TEST(OrderJsonTest, RefusesKeysAndSticksThatAreNone) {
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"press": "L3"})")),
+            R"("press": expected keys of the remote controller, as in "L2+B", got "L3")");
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"sticks": {"ly": 2}})")),
+            R"("ly": expected a number from -1 to 1, got 2)");
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"press": "A", "hold": "B"})")),
+            R"(expected exactly one of "press", "hold", "release", "sticks", "on", got 2)");
+}
+
 TEST(OrderJsonTest, ResetTakesAnEmptyObjectOrNothing) {
   EXPECT_TRUE(Is<ResetRobot>(ReadResetOrder("{}")));
   EXPECT_TRUE(Is<ResetRobot>(ReadResetOrder("")));

@@ -48,7 +48,7 @@ TEST_F(RoutesTest, AnUnknownPathIs404WithTheNearest) {
   EXPECT_EQ(reply.status, 404u);
   EXPECT_EQ(reply.body,
             "{\"error\":\"no path /statsu; did you mean '/status'? (valid: /status, /crane, "
-            "/clamp, /reset)\"}\n");
+            "/clamp, /reset, /push, /remote)\"}\n");
 }
 
 TEST_F(RoutesTest, AWrongMethodIs405AndNamesTheRightOne) {

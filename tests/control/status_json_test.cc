@@ -16,15 +16,27 @@ Status EveryFieldSet() {
   status.time = 12.5;
   status.steps = 12500;
   status.speed = 0.5;
-  status.pace = {
-      .overruns = 3, .lateness = 0.25, .worst_lateness = 0.75, .real_time_factor = 0.9375};
+  status.pace = {.overruns = 3,
+                 .lateness = 0.25,
+                 .worst_lateness = 0.75,
+                 .shifts = 2,
+                 .shifted = 1.5,
+                 .real_time_factor = 0.9375};
   status.gate = GateState::kFollowing;
   status.commands.accepted = 100;
   status.commands.timeouts = 2;
-  status.commands.refused = {0, 11, 12, 13, 14, 15, 16, 17};
+  status.commands.refused = {0, 11, 12, 13, 14, 15, 16, 17, 18};
   status.last_refusal = Refusal::kModePr;
   status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
   status.command_writers = 1;
+  status.motion_service = {'m', 'c', 'f'};
+  status.motion = {.id = 1001, .mode = 7};
+  status.arm_weight = 0.25;
+  status.remote = {.there = true, .keys = 0x220, .lx = 1, .ly = 0.5, .rx = -1, .ry = -0.5};
+  status.stick_wish = {1, 2, 3};
+  status.script_done = 3;
+  status.script_refused = 1;
+  status.script_refusal = {'n', 'o'};
   status.published = 12499;
   status.divergences = 4;
   status.crane_attached = true;
@@ -41,11 +53,14 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
       R"("steps":12500,"speed":0.5,"pace":{"real_time_factor":0.9375,"overruns":3,)"
-      R"("lateness":0.25,"worst_lateness":0.75},"commands":{"state":"following","accepted":100,)"
-      R"("timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
-      R"("motor_mode":15,"not_finite":16,"gain":17},"last_refusal":"mode_pr","unused_slots":6,)"
+      R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
+      R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
+      R"("motor_mode":15,"not_finite":16,"gain":17,"motion_service":18},"last_refusal":"mode_pr","unused_slots":6,)"
       R"("unset_heads":7,)"
-      R"("writers":1},"published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
+      R"("writers":1},"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
+      R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
+      R"("script":{"done":3,"refused":1,"refusal":"no"},)"
+      R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
       R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125}})");
 }
 
@@ -57,6 +72,10 @@ TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "following");
   status.gate = GateState::kDamping;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "damping");
+  status.gate = GateState::kLimp;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "limp");
+  status.gate = GateState::kClosed;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "motion_service");
 }
 
 TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {

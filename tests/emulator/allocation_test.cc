@@ -125,6 +125,29 @@ TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
   }
 }
 
+// A motion service with arms mixed over it, a remote controller that is used, refused commands and
+// pushes.
+TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
+  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  config_.robot.arm_sdk.slots = {6, 7};
+  config_.robot.remote.chords = {{.keys = "L2+B", .does = "damp"}};
+  config_.robot.remote.speed = {1, 1, 1};
+  port_.KeepTheLastOnly();
+  StartAs("hanging");
+  port_.SendEveryTick(Torque(1));
+  port_.SendArms(Torque(2), 0.5);
+  emulator_->Play(
+      {{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
+       {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
+       {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
+       {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""}});
+  CountIn(10);
+  EXPECT_EQ(CountIn(1000), 0);
+  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
+  emulator_->owner().Release();
+  EXPECT_EQ(CountIn(100), 0);
+}
+
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   Start();
   CountIn(10);

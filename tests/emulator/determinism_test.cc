@@ -15,6 +15,8 @@ class DeterminismTest : public EmulatorTest {
     config_.robot.imu.gyro_noise = 0.01;
     config_.robot.imu.accel_noise = 0.05;
     config_.start.pose = "hanging";
+    config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+    config_.robot.remote.chords = {{.keys = "L2+Y", .does = "zero_torque"}};
   }
 
   // One after the other, as different processes would.
@@ -31,6 +33,8 @@ class DeterminismTest : public EmulatorTest {
         }
         port.Send(command, step % 9 == 0 ? Refusal::kCrc : Refusal::kNone);
       }
+      if (step == 100) inbox.Put(PressRemote{.keys = 0x820}, Inbox::WallTime::max());
+      if (step == 300) emulator.owner().Release();
       if (step == 700) inbox.Put(ReleaseCrane{}, Inbox::WallTime::max());
       EXPECT_EQ(emulator.Tick(), StepHealth::kFine);
     }

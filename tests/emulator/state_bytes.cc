@@ -33,7 +33,9 @@ std::string Bytes(const RobotState& state) {
   Append(&bytes, state.battery.voltage, state.battery.current, state.battery.soc,
          state.battery.temperature_c);
   for (int i = 0; i < 3; ++i) Append(&bytes, state.base.p_WB[i], state.base.v_WB_W[i]);
-  Append(&bytes, state.remote);
+  Append(&bytes, state.remote.there, state.remote.keys);
+  Append(&bytes, state.remote.lx, state.remote.ly, state.remote.rx, state.remote.ry);
+  if (state.motion) Append(&bytes, state.motion->id, state.motion->mode, state.motion->progress);
   return bytes;
 }
 

@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped_rig.h"
-#include "tests/wire/allocations.h"
+#include "tests/support/allocations.h"
 
 namespace understudy {
 namespace {

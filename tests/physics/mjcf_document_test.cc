@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "physics/mjcf_assets.h"
 #include "robot/errors.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,7 +28,7 @@ class MjcfDocumentTest : public testing::Test {
   // What reading the file refuses; "" when it is fine.
   static std::string Refusal(const std::filesystem::path& file) {
     try {
-      ReadMjcf(file);
+      RequireAssets(ReadMjcf(file));
     } catch (const ModelError& error) {
       return error.what();
     }

@@ -251,6 +251,19 @@ TEST_F(MjcfRewriteTest, CallsASettingByItsOldName) {
   EXPECT_EQ(model_->opt.mpr_iterations, 35);
 }
 
+TEST_F(MjcfRewriteTest, ListsEveryWordThatIsUnknown) {
+  const auto file = folder_.Write("robot.xml",
+                                  "<mujoco>\n<worldbody>\n<body gravcomp='1'><geom size='1'/>\n"
+                                  "<frame><geom sise='1'/></frame></body></worldbody></mujoco>");
+  EXPECT_THAT(UnknownWords(ReadMjcf(file)),
+              ElementsAre(AllOf(HasSubstr("robot.xml:3: "), HasSubstr("'gravcomp'")),
+                          AllOf(HasSubstr("robot.xml:4: "), HasSubstr("'frame'"))));
+  EXPECT_THAT(UnknownWords(ReadMjcf(folder_.Write("fine.xml", "<mujoco/>"))), IsEmpty());
+  EXPECT_THAT(UnknownWords(ReadMjcf(folder_.Write(
+                  "wrong.xml", "<mujoco><worldbody><geom size='-1'/></worldbody></mujoco>"))),
+              IsEmpty());
+}
+
 TEST_F(MjcfRewriteTest, RefusesByNameWhatItCannotCarryOver) {
   EXPECT_THAT(Refusal("<worldbody>\n<body gravcomp='1'><geom size='1'/></body></worldbody>"),
               AllOf(HasSubstr("robot.xml:3: "), HasSubstr("'gravcomp'"), HasSubstr("'body'"),

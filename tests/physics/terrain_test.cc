@@ -1,27 +1,18 @@
 #include "physics/terrain.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <map>
 #include <sstream>
 #include <vector>
 
-#include <gmock/gmock.h>
-
-#include "config/load.h"
-#include "physics/terrain_image.h"
-#include "physics/world.h"
-#include "robot/errors.h"
-#include "tests/support/mujoco_test.h"
-#include "tests/support/temporary_folder.h"
+#include "tests/physics/terrain_fixture.h"
 
 namespace understudy {
 namespace {
 
 using testing::HasSubstr;
-using testing::StartsWith;
 
 std::string Bytes(const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
@@ -38,195 +29,6 @@ std::map<std::string, std::string> Files(const std::filesystem::path& folder) {
   }
   return files;
 }
-
-class TerrainTest : public MujocoTest {
- protected:
-  // The scene in a folder of that name.
-  std::filesystem::path Write(const std::string& kind, const std::string& name = "scene") {
-    WriteTerrain(kind, spec_, folder_.path() / name);
-    return folder_.path() / name;
-  }
-
-  // The ground alone, ready for rays.
-  void Load(const std::string& kind) {
-    model_ = LoadModelFile(Write(kind) / "scene.xml");
-    data_.reset(mj_makeData(model_.get()));
-    mj_forward(model_.get(), data_.get());
-  }
-
-  // Height of the ground seen from above, m.
-  double Height(double x, double y) const {
-    constexpr double kAbove = 30;
-    const mjtNum from[3] = {x, y, kAbove}, down[3] = {0, 0, -1};
-    int geom = -1;
-    return kAbove - mj_ray(model_.get(), data_.get(), from, down, nullptr, 1, -1, &geom);
-  }
-
-  // How far [m] the ground of the patch lies from z = 0 on average.
-  double Unevenness() const {
-    double sum = 0;
-    int count = 0;
-    for (double x = 1.52; x < 9.5; x += 0.13) {
-      for (double y = -1.9; y < 2; y += 0.37) {
-        sum += std::abs(Height(x, y));
-        ++count;
-      }
-    }
-    return sum / count;
-  }
-
-  std::string Refusal(const std::string& kind) {
-    try {
-      Write(kind);
-    } catch (const ModelError& error) {
-      EXPECT_THAT(error.what(), testing::Not(HasSubstr("\n")));
-      return error.what();
-    }
-    return "";
-  }
-
-  // 3 x 2 pixels: black, grey, white over white, grey, black.
-  void UseImage() {
-    WriteGreyPng(folder_.path() / "image.png", 3, 2, {0, 32768, 65535, 65535, 32768, 0});
-    spec_.image = folder_.path() / "image.png";
-  }
-
-  TemporaryFolder folder_;
-  TerrainSpec spec_;
-  ModelHandle model_;
-  DataHandle data_;
-};
-
-// Every kind under every robot.
-struct Ground {
-  std::string robot, kind;
-};
-
-class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface<Ground> {
- protected:
-  TerrainOfKindTest() {
-    if (GetParam().kind == "image") UseImage();
-  }
-
-  PhysicsWorld World() {
-    const RobotSpec& spec = config_.robot;
-    return {LoadWorldModel(spec, data_dir_ / "models" / spec.model,
-                           Write(GetParam().kind) / "scene.xml", 0.001),
-            spec};
-  }
-
-  // How far [m] the robot is out of the ground, negative for inside, when it is `lowered` [m] by
-  // that from where it is; 1 where nothing touches.
-  static double Clearance(const PhysicsWorld& world, double lowered) {
-    const mjModel& model = world.model();
-    const DataHandle data(mj_copyData(nullptr, &model, &world.data()));
-    data->qpos[2] -= lowered;
-    mj_forward(&model, data.get());
-    double least = 1;
-    for (int i = 0; i < data->ncon; ++i) {
-      const mjContact& contact = data->contact[i];
-      const int body1 = model.geom_bodyid[contact.geom1];
-      const int body2 = model.geom_bodyid[contact.geom2];
-      if (model.body_weldid[body1] != 0 && model.body_weldid[body2] != 0) continue;
-      least = std::min(least, contact.dist);
-    }
-    return least;
-  }
-
-  // How far [m] it has to fall at most until it touches: g1.yaml has it lie 56 mm over the ground.
-  double Drop(const PoseSpec& pose) const {
-    return GetParam().robot == "g1" && &pose == &config_.robot.lying ? 0.06 : 0.02;
-  }
-
-  const std::filesystem::path data_dir_ = UNDERSTUDY_SOURCE_DIR;
-  Config config_ = LoadConfig({.robot = GetParam().robot, .files = {}, .sets = {}}, data_dir_);
-};
-
-TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
-  spec_.difficulty = 1;
-  PhysicsWorld world = World();
-  world.Reset(config_.robot.lying);
-  const std::vector<double> tau(world.q().size());
-  for (int i = 0; i < 200; ++i) {
-    world.BeginStep();
-    ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
-  }
-  EXPECT_GT(world.data().ncon, 0);
-}
-
-TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
-  PhysicsWorld world = World();
-  for (const PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
-    world.Reset(*pose);
-    EXPECT_EQ(world.base().p_WB.z(), pose->height);
-    EXPECT_GT(Clearance(world, 0), -0.01);
-    EXPECT_LT(Clearance(world, Drop(*pose)), 0);
-  }
-}
-
-TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
-  spec_.difficulty = 0.7;
-  for (const double start : {3.0, 5.5, 7.3}) {  // m along the patch; the ground is moved, not it
-    ModelHandle model = LoadWorldModel(config_.robot, data_dir_ / "models" / config_.robot.model,
-                                       Write(GetParam().kind) / "scene.xml", 0.001);
-    for (int body = 1; body < model->nbody; ++body) {
-      if (model->body_weldid[body] == 0) model->body_pos[3 * body] -= start;
-    }
-    PhysicsWorld world(std::move(model), config_.robot);
-    for (const PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
-      world.Reset(*pose);
-      EXPECT_GT(Clearance(world, 0), -0.01) << "at " << start;
-      EXPECT_LT(Clearance(world, Drop(*pose)), 0) << "at " << start;
-    }
-  }
-}
-
-TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
-  spec_.friction = 0.3;  // less than any robot's own
-  PhysicsWorld world = World();
-  world.Reset(config_.robot.standing);
-  const std::vector<double> tau(world.q().size());
-  int touching = 0;
-  for (int i = 0; i < 300; ++i) {
-    world.BeginStep();
-    for (int c = 0; c < world.data().ncon; ++c) {
-      const mjContact& contact = world.data().contact[c];
-      const int body1 = world.model().geom_bodyid[contact.geom1];
-      const int body2 = world.model().geom_bodyid[contact.geom2];
-      if (world.model().body_weldid[body1] != 0 && world.model().body_weldid[body2] != 0) continue;
-      ++touching;
-      ASSERT_EQ(contact.friction[0], 0.3);
-    }
-    ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
-  }
-  EXPECT_GT(touching, 0);
-}
-
-TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {
-  const auto save = [&](const std::filesystem::path& folder) {
-    const ModelHandle model = LoadWorldModel(
-        config_.robot, data_dir_ / "models" / config_.robot.model, folder / "scene.xml", 0.001);
-    std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');
-    mj_saveModel(model.get(), nullptr, bytes.data(), static_cast<int>(bytes.size()));
-    return bytes;
-  };
-  const std::filesystem::path here = Write(GetParam().kind, "here");
-  std::filesystem::copy(here, folder_.path() / "there", std::filesystem::copy_options::recursive);
-  const std::string bytes = save(here);
-  std::filesystem::remove_all(here);
-  EXPECT_TRUE(bytes == save(folder_.path() / "there"));
-}
-
-std::vector<Ground> Grounds() {
-  std::vector<Ground> grounds;
-  for (const char* robot : {"go2", "g1"}) {
-    for (const std::string& kind : TerrainKinds()) grounds.push_back({robot, kind});
-  }
-  return grounds;
-}
-
-INSTANTIATE_TEST_SUITE_P(Robots, TerrainOfKindTest, testing::ValuesIn(Grounds()),
-                         [](const auto& test) { return test.param.robot + "_" + test.param.kind; });
 
 TEST_F(TerrainTest, IsTheSameToTheBitForTheSameSeed) {
   UseImage();

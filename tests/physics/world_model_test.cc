@@ -42,8 +42,8 @@ class WorldModelTest : public MujocoTest {
 
   ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
 
-  ModelHandle LoadWithAnyFeet(LoadNotes* notes) const {
-    return LoadWorldModel(spec_, robot_, scene_, 0.002, FootNames::kOptional, notes);
+  FittedModel LoadFitted(LoadNotes* notes) const {
+    return LoadFittedModel(spec_, robot_, scene_, 0.002, notes);
   }
 
   // What the refusal says; "" when the model loads.
@@ -203,13 +203,26 @@ TEST_F(WorldModelTest, NamesTheKeyOfWhatIsMissing) {
   EXPECT_THAT(Refusal(), HasSubstr("robot.imu.site"));
 }
 
-TEST_F(WorldModelTest, GoesWithoutFeetWhereThatIsAllowedAndSaysSo) {
+TEST_F(WorldModelTest, TakesAnotherHandsNamesForWhatIsFittedAndSaysSo) {
+  spec_.base_body = spec_.crane_body = "base_link";
+  spec_.motors[0].joint = "knee";
+  LoadNotes notes;
+  FittedModel fitted = LoadFitted(&notes);
+  EXPECT_EQ(fitted.spec.base_body, "pelvis");
+  EXPECT_EQ(fitted.spec.crane_body, "pelvis");
+  EXPECT_EQ(fitted.spec.motors[0].joint, "knee_joint");
+  EXPECT_EQ(notes.warnings.size(), 2u);
+  EXPECT_EQ(PhysicsWorld(std::move(fitted.model), fitted.spec).q().size(), 1u);
+}
+
+TEST_F(WorldModelTest, GoesWithoutFeetThatAreNotFoundAndSaysSo) {
   spec_.feet = {{.name = "left", .geoms = {"sole"}}, {.name = "right", .geoms = {"sohle"}}};
   LoadNotes notes;
-  PhysicsWorld world(LoadWithAnyFeet(&notes), spec_);
+  FittedModel fitted = LoadFitted(&notes);
+  PhysicsWorld world(std::move(fitted.model), fitted.spec);
   ASSERT_EQ(notes.warnings.size(), 1u);
   EXPECT_THAT(notes.warnings[0],
-              AllOf(HasSubstr("'sohle'"), Not(HasSubstr("'sole'")), HasSubstr("robot.feet")));
+              AllOf(HasSubstr("foot right"), HasSubstr("none"), HasSubstr("robot.feet.1.geoms")));
   std::vector<double> force(2);
   world.FootForces(force);
 }
@@ -219,10 +232,41 @@ TEST_F(WorldModelTest, LeavesTheSceneOutWhereTheRobotsFileHasGroundAndSaysSo) {
            Robot().substr(sizeof("<mujoco><worldbody>") - 1));
   scene_ = folder_.path() / "nowhere.xml";
   LoadNotes notes;
-  const ModelHandle model = LoadWithAnyFeet(&notes);
-  EXPECT_EQ(model->ngeom, 3);
+  const FittedModel fitted = LoadFitted(&notes);
+  EXPECT_EQ(fitted.model->ngeom, 3);
   ASSERT_EQ(notes.warnings.size(), 1u);
-  EXPECT_THAT(notes.warnings[0], AllOf(HasSubstr("robot.xml"), HasSubstr("nowhere.xml")));
+  EXPECT_THAT(notes.warnings[0], AllOf(HasSubstr("robot.xml"), HasSubstr("its own ground")));
+}
+
+TEST_F(WorldModelTest, TakesAPlaneThatNothingTouchesForNoGround) {
+  UseRobot(R"(<mujoco><worldbody><geom type="plane" size="0 0 1" contype="0" conaffinity="0"/>)" +
+           Robot().substr(sizeof("<mujoco><worldbody>") - 1));
+  LoadNotes notes;
+  const FittedModel fitted = LoadFitted(&notes);
+  EXPECT_GE(fitted.model->ngeom, 3);
+  EXPECT_TRUE(notes.warnings.empty());
+}
+
+#if mjVERSION_HEADER < 300
+TEST_F(WorldModelTest, DoesWithoutAMissingMeshThatIsOnlyLookedAtAndSaysSo) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>
+                    <geom type="mesh" mesh="shell" contype="0" conaffinity="0" mass="0"/>)",
+                 R"(<asset><mesh name="shell" file="shell.obj"/></asset>)"));
+  LoadNotes notes;
+  EXPECT_EQ(LoadFitted(&notes).model->ngeom, 3);
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_THAT(notes.warnings[0], AllOf(HasSubstr("robot.xml:3: <mesh> file: no file "),
+                                       HasSubstr("shell.obj; it was only looked at")));
+  ASSERT_EQ(notes.looks.size(), 1u);
+  EXPECT_THAT(notes.looks[0], HasSubstr("1 geom, 1 mesh and 0 textures"));
+}
+#endif
+
+TEST_F(WorldModelTest, RefusesAMissingMeshThatCollides) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/><geom type="mesh" mesh="shell"/>)",
+                 R"(<asset><mesh name="shell" file="shell.obj"/></asset>)"));
+  EXPECT_THAT(Refusal(), AllOf(HasSubstr("robot.xml:2: <mesh> file: no file "),
+                               testing::EndsWith("shell.obj")));
 }
 
 TEST_F(WorldModelTest, FindsMeshesOfRobotAndSceneInTheirOwnFolders) {

@@ -41,6 +41,35 @@ TEST_F(CommandGateTest, FollowsTheStartCommandUntilOneIsTaken) {
   EXPECT_EQ(gate_.counts().timeouts, 0U);
 }
 
+TEST_F(CommandGateTest, RefusesEveryCommandWhileClosedAndSaysWhatIsWrongWithIt) {
+  gate_.Close();
+  EXPECT_EQ(gate_.Offer(Torques(5, 6), Refusal::kNone, 1), Refusal::kMotionService);
+  EXPECT_EQ(gate_.Offer(Torques(5, 6), Refusal::kCrc, 1), Refusal::kCrc);
+  EXPECT_EQ(gate_.Offer(Torques(kNan, 6), Refusal::kNone, 1), Refusal::kNotFinite);
+  EXPECT_EQ(gate_.state(), GateState::kClosed);
+  EXPECT_EQ(Refused(gate_, Refusal::kMotionService), 1U);
+  EXPECT_EQ(RefusedInAll(gate_), 3U);
+  EXPECT_EQ(gate_.counts().accepted, 0U);
+}
+
+TEST_F(CommandGateTest, RefusesWhileClosedThoughLenient) {
+  lenient_.Close();
+  EXPECT_EQ(lenient_.Offer(Torques(5, 6), Refusal::kCrc, 1), Refusal::kMotionService);
+}
+
+TEST_F(CommandGateTest, RestsInDampingOrLimpUntilACommandIsTaken) {
+  gate_.Close();
+  gate_.Rest();
+  EXPECT_EQ(gate_.state(), GateState::kDamping);
+  EXPECT_EQ(gate_.Current(1).motors, DampingCommand(2, 3).motors);
+  gate_.Rest(/*limp=*/true);
+  EXPECT_EQ(gate_.state(), GateState::kLimp);
+  for (const MotorCommand& motor : gate_.Current(1).motors) EXPECT_FALSE(motor.enabled);
+  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.Offer(Torques(5, 6), Refusal::kNone, 1), Refusal::kNone);
+  EXPECT_EQ(gate_.Current(1).motors, Torques(5, 6).motors);
+}
+
 TEST_F(CommandGateTest, FollowsATakenCommandAtOnce) {
   EXPECT_EQ(gate_.Offer(Torques(5, 6), Refusal::kNone, 1), Refusal::kNone);
   EXPECT_EQ(gate_.Current(1).motors, Torques(5, 6).motors);

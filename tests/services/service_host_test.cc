@@ -2,10 +2,14 @@
 #include "services/service_host.h"
 
 #include <map>
+#include <stdexcept>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include "bus/participant.h"
+#include "services/parameter.h"
+#include "tests/services/services_fixture.h"
 #include "tests/support/eventually.h"
 
 namespace understudy {
@@ -15,134 +19,284 @@ using Request = unitree_api_msg_dds__Request_;
 using Response = unitree_api_msg_dds__Response_;
 using std::chrono::milliseconds;
 
-constexpr char kRequests[] = "rt/api/echo/request";
-constexpr char kResponses[] = "rt/api/echo/response";
+// Api 7 answers the text it was given and asks for a goal, whose value counts calls in a script;
+// 8 is not played; 9 throws; 10 is answered after the arm; all of it is "echo".
+ServiceTable EchoTable(bool needs_motion) {
+  const Field text{.key = "a", .kind = FieldKind::kText};
+  return {
+      .name = "echo",
+      .title = "echo",
+      .api_version = "1.2.3.4",
+      .codes = {.unable = 4205},
+      .needs_motion = needs_motion,
+      .rows = {{.id = 7,
+                .name = "Echo",
+                .fields = {text},
+                .effect = Special{[](const ServiceCall& call) {
+                  call.owner->Ask({});
+                  return ServiceReply{.data = call.parameter.at("a").get<std::string>()};
+                }}},
+               {.id = 8, .name = "Fly", .effect = NoController{}},
+               {.id = 9, .name = "Throw", .effect = Special{[](const ServiceCall&) -> ServiceReply {
+                                            throw std::runtime_error("oh");
+                                          }}},
+               {.id = 10, .name = "Wave", .effect = Special{[](const ServiceCall&) {
+                                            return ServiceReply{.after_arm_action = true};
+                                          }}}}};
+}
 
-// Answers api 7 with what it was given and counts.
-class Echo final : public Service {
- public:
-  explicit Echo(int* handled) : handled_(handled) {}
-  std::string_view name() const override { return "echo"; }
-  std::string_view api_version() const override { return "1.2.3.4"; }
-  std::optional<ServiceReply> Handle(std::int64_t api, std::string_view parameter,
-                                     RobotMode*) override {
-    ++*handled_;
-    if (api != 7) return std::nullopt;
-    return ServiceReply{.data = std::string(parameter)};
-  }
-
- private:
-  int* handled_;
+struct Options {
+  bool noreply = false;
+  int priority = 0;
+  std::int64_t lease = 0;
 };
 
 class ServiceHostTest : public testing::Test {
  protected:
   static constexpr int kDomain = 141;
 
-  static std::vector<std::unique_ptr<Service>> Services(int* handled) {
-    std::vector<std::unique_ptr<Service>> services;
-    services.push_back(std::make_unique<Echo>(handled));
-    return services;
-  }
-
-  void Send(std::int64_t id, std::int64_t api, const std::string& parameter, bool noreply = false) {
+  void Send(std::int64_t id, std::int64_t api, const std::string& parameter,
+            const Options& options = {}, Writer<Request>* writer = nullptr) {
     Request request{};
     request.header.identity.id = id;
     request.header.identity.api_id = api;
-    request.header.policy.noreply = noreply;
+    request.header.lease.id = options.lease;
+    request.header.policy.noreply = options.noreply;
+    request.header.policy.priority = options.priority;
     std::string text = parameter;
     request.parameter = text.data();
-    ASSERT_TRUE(requests_.Write(request));
+    ASSERT_TRUE((writer == nullptr ? &requests_ : writer)->Write(request));
+  }
+  void SendText(std::int64_t id, const std::string& text, const Options& options = {}) {
+    Send(id, 7, nlohmann::json{{"a", text}}.dump(), options);
   }
 
-  void Poll() { host_.Poll(&mode_, now_); }
+  void Poll() { host_.Poll(&robot_.owner, now_); }
+  std::size_t carried_out() const { return robot_.book.goals.size(); }
 
-  void Collect(Reader<Response>* reader) {
-    reader->Take([this](const Response& response, WriterHandle) {
+  void Collect() {
+    responses_->Take([this](const Response& response, WriterHandle) {
+      order_.push_back(response.header.identity.id);
       codes_[response.header.identity.id] = response.header.status.code;
       data_[response.header.identity.id] = response.data;
       apis_[response.header.identity.id] = response.header.identity.api_id;
     });
   }
+  void Listen() {
+    responses_.emplace(participant_, Topic<Response>{"rt/api/echo/response",
+                                                     &unitree_api_msg_dds__Response__desc});
+  }
+  ::testing::AssertionResult Answered(std::int64_t id) {
+    if (Eventually([&] {
+          Poll();
+          Collect();
+          return codes_.contains(id);
+        })) {
+      return ::testing::AssertionSuccess();
+    }
+    return ::testing::AssertionFailure() << id << " was not answered";
+  }
 
-  int handled_ = 0;
-  RobotMode mode_;
+  ServedRobot robot_;
   ServiceHost::WallTime now_{0};
+  std::vector<std::string> said_;
   Participant participant_{"lo", kDomain};
-  ServiceHost host_{participant_, Services(&handled_)};
-  Writer<Request> requests_{participant_, {kRequests, &unitree_api_msg_dds__Request__desc}};
+  ServiceHost host_{
+      participant_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
+  Writer<Request> requests_{participant_,
+                            {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc}};
+  std::optional<Reader<Response>> responses_;
+  std::vector<std::int64_t> order_;
   std::map<std::int64_t, std::int32_t> codes_;
   std::map<std::int64_t, std::string> data_;
   std::map<std::int64_t, std::int64_t> apis_;
 };
 
 TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
-  Reader<Response> responses(participant_, {kResponses, &unitree_api_msg_dds__Response__desc});
-  Send(41, 7, "{\"a\":1}");
+  Listen();
+  SendText(41, "x");
   Send(42, 1, "");
   Send(43, 9999, "");
-  ASSERT_TRUE(Eventually([&] {
-    Poll();
-    Collect(&responses);
-    return codes_.size() == 3;
-  }));
+  ASSERT_TRUE(Answered(41) && Answered(42) && Answered(43));
   EXPECT_EQ(codes_[41], 0);
   EXPECT_EQ(apis_[41], 7);
-  EXPECT_EQ(data_[41], "{\"a\":1}");
+  EXPECT_EQ(data_[41], "x");
   EXPECT_EQ(data_[42], "1.2.3.4");
   EXPECT_EQ(codes_[43], 3203);
 }
 
 TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
-  Send(1, 7, "early");
+  SendText(1, "early");
   ASSERT_TRUE(Eventually([&] {
     Poll();
-    return handled_ == 1;
+    return carried_out() == 1;
   }));
   Poll();
-  Reader<Response> responses(participant_, {kResponses, &unitree_api_msg_dds__Response__desc});
-  ASSERT_TRUE(Eventually([&] {
-    Poll();
-    Collect(&responses);
-    return codes_.contains(1);
-  }));
+  Listen();
+  ASSERT_TRUE(Answered(1));
   EXPECT_EQ(data_[1], "early");
   EXPECT_EQ(host_.lost_replies(), 0U);
 }
 
 TEST_F(ServiceHostTest, GivesUpAReplyThatNobodyWaitsFor) {
-  Send(1, 7, "");
+  SendText(1, "");
   ASSERT_TRUE(Eventually([&] {
     Poll();
-    return handled_ == 1;
+    return carried_out() == 1;
   }));
   now_ += milliseconds(301);
   Poll();
   EXPECT_EQ(host_.lost_replies(), 1U);
 }
 
-TEST_F(ServiceHostTest, CarriesOutButDoesNotAnswerANoreplyRequest) {
-  Reader<Response> responses(participant_, {kResponses, &unitree_api_msg_dds__Response__desc});
-  Send(1, 7, "", true);
-  Send(2, 7, "");
+TEST_F(ServiceHostTest, GivesUpTheRepliesOfAClientThatEnded) {
+  {
+    Writer<Request> client(participant_,
+                           {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc});
+    Send(1, 7, R"({"a":""})", {}, &client);
+  }
   ASSERT_TRUE(Eventually([&] {
     Poll();
-    Collect(&responses);
-    return codes_.contains(2);
+    return carried_out() == 1;
   }));
-  EXPECT_EQ(handled_, 2);
+  Listen();
+  SendText(2, "next");
+  EXPECT_TRUE(Answered(2));
+}
+
+TEST_F(ServiceHostTest, CarriesOutButDoesNotAnswerANoreplyRequest) {
+  Listen();
+  SendText(1, "", {.noreply = true});
+  SendText(2, "");
+  ASSERT_TRUE(Answered(2));
+  EXPECT_EQ(carried_out(), 2U);
   EXPECT_FALSE(codes_.contains(1));
 }
 
 TEST_F(ServiceHostTest, ForgetsTheOldestWhenTooManyRepliesWait) {
-  for (int i = 0; i < 65; ++i) {
-    Send(i, 7, "");
+  for (std::size_t i = 0; i < 65; ++i) {
+    SendText(static_cast<std::int64_t>(i), "");
     ASSERT_TRUE(Eventually([&] {
       Poll();
-      return handled_ == i + 1;
+      return carried_out() == i + 1;
     }));
   }
   EXPECT_EQ(host_.lost_replies(), 1U);
+}
+
+TEST_F(ServiceHostTest, LosesNoReplyOfABurst) {
+  Listen();
+  constexpr int kBurst = 60;  // within what the reader holds
+  for (int i = 0; i < kBurst; ++i) SendText(i, "");
+  ASSERT_TRUE(Eventually([&] {
+    Poll();
+    Collect();
+    return codes_.size() == kBurst;
+  }));
+  EXPECT_EQ(host_.lost_replies(), 0U);
+}
+
+TEST_F(ServiceHostTest, ServesAtMostEightOfAServiceInAPoll) {
+  for (int i = 0; i < 30; ++i) SendText(i, "");
+  std::size_t before = 0, most = 0;
+  ASSERT_TRUE(Eventually([&] {
+    Poll();
+    most = std::max(most, carried_out() - before);
+    before = carried_out();
+    return before == 30;
+  }));
+  EXPECT_LE(most, 8U);
+}
+
+TEST_F(ServiceHostTest, ServesPriorityFirst) {
+  Listen();
+  for (int i = 0; i < 3; ++i) SendText(i, "");
+  SendText(100, "", {.priority = 1});
+  ASSERT_TRUE(Answered(0) && Answered(1) && Answered(2) && Answered(100));
+  EXPECT_EQ(order_.front(), 100);
+}
+
+TEST_F(ServiceHostTest, AnswersAnExceptionAsInternal) {
+  Listen();
+  Send(1, 9, "");
+  ASSERT_TRUE(Answered(1));
+  EXPECT_EQ(codes_[1], 3202);
+}
+
+TEST_F(ServiceHostTest, RefusesGarbageAndTextsThatAreTooLong) {
+  Listen();
+  Send(1, 7, "{");
+  Send(2, 7, R"({"a":")" + std::string(kMostParameterBytes, 'x') + "\"}");
+  ASSERT_TRUE(Answered(1) && Answered(2));
+  EXPECT_EQ(codes_[1], 3204);
+  EXPECT_EQ(codes_[2], 3204);
+}
+
+TEST_F(ServiceHostTest, SaysOnceASecondThatNothingHerePlaysIt) {
+  Listen();
+  Send(1, 8, "");
+  Send(2, 8, "");
+  ASSERT_TRUE(Answered(1) && Answered(2));
+  EXPECT_EQ(codes_[1], 4205);
+  EXPECT_EQ(said_.size(), 1U);
+  now_ += std::chrono::seconds(1);
+  Send(3, 8, "");
+  ASSERT_TRUE(Answered(3));
+  EXPECT_EQ(said_.size(), 2U);
+}
+
+TEST_F(ServiceHostTest, AnswersAnArmActionWhenItHasEnded) {
+  Listen();
+  robot_.book.state.arm_action = 27;
+  Send(1, 10, "");
+  Send(2, 8, "");
+  ASSERT_TRUE(Answered(2));
+  EXPECT_FALSE(codes_.contains(1));
+  robot_.book.state.arm_action = 0;
+  EXPECT_TRUE(Answered(1));
+}
+
+TEST_F(ServiceHostTest, GivesItsLeaseToOneClient) {
+  Listen();
+  Writer<Request> lease(participant_,
+                        {"rt/api/echo_lease/request", &unitree_api_msg_dds__Request__desc});
+  Reader<Response> granted(participant_,
+                           {"rt/api/echo_lease/response", &unitree_api_msg_dds__Response__desc});
+  Send(1, 101, R"({"name":"me"})", {}, &lease);
+  std::int64_t id = 0;
+  ASSERT_TRUE(Eventually([&] {
+    Poll();
+    granted.Take([&](const Response& response, WriterHandle) {
+      id = nlohmann::json::parse(response.data).at("id").get<std::int64_t>();
+    });
+    return id != 0;
+  }));
+  SendText(2, "");
+  SendText(3, "", {.lease = id});
+  ASSERT_TRUE(Answered(2) && Answered(3));
+  EXPECT_EQ(codes_[2], 3205);
+  EXPECT_EQ(codes_[3], 0);
+}
+
+TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
+  ServiceHost quiet(participant_, {[] {
+                      ServiceTable table = EchoTable(true);
+                      table.name = "quiet";
+                      return table;
+                    }()},
+                    [](auto&) {});
+  Writer<Request> client(participant_,
+                         {"rt/api/quiet/request", &unitree_api_msg_dds__Request__desc});
+  robot_.owner.Release();
+  ASSERT_TRUE(Eventually([&] { return client.matched_readers() > 0; }));
+  Send(1, 1, "", {}, &client);
+  ASSERT_TRUE(Eventually([&] {
+    quiet.Poll(&robot_.owner, now_);
+    return quiet.requests() == 1;
+  }));
+  now_ += milliseconds(301);
+  quiet.Poll(&robot_.owner, now_);
+  EXPECT_EQ(quiet.lost_replies(), 0U);
 }
 
 }  // namespace

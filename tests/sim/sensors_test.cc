@@ -189,9 +189,9 @@ TEST_F(SensorsTest, ReportTheJointSpaceOfTheCommand) {
 TEST_F(SensorsTest, LeaveTheRemoteAlone) {
   Sensors sensors(kTruth, spec_);
   RobotState state;
-  state.remote[3] = 42;
+  state.remote.keys = 42;
   sensors.Sample(world_, motors_, command_, battery_, 0, &state);
-  EXPECT_EQ(state.remote[3], 42);
+  EXPECT_EQ(state.remote.keys, 42);
 }
 
 TEST_F(SensorsTest, LeaveTheSecondUnitAloneWhereThereIsNone) {

@@ -20,6 +20,21 @@ bool FakePort::TakeCommand(RobotCommand* command, Refusal* wire) {
   return true;
 }
 
+bool FakePort::TakeArmCommand(RobotCommand* command, double* weight) {
+  if (arms_.empty()) return false;
+  *command = arms_.front().command;
+  *weight = arms_.front().weight;
+  arms_.pop_front();
+  return true;
+}
+
+bool FakePort::TakeUserCommand(RobotCommand* command) {
+  if (user_.empty()) return false;
+  *command = user_.front();
+  user_.pop_front();
+  return true;
+}
+
 void FakePort::Publish(const RobotState& state, const Due& due) {
   if (keep_all_ || samples_.empty()) {
     samples_.push_back({state, due});

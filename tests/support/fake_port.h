@@ -23,6 +23,9 @@ class FakePort final : public RobotPort {
   void Send(const RobotCommand& command, Refusal wire = Refusal::kNone);
   // From now on one such command waits at every drain of the port. Taking it allocates nothing.
   void SendEveryTick(const RobotCommand& command) { steady_ = command; }
+  // The same for rt/arm_sdk and rt/user_lowcmd: these wait until taken.
+  void SendArms(const RobotCommand& command, double weight) { arms_.push_back({command, weight}); }
+  void SendUser(const RobotCommand& command) { user_.push_back(command); }
   // From now on only the last sample is kept; publishing one more then allocates nothing.
   void KeepTheLastOnly() { keep_all_ = false; }
 
@@ -31,6 +34,8 @@ class FakePort final : public RobotPort {
   bool idle() const { return waiting_.empty(); }
 
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
+  bool TakeArmCommand(RobotCommand* command, double* weight) override;
+  bool TakeUserCommand(RobotCommand* command) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return 1; }
   PortCounts counts() const override { return {}; }
@@ -41,7 +46,14 @@ class FakePort final : public RobotPort {
     Refusal wire;
   };
 
+  struct WaitingArms {
+    RobotCommand command;
+    double weight;
+  };
+
   std::deque<Waiting> waiting_;
+  std::deque<WaitingArms> arms_;
+  std::deque<RobotCommand> user_;
   std::optional<RobotCommand> steady_;
   bool steady_taken_ = false;  // in this drain
   bool keep_all_ = true;

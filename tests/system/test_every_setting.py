@@ -1,12 +1,5 @@
-"""No setting is without effect: every key of `run --help-config` is changed, and something differs.
+"""No setting is without effect: every key of `run --help-config` is changed, and something differs."""
 
-Two runs of the same configuration send the same LowState at the same tick, bit for bit. So where a
-key changes what the robot is, any difference at equal ticks is the key's doing. Keys that change
-when or whether something happens name what is looked at instead.
-"""
-
-import dataclasses
-import functools
 import os
 import pathlib
 import re
@@ -14,10 +7,26 @@ import tempfile
 import time
 
 import pytest
+from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
+from unitree_sdk2py.g1.loco.g1_loco_client import LocoClient
+from unitree_sdk2py.go2.robot_state.robot_state_client import RobotStateClient
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import IMUState_
 
 import namespaces
+from differences import (
+    Check,
+    Counted,
+    Differs,
+    Elsewhere,
+    MadeGround,
+    Refused,
+    Seen,
+    content,
+    messages,
+    options_of,
+    states,
+)
 from peers import (
     GoLowCmd,
     GoLowState,
@@ -25,136 +34,13 @@ from peers import (
     HgLowState,
     go_command,
     hg_command,
+    join,
     listener,
     speaker,
 )
-from robots import Robot, eventually, understudy
+from robots import eventually, understudy
 
-TICKS = (200, 500)  # ms after the start, where states are compared
-HERE = pathlib.Path(__file__).parent
-DATA = HERE.parents[1]
-
-
-def options_of(settings):
-    return [word for setting in settings for word in ("--set", setting)]
-
-
-def messages(robot, settings, topic, kind, until):
-    """The samples of a topic, from wherever discovery lets one in to the tick `until`."""
-    with listener(topic, kind, domain=3) as ear:
-        # A wait before the first word gives discovery its time: then no sample is missed.
-        played = Robot(robot, "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", 4,
-                       "--duration", until / 1000, *options_of(settings))
-        try:
-            played.exit_code()
-            said = played.said()
-        finally:
-            played.end()
-        return ear.take(), said
-
-
-@functools.cache
-def states(robot, *settings, until=TICKS[-1] + 20):
-    """{tick: LowState} of a run."""
-    kind = GoLowState if robot == "go2" else HgLowState
-    heard, said = messages(robot, settings, "rt/lowstate", kind, until)
-    assert heard, f"{settings}: no rt/lowstate\n{said}"
-    return {state.tick: state for state in heard}
-
-
-class Differs:
-    """LowState at equal ticks differs between the settings with and without the changed ones."""
-
-    def __init__(self, *changed, robot="go2", given=()):
-        self._changed, self._robot, self._given = changed, robot, given
-
-    def check(self, play):
-        before = states(self._robot, *self._given)
-        after = states(self._robot, *self._given, *self._changed)
-        common = [tick for tick in TICKS if tick in before and tick in after]
-        assert common, f"no tick in common: {min(before)}.. and {min(after)}.."
-        assert any(content(before[tick]) != content(after[tick]) for tick in common)
-
-
-def content(state):
-    """What a state carries, without when it was sent, in a form that compares."""
-    return repr([getattr(state, field.name) for field in dataclasses.fields(state)])
-
-
-class Seen:
-    """look(played robot), which is on the network, differs as the setting does."""
-
-    def __init__(self, changed, look, robot="go2", given=()):
-        self._changed, self._look = changed, look
-        self._robot, self._given = robot, options_of(given)
-
-    def check(self, play):
-        looks = []
-        for settings in ([], [self._changed]):
-            played = play(self._robot, *self._given, *options_of(settings))
-            looks.append(self._look(played))
-            played.end()
-        assert looks[0] != looks[1]
-
-
-class Counted:
-    """How many samples of a topic a second of simulated time brings."""
-
-    def __init__(self, changed, topic, kind, robot="go2"):
-        self._changed, self._topic, self._kind, self._robot = changed, topic, kind, robot
-
-    def check(self, play):
-        counts = [len(messages(self._robot, settings, self._topic, self._kind, 1000)[0])
-                  for settings in ([], [self._changed])]
-        assert max(counts) > 1.5 * min(counts), counts
-
-
-class Refused:
-    """A run with the changed key ends with the code, and says the word."""
-
-    def __init__(self, changed, code, word):
-        self._changed, self._code, self._word = changed, code, word
-
-    def check(self, play):
-        done = understudy("run", "go2", "--duration", 0.01, *options_of([self._changed]))
-        assert done.returncode == self._code, done.stderr
-        assert self._word in done.stderr
-
-
-class MadeGround:
-    """`understudy terrain` writes other files with the changed key than without."""
-
-    def __init__(self, changed, scene="rough", given=()):
-        self._changed, self._scene, self._given = changed, scene, given
-
-    def check(self, play):
-        assert self._written() != self._written(self._changed)
-
-    def _written(self, *changed):
-        with tempfile.TemporaryDirectory() as folder:
-            images = {shade: pathlib.Path(folder) / f"{shade}.pgm" for shade in ("up", "down")}
-            images["up"].write_bytes(b"P5 3 3 255\n" + bytes(range(0, 90, 10)))
-            images["down"].write_bytes(b"P5 3 3 255\n" + bytes(range(80, -10, -10)))
-            settings = [setting.format(**images) for setting in (*self._given, *changed)]
-            out = pathlib.Path(folder) / "out"
-            done = understudy("terrain", self._scene, "--out", out, *options_of(settings))
-            assert done.returncode == 0, done.stderr
-            return {file.name: file.read_bytes() for file in out.iterdir()}
-
-
-class Elsewhere:
-    """Another file of this folder tests each value of the key."""
-
-    def __init__(self, file, word):
-        self._file, self._word = file, word
-
-    def check(self, play):
-        assert self._word in (HERE / self._file).read_text()
-
-
-class Check:
-    def __init__(self, check):
-        self.check = check
+DATA = pathlib.Path(__file__).parents[2]
 
 
 def interface_is_used(play):
@@ -258,9 +144,135 @@ def differs_hanging(setting):
 
 DROPPED = ("start.pose=standing", "robot.standing.height=1")  # lands hard on held legs
 DIVERGING = ("start.pose=hanging", "crane.stiffness=1000000", "crane.damping=100000",
-             "physics.timestep=0.01", "robot.rates.lowstate_hz=100", "robot.rates.motion_hz=100")
+             "physics.timestep=0.01", "robot.rates.lowstate_hz=100", "robot.rates.motion_hz=100",
+             "robot.rates.service_hz=100")
+
+def arm_weight(played):
+    """Of rt/arm_sdk, half a second after clients have stopped sending 0.5 in slot 29."""
+    message = hg_command(mode_machine=0)
+    message.motor_cmd[29].q = 0.5
+    with speaker("rt/arm_sdk", HgLowCmd) as client:
+        client.write_for(0.4, message)
+        time.sleep(0.5)
+        return played.status()["motion"]["arm_weight"]
+
+
+def arm_sdk(key, value):
+    return Seen(f"robot.arm_sdk.{key}={value}", arm_weight, robot="g1", given=("motion.service=ai",))
+
+
+def arm_moves(played, topic="rt/arm_sdk"):
+    """Whether an elbow comes near -0.5 rad, where a client holds it; left alone it hangs."""
+    message = hg_command(mode_machine=0)
+    message.motor_cmd[29].q = 1.0
+    message.motor_cmd[18].q, message.motor_cmd[18].kp, message.motor_cmd[18].kd = -0.5, 60.0, 2.0
+    with speaker(topic, HgLowCmd) as client, listener("rt/lowstate", HgLowState) as ear:
+        client.write_for(1.0, message)
+        return abs(ear.take()[-1].motor_state[18].q + 0.5) < 0.3
+
+
+def moves_by_user_lowcmd(played):
+    join(0)
+    client = LocoClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    client._RegistApi(7110, 0)  # SwitchToUserCtrl; not in the Python client
+    assert client._Call(7110, '{"data": false}')[0] == 0
+    return arm_moves(played, "rt/user_lowcmd")
+
+
+def by_a_chord(changed, look=lambda played: played.status()["motion"], does="debug"):
+    """The motion service after L2+B, where that is the only chord."""
+    def press(played):
+        played.ctl("remote", "press", "L2+B")
+        time.sleep(0.3)
+        return look(played)
+
+    given = f"robot.remote.chords=[{{keys: L2+B, does: {does}}}]"
+    return Seen(f"robot.remote.chords=[{{{changed}}}]", press, robot="g1",
+                given=("motion.service=ai", given))
+
+
+def follows_a_slow_client(played):
+    """Whether a hip, fought over with a client of 50 Hz, mostly does what the client says."""
+    message = go_command()
+    message.motor_cmd[0].tau = 5.0
+    with speaker("rt/lowcmd", GoLowCmd) as client, listener() as ear:
+        client.write_for(0.6, message, period=0.02)
+        torques = [state.motor_state[0].tau_est for state in ear.take()][-200:]
+    return sum(torque > 2 for torque in torques) > len(torques) / 2
+
+
+def stick_wish(played):
+    played.ctl("remote", "stick", "ly=1")
+    return played.becomes(lambda now: now["remote"]["ly"] == 1)["remote"]["wish"]
+
+
+def state_of_the_switcher(played):
+    join(0)
+    client = MotionSwitcherClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    return client.CheckMode()
+
+
+def on_board(played):
+    """What robot_state lists."""
+    join(0)
+    client = RobotStateClient()
+    client.SetTimeout(5.0)
+    client.Init()
+    code, services = client.ServiceList()
+    assert code == 0
+    return [(one.name, one.status, one.protect) for one in services]
+
+
+def board(changed):
+    return Seen(f"robot.services=[{{name: one}}, {{{changed}}}]", on_board,
+                given=("robot.services=[{name: one}, {name: two}]",))
+
+
+def motion_service(played):
+    return played.status()["motion"]["service"]
+
+
+def state_told(played):
+    with listener("rt/sportmodestate", SportModeState_) as ear:
+        return ear.wait()[-1].error_code
+
+
+MCF = ("motion.service=mcf",)
 
 SETTINGS = {
+    "motion.service": Seen("motion.service=mcf", motion_service),
+    "motion.fight": Seen("motion.fight=true", given=MCF, look=lambda robot: commanded(
+        robot, GoLowCmd, go_command())["commands"]["accepted"] > 0),
+    "robot.firmware": Seen("robot.firmware=1.1.5", motion_service, given=("motion.service=''",)),
+    "robot.form": Seen("robot.form='1'", state_of_the_switcher),
+    "robot.state_id_since": Seen("robot.state_id_since=''", state_told),
+    "robot.services[].name": board("name: three"),
+    "robot.services[].alias": Seen("robot.services=[{name: mcf, alias: ai}]", motion_service,
+                                   given=("motion.service=''",)),
+    "robot.services[].on": board("name: two, on: false"),
+    "robot.services[].protect": board("name: two, protect: true"),
+    "robot.services[].since": board("name: two, since: 9"),
+    "robot.services[].before": board("name: two, before: 1"),
+    "robot.arm_sdk.slots": Seen("robot.arm_sdk.slots=[15]", arm_moves, robot="g1",
+                                given=("motion.service=ai",)),
+    "robot.arm_sdk.weight_slot": arm_sdk("weight_slot", 30),
+    "robot.arm_sdk.weight_in_mode_pr": arm_sdk("weight_in_mode_pr", "true"),
+    "robot.arm_sdk.timeout": arm_sdk("timeout", 0.01),
+    "robot.user_lowcmd": Seen("robot.user_lowcmd=false", moves_by_user_lowcmd, robot="g1",
+                              given=("motion.service=ai",)),
+    "robot.remote.chords[].keys": by_a_chord("keys: A, does: debug"),
+    "robot.remote.chords[].clicks": by_a_chord("keys: L2+B, clicks: 2, does: debug"),
+    "robot.remote.chords[].does": by_a_chord("keys: L2+B, does: damp"),
+    "robot.remote.chords[].value": by_a_chord("keys: L2+B, does: set_fsm, value: 1",
+                                              does="set_fsm"),
+    "robot.remote.chords[].from": by_a_chord("keys: L2+B, does: debug, from: [99]"),
+    "robot.remote.speed": Seen("robot.remote.speed=[0.1, 0, 0]", stick_wish),
+    "robot.rates.service_hz": Seen("robot.rates.service_hz=1", follows_a_slow_client,
+                                   given=("start.pose=clamped", "motion.fight=true", *MCF)),
     "scene": Refused("scene=moon", 4, "no scene 'moon'"),
     "terrain.difficulty": MadeGround("terrain.difficulty=0.9"),
     "terrain.friction": MadeGround("terrain.friction=0.3"),
@@ -361,6 +373,18 @@ SETTINGS = {
     "robot.thermal.rise_per_nm2_c": differs_standing("thermal.rise_per_nm2_c", 1000),
     "robot.thermal.time_constant": differs_standing("thermal.time_constant", 1,
                                                     "robot.thermal.rise_per_nm2_c=10"),
+    **{f"robot.motion.quadruped.{key}": Elsewhere("../motion/quadruped_settings_test.cc", word)
+       for key, word in {
+           "stand_height": "stand_height=", "foot_x": "foot_x=", "height_range": "height_range=",
+           "euler_range": "euler_range=", "sit": "sit=", "kp": "quadruped.kp=", "kd": "quadruped.kd=",
+           "damping_kd": "damping_kd=", "wheel_kp": "wheel_kp=", "wheel_kd": "wheel_kd=",
+       }.items()},
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_fsm_test.cc", f"spec.{key} =")
+       for key in ("lock_stand", "balance", "squat", "sit", "balanced_squat", "unplayed")},
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_motion_test.cc", word)
+       for key, word in (("squat_q", "SquatsAndRisesWithLockedJoints"),
+                         ("sit_q", "LocksItsJointsAsOnAChair"),
+                         ("arm_actions", "WavesAndLetsItsArmDown"))},
     "robot.lying.q": differs_lying("lying.q", [0, 1, -2.5] * 4),
     "robot.lying.height": differs_lying("lying.height", 0.3),
     "robot.lying.quat": differs_lying("lying.quat", "[0.7071, 0, 0, 0.7071]"),
@@ -404,7 +428,7 @@ def hears_hg(robot):
 
 def secondary_imu_is_there():
     counts = [len(messages("g1", settings, "rt/secondary_imu", IMUState_, 200)[0])
-              for settings in ((), ("robot.imu.secondary_site=",))]
+              for settings in ((), ("robot.imu.secondary_site=''",))]
     assert counts[0] > 100
     assert counts[1] == 0
 

@@ -100,6 +100,25 @@ def test_an_unknown_scene_is_answered_with_the_nearest(understudy):
     refused(understudy("run", "go2", "--scene", "flt"), MODEL, "flt", "flat")
 
 
+def test_a_scene_file_that_is_not_there_is_named(understudy):
+    refused(understudy("run", "go2", "--scene", "ground.xml"), MODEL, "ground.xml: no such file")
+
+
+@pytest.mark.parametrize(("arguments", "text"), [
+    (("rnu", "go2"), "no command 'rnu' of `understudy`; did you mean 'run'?"),
+    (("ctl", "--name", "dog", "stauts"), "no command 'stauts' of `understudy ctl`; did you mean 'status'?"),
+    (("ctl", "crane"), "a command is missing after `understudy ctl crane`"),
+    ((), "Usage: understudy"),
+])
+def test_a_command_that_is_missing_or_none_is_answered_with_those_there_are(
+        understudy, arguments, text):
+    done = understudy(*arguments)
+
+    assert done.returncode == USAGE
+    assert text in done.stderr
+    assert "status" in done.stderr or "run" in done.stderr or "lower" in done.stderr
+
+
 def test_an_absent_interface_is_answered_with_the_nearest(understudy):
     refused(understudy("run", "go2", "--interface", "l0"), BUS, "l0", "lo")
 

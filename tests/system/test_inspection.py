@@ -33,7 +33,7 @@ def test_help_names_every_subcommand_and_exit_code(understudy):
 
     for subcommand in SUBCOMMANDS:
         assert subcommand in help_text
-    for code in range(8):
+    for code in range(9):
         assert f"{code} " in help_text.split("Exit codes:")[1]
 
 
@@ -94,6 +94,41 @@ def test_check_of_a_bad_model_ends_with_4(understudy, tmp_path):
     assert "wordbody" in done.stdout
 
 
+MUJOCO_3 = """<mujoco>
+  <worldbody>
+    <body><joint name="knee" range="-1 1" actuatorfrcrange="-5 5"/><geom size="0.1"/></body>
+  </worldbody>
+  <actuator><motor name="knee" joint="knee"/></actuator>
+  <sensor><jointactuatorfrc joint="knee"/></sensor>
+</mujoco>
+"""
+
+
+def test_check_lists_what_was_rewritten_each_with_its_line(understudy, tmp_path):
+    model = tmp_path / "leg.xml"
+    model.write_text(MUJOCO_3)
+    entry = json.loads(understudy("check", "--json", model).stdout)[0]
+    lines = understudy("check", model).stdout.splitlines()
+
+    assert entry["ok"]
+    assert sorted(rewrite["line"] for rewrite in entry["rewrites"]) == [3, 3, 6]
+    assert "3 places rewritten" in lines[0]
+    assert f"{model}:6: sensor jointactuatorfrc" in "\n".join(lines[1:])
+
+
+def test_check_names_everything_that_cannot_be_carried_over(understudy, tmp_path):
+    model = tmp_path / "leg.xml"
+    model.write_text("<mujoco>\n<worldbody>\n<body gravcomp='1'><geom size='1'/>\n<frame/></body>"
+                     "\n</worldbody></mujoco>")
+    done = understudy("check", model)
+    lines = done.stdout.splitlines()
+
+    assert done.returncode == 4
+    assert len(lines) == 2
+    assert f"{model}:3" in lines[0] and "gravcomp" in lines[0]
+    assert f"{model}:4" in lines[1] and "frame" in lines[1]
+
+
 def test_check_of_what_is_no_description_names_the_kinds_there_are(understudy, tmp_path):
     done = understudy("check", tmp_path / "robot.txt")
 
@@ -151,25 +186,41 @@ def test_completions_know_subcommands_robots_and_options(understudy, shell):
         assert word in done.stdout
 
 
+COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our script
+    "bash": """
+        source {file}
+        COMP_WORDS=({typed}); COMP_CWORD={last}; _understudy; printf '%s\\n' "${{COMPREPLY[@]}}"
+    """,
+    "zsh": """
+        autoload -U +X compinit && compinit -D -u
+        source {file}
+        emulate sh  # as bashcompinit does before it calls a function
+        COMP_WORDS=({typed}); COMP_CWORD={last}; _understudy; printf '%s\\n' "${{COMPREPLY[@]}}"
+    """,
+    "fish": "source {file}; complete -C'{typed}'",
+}
+
+
+@pytest.mark.parametrize("shell", COMPLETE)
 @pytest.mark.parametrize(("typed", "offered"), [
     ("understudy ru", ["run"]),
     ("understudy run go", ["go2", "go2w"]),
     ("understudy run go2 --sp", ["--speed"]),
+    ("understudy ctl cr", ["crane"]),
+    ("understudy ctl lo", []),
     ("understudy ctl crane l", ["lower"]),
     ("understudy ctl clamp o", ["off", "on"]),
     ("understudy ctl status --w", ["--watch"]),
 ])
-def test_bash_completes(understudy, tmp_path, typed, offered):
-    completions = tmp_path / "completions.bash"
-    completions.write_text(understudy("completions", "bash").stdout)
+def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
+    file = tmp_path / f"completions.{shell}"
+    file.write_text(understudy("completions", shell).stdout)
     words = typed.split()
-    script = f"""
-        source {completions}
-        COMP_WORDS=({typed}); COMP_CWORD={len(words) - 1}
-        _understudy; printf '%s\\n' "${{COMPREPLY[@]}}" | sort
-    """
-    checked = subprocess.run(["bash", "-n", completions], capture_output=True, text=True)
-    done = subprocess.run(["bash", "-c", script], capture_output=True, text=True, timeout=10)
+    script = COMPLETE[shell].format(file=file, typed=typed, last=len(words) - 1)
+    rc = {"bash": ["--norc"], "zsh": ["-f"], "fish": ["--no-config"]}[shell]
+    checked = subprocess.run([shell, "-n", file], capture_output=True, text=True, timeout=10)
+    done = subprocess.run([shell, *rc, "-c", script], capture_output=True, text=True, timeout=10)
 
     assert checked.returncode == 0, checked.stderr
-    assert [w for w in done.stdout.split() if w.startswith(words[-1])] == offered, done.stderr
+    assert done.stderr == ""
+    assert sorted(w for w in done.stdout.split() if w.startswith(words[-1])) == offered

@@ -11,6 +11,7 @@ import pytest
 from robots import eventually
 
 SOON = 2.0  # s
+SOCKET = 8
 
 
 def sockets(folder):
@@ -72,15 +73,16 @@ def test_a_name_in_use_is_refused_and_its_robot_goes_on(play, understudy):
 
     second = understudy("run", "go2", "--name", robot.name, "--domain", "1")
 
-    assert second.returncode == 1
+    assert second.returncode == SOCKET
     assert f"in use by process {robot.pid}" in second.stderr
+    assert "another --name" in second.stderr
     assert robot.status()["ready"]
 
 
 def test_a_name_that_leads_out_of_the_folder_is_refused(understudy):
     done = understudy("run", "go2", "--name", "../robot")
 
-    assert done.returncode == 1
+    assert done.returncode == SOCKET
     assert "../robot" in done.stderr
 
 

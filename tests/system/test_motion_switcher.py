@@ -9,11 +9,11 @@ from unitree_sdk2py.comm.motion_switcher.motion_switcher_api import (
 )
 from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
 
-from peers import join
+from peers import GoLowCmd, go_command, join, speaker
 
 SET_SILENT, GET_SILENT = 1004, 1005  # not in the Python client; numbers of the C++ SDK's
 UNKNOWN_API = 1999
-BAD_PARAMETER, UNKNOWN_NAME, CANNOT_SELECT = 7001, 7004, 7007
+BAD_PARAMETER, UNKNOWN_NAME = 7001, 7004
 API_NOT_IMPLEMENTED = 3203
 
 
@@ -37,23 +37,31 @@ def robot(play):
     return play("go2")
 
 
-def test_no_motion_service_holds_the_motors(client):
-    code, mode = client.CheckMode()
-
-    assert code == 0
-    assert mode["name"] == ""
-    assert "form" in mode
+def test_the_robots_own_motion_service_holds_the_motors(client):
+    assert client.CheckMode() == (0, {"form": "0", "name": "mcf"})
 
 
-def test_releasing_what_is_not_held_succeeds(client):
+def test_released_nothing_holds_them_and_lowcmd_is_followed(client, robot):
     assert client.ReleaseMode()[0] == 0
     assert client.CheckMode()[1]["name"] == ""
+    with speaker("rt/lowcmd", GoLowCmd) as commander:
+        commander.write_for(0.3, go_command())
+        assert robot.becomes(lambda now: now["commands"]["accepted"])
+    assert client.ReleaseMode()[0] == 0
 
 
-@pytest.mark.parametrize("name", ["ai", "normal", "mcf"])
-def test_a_motion_service_cannot_be_selected_as_there_is_none(client, name):
-    assert client.SelectMode(name)[0] == CANNOT_SELECT
-    assert client.CheckMode()[1]["name"] == ""
+def test_a_selected_service_takes_the_motors_back(client, robot):
+    client.ReleaseMode()
+    assert client.SelectMode("mcf")[0] == 0
+    assert client.CheckMode()[1]["name"] == "mcf"
+    with speaker("rt/lowcmd", GoLowCmd) as commander:
+        commander.write_for(0.3, go_command())
+        status = robot.becomes(lambda now: now["commands"]["refused"]["motion_service"])
+    assert status["commands"]["accepted"] == 0
+
+
+def test_services_of_another_firmware_are_unknown(client, robot):
+    assert client.SelectMode("ai")[0] == UNKNOWN_NAME
 
 
 def test_an_unknown_motion_service_is_refused_as_unknown(client):

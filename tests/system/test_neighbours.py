@@ -1,6 +1,9 @@
 """Two robots on one network: who speaks, who stays silent, and what is said of it."""
 
 import os
+import pathlib
+import subprocess
+import sys
 import time
 
 import pytest
@@ -27,6 +30,33 @@ def test_a_second_robot_on_the_same_network_refuses_and_names_the_first(play, un
     assert f"process {first.pid} (understudy)" in second.stderr
     assert "nothing was sent" in second.stderr
     assert first.status()["silenced"] is False
+
+
+def test_beside_a_writer_that_is_silent_a_robot_refuses_and_says_how_to_go_on(understudy):
+    with stranger():
+        done = understudy("run", "go2", "--duration", "0.1")
+
+    assert done.returncode == NEIGHBOUR
+    assert f"process {os.getpid()}" in done.stderr
+    assert "has not done so yet; nothing was sent" in done.stderr
+    for way in ("start the robot before it", "understudy exec", "--set guard.on_stranger=warn"):
+        assert way in done.stderr
+
+
+def test_told_to_warn_a_robot_starts_beside_a_writer_that_is_silent(play):
+    with stranger():
+        robot = play("go2", "--set", "guard.on_stranger=warn")
+
+        said = robot.heard("we start all the same", "warning")["message"]
+        assert f"process {os.getpid()}" in said
+
+
+def test_told_to_warn_a_robot_still_refuses_beside_one_that_speaks(play, understudy):
+    first = play("go2")
+    second = understudy("run", "g1", "--duration", "1", "--set", "guard.on_stranger=warn")
+
+    assert second.returncode == NEIGHBOUR
+    assert f"process {first.pid} (understudy)" in second.stderr
 
 
 def test_a_second_robot_says_nothing_before_it_refuses(play, understudy):
@@ -103,6 +133,29 @@ def test_a_writer_of_lowstate_that_never_speaks_only_draws_a_warning(play):
 
         assert f"process {os.getpid()}" in said
         assert robot.status()["silenced"] is False
+
+
+SILENT = """
+import sys
+from peers import stranger
+with stranger():
+    sys.stdin.read()
+"""
+
+
+def test_of_several_strangers_each_is_named_and_the_one_that_speaks(play):
+    robot = play("go2")
+    with subprocess.Popen([sys.executable, "-c", SILENT], stdin=subprocess.PIPE,
+                          cwd=pathlib.Path(__file__).parent) as silent:
+        robot.heard(f"process {silent.pid} ", "warning")
+        with stranger() as other:
+            robot.heard(f"process {os.getpid()} ", "warning")
+            silence(robot, other)
+
+            said = robot.heard("another robot speaks", "critical")["message"]
+            assert f"process {os.getpid()} " in said
+            assert f"process {silent.pid} " not in said
+        silent.stdin.close()
 
 
 def test_a_stranger_in_another_domain_is_none(play):

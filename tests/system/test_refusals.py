@@ -45,7 +45,7 @@ IDS = [f"{robot[0]}-{cause}" for robot, cause, _, _ in FAULTS]
 @pytest.mark.parametrize(("robot", "cause", "spoil", "words"), FAULTS, ids=IDS)
 def test_a_refused_command_is_counted_and_explained(play, robot, cause, spoil, words):
     name, kind, good = robot
-    played = play(name)
+    played = play(name, "--released")
     message = good()
     spoil(message)
     with speaker("rt/lowcmd", kind) as client:
@@ -61,7 +61,7 @@ def test_a_refused_command_is_counted_and_explained(play, robot, cause, spoil, w
 @pytest.mark.parametrize("robot", [GO, HG], ids=["go2", "g1"])
 def test_a_wrong_crc_is_counted_and_explained(play, robot):
     name, kind, good = robot
-    played = play(name)
+    played = play(name, "--released")
     message = good()
     message.crc = 1
     with speaker("rt/lowcmd", kind) as client:
@@ -75,7 +75,7 @@ def test_a_wrong_crc_is_counted_and_explained(play, robot):
 
 
 def test_a_stream_of_refusals_does_not_flood_the_log(play):
-    robot = play("go2")
+    robot = play("go2", "--released")
     message = go_command()
     with_head(message)
     with speaker("rt/lowcmd", GoLowCmd) as client:
@@ -85,7 +85,7 @@ def test_a_stream_of_refusals_does_not_flood_the_log(play):
 
 
 def test_a_lenient_gate_counts_what_is_wrong_in_form_and_takes_it(play):
-    robot = play("go2", "--set", "gate=lenient")
+    robot = play("go2", "--released", "--set", "gate=lenient")
     message = go_command()
     with_head(message)
     with speaker("rt/lowcmd", GoLowCmd) as client:
@@ -96,7 +96,7 @@ def test_a_lenient_gate_counts_what_is_wrong_in_form_and_takes_it(play):
 
 
 def test_commands_that_stop_are_said_and_the_motors_damp(play):
-    robot = play("go2")
+    robot = play("go2", "--released")
     with speaker("rt/lowcmd", GoLowCmd) as client:
         client.write_for(0.5, go_command())
         robot.heard("following LowCmd", "info")
@@ -107,7 +107,7 @@ def test_commands_that_stop_are_said_and_the_motors_damp(play):
 
 
 def test_two_writers_of_commands_are_counted_and_said(play):
-    robot = play("go2")
+    robot = play("go2", "--released")
     with speaker("rt/lowcmd", GoLowCmd):
         robot.becomes(lambda now: now["commands"]["writers"] == 1)
         with speaker("rt/lowcmd", GoLowCmd):
@@ -117,7 +117,7 @@ def test_two_writers_of_commands_are_counted_and_said(play):
 
 
 def test_a_gain_in_a_slot_without_a_motor_is_counted_and_said(play):
-    robot = play("go2")
+    robot = play("go2", "--released")
     message = go_command()
     message.motor_cmd[15].kp = 10.0
     with speaker("rt/lowcmd", GoLowCmd) as client:
@@ -129,7 +129,7 @@ def test_a_gain_in_a_slot_without_a_motor_is_counted_and_said(play):
 
 
 def test_an_unset_head_is_taken_counted_and_said(play):
-    robot = play("go2")
+    robot = play("go2", "--released")
     message = go_command()
     message.head = [0, 0]
     message.level_flag = 0
@@ -140,3 +140,14 @@ def test_an_unset_head_is_taken_counted_and_said(play):
     assert status["commands"]["accepted"] > 0
     assert not any(status["commands"]["refused"].values())
     robot.heard("without head and level_flag", "info")
+
+
+def test_a_command_beside_a_motion_service_is_counted_and_explained(play):
+    robot = play("go2")
+    with speaker("rt/lowcmd", GoLowCmd) as client:
+        client.write_for(0.3, go_command())
+        status = robot.becomes(lambda now: now["commands"]["refused"]["motion_service"])
+
+    assert status["commands"]["accepted"] == 0
+    assert status["motion"]["service"] == "mcf"
+    assert "ReleaseMode" in robot.heard("LowCmd (motion_service)", "warning")["message"]

@@ -37,34 +37,39 @@ def test_as_fast_as_possible_is_faster_than_real_time(play):
     assert robot.status()["pace"]["overruns"] == 0  # nothing is late where nothing is due
 
 
-def test_a_stopped_process_counts_overruns_and_makes_up_for_every_tick(play):
+def stall(robot, seconds):
+    robot.send(signal.SIGSTOP)
+    time.sleep(seconds)
+    robot.send(signal.SIGCONT)
+
+
+def test_a_short_stall_is_counted_and_made_up_for_tick_by_tick(play):
     robot = play("go2")
     with listener() as ear:
         ear.wait()
         before = robot.status()
-        robot.send(signal.SIGSTOP)
-        time.sleep(0.5)
-        robot.send(signal.SIGCONT)
+        stall(robot, 0.1)
         after = robot.becomes(lambda status: status["steps"] > before["steps"] + 1000)
         ticks = [state.tick for state in ear.take()]
 
-    assert after["pace"]["overruns"] >= before["pace"]["overruns"] + 300
-    assert after["pace"]["worst_lateness"] > 0.4
+    assert after["pace"]["overruns"] > before["pace"]["overruns"]
+    assert after["pace"]["worst_lateness"] > 0.08
     assert len(ticks) > 400
     assert gaps(ticks, 2) == []
     robot.heard("ticks began late")
 
 
-def test_the_steps_of_a_stopped_process_are_made_up_for(play):
+def test_a_long_stall_is_counted_and_not_made_up_for(play):
     robot = play("go2")
-    first, started = robot.status()["steps"], time.monotonic()
-    robot.send(signal.SIGSTOP)
-    time.sleep(0.5)
-    robot.send(signal.SIGCONT)
-    time.sleep(1.0)
+    first, started = robot.status(), time.monotonic()
+    stall(robot, 1.5)
+    after = robot.becomes(lambda status: status["steps"] > first["steps"] + 300)
+    rate = (after["steps"] - first["steps"]) / (time.monotonic() - started)
 
-    rate = (robot.status()["steps"] - first) / (time.monotonic() - started)
-    assert 800 < rate < 1200
+    assert rate < 800
+    assert after["pace"]["shifts"] > first["pace"]["shifts"]
+    assert after["pace"]["shifted"] > 1.4
+    robot.heard("not made up for", "warning")
 
 
 def test_the_tick_is_in_milliseconds_whatever_the_speed(play):

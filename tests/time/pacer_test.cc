@@ -60,6 +60,57 @@ TEST(PacerTest, MakesUpForALateStepAndDropsNone) {
                });
 }
 
+TEST(PacerTest, MakesUpForAStallOfTheMostThatIsMadeUpFor) {
+  CheckPace(1, {
+                   //  work  step  wall  lateness  overruns
+                   {0ms, 0, 0ms, 0ms, 0},
+                   {kMostMadeUp + 10ms, 1, 210ms, 200ms, 1},
+                   {1ms, 2, 211ms, 191ms, 2},  // the deadlines are the old ones
+               });
+}
+
+TEST(PacerTest, CountsFromTheStepThatALongerStallEndedAt) {
+  CheckPace(1, {
+                   //  work  step  wall  lateness  overruns
+                   {0ms, 0, 0ms, 0ms, 0},
+                   {kMostMadeUp + 11ms, 1, 211ms, 201ms, 1},
+                   {1ms, 2, 221ms, 0ms, 1},  // a period after step 1
+                   {1ms, 3, 231ms, 0ms, 1},
+                   {3600s, 4, 3600231ms, 3599990ms, 2},
+                   {12ms, 5, 3600243ms, 2ms, 2},  // what is late is late for the moved deadline
+                   {0ms, 6, 3600251ms, 0ms, 2},
+               });
+}
+
+TEST(PacerTest, CountsWhatItDoesNotMakeUpFor) {
+  ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 1);
+  clock.Advance(kMostMadeUp + 10ms);
+  pacer.WaitFor(1);
+  EXPECT_EQ(pacer.reading().shifts, 0U);
+  clock.Advance(5s);
+  pacer.WaitFor(2);  // due at 20 ms, reached at 5.21 s
+  clock.Advance(1s + kPeriod);
+  pacer.WaitFor(3);
+  EXPECT_EQ(pacer.reading().shifts, 2U);
+  EXPECT_NEAR(pacer.reading().shifted, 6.19, 1e-12);
+  EXPECT_NEAR(pacer.reading().worst_lateness, 5.19, 1e-12);
+}
+
+TEST(PacerTest, IsNeverFurtherBehindOnAMachineThatIsTooSlow) {
+  ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 1);
+  for (std::int64_t step = 0; step < 1000; ++step) {  // a step of 10 ms costs 15
+    pacer.WaitFor(step);
+    EXPECT_LE(pacer.reading().lateness, 0.205);
+    clock.Advance(15ms);
+  }
+  EXPECT_GT(pacer.reading().shifts, 20U);
+  const Clock::Time before = clock.Now();
+  for (std::int64_t step = 1000; step < 1100; ++step) pacer.WaitFor(step);  // now it costs nothing
+  EXPECT_GE(clock.Now() - before, 1000ms - kMostMadeUp - kPeriod);
+}
+
 TEST(PacerTest, CountsAnOverrunOnlyBeyondOnePeriod) {
   CheckPace(1, {
                    {0ms, 0, 0ms, 0ms, 0},

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
 
@@ -16,20 +17,6 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::FloatEq;
 
-// A command that a client would send before it moves anything.
-LowCmd Idle() {
-  LowCmd message{};
-  message.head[0] = 0xFE;
-  message.head[1] = 0xEF;
-  message.level_flag = 0xFF;
-  for (auto& motor : message.motor_cmd) {
-    motor.mode = 1;
-    motor.q = 2.146e9F;
-    motor.dq = 16000.0F;
-  }
-  return message;
-}
-
 Refusal DecodeSealed(LowCmd message, RobotCommand* command) {
   message.crc = MessageCrc(message);
   return Decode(message, GoRobot(), command);
@@ -41,7 +28,7 @@ Refusal DecodeSealed(const LowCmd& message) {
 }
 
 TEST(GoDecodeTest, TakesTheSlotsInMotorOrder) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.motor_cmd[1] = {.mode = 1, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = {}};
   message.motor_cmd[4].q = 6;
   message.motor_cmd[19].q = 7;
@@ -55,7 +42,7 @@ TEST(GoDecodeTest, TakesTheSlotsInMotorOrder) {
 
 TEST(GoDecodeTest, PassesTheMarksForNoPositionAndNoVelocityExactly) {
   RobotCommand command = CommandOf(GoRobot());
-  ASSERT_EQ(DecodeSealed(Idle(), &command), Refusal::kNone);
+  ASSERT_EQ(DecodeSealed(InitialGoCommand(), &command), Refusal::kNone);
   for (const MotorCommand& motor : command.motors) {
     EXPECT_EQ(motor.q, kNoPosition);
     EXPECT_EQ(motor.dq, kNoVelocity);
@@ -63,7 +50,7 @@ TEST(GoDecodeTest, PassesTheMarksForNoPositionAndNoVelocityExactly) {
 }
 
 TEST(GoDecodeTest, KnowsStopServoAndStrongServo) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.motor_cmd[1].mode = 0;
   message.motor_cmd[4].mode = 1;
   message.motor_cmd[19].mode = 0x0A;
@@ -89,7 +76,7 @@ TEST(GoDecodeTest, RefusesAWrongCrcBeforeAllElse) {
 
 TEST(GoDecodeTest, RefusesAWrongHead) {
   for (const int byte : {0, 1}) {
-    LowCmd message = Idle();
+    LowCmd message = InitialGoCommand();
     message.head[byte] ^= 1;
     message.motor_cmd[1].mode = 9;
     EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
@@ -97,7 +84,7 @@ TEST(GoDecodeTest, RefusesAWrongHead) {
 }
 
 TEST(GoDecodeTest, TakesAHeadThatWasNeverSet) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.head[0] = 0;
   message.head[1] = 0;
   EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
@@ -106,25 +93,25 @@ TEST(GoDecodeTest, TakesAHeadThatWasNeverSet) {
 }
 
 TEST(GoDecodeTest, RefusesTheLevelFlagOfHighLevel) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.level_flag = 0xEE;
   EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
 }
 
 TEST(GoDecodeTest, RefusesAnUnknownModeOfAMotor) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.motor_cmd[19].mode = 2;
   EXPECT_EQ(DecodeSealed(message), Refusal::kMotorMode);
 }
 
 TEST(GoDecodeTest, IgnoresTheModeOfASlotWithoutAMotor) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.motor_cmd[0].mode = 2;
   EXPECT_EQ(DecodeSealed(message), Refusal::kNone);
 }
 
 TEST(GoDecodeTest, FillsTheCommandEvenWhenItRefuses) {
-  LowCmd message = Idle();
+  LowCmd message = InitialGoCommand();
   message.motor_cmd[4] = {.mode = 2, .q = 1, .dq = 0, .tau = 0, .kp = 20, .kd = 0, .reserve = {}};
   RobotCommand command = CommandOf(GoRobot());
   ASSERT_EQ(Decode(message, GoRobot(), &command), Refusal::kCrc);
@@ -222,12 +209,11 @@ TEST(GoEncodeTest, WritesTheBatteryAsARealGo2Did) {
 TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {
   RobotState state = StateOf(GoRobot());
   EXPECT_EQ(EncodeOnce(state).bit_flag, 0x24);
-  state.remote[0] = 0x55;
-  state.remote[39] = 9;
+  state.remote = {.there = true, .keys = 9};
   const LowState message = EncodeOnce(state);
   EXPECT_EQ(message.bit_flag, 0x04);
   EXPECT_EQ(message.wireless_remote[0], 0x55);
-  EXPECT_EQ(message.wireless_remote[39], 9);
+  EXPECT_EQ(message.wireless_remote[2], 9);
 }
 
 TEST(GoEncodeTest, WritesTheBoardAsARealGo2Did) {

@@ -176,8 +176,8 @@ TEST(HgEncodeTest, ShowsTheSerialJointsInPitchRoll) {
 
 TEST(HgEncodeTest, PassesTheRemote) {
   RobotState state = StateOf(HgRobot());
-  state.remote[39] = 9;
-  EXPECT_EQ(EncodeOnce(state).wireless_remote[39], 9);
+  state.remote = {.there = true, .keys = 9};
+  EXPECT_EQ(EncodeOnce(state).wireless_remote[2], 9);
 }
 
 TEST(HgBmsTest, WritesCellsPackAndCharge) {

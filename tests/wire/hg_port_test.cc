@@ -4,8 +4,6 @@
 
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
-#include "tests/wire/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
@@ -14,33 +12,6 @@
 
 namespace understudy {
 namespace {
-
-unitree_hg_msg_dds__LowCmd_ Command(float q) {
-  unitree_hg_msg_dds__LowCmd_ message{};
-  message.mode_machine = 5;
-  message.motor_cmd[4].mode = 1;
-  message.motor_cmd[4].q = q;
-  message.crc = MessageCrc(message);
-  return message;
-}
-
-TEST(HgPortTest, TakesCommandsOldestFirst) {
-  const Participant participant("lo", 161);
-  const RobotSpec spec = HgRobot();
-  HgPort port(participant, spec);
-  RobotCommand command = CommandOf(spec);
-  Refusal wire = Refusal::kNone;
-  EXPECT_FALSE(port.TakeCommand(&command, &wire));
-  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
-  for (const float q : {1.0F, 2.0F}) ASSERT_TRUE(client.Write(Command(q)));
-  for (const double q : {1.0, 2.0}) {
-    ASSERT_TRUE(port.TakeCommand(&command, &wire));
-    EXPECT_EQ(wire, Refusal::kNone);
-    EXPECT_EQ(command.motors[1].q, q);
-  }
-  EXPECT_FALSE(port.TakeCommand(&command, &wire));
-}
 
 TEST(HgPortTest, PublishesTheFastMessages) {
   const Participant participant("lo", 162);
@@ -96,30 +67,62 @@ TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
   EXPECT_EQ(secondary.matched_writers(), 0);
 }
 
-TEST(HgPortTest, AllocatesNothingInATick) {
-  const Participant participant("lo", 165);
-  const RobotSpec spec = HgRobot();
+TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
+  const Participant participant("lo", 181);
+  RobotSpec spec = HgRobot();
+  spec.arm_sdk.slots = {7};
+  spec.arm_sdk.weight_slot = 29;
+  spec.user_lowcmd = true;
   HgPort port(participant, spec);
-  Writer<unitree_hg_msg_dds__LowCmd_> client(participant, kHgLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
-  const RobotState state = StateOf(spec);
+  Writer<unitree_hg_msg_dds__LowCmd_> arms(participant, kHgArmSdk);
+  Writer<unitree_hg_msg_dds__LowCmd_> user(participant, kUserLowCmd);
+  ASSERT_TRUE(
+      Eventually([&] { return arms.matched_readers() == 1 && user.matched_readers() == 1; }));
+  unitree_hg_msg_dds__LowCmd_ message{};
+  message.motor_cmd[7].q = 1;
+  message.motor_cmd[29].q = 0.5F;
   RobotCommand command = CommandOf(spec);
-  Refusal wire = Refusal::kNone;
-  const auto message = Command(1);
-  const std::uint64_t before = Allocations();
-  client.Write(message);
-  const bool taken = port.TakeCommand(&command, &wire);
-  port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
-  const std::uint64_t after = Allocations();
-  EXPECT_TRUE(taken);
-  EXPECT_EQ(after - before, 0);
+  double weight = 0;
+  EXPECT_FALSE(port.TakeArmCommand(&command, &weight));
+  EXPECT_FALSE(port.TakeUserCommand(&command));
+  ASSERT_TRUE(arms.Write(message));
+  ASSERT_TRUE(Eventually([&] { return port.TakeArmCommand(&command, &weight); }));
+  EXPECT_EQ(weight, 0.5);
+  EXPECT_EQ(command.motors[2].q, 1);
+  EXPECT_TRUE(command.motors[2].enabled);
+  message.motor_cmd[7].q = 2;
+  ASSERT_TRUE(user.Write(message));
+  ASSERT_TRUE(Eventually([&] { return port.TakeUserCommand(&command); }));
+  EXPECT_EQ(command.motors[2].q, 2);
+  EXPECT_TRUE(command.motors[0].enabled);
 }
 
-TEST(HgPortTest, RefusesARobotThatDoesNotFit) {
-  const Participant participant("lo", 166);
+TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
+  const Participant participant("lo", 182);
   RobotSpec spec = HgRobot();
-  spec.motors.back().slot = 35;
-  EXPECT_THROW(HgPort(participant, spec), ModelError);
+  spec.firmware = "1.5.3";
+  spec.state_id_since = "1.5.1";
+  spec.services = {{.name = "g1_arm_example"}};
+  HgPort port(participant, spec);
+  Reader<unitree_hg_msg_dds__SportModeState_> fsm(participant, kHgSportModeState);
+  Reader<std_msgs_msg_dds__String_> arms(participant, kArmActionState);
+  ASSERT_TRUE(
+      Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
+  RobotState state = StateOf(spec);
+  port.Publish(state, {.motion = true, .lf = true});
+  state.motion = {.id = 4, .mode = 1, .arm_action = 27};
+  port.Publish(state, {.motion = true, .lf = true});
+  const auto heard = Next(&fsm);
+  ASSERT_TRUE(heard);
+  EXPECT_EQ(heard->fsm_id, 4U);
+  EXPECT_EQ(heard->fsm_mode, 1U);
+  std::string text;
+  ASSERT_TRUE(Eventually([&] {
+    return arms.Take([&](const std_msgs_msg_dds__String_& message, WriterHandle) {
+      text = message.data;
+    }) > 0;
+  }));
+  EXPECT_EQ(text, R"({"holding":false,"id":27,"name":"shake hand"})");
 }
 
 }  // namespace

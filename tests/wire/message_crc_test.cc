@@ -6,6 +6,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/wire/go_command.h"
+
 namespace understudy {
 namespace {
 
@@ -20,16 +22,7 @@ TEST(MessageCrcTest, OfZerosIsTheVendors) {
 }
 
 TEST(MessageCrcTest, OfAnInitialGoCommandIsTheVendors) {
-  unitree_go_msg_dds__LowCmd_ message{};
-  message.head[0] = 0xFE;
-  message.head[1] = 0xEF;
-  message.level_flag = 0xFF;
-  for (auto& motor : message.motor_cmd) {
-    motor.mode = 1;
-    motor.q = 2.146e9F;
-    motor.dq = 16000.0F;
-  }
-  EXPECT_EQ(MessageCrc(message), 0x06e577cd);
+  EXPECT_EQ(MessageCrc(InitialGoCommand()), 0x06e577cd);
 }
 
 TEST(MessageCrcTest, OfAnHgCommandIsTheVendors) {

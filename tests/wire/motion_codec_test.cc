@@ -17,7 +17,7 @@ TEST(MotionCodecTest, WritesWhereTheBaseIs) {
   state.base.p_WB = {1, 2, 0.25};
   state.base.v_WB_W = {-1, 0.5, 0};
   Message message{};
-  EncodeMotion(state, &message);
+  EncodeMotion(state, {}, MotionFields::kStateId, &message);
   EXPECT_EQ(message.stamp.sec, 12);
   EXPECT_EQ(message.stamp.nanosec, 345'000'000);
   EXPECT_THAT(message.position, ElementsAre(1, 2, 0.25F));
@@ -29,22 +29,86 @@ TEST(MotionCodecTest, RepeatsTheGyrosZBitForBit) {
   RobotState state;
   state.imu.w_WI_I = {0, 0, 0.1};
   Message message{};
-  EncodeMotion(state, &message);
+  EncodeMotion(state, {}, MotionFields::kStateId, &message);
   EXPECT_EQ(message.yaw_speed, 0.1F);
   EXPECT_EQ(message.yaw_speed, message.imu_state.gyroscope[2]);
 }
 
-TEST(MotionCodecTest, IsInDamping) {
+TEST(MotionCodecTest, IsInDampingWithoutAMotionService) {
   Message message{};
-  EncodeMotion(RobotState{}, &message);
+  EncodeMotion({}, {}, MotionFields::kStateId, &message);
   EXPECT_EQ(message.error_code, 1001);
+  message = {};
+  EncodeMotion({}, {}, MotionFields::kMode, &message);
+  EXPECT_EQ(message.error_code, 0);
+  EXPECT_EQ(message.mode, 7);
+}
+
+TEST(MotionCodecTest, TellsTheStateAsItsFirmwareDoes) {
+  RobotState state;
+  state.motion = {.id = 1002, .mode = 6, .progress = 1};
+  Message message{};
+  EncodeMotion(state, {}, MotionFields::kStateId, &message);
+  EXPECT_EQ(message.error_code, 1002);
+  EXPECT_EQ(message.mode, 0);
+  message = {};
+  EncodeMotion(state, {}, MotionFields::kMode, &message);
+  EXPECT_EQ(message.error_code, 0);
+  EXPECT_EQ(message.mode, 6);
+  EXPECT_EQ(message.progress, 1);
+  message = {};
+  EncodeMotion(state, {}, MotionFields::kNone, &message);
+  EXPECT_EQ(message.error_code, 0);
+  EXPECT_EQ(message.mode, 0);
+}
+
+TEST(MotionCodecTest, FillsWhatOldFirmwareFilled) {
+  RobotSpec spec;
+  spec.foot_sensor = {.offset_counts = 15, .counts_per_newton = 0.5};
+  RobotState state;
+  state.foot_force = {0, 10, 20, 30};
+  Message message{};
+  EncodeMotion(state, spec, MotionFields::kMode, &message);
+  EXPECT_EQ(message.gait_type, 1);
+  EXPECT_EQ(message.body_height, 0.32F);
+  EXPECT_EQ(message.foot_raise_height, 0.09F);
+  EXPECT_THAT(message.range_obstacle, Each(2));
+  EXPECT_THAT(message.foot_force, ElementsAre(15, 20, 25, 30));
+}
+
+TEST(MotionCodecTest, GoesByRobotAndFirmware) {
+  RobotSpec spec;
+  spec.feet.resize(4);
+  spec.firmware = "1.1.5";
+  spec.state_id_since = "1.1.6";
+  EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kMode);
+  spec.firmware = "1.1.6";
+  EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kStateId);
+  spec.family = WireFamily::kHg;
+  EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kNone);
+}
+
+TEST(MotionCodecTest, TellsAHumanoidsStateMachine) {
+  RobotState state;
+  state.motion = {.id = 501, .mode = 1};
+  unitree_hg_msg_dds__SportModeState_ message{};
+  EncodeFsm(state, &message);
+  EXPECT_EQ(message.fsm_id, 501U);
+  EXPECT_EQ(message.fsm_mode, 1U);
+  EXPECT_EQ(message.task_id, 0U);
+}
+
+TEST(MotionCodecTest, NamesTheArmsAction) {
+  EXPECT_STREQ(ArmActionText({}).data(), R"({"holding":false,"id":0,"name":""})");
+  EXPECT_STREQ(ArmActionText({.arm_action = 25, .arm_holding = true}).data(),
+               R"({"holding":true,"id":25,"name":"face wave"})");
 }
 
 TEST(MotionCodecTest, LeavesOutWhatNewFirmwareDropped) {
   RobotState state;
   state.foot_force = {100, 100, 100, 100};
   Message message{};
-  EncodeMotion(state, &message);
+  EncodeMotion(state, {}, MotionFields::kStateId, &message);
   EXPECT_EQ(message.mode, 0);
   EXPECT_EQ(message.gait_type, 0);
   EXPECT_EQ(message.progress, 0);

@@ -15,10 +15,13 @@ namespace understudy {
 std::vector<Figure> MeasureLatency(const std::string& understudy, const std::string& robot,
                                    int samples);
 
-// From exec to the first rt/lowstate at a client that was there before, the median of `rounds`; and
-// the memory of the last one after `seconds`.
-std::vector<Figure> MeasureStart(const std::string& understudy, const std::string& robot,
-                                 int rounds, double seconds);
+// From exec to the first rt/lowstate at a client that was there before, on flat ground: the median
+// of `rounds`.
+Figure MeasureStart(const std::string& understudy, const std::string& robot, int rounds);
+
+// Memory of a running robot after `seconds`.
+std::vector<Figure> MeasureMemory(const std::string& understudy, const std::string& robot,
+                                  double seconds);
 
 }  // namespace understudy
 

@@ -8,6 +8,8 @@
 #include <CLI/CLI.hpp>
 
 #include "client.h"
+#include "config/data_dir.h"
+#include "config/load.h"
 #include "exec/private_network.h"
 #include "figure.h"
 #include "latency.h"
@@ -35,15 +37,16 @@ constexpr Case kCases[] = {{"go2", "standing"}, {"g1", "hanging"}};
 int Main(int argc, char** argv) {
   CLI::App app(
       "Measures Understudy on this machine, in a private network: the speed of the whole daemon\n"
-      "against bare MuJoCo, the way of a command against a bare DDS round trip, start and memory.\n"
+      "against bare MuJoCo, the way of a command against a bare DDS round trip, memory, start.\n"
       "Prints what is wanted beside what was measured; a missed figure is no failure.",
       "bench");
-  bool json = false, brief = false;
+  bool json = false, brief = false, only_start = false;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
   std::string helper, helper_robot;
   app.add_flag("--json", json, "Print one JSON object instead of a table");
   app.add_flag("--brief", brief, "A few seconds of each, only to see that it works");
+  app.add_flag("--start", only_start, "Only how long each robot takes to its first LowState");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
   app.add_option("--helper", helper)->group("");  // this program as its own other end
@@ -62,12 +65,16 @@ int Main(int argc, char** argv) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
   for (const Case& one : kCases) {
+    if (only_start) break;
     for (const bool listener : {false, true}) {
       add(MeasureStepping(understudy, one.robot, one.start, listener, effort.rounds,
                           effort.window));
     }
     add(MeasureLatency(understudy, one.robot, effort.samples));
-    add(MeasureStart(understudy, one.robot, effort.starts, effort.memory_after));
+    add(MeasureMemory(understudy, one.robot, effort.memory_after));
+  }
+  for (const std::string& robot : RobotNames(DataDir())) {
+    figures.push_back(MeasureStart(understudy, robot, effort.starts));
   }
   std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
   return 0;

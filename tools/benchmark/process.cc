@@ -54,7 +54,7 @@ pid_t Start(const std::vector<std::string>& arguments) {
 std::vector<std::string> RunArguments(const std::string& understudy, const std::string& robot,
                                       const std::string& name,
                                       const std::vector<std::string>& options) {
-  std::vector<std::string> arguments = {understudy, "run", robot, "--name", name};
+  std::vector<std::string> arguments = {understudy, "run", robot, "--released", "--name", name};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return arguments;
 }

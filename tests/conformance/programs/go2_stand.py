@@ -1,16 +1,11 @@
 """Stands a Go2 up and lays it down again, through the vendor's Python SDK."""
 
-import sys
-import time
-
-from unitree_sdk2py.utils.thread import RecurrentThread
-
 import go2_stand_plan as plan
 from sdk_session import (
-    CONTROL_PERIOD,
     Commander,
     LowStateFeed,
     arguments,
+    command_until,
     release_motion_services,
 )
 
@@ -41,14 +36,7 @@ def main():
             commander.motor(slot, q, plan.KP, plan.KD)
         commander.send()
 
-    thread = RecurrentThread(interval=CONTROL_PERIOD, target=command, name="lowcmd")
-    thread.Start()
-    deadline = time.monotonic() + PATIENCE
-    while time_of(feed.latest) < plan.DONE:
-        if time.monotonic() > deadline:
-            sys.exit(f"the robot's clock made {time_of(feed.latest):.1f} s in {PATIENCE:.0f} s")
-        time.sleep(0.05)
-    thread.Wait()
+    command_until(plan.DONE, command, lambda: time_of(feed.latest), PATIENCE)
     witness.report()
 
 

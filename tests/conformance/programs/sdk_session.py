@@ -25,6 +25,7 @@ from unitree_sdk2py.idl.unitree_go.msg.dds_ import LowState_ as GoLowState
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import LowCmd_ as HgLowCmd
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import LowState_ as HgLowState
 from unitree_sdk2py.utils.crc import CRC
+from unitree_sdk2py.utils.thread import RecurrentThread
 
 CONTROL_PERIOD = 0.002  # s; the vendor's examples command at 500 Hz
 
@@ -143,6 +144,19 @@ class Commander:
         """Writes the message with its CRC, of which the bits in `crc_error` are flipped."""
         self.message.crc = self._crc.Crc(self.message) ^ crc_error
         self._publisher.Write(self.message)
+
+
+def command_until(done, command, clock, patience):
+    """Calls command() at the vendor's rate, from the vendor's thread, until clock() says `done` [s].
+    Ends the program when that takes longer than `patience` [s on this machine's clock]."""
+    thread = RecurrentThread(interval=CONTROL_PERIOD, target=command, name="lowcmd")
+    thread.Start()
+    deadline = time.monotonic() + patience
+    while clock() < done:
+        if time.monotonic() > deadline:
+            sys.exit(f"the robot's clock made {clock():.1f} s in {patience:.0f} s")
+        time.sleep(0.05)
+    thread.Wait()
 
 
 def tilt(quaternion):

@@ -1,7 +1,7 @@
 // Counts what C++ allocates in this test program: operator new, on all threads. Cyclone's C is not
 // counted.
-#ifndef UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_
-#define UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_
+#ifndef UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_
+#define UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_
 
 #include <cstdint>
 
@@ -12,4 +12,4 @@ std::uint64_t Allocations();
 
 }  // namespace understudy
 
-#endif  // UNDERSTUDY_TESTS_WIRE_ALLOCATIONS_H_
+#endif  // UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_

@@ -1,0 +1,33 @@
+#include "commands/set_options.h"
+
+namespace understudy {
+
+CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
+                            const std::string& key, const std::string& type,
+                            const std::string& help) {
+  return app
+      ->add_option_function<std::string>(
+          option,
+          [arguments, key](const std::string& value) {
+            arguments->sets.insert(arguments->sets.begin(), key + "=" + value);
+          },
+          help)
+      ->type_name(type);
+}
+
+void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
+                   const std::string& example) {
+  app->add_option("--config", arguments->config_files, config_help + "; may be given again")
+      ->type_name("FILE")
+      ->take_all();
+  app->add_option_function<std::vector<std::string>>(
+         "--set",
+         [arguments](const std::vector<std::string>& sets) {
+           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
+         },
+         "Sets one key, e.g. --set " + example + "; may be given again")
+      ->type_name("KEY=VALUE")
+      ->take_all();
+}
+
+}  // namespace understudy

@@ -1,0 +1,31 @@
+// The options by which a command line changes the configuration.
+#ifndef UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
+#define UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace understudy {
+
+// What they gather, as typed.
+struct SetArguments {
+  std::vector<std::string> config_files;
+  std::vector<std::string> sets;  // "key=value"; short options are put in front of --set
+};
+
+// Both: `arguments` is filled by parsing and must outlive the app.
+
+// An option that is short for a --set: its value goes to `key`, and --set has the last word.
+CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
+                            const std::string& key, const std::string& type,
+                            const std::string& help);
+
+// --config FILE and --set KEY=VALUE, with an example of the latter.
+void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
+                   const std::string& example);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_SET_OPTIONS_H_

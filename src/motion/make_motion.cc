@@ -1,0 +1,32 @@
+#include "motion/make_motion.h"
+
+#include "motion/damping_motion.h"
+#include "motion/humanoid_motion.h"
+#include "motion/quadruped_motion.h"
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+// Ids of the vendor: Go2 motion services V2.0, where `mode` is that of firmware before 1.1.6, and
+// the humanoids' loco services. That other quadrupeds have the Go2's is *assumed*.
+constexpr MotionState kQuadrupedDamped{.id = 1001, .mode = 7};
+constexpr MotionState kHumanoidDamped{.id = 1};
+constexpr MotionState kHumanoidLimp{.id = 0};
+
+}  // namespace
+
+std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
+                                   double damping_kd) {
+  try {
+    if (spec.motion.humanoid.lock_stand >= 0) return MakeHumanoidMotion(spec, world);
+    if (spec.motion.quadruped.stand_height > 0) return MakeQuadrupedMotion(spec, world);
+  } catch (const ModelError&) {
+    // Somebody else's model, in which the feet are not to be found: it can only damp.
+  }
+  const bool four_feet = spec.feet.size() == 4;
+  return std::make_unique<DampingMotion>(four_feet ? kQuadrupedDamped : kHumanoidDamped,
+                                         four_feet ? kQuadrupedDamped : kHumanoidLimp, damping_kd);
+}
+
+}  // namespace understudy

@@ -1,0 +1,20 @@
+// The controller that plays a robot's motion services.
+#ifndef UNDERSTUDY_MOTION_MAKE_MOTION_H_
+#define UNDERSTUDY_MOTION_MAKE_MOTION_H_
+
+#include <memory>
+
+#include "motion/motion.h"
+#include "physics/world.h"
+#include "robot/robot_spec.h"
+
+namespace understudy {
+
+// Never null. `spec` and the world's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
+// that can only damp: those without a controller, and a model in which its feet are not found.
+std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
+                                   double damping_kd);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MOTION_MAKE_MOTION_H_

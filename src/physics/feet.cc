@@ -1,0 +1,58 @@
+#include "physics/feet.h"
+
+#include <algorithm>
+#include <string>
+
+#include "physics/geom_extent.h"
+
+namespace understudy {
+namespace {
+
+constexpr double kSameSole = 0.01;  // m, assumed: less than a calf's other geoms are above its foot
+
+// "left" of left_foot and of left_ankle_roll_joint.
+std::string Side(const std::string& name) { return name.substr(0, name.find('_')); }
+
+// The colliding geoms that the joints of that side's motors move.
+std::vector<int> GeomsOfSide(const mjModel& model, const RobotSpec& spec, const std::string& side) {
+  std::vector<int> geoms;
+  for (const MotorSpec& motor : spec.motors) {
+    if (Side(motor.joint) != side) continue;
+    const int joint = mj_name2id(&model, mjOBJ_JOINT, motor.joint.c_str());
+    if (joint < 0) continue;
+    for (int geom = 0; geom < static_cast<int>(model.ngeom); ++geom) {
+      const bool moved = model.body_weldid[model.geom_bodyid[geom]] == model.jnt_bodyid[joint];
+      if (moved && Collides(model, geom)) geoms.push_back(geom);
+    }
+  }
+  return geoms;
+}
+
+}  // namespace
+
+std::vector<int> FindFeet(const mjModel& model, const mjData& data, const RobotSpec& spec) {
+  std::vector<int> foot_of_geom(static_cast<std::size_t>(model.ngeom), -1);
+  for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
+    bool named = false;
+    const auto add = [&](int geom) {
+      foot_of_geom[static_cast<std::size_t>(geom)] = static_cast<int>(foot);
+    };
+    for (const std::string& name : spec.feet[foot].geoms) {
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, name.c_str());
+      if (geom < 0) continue;
+      named = true;
+      add(geom);
+    }
+    const std::vector<int> geoms = GeomsOfSide(model, spec, Side(spec.feet[foot].name));
+    if (named || geoms.empty()) continue;
+    const auto bottom = [&](int geom) { return LowestPoint(model, data, geom); };
+    const int lowest = *std::ranges::min_element(geoms, {}, bottom);
+    const auto body = [&](int geom) { return model.body_weldid[model.geom_bodyid[geom]]; };
+    for (const int geom : geoms) {
+      if (body(geom) == body(lowest) && bottom(geom) < bottom(lowest) + kSameSole) add(geom);
+    }
+  }
+  return foot_of_geom;
+}
+
+}  // namespace understudy

@@ -1,0 +1,27 @@
+// The keys of the remote controller: their names and bits.
+#ifndef UNDERSTUDY_ROBOT_REMOTE_KEYS_H_
+#define UNDERSTUDY_ROBOT_REMOTE_KEYS_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace understudy {
+
+// Bit 0 first (unitree_sdk2 dds_wrapper/common/unitree_joystick.hpp). In words for orders and
+// files any case will do.
+inline constexpr std::array<std::string_view, 16> kRemoteKeys = {
+    "R1", "L1", "START", "SELECT", "R2", "L2",    "F1",   "F2",
+    "A",  "B",  "X",     "Y",      "UP", "RIGHT", "DOWN", "LEFT"};
+
+// The bits of keys joined by "+": 0x220 for "L2+B". nullopt for what is no key.
+std::optional<std::uint16_t> RemoteKeys(std::string_view chord);
+
+// The names of those bits, joined by "+" in the order of the bits.
+std::string RemoteKeyNames(std::uint16_t keys);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_REMOTE_KEYS_H_

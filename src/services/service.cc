@@ -1,0 +1,155 @@
+#include "services/service.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "services/parameter.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::int64_t kApiVersion = 1;
+
+template <typename... Visitors>
+struct Overloaded : Visitors... {
+  using Visitors::operator()...;
+};
+template <typename... Visitors>
+Overloaded(Visitors...) -> Overloaded<Visitors...>;
+
+// All numbers of the parameter in the schema's order, then `then`.
+MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const json& parameter) {
+  MotionGoal goal{.action = effect.action};
+  std::size_t next = 0;
+  const auto add = [&](double value) {
+    if (next < goal.value.size()) goal.value[next++] = value;
+  };
+  for (const Field& field : row.fields) {
+    const auto found = parameter.find(field.key);
+    if (found == parameter.end()) continue;
+    if (found->is_boolean()) add(found->get<bool>() ? 1 : 0);
+    if (found->is_number()) add(found->get<double>());
+    if (found->is_array()) std::ranges::for_each(*found, [&](const json& v) { add(v); });
+  }
+  std::ranges::for_each(effect.then, add);
+  return goal;
+}
+
+std::string NameOfSetting(std::string_view name, const Field& field, bool first) {
+  return first ? std::string(name) : std::string(name) + "." + std::string(field.key);
+}
+
+}  // namespace
+
+bool OnlyReads(const ApiRow& row) {
+  if (const auto* special = std::get_if<Special>(&row.effect)) return special->only_reads;
+  return std::holds_alternative<GiveSetting>(row.effect) ||
+         std::holds_alternative<GiveState>(row.effect);
+}
+
+Service::Service(ServiceTable table) : table_(std::move(table)) {
+  for (const auto& [name, start] : table_.settings) {
+    settings_.emplace(name, json::parse(start));
+  }
+}
+
+void Service::Set(std::string_view name, json value) {
+  settings_[std::string(name)] = std::move(value);
+}
+
+bool Service::IsServed(const MotorOwner& owner) const {
+  if (table_.needs_motion && owner.active().empty()) return false;
+  const auto services = owner.services();
+  return std::none_of(services.begin(), services.end(), [&](const OnboardService& service) {
+    return service.name == table_.program && !service.on;
+  });
+}
+
+ServiceReply Service::Answer(const ServiceRequest& request, MotorOwner* owner, Lease::Time now,
+                             std::string* notice) {
+  if (request.api_id == kApiVersion) return {.data = std::string(table_.api_version)};
+  const auto row = std::ranges::find(table_.rows, request.api_id, &ApiRow::id);
+  if (row == table_.rows.end()) return {.code = kRpcApiNotImplemented};
+  if (!OnlyReads(*row) && lease_.Denies(request.lease_id, now)) return {.code = kRpcLeaseDenied};
+  const ServiceReply bad{.code = row->parameter_code.value_or(table_.parameter_code)};
+  if (request.parameter_bytes > kMostParameterBytes) return bad;
+  if (request.binary_bytes > (row->takes_binary ? kMostBinaryBytes : 0)) return bad;
+  try {
+    const auto parameter = DecodeParameter(request.parameter, row->fields);
+    return parameter ? Act(*row, *parameter, request.binary_bytes, owner, notice) : bad;
+  } catch (const std::exception& error) {
+    *notice = std::string(table_.name) + " " + std::string(row->name) + ": " + error.what();
+    return {.code = kRpcServerInternal};
+  }
+}
+
+ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t binary_bytes,
+                          MotorOwner* owner, std::string* notice) {
+  return std::visit(
+      Overloaded{
+          [&](const AskGoal& effect) { return Ask(row, effect, parameter, owner, notice); },
+          [&](const KeepSetting& effect) {
+            for (const Field& field : row.fields) {
+              const bool first = &field == &row.fields.front();
+              if (const auto value = parameter.find(field.key); value != parameter.end()) {
+                settings_[NameOfSetting(effect.name, field, first)] = *value;
+              }
+            }
+            return ServiceReply{};
+          },
+          [&](const GiveSetting& effect) {
+            const auto value = settings_.find(effect.name);
+            const bool refused = std::ranges::count(effect.refused_in, owner->state().id) > 0;
+            return ServiceReply{.code = refused ? effect.refused : kRpcOk,
+                                .data = json{{std::string(effect.key),
+                                              value == settings_.end() ? json() : value->second}}
+                                            .dump()};
+          },
+          [&](const GiveState& effect) {
+            const MotionState state = owner->state();
+            const int word = effect.word == StateWord::kId ? state.id : state.mode;
+            return ServiceReply{.data = json{{std::string(effect.key), word}}.dump()};
+          },
+          [&](const NoController&) { return Refuse(row, notice); },
+          [&](const Special& effect) {
+            return effect.answer({.parameter = parameter,
+                                  .binary_bytes = binary_bytes,
+                                  .owner = owner,
+                                  .settings = &settings_,
+                                  .notice = notice});
+          },
+      },
+      row.effect);
+}
+
+ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& parameter,
+                          MotorOwner* owner, std::string* notice) {
+  switch (owner->Ask(GoalOf(row, effect, parameter))) {
+    case MotionVerdict::kTaken:
+      if (!effect.keep.empty()) {
+        settings_[std::string(effect.keep)] = parameter.at(std::string(row.fields.front().key));
+      }
+      return {};
+    case MotionVerdict::kNotNow:
+      return {.code = effect.not_now.value_or(table_.codes.not_now)};
+    case MotionVerdict::kUnknown:
+      return {.code = effect.unknown.value_or(table_.codes.unknown)};
+    case MotionVerdict::kUnable:
+      break;
+  }
+  return Refuse(row, notice);
+}
+
+ServiceReply Service::Refuse(const ApiRow& row, std::string* notice) const {
+  const std::int32_t code = row.unable_code.value_or(table_.codes.unable);
+  *notice = std::string(table_.name) + " " + std::string(row.name) +
+            ": a robot can do this, nothing here can; answered " + std::to_string(code);
+  return {.code = code};
+}
+
+}  // namespace understudy

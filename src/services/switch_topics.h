@@ -1,0 +1,33 @@
+// Switches that are thrown by a message instead of a request.
+#ifndef UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_
+#define UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_
+
+#include "bus/reader.h"
+#include "idl/std_msgs.h"
+#include "idl/unitree_go.h"
+#include "services/service.h"
+
+namespace understudy {
+
+// Of a Go2 (sdk_surface.md, section 1):
+//   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
+//   lists
+//                      it so is assumed; no lidar is modelled.
+//   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
+class SwitchTopics {
+ public:
+  // Throws BusError. `uwb_switch` must outlive this.
+  SwitchTopics(const Participant& participant, Service* uwb_switch);
+
+  // Takes what waits. Other words than ON and OFF change nothing.
+  void Poll(MotorOwner* owner);
+
+ private:
+  Service* uwb_switch_;
+  Reader<std_msgs_msg_dds__String_> lidar_;
+  Reader<unitree_go_msg_dds__UwbSwitch_> uwb_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_

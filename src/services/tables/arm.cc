@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "services/tables/fields.h"
+#include "services/tables/tables.h"
+
+namespace understudy {
+namespace {
+
+using namespace fields;
+
+constexpr std::int32_t kBusy = 7400;
+constexpr std::int32_t kHolding = 7401;
+constexpr std::int32_t kBadAction = 7402;
+constexpr std::int32_t kBadState = 7404;
+constexpr int kRelease = 99;
+
+// [docs] G1 arm action interface; names of 13 and those of more than one word: [py].
+constexpr std::array kActions = {
+    std::pair{99, "release arm"}, std::pair{11, "two-hand kiss"}, std::pair{12, "left kiss"},
+    std::pair{13, "right kiss"},  std::pair{15, "hands up"},      std::pair{17, "clap"},
+    std::pair{18, "high five"},   std::pair{19, "hug"},           std::pair{20, "heart"},
+    std::pair{21, "right heart"}, std::pair{22, "reject"},        std::pair{23, "right hand up"},
+    std::pair{24, "x-ray"},       std::pair{25, "face wave"},     std::pair{26, "high wave"},
+    std::pair{27, "shake hand"}};
+
+ServiceReply Answer(MotionVerdict verdict, const MotionState& before, const ServiceCall& call) {
+  // [sdk] g1/arm: states that allow actions.
+  constexpr std::array kStates = {500, 501, 801, 802};
+  switch (verdict) {
+    case MotionVerdict::kTaken:
+      return {.after_arm_action = true};
+    case MotionVerdict::kUnknown:
+      return {.code = kBadAction};
+    case MotionVerdict::kNotNow:
+      if (before.arm_holding) return {.code = kHolding};
+      return {.code = std::ranges::find(kStates, before.id) == kStates.end() ? kBadState : kBusy};
+    case MotionVerdict::kUnable:
+      break;
+  }
+  *call.notice = "arm: a robot can do this action, nothing here can; answered 7402";
+  return {.code = kBadAction};
+}
+
+ServiceReply Execute(const ServiceCall& call) {
+  const MotionState before = call.owner->state();
+  const auto id = call.parameter.at("action_id").get<double>();
+  return Answer(call.owner->Ask({.action = MotionAction::kArmAction, .value = {id}}), before, call);
+}
+
+ServiceReply ExecuteByName(const ServiceCall&) { return {.code = kBadAction}; }
+
+ServiceReply Stop(const ServiceCall& call) {
+  const MotionState before = call.owner->state();
+  ServiceReply reply = Answer(
+      call.owner->Ask({.action = MotionAction::kStopArmAction, .value = {kRelease}}), before, call);
+  reply.after_arm_action = false;
+  return reply;
+}
+
+ServiceReply List(const ServiceCall&) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto& [id, name] : kActions) list.push_back({{"id", id}, {"name", name}});
+  return {.data = list.dump()};
+}
+
+}  // namespace
+
+ServiceTable G1ArmTable() {
+  Field action = Int("action_id");
+  action.also = "data";
+  return {
+      .name = "arm",
+      .title = "arm of G1",
+      .api_version = "1.0.0.14",
+      .parameter_code = kBadAction,
+      .codes = {.not_now = kBadState, .unknown = kBadAction, .unable = kBadAction},
+      .program = "g1_arm_example",
+      .needs_motion = true,
+      .rows =
+          {
+              {7106,
+               "ExecuteAction",
+               {action},
+               Special{&Execute},
+               "begins an action; answered when it has ended or is held; 7400 busy, 7401 held, "
+               "7402 unknown, 7404 not in this state",
+               "[sdk] g1/arm, [py]: two keys; [seen] answered after 4.19 s for a wave"},
+              {7107,
+               "GetActionList",
+               {},
+               Special{&List, true},
+               "ids and names",
+               "[sdk] g1/arm; its form is not published: assumed"},
+              {7108,
+               "ExecuteCustomAction",
+               {Text("action_name")},
+               Special{&ExecuteByName},
+               "7402: no action has been taught",
+               "[sdk] g1/arm"},
+              {7113, "StopCustomAction", {}, Special{&Stop}, "lets the arms go", "[sdk] g1/arm"},
+          },
+      .note = "Belongs to the motion service: answers nothing while that is off ([docs])."};
+}
+
+}  // namespace understudy

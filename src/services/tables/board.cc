@@ -1,0 +1,302 @@
+// What every robot's computer serves: who moves the motors, which programs run, kept texts.
+#include <array>
+#include <chrono>
+#include <ctime>
+
+#include <nlohmann/json.hpp>
+
+#include "services/tables/fields.h"
+#include "services/tables/tables.h"
+
+namespace understudy {
+namespace {
+
+using namespace fields;
+using nlohmann::json;
+
+// --- motion_switcher ---
+
+constexpr std::int32_t kBadName = 7004;
+constexpr std::int32_t kSelectFailed = 7007;
+
+ServiceReply CheckMode(const ServiceCall& call) {
+  return {.data = json{{"form", call.owner->form()}, {"name", call.owner->active()}}.dump()};
+}
+
+ServiceReply SelectMode(const ServiceCall& call) {
+  switch (call.owner->Select(call.parameter.at("name").get_ref<const std::string&>())) {
+    case OwnerVerdict::kDone:
+      return {};
+    case OwnerVerdict::kUnknownName:
+      return {.code = kBadName};
+    case OwnerVerdict::kProtected:
+    case OwnerVerdict::kNoController:
+      break;
+  }
+  *call.notice =
+      "motion_switcher SelectMode: the robot has this motion service, nothing here plays it; "
+      "answered 7007";
+  return {.code = kSelectFailed};
+}
+
+ServiceReply ReleaseMode(const ServiceCall& call) {
+  call.owner->Release();
+  return {};
+}
+
+ServiceReply SetSilent(const ServiceCall& call) {
+  call.owner->SetSilent(call.parameter.at("silent").get<bool>());
+  return {};
+}
+
+ServiceReply GetSilent(const ServiceCall& call) {
+  return {.data = json{{"silent", call.owner->silent()}}.dump()};
+}
+
+// --- robot_state ---
+
+// Statuses on the wire, 0 for on: [docs] Go2 RobotStateClient, [seen] on a robot.
+constexpr int kOn = 0;
+constexpr int kOff = 1;
+constexpr int kFailed = 2;     // assumed: clients call all but 0, 1 and 5 a failure, 5201
+constexpr int kProtected = 5;  // [seen]: clients make 5202 of it
+
+ServiceReply ServiceSwitch(const ServiceCall& call) {
+  const auto& name = call.parameter.at("name").get_ref<const std::string&>();
+  const bool on = call.parameter.at("switch").get<int>() == 1;
+  int status = on ? kOn : kOff;
+  switch (call.owner->Switch(name, on)) {
+    case OwnerVerdict::kDone:
+      break;
+    case OwnerVerdict::kProtected:
+      status = kProtected;
+      break;
+    case OwnerVerdict::kNoController:
+      *call.notice = "robot_state ServiceSwitch: nothing here plays " +
+                     call.parameter.at("name").dump(-1, ' ', true);
+      [[fallthrough]];
+    case OwnerVerdict::kUnknownName:
+      status = kFailed;
+      break;
+  }
+  return {.data = json{{"name", name}, {"status", status}}.dump()};
+}
+
+ServiceReply ServiceList(const ServiceCall& call) {
+  json list = json::array();
+  for (const OnboardService& service : call.owner->services()) {
+    list.push_back({{"name", service.name},
+                    {"status", service.on ? kOn : kOff},
+                    {"protect", service.is_protected ? 1 : 0}});
+  }
+  return {.data = list.dump()};
+}
+
+std::vector<ApiRow> RobotStateRows() {
+  return {
+      {1001,
+       "ServiceSwitch",
+       {Text("name"), Int("switch", 0, 1)},
+       Special{&ServiceSwitch},
+       "1 switches on, 0 off; answers the status that follows: 0 on, 1 off, 5 protected "
+       "(clients say 5202), 2 failed (clients say 5201)",
+       "[sdk] robot_state; [docs] Go2 RobotStateClient; [seen] 5; that 2 means failure is assumed"},
+      {1002,
+       "SetReportFreq",
+       {Int("interval", 0), Int("duration", 0)},
+       KeepSetting{"report"},
+       "kept; rt/servicestate is not written",
+       "[sdk] robot_state"},
+      {1003,
+       "ServiceList",
+       {},
+       Special{&ServiceList, true},
+       "an array of name, status (0 on, 1 off), protect",
+       "[sdk] robot_state; [seen] bare array"},
+  };
+}
+
+ServiceReply GiveVersions(const ServiceCall&) {
+  return {.data =
+              json{{"packageVersion", "understudy"}, {"moduleVersionMap", json::object()}}.dump()};
+}
+
+// --- config ---
+
+constexpr std::int32_t kNotFound = 8202;
+constexpr std::int32_t kNameInvalid = 8203;
+constexpr std::int32_t kLimited = 8204;
+constexpr std::size_t kMostName = 64;      // assumed
+constexpr std::size_t kMostConfigs = 256;  // assumed
+
+std::int32_t NameCode(const std::string& name) {
+  if (name.empty()) return kNameInvalid;
+  return name.size() > kMostName ? kLimited : kRpcOk;
+}
+
+ServiceReply SetConfig(const ServiceCall& call) {
+  const auto& name = call.parameter.at("name").get_ref<const std::string&>();
+  if (const auto code = NameCode(name); code != kRpcOk) return {.code = code};
+  if (!call.settings->contains(name) && call.settings->size() >= kMostConfigs) {
+    return {.code = kLimited};
+  }
+  const auto now = std::chrono::system_clock::now();
+  const auto seconds = std::chrono::system_clock::to_time_t(now);
+  std::tm parts{};
+  gmtime_r(&seconds, &parts);
+  std::array<char, 32> date{};
+  std::strftime(date.data(), date.size(), "%Y-%m-%d %H:%M:%S", &parts);
+  const json& content = call.parameter.at("content");
+  (*call.settings)[name] = {{"content", content},
+                            {"name", name},
+                            {"lastModified", date.data()},
+                            {"size", content.get_ref<const std::string&>().size()},
+                            {"epoch", seconds}};
+  return {};
+}
+
+// The kept entry of that name; null with the code in `reply` when there is none.
+const json* FindConfig(const ServiceCall& call, ServiceReply* reply) {
+  const auto& name = call.parameter.at("name").get_ref<const std::string&>();
+  reply->code = NameCode(name);
+  if (reply->code != kRpcOk) return nullptr;
+  const auto found = call.settings->find(name);
+  if (found != call.settings->end()) return &found->second;
+  reply->code = kNotFound;
+  return nullptr;
+}
+
+ServiceReply GetConfig(const ServiceCall& call) {
+  ServiceReply reply;
+  if (const json* entry = FindConfig(call, &reply)) {
+    reply.data = json{{"content", entry->at("content")}}.dump();
+  }
+  return reply;
+}
+
+ServiceReply DeleteConfig(const ServiceCall& call) {
+  ServiceReply reply;
+  if (const json* entry = FindConfig(call, &reply)) {
+    call.settings->erase(call.settings->find(entry->at("name").get<std::string>()));
+  }
+  return reply;
+}
+
+ServiceReply GetMeta(const ServiceCall& call) {
+  ServiceReply reply;
+  if (const json* entry = FindConfig(call, &reply)) {
+    json meta = *entry;
+    meta.erase("content");
+    reply.data = json{{"meta", meta}}.dump();
+  }
+  return reply;
+}
+
+}  // namespace
+
+ServiceTable MotionSwitcherTable() {
+  constexpr std::string_view kSdk = "[sdk] motion_switcher";
+  return {
+      .name = "motion_switcher",
+      .title = "motion_switcher",
+      .api_version = "1.0.0.1",
+      .parameter_code = 7001,
+      .rows =
+          {
+              {1001,
+               "CheckMode",
+               {},
+               Special{&CheckMode, true},
+               "form and name of the motion service that is on; \"\" when rt/lowcmd moves the "
+               "motors",
+               "[sdk] motion_switcher; [docs] Go2, G1"},
+              {1002,
+               "SelectMode",
+               {Text("name")},
+               Special{&SelectMode},
+               "starts a motion service; 7004 unknown name, 7007 not played here",
+               "[sdk] motion_switcher; [seen] 7004 on a G1"},
+              {1003, "ReleaseMode", {}, Special{&ReleaseMode}, "the motors obey rt/lowcmd", kSdk},
+              {1004,
+               "SetSilent",
+               {Bool("silent")},
+               Special{&SetSilent},
+               "kept for the run: start no motion service at boot",
+               kSdk},
+              {1005, "GetSilent", {}, Special{&GetSilent, true}, "what was set", kSdk},
+          },
+      .note = "7001 for a bad parameter."};
+}
+
+ServiceTable RobotStateTable() {
+  return {.name = "robot_state",
+          .title = "robot_state of Go2, Go2-W",
+          .api_version = "1.0.0.1",
+          .rows = RobotStateRows()};
+}
+
+ServiceTable RobotStateLongTable() {
+  constexpr std::string_view kSdk = "[sdk] b2/robot_state";
+  ServiceTable table{.name = "robot_state",
+                     .title = "robot_state of the others",
+                     .api_version = "1.0.0.2",
+                     .rows = RobotStateRows(),
+                     .settings = {{"low_power", "1"}},
+                     .note =
+                         "G1's documentation says that it is the B2's; for the others that is "
+                         "assumed."};
+  table.rows.push_back({.id = 1004,
+                        .name = "LowPowerSwitch",
+                        .fields = {Int("switch", 0, 1)},
+                        .effect = NoController{},
+                        .does = "not played",
+                        .source = "[sdk] b2/robot_state: 5203",
+                        .unable_code = 5203});
+  table.rows.push_back({1005,
+                        "LowPowerStatus",
+                        {},
+                        GiveSetting{"low_power", "status"},
+                        "1, off (assumed to be as a service's status)",
+                        kSdk});
+  table.rows.push_back({1006,
+                        "GetPkgVersion",
+                        {},
+                        Special{&GiveVersions, true},
+                        "packageVersion understudy, no modules",
+                        kSdk});
+  return table;
+}
+
+ServiceTable ConfigTable() {
+  constexpr std::string_view kSdk = "[sdk] config";
+  return {.name = "config",
+          .title = "config",
+          .api_version = "1.0.0.1",
+          .parameter_code = 8201,
+          .rows =
+              {
+                  {1001,
+                   "Set",
+                   {Text("name"), Text("content")},
+                   Special{&SetConfig},
+                   "keeps a text for the run; 8203 empty name, 8204 name over 64 bytes or more "
+                   "than 256 of them (assumed)",
+                   kSdk},
+                  {1002,
+                   "Get",
+                   {Text("name")},
+                   Special{&GetConfig, true},
+                   "the content; 8202 when there is none",
+                   kSdk},
+                  {1003, "Del", {Text("name")}, Special{&DeleteConfig}, "forgets it", kSdk},
+                  {1004,
+                   "Meta",
+                   {Text("name")},
+                   Special{&GetMeta, true},
+                   "name, lastModified, size, epoch (assumed: seconds since 1970)",
+                   kSdk},
+              },
+          .note = "rt/config_change_status is not written."};
+}
+
+}  // namespace understudy

@@ -1,0 +1,44 @@
+// Short words for the schemas of the tables. Private to services/.
+#ifndef UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
+#define UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
+
+#include <cmath>
+#include <string_view>
+
+#include "services/api_row.h"
+
+namespace understudy::fields {
+
+inline constexpr double kInf = std::numeric_limits<double>::infinity();
+
+inline Field Bool(std::string_view key = "data") { return {.key = key, .kind = FieldKind::kBool}; }
+inline Field Flag(std::string_view key = "data") { return {.key = key, .kind = FieldKind::kFlag}; }
+inline Field Int(std::string_view key = "data", double low = -kInf, double high = kInf) {
+  return {.key = key, .kind = FieldKind::kInt, .low = low, .high = high};
+}
+inline Field Number(std::string_view key = "data", double low = -kInf, double high = kInf) {
+  return {.key = key, .kind = FieldKind::kNumber, .low = low, .high = high};
+}
+inline Field Clamped(std::string_view key, double low, double high) {
+  return {.key = key,
+          .kind = FieldKind::kNumber,
+          .low = low,
+          .high = high,
+          .beyond = OutOfRange::kClamp};
+}
+inline Field Clamped(std::string_view key, double bound) { return Clamped(key, -bound, bound); }
+inline Field Numbers(std::string_view key, int count) {
+  return {.key = key, .kind = FieldKind::kNumbers, .count = count};
+}
+inline Field Text(std::string_view key) { return {.key = key, .kind = FieldKind::kText}; }
+inline Field Path(std::string_view key, int count) {
+  return {.key = key, .kind = FieldKind::kPath, .count = count};
+}
+inline Field Optional(Field field) {
+  field.optional = true;
+  return field;
+}
+
+}  // namespace understudy::fields
+
+#endif  // UNDERSTUDY_SERVICES_TABLES_FIELDS_H_

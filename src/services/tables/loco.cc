@@ -1,0 +1,313 @@
+#include <array>
+#include <iterator>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "services/tables/fields.h"
+#include "services/tables/tables.h"
+
+namespace understudy {
+namespace {
+
+using enum MotionAction;
+using namespace fields;
+
+// Ids and words of the four humanoid services differ; what they do does not.
+struct Loco {
+  std::string_view source;
+  std::int64_t get = 7000, set = 7100;
+  std::int32_t state_code = 7301, task_code = 7303;
+};
+
+// [seen] on a G1: heights, balance mode and phase come with 7301 and a plausible body while it
+// walks (501) or runs (801, read as 802).
+const std::vector<int>& WalkingIds() {
+  static const std::vector<int> kIds = {501, 801, 802};
+  return kIds;
+}
+
+ApiRow GetId(const Loco& l) {
+  return {l.get + 1,         "GetFsmId", {}, GiveState{StateWord::kId, "data"},
+          "id of the state", l.source};
+}
+ApiRow GetMode(const Loco& l) {
+  return {l.get + 2, "GetFsmMode", {}, GiveState{StateWord::kMode, "data"}, "0 static, 1 moving",
+          l.source};
+}
+ApiRow SetId(const Loco& l, std::string_view source) {
+  return {l.set + 1,
+          "SetFsmId",
+          {Int()},
+          AskGoal{.action = kSetFsm, .not_now = kRpcOk, .unknown = kRpcOk},
+          "asks for a state; an unknown or unreachable one is answered 0 and ignored",
+          source};
+}
+ApiRow SetVelocity(const Loco& l) {
+  return {l.set + 5,
+          "SetVelocity",
+          {Numbers("velocity", 3), Number("duration", 0)},
+          AskGoal{.action = kMove, .not_now = kRpcOk},
+          "vx, vy m/s, yaw rate rad/s, for so many s; ignored where the robot cannot walk",
+          "[sdk] loco; [seen] 0 and no walking; no range is published"};
+}
+ApiRow SetSpeedMode(const Loco& l) {
+  return {l.set + 7,
+          "SetSpeedMode",
+          {Int("data", 0, 3)},
+          KeepSetting{"speed_mode"},
+          "kept; highest speed of running: 1.0, 2.0, 2.7, 3.0 m/s",
+          "[sdk] loco; [docs] G1"};
+}
+
+ApiRow Getter(const Loco& l, std::int64_t id, std::string_view name, std::string_view setting,
+              bool refused_walking) {
+  GiveSetting effect{.name = setting, .key = "data"};
+  if (refused_walking) {
+    effect.refused_in = WalkingIds();
+    effect.refused = l.state_code;
+  }
+  return {
+      .id = l.get + id,
+      .name = name,
+      .effect = std::move(effect),
+      .does = refused_walking ? "what was set; with 7301 while walking or running" : "what was set",
+      .source =
+          refused_walking ? "[sdk] loco; [seen] 7301 with a plausible body at 501, 802" : l.source};
+}
+
+// Heights, balance mode, phase: alike in G1, H2 and H1.
+std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
+  return {
+      GetId(l),
+      GetMode(l),
+      Getter(l, 3, "GetBalanceMode", "balance_mode", refused_walking),
+      Getter(l, 4, "GetSwingHeight", "swing_height", refused_walking),
+      Getter(l, 5, "GetStandHeight", "stand_height", refused_walking),
+      Getter(l, 6, "GetPhase", "phase", refused_walking),
+      {l.set + 2,
+       "SetBalanceMode",
+       {Int("data", 0, 1)},
+       AskGoal{.action = kSetBalanceMode, .keep = "balance_mode", .not_now = kRpcOk},
+       "0 steps only when needed, 1 keeps stepping",
+       "[sdk] loco; [docs] G1; that more is refused is assumed"},
+      {l.set + 3,
+       "SetSwingHeight",
+       {Number()},
+       KeepSetting{"swing_height"},
+       "kept; no range is published",
+       l.source},
+      {l.set + 4,
+       "SetStandHeight",
+       {Clamped("data", 0, 1)},
+       AskGoal{.action = kSetStandHeight, .keep = "stand_height", .not_now = kRpcOk},
+       "0 lowest to 1 highest; HighStand sends 4294967295",
+       "[sdk] loco: saturates; that 1 is the highest is assumed"},
+      SetVelocity(l),
+  };
+}
+
+std::vector<std::pair<std::string_view, std::string_view>> CommonSettings() {
+  // Assumed: no start values are published.
+  return {{"balance_mode", "0"},
+          {"swing_height", "0.0"},
+          {"stand_height", "1.0"},
+          {"phase", "[0.0,0.0]"},
+          {"speed_mode", "0"}};
+}
+
+// The tasks of the loco services by what the arm service calls them (assumed): wave, wave and turn,
+// both halves of a handshake.
+ServiceReply AskArm(const ServiceCall& call, std::int64_t arm_action, std::int32_t state_code) {
+  MotionGoal goal{.action = kArmAction};
+  if (arm_action == 99) goal.action = kStopArmAction;
+  goal.value[0] = static_cast<double>(arm_action);
+  const MotionVerdict verdict = call.owner->Ask(goal);
+  if (verdict == MotionVerdict::kTaken || verdict == MotionVerdict::kNotNow) return {};
+  *call.notice =
+      "arm task: a robot can do this, nothing here can; answered " + std::to_string(state_code);
+  return {.code = state_code};
+}
+
+ServiceReply SetG1Task(const ServiceCall& call) {
+  constexpr std::array kActions = {25, 1, 27, 99};
+  const auto task = call.parameter.at("data").get<std::int64_t>();
+  if (task < 0 || task >= std::ssize(kActions)) return {.code = 7303};
+  return AskArm(call, kActions[static_cast<std::size_t>(task)], 7301);
+}
+
+ServiceReply SetH1Task(const ServiceCall& call) {
+  constexpr std::array kActions = {25, 27, 99};
+  const auto task = call.parameter.at("data").get<std::int64_t>();
+  if (task < 0 || task >= std::ssize(kActions)) return {.code = 8304};
+  return AskArm(call, kActions[static_cast<std::size_t>(task)], 8301);
+}
+
+ApiRow SetTask(const Loco& l, std::int64_t id, ServiceReply (*answer)(const ServiceCall&),
+               std::string_view does) {
+  return {.id = id,
+          .name = "SetArmTask",
+          .fields = {Int()},
+          .effect = Special{answer},
+          .does = does,
+          .source = l.task_code == 7303
+                        ? "[sdk] loco: tasks, 7303; that they are the arm service's is assumed"
+                        : "[sdk] loco: tasks, 8304; that they are the arm service's is assumed"};
+}
+
+ApiRow Without(std::int64_t id, std::string_view name, std::vector<Field> schema,
+               std::string_view source) {
+  return {.id = id,
+          .name = name,
+          .fields = std::move(schema),
+          .effect = NoController{},
+          .does = "not played",
+          .source = source};
+}
+
+ServiceReply LeaveToUser(const ServiceCall& call) {
+  call.owner->SetUserControl(true);
+  return {};
+}
+
+// 0 goes on in the last state, 1 damps, 2 walks.
+ServiceReply TakeBack(const ServiceCall& call) {
+  constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
+  const int mode = call.parameter.at("data").get<int>();
+  call.owner->SetUserControl(false);
+  if (mode == kPassive) call.owner->Ask({.action = MotionAction::kDamp});
+  if (mode == kWalkRun && call.owner->Ask({.action = MotionAction::kSetFsm, .value = {kWalkId}}) ==
+                              MotionVerdict::kUnable) {
+    *call.notice = "sport SwitchToInternalCtrl: nothing here walks; answered 7301";
+    return {.code = 7301};
+  }
+  return {};
+}
+
+ServiceReply GiveH2Ids(const ServiceCall&) {
+  constexpr std::array kIds = {0, 1, 2, 3, 4, 5, 100, 502, 503, 601, 701, 703};
+  constexpr std::array kNames = {"Invalid",     "Passive",       "Protection",  "Sit",
+                                 "FixStand",    "HybridPassive", "BeyondMimic", "HumanMimic",
+                                 "HumanMimic2", "HybridWalk",    "WalkNew",     "PhaseWalk"};
+  return {.data = nlohmann::json{{"ids", kIds}, {"names", kNames}}.dump()};
+}
+
+// The vendor's C++ client reads the body of a failure too and would end on an empty one.
+ServiceReply GiveNoOdometry(const ServiceCall&) {
+  return {.code = 8303, .data = R"({"x":0.0,"y":0.0,"z":0.0})"};
+}
+
+constexpr std::string_view kNote =
+    "Codes as robots sent them: an unknown or unreachable state is answered 0 and nothing happens, "
+    "though the header has 7302; GetFsmId tells the truth. 7301 for what is not played.";
+
+}  // namespace
+
+ServiceTable G1SportTable() {
+  const Loco l{.source = "[sdk] g1/loco"};
+  ServiceTable table{.name = "sport",
+                     .title = "sport of G1",
+                     .api_version = "1.0.0.0",
+                     .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
+                     .needs_motion = true,
+                     .rows = CommonRows(l, true),
+                     .settings = CommonSettings(),
+                     .note = kNote};
+  table.rows.push_back(SetId(l, "[sdk] g1/loco; [seen] 99999 answered 0, impossible ones ignored"));
+  table.rows.push_back(
+      SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
+  table.rows.push_back(SetSpeedMode(l));
+  table.rows.push_back({.id = 7110,
+                        .name = "SwitchToUserCtrl",
+                        .fields = {Optional(Bool())},
+                        .effect = Special{&LeaveToUser},
+                        .does = "leaves the motors to rt/user_lowcmd",
+                        .source = "[sdk] g1/loco"});
+  table.rows.push_back({.id = 7111,
+                        .name = "SwitchToInternalCtrl",
+                        .fields = {Int("data", 0, 2)},
+                        .effect = Special{&TakeBack},
+                        .does = "takes the motors back: 0 last state, 1 damping, 2 walking",
+                        .source = "[sdk] g1/loco"});
+  return table;
+}
+
+ServiceTable H2SportTable() {
+  const Loco l{.source = "[sdk] h2/loco"};
+  ServiceTable table{.name = "sport",
+                     .title = "sport of H2",
+                     .api_version = "1.0.0.0",
+                     .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
+                     .needs_motion = true,
+                     .rows = CommonRows(l, false),
+                     .settings = CommonSettings(),
+                     .note = kNote};
+  table.settings.emplace_back("arm_sdk", "false");
+  table.rows.push_back(
+      {7007, "GetArmSdkStatus", {}, GiveSetting{"arm_sdk", "data"}, "what was set", l.source});
+  table.rows.push_back({7008,
+                        "GetAvailableFsmIds",
+                        {},
+                        Special{&GiveH2Ids, true},
+                        "ids and names of an H2; not all are played",
+                        "[sdk] h2/loco; [seen] the list of an H2"});
+  table.rows.push_back(SetId(l, "[sdk] h2/loco; codes as a G1's, assumed"));
+  table.rows.push_back(
+      SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
+  table.rows.push_back(SetSpeedMode(l));
+  table.rows.push_back(Without(7108, "SetPunch", {Numbers("data", 0)}, l.source));
+  table.rows.push_back(
+      {7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "kept", l.source});
+  return table;
+}
+
+ServiceTable R1SportTable() {
+  const Loco l{.source = "[sdk] r1/loco"};
+  return {.name = "sport",
+          .title = "sport of R1",
+          .api_version = "1.0.0.0",
+          .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
+          .needs_motion = true,
+          .rows = {GetId(l), GetMode(l), SetId(l, "[sdk] r1/loco; codes as a G1's, assumed"),
+                   SetVelocity(l), SetSpeedMode(l)},
+          .settings = {{"speed_mode", "0"}},
+          .note = kNote};
+}
+
+ServiceTable H1LocoTable() {
+  const Loco l{
+      .source = "[sdk] h1/loco", .get = 8000, .set = 8100, .state_code = 8301, .task_code = 8304};
+  ServiceTable table{
+      .name = "loco",
+      .title = "loco of H1, H1-2",
+      .api_version = "2.0.0.0",
+      .codes = {.not_now = kRpcOk, .unknown = 8302, .unable = 8301},
+      .needs_motion = true,
+      .rows = CommonRows(l, false),
+      .settings = CommonSettings(),
+      .note =
+          "An unreachable state is answered 0 and nothing happens, as on an H1-2, though the "
+          "header has 8302; 8301 for what is not played."};
+  table.settings.emplace_back("odometry", "false");
+  table.rows.push_back(SetId(l, "[sdk] h1/loco; [seen] H1-2: 0 without effect"));
+  table.rows.push_back(
+      {8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "kept", l.source});
+  table.rows.push_back(SetTask(l, 8107, &SetH1Task, "0 wave, 1 handshake, 2 end of it"));
+  table.rows.push_back(Without(8201, "EnableOdom", {}, l.source));
+  table.rows.push_back(Without(8202, "DisableOdom", {}, l.source));
+  for (ApiRow& row : table.rows) {
+    if (row.id == 8201 || row.id == 8202) row.unable_code = 8303;
+  }
+  table.rows.push_back({8203,
+                        "GetOdom",
+                        {},
+                        Special{&GiveNoOdometry, true},
+                        "8303 and zeros: the service's own odometry is not played",
+                        "[sdk] h1/loco; [seen] H1-2: zeros"});
+  table.rows.push_back(Without(8204, "SetTargetPosition",
+                               {Number("x"), Number("y"), Number("yaw"), Bool("relative")},
+                               l.source));
+  return table;
+}
+
+}  // namespace understudy

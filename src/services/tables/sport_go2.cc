@@ -1,0 +1,129 @@
+#include "services/tables/fields.h"
+#include "services/tables/tables.h"
+
+namespace understudy {
+
+using enum MotionAction;
+using namespace fields;
+
+ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
+  constexpr std::string_view kSdk = "[sdk] go2/sport";
+  constexpr std::string_view kDocs = "[sdk] go2/sport; [docs] Go2 motion services V2.0";
+  constexpr std::string_view kPosture =
+      "[sdk] go2/sport; [docs] 4206 when the posture does not allow it";
+  constexpr std::int32_t kPostureUnfit = 4206;
+  const auto gesture = [&](std::int64_t id, std::string_view name, MotionAction action,
+                           std::string_view does) {
+    return ApiRow{.id = id,
+                  .name = name,
+                  .effect = AskGoal{.action = action, .not_now = kPostureUnfit},
+                  .does = does,
+                  .source = kPosture};
+  };
+  const auto without = [&](std::int64_t id, std::string_view name, std::vector<Field> schema = {}) {
+    return ApiRow{.id = id,
+                  .name = name,
+                  .fields = std::move(schema),
+                  .effect = NoController{},
+                  .does = "not played",
+                  .source = kSdk};
+  };
+  return {
+      .name = "sport",
+      .title = title,
+      .api_version = "1.0.0.1",
+      .parameter_code = kRpcApiParameter,
+      .codes = {.not_now = 4201, .unknown = kRpcApiParameter, .unable = 4205},
+      .needs_motion = true,
+      .rows =
+          {
+              {1001, "Damp", {}, AskGoal{kDamp}, "all joints damped, from every state", kDocs},
+              {1002, "BalanceStand", {}, AskGoal{kBalanceStand}, "stands and balances", kDocs},
+              {1003, "StopMove", {}, AskGoal{kStopMove}, "stops walking", kDocs},
+              {1004, "StandUp", {}, AskGoal{kStandUp}, "stands with locked joints", kDocs},
+              {1005, "StandDown", {}, AskGoal{kStandDown}, "lies down", kDocs},
+              {1006,
+               "RecoveryStand",
+               {},
+               AskGoal{kRecoveryStand},
+               "stands up from anywhere",
+               kDocs},
+              {1007,
+               "Euler",
+               {Clamped("x", 0.75), Clamped("y", 0.75), Clamped("z", 0.6)},
+               AskGoal{kEuler},
+               "roll, pitch, yaw of the body, rad",
+               "[sdk] go2/sport; [docs] ranges; that more is clamped is assumed"},
+              {1008,
+               "Move",
+               {Clamped("x", limits.vx_min, limits.vx_max), Clamped("y", limits.vy),
+                Clamped("z", limits.yaw_rate)},
+               AskGoal{.action = kMove, .then = {limits.hold}},
+               "velocity, m/s and rad/s, for 1 s; clients want no reply",
+               "[sdk] go2/sport; [docs] ranges and hold; that more is clamped is assumed"},
+              gesture(1009, "Sit", kSit, "sits"),
+              gesture(1010, "RiseSit", kRiseSit, "rises from sitting"),
+              {1015,
+               "SpeedLevel",
+               {Int("data", -1, 1)},
+               KeepSetting{"speed_level"},
+               "kept; -1 slow, 0 normal, 1 fast",
+               kDocs},
+              gesture(1016, "Hello", kHello, "waves"),
+              gesture(1017, "Stretch", kStretch, "stretches"),
+              without(1020, "Content"),
+              without(1022, "Dance1"),
+              without(1023, "Dance2"),
+              {1027,
+               "SwitchJoystick",
+               {Flag()},
+               KeepSetting{"joystick"},
+               "kept; whether the remote's sticks move the robot",
+               kDocs},
+              {1028,
+               "Pose",
+               {Flag()},
+               AskGoal{.action = kPose, .not_now = kPostureUnfit},
+               "poses, or ends the pose",
+               kPosture},
+              without(1029, "Scrape"),
+              without(1030, "FrontFlip"),
+              without(1031, "FrontJump"),
+              without(1032, "FrontPounce"),
+              without(1036, "Heart"),
+              without(1061, "StaticWalk"),
+              without(1062, "TrotRun"),
+              without(1063, "EconomicGait"),
+              without(2041, "LeftFlip"),
+              without(2043, "BackFlip"),
+              without(2044, "HandStand", {Flag()}),
+              without(2045, "FreeWalk"),
+              without(2046, "FreeBound", {Flag()}),
+              without(2047, "FreeJump", {Flag()}),
+              without(2048, "FreeAvoid", {Flag()}),
+              without(2049, "ClassicWalk", {Flag()}),
+              without(2050, "WalkUpright", {Flag()}),
+              without(2051, "CrossStep", {Flag()}),
+              {2054,
+               "AutoRecoverySet",
+               {Flag()},
+               KeepSetting{"auto_recovery"},
+               "kept; a fallen robot does not roll over by itself here",
+               kDocs},
+              {2055,
+               "AutoRecoveryGet",
+               {},
+               GiveSetting{"auto_recovery", "data"},
+               "what was set; false at the start (assumed)",
+               kDocs},
+              without(2058, "SwitchAvoidMode"),
+          },
+      .settings = {{"speed_level", "0"}, {"joystick", "true"}, {"auto_recovery", "false"}},
+      .note =
+          "4201 when the present state does not allow it (assumed), 4205 for what is not "
+          "played. Ids that firmware 1.1.6 removed (1011 to 1014, 1018, 1019, 1021, 1024 to "
+          "1026) answer 3203.",
+  };
+}
+
+}  // namespace understudy

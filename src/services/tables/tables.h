@@ -1,0 +1,43 @@
+// The vendor's services, one function each. Sources in the rows: [sdk] a header of unitree_sdk2,
+// commit 21d0a3b; [py] unitree_sdk2_python, commit 37116c5; [docs] the vendor's developer pages;
+// [seen] on a real robot by others; assumed. Private to services/.
+#ifndef UNDERSTUDY_SERVICES_TABLES_TABLES_H_
+#define UNDERSTUDY_SERVICES_TABLES_TABLES_H_
+
+#include "services/api_row.h"
+
+namespace understudy {
+
+// What a sport service lets Move ask for: m/s, rad/s, and how long one call holds in s. Beyond is
+// clamped.
+struct MoveLimits {
+  double vx_min, vx_max, vy, yaw_rate, hold;
+};
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+ServiceTable MotionSwitcherTable();
+ServiceTable RobotStateTable();      // three calls, version 1.0.0.1
+ServiceTable RobotStateLongTable();  // six calls, version 1.0.0.2
+ServiceTable ConfigTable();
+
+ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits);
+ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits);
+ServiceTable A2SportTable();
+ServiceTable As2SportTable();
+
+ServiceTable G1SportTable();
+ServiceTable H2SportTable();
+ServiceTable R1SportTable();
+ServiceTable H1LocoTable();
+ServiceTable G1ArmTable();
+
+ServiceTable ObstaclesAvoidTable();
+ServiceTable VuiTable();
+ServiceTable VoiceTable();
+ServiceTable UwbSwitchTable();
+ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version);
+ServiceTable G1AgvTable();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVICES_TABLES_TABLES_H_

@@ -1,0 +1,58 @@
+// Who else on this network has what only one robot may have: a writer of rt/lowstate.
+#ifndef UNDERSTUDY_WIRE_STRANGERS_H_
+#define UNDERSTUDY_WIRE_STRANGERS_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bus/neighbours.h"
+#include "bus/reader.h"
+#include "idl/unitree_go.h"
+#include "idl/unitree_hg.h"
+
+namespace understudy {
+
+// Watches for foreign participants that write rt/lowstate, and tells those that only hold a writer
+// from those that send with it: clients on the vendor's C++ library may hold one and never use it
+// (far-unitree-sdk 0.1.8 does). A participant is one stranger, however many writers it has.
+class StrangerWatch {
+ public:
+  // Watches and listens from now on. Throws BusError when Cyclone refuses.
+  explicit StrangerWatch(const Participant& participant);
+
+  // What is new since the last call, in the order of discovery. Each stranger appears once and
+  // speaks for the first time once, until it has gone.
+  struct News {
+    std::vector<Neighbour> appeared;
+    std::vector<Neighbour> spoke;
+  };
+  // Never blocks. Allocates nothing while no stranger is there.
+  News Poll();
+
+  // As of the last Poll.
+  std::vector<Neighbour> silent() const { return WhoseSpeech(false); }
+  std::vector<Neighbour> speaking() const { return WhoseSpeech(true); }
+
+ private:
+  struct Stranger {
+    Neighbour who;
+    bool speaks = false;
+  };
+
+  std::vector<Neighbour> WhoseSpeech(bool speaks) const;
+  template <typename Msg>
+  void Hear(Reader<Msg>* ear, News* news);
+
+  NeighbourWatch watch_;
+  Reader<unitree_go_msg_dds__LowState_> go_;
+  Reader<unitree_hg_msg_dds__LowState_> hg_;
+  std::vector<Stranger> strangers_;
+};
+
+// "A", "A and B", "A, B and C", each as Describe() has it; "" for nobody.
+std::string Describe(const std::vector<Neighbour>& neighbours);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_WIRE_STRANGERS_H_

@@ -1,0 +1,162 @@
+// Who moves the motors, in whole ticks.
+#include "tests/emulator/emulator_test.h"
+#include "tests/emulator/state_bytes.h"
+
+namespace understudy {
+namespace {
+
+class OwnerTest : public EmulatorTest {
+ protected:
+  OwnerTest() {
+    config_.robot.rates.lowstate_hz = 1000;
+    config_.robot.services = {{.name = "sport_mode", .alias = "normal"},
+                              {.name = "ai_sport", .alias = "ai"}};
+    config_.robot.remote.chords = {{.keys = "L2+B", .does = "damp"},
+                                   {.keys = "L2+Y", .does = "zero_torque"},
+                                   {.keys = "L2+R2", .does = "debug"}};
+    config_.robot.arm_sdk.slots = {6, 7};
+    config_.start.pose = "clamped";
+  }
+
+  double Torque0() const { return port_.last().state.motors[0].tau; }
+  std::string_view Service() const { return emulator_->owner().active(); }
+  std::uint64_t Refused() const {
+    return emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kMotionService)];
+  }
+};
+
+TEST_F(OwnerTest, TheRobotsOwnServiceHoldsTheMotorsAtTheStart) {
+  Start();
+  Tick(10);
+  EXPECT_EQ(Service(), "normal");
+  EXPECT_STREQ(emulator_->status().motion_service.data(), "normal");
+  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
+  ASSERT_TRUE(port_.last().state.motion.has_value());
+  EXPECT_EQ(port_.last().state.motion->id, 1001);
+  EXPECT_TRUE(port_.last().state.motors[0].enabled);
+}
+
+TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
+  FakePort quiet_port;
+  Inbox quiet_inbox;
+  Start();
+  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  for (int i = 0; i < 100; ++i) {
+    port_.Send(Torque(9));
+    Tick();
+    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
+  }
+  EXPECT_EQ(Refused(), 100U);
+  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kMotionService);
+  EXPECT_EQ(emulator_->status().commands.accepted, 0U);
+}
+
+TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
+  Start();
+  Tick(10);
+  emulator_->owner().Release();
+  Tick();
+  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_FALSE(port_.last().state.motion.has_value());
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(Torque0(), 2);
+  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+}
+
+TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
+  Start();
+  emulator_->owner().Release();
+  port_.SendEveryTick(Torque(2));
+  Tick(5);
+  EXPECT_EQ(Torque0(), 2);
+  EXPECT_EQ(emulator_->owner().Select("ai"), OwnerVerdict::kDone);
+  Tick(2);
+  EXPECT_NE(Torque0(), 2);
+  EXPECT_EQ(Refused(), 2U);
+}
+
+TEST_F(OwnerTest, StartsReleasedOnRequestAndHoldsItsPoseThen) {
+  config_.motion.service = kNoService;
+  config_.start.pose = "standing";
+  Start();
+  Tick(500);
+  EXPECT_EQ(Service(), "");
+  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
+}
+
+TEST_F(OwnerTest, StaysReleasedOverAReset) {
+  Start();
+  Tick();
+  emulator_->owner().Release();
+  Order(ResetRobot{});
+  Tick();
+  EXPECT_EQ(Service(), "");
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(Torque0(), 2);
+}
+
+TEST_F(OwnerTest, FightsWhereFirmwareDoes) {
+  config_.motion.fight = true;
+  Start();
+  Tick(2);
+  port_.SendEveryTick(Torque(2));
+  Tick();
+  EXPECT_EQ(Torque0(), 2);
+  EXPECT_EQ(Service(), "normal");
+  EXPECT_EQ(Refused(), 0U);
+}
+
+TEST_F(OwnerTest, ChordsActOnTheService) {
+  Start();
+  Tick();
+  Order(PressRemote{.keys = 0x820, .seconds = 0.01});  // L2+Y
+  Tick(3);
+  EXPECT_FALSE(port_.last().state.motors[0].enabled);
+  Tick(10);
+  Order(PressRemote{.keys = 0x220, .seconds = 0.01});  // L2+B
+  Tick(3);
+  EXPECT_TRUE(port_.last().state.motors[0].enabled);
+  EXPECT_TRUE(port_.last().state.remote.there);
+  EXPECT_EQ(port_.last().state.remote.keys, 0x220);
+}
+
+TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
+  Start();
+  Tick();
+  Order(PressRemote{.keys = 0x30, .seconds = 0.01});  // L2+R2
+  Tick();
+  EXPECT_EQ(Service(), "");
+  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(Torque0(), 2);
+}
+
+TEST_F(OwnerTest, ArmSdkMovesItsJointsOverTheService) {
+  Start();
+  Tick(10);
+  port_.SendArms(Torque(2), 1);
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[4].tau, 2);
+  EXPECT_EQ(port_.last().state.motors[5].tau, 2);
+  EXPECT_NE(Torque0(), 2);
+  EXPECT_EQ(emulator_->status().arm_weight, 1);
+}
+
+TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {
+  config_.robot.rates.service_hz = 100;
+  Start();
+  Tick(1);
+  Order(PressRemote{.keys = 0x820, .seconds = 0.05});
+  Tick(9);
+  EXPECT_TRUE(port_.last().state.motors[0].enabled);
+  Tick(1);
+  EXPECT_FALSE(port_.last().state.motors[0].enabled);
+}
+
+}  // namespace
+}  // namespace understudy

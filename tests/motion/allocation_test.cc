@@ -1,0 +1,29 @@
+// That a step of a motion service allocates nothing: operator new of this program counts.
+#include "tests/motion/humanoid_fixture.h"
+#include "tests/support/allocations.h"
+
+namespace understudy {
+namespace {
+
+class MotionAllocationTest : public MujocoTest {};
+
+TEST_F(MotionAllocationTest, AHumanoidStepsAndListensWithoutAllocating) {
+  HumanoidRig rig("g1");
+  rig.Stand();
+  rig.Run(1);
+  const std::uint64_t before = Allocations();
+  rig.SetFsm(500);
+  rig.Run(0.1);
+  rig.Ask(MotionAction::kArmAction, 26);
+  rig.Ask(MotionAction::kSetStandHeight, 0.5);
+  rig.Run(1.6);
+  rig.SetFsm(706);
+  rig.Run(0.1);
+  rig.SetFsm(1);
+  rig.SetFsm(2);
+  rig.Run(0.1);
+  EXPECT_EQ(Allocations(), before);
+}
+
+}  // namespace
+}  // namespace understudy

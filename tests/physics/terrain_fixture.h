@@ -1,0 +1,80 @@
+// Made ground in a folder of its own, and what rays find of it.
+#ifndef UNDERSTUDY_TESTS_PHYSICS_TERRAIN_FIXTURE_H_
+#define UNDERSTUDY_TESTS_PHYSICS_TERRAIN_FIXTURE_H_
+
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "physics/terrain.h"
+#include "physics/terrain_image.h"
+#include "physics/world_model.h"
+#include "robot/errors.h"
+#include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+
+class TerrainTest : public MujocoTest {
+ protected:
+  // The scene in a folder of that name.
+  std::filesystem::path Write(const std::string& kind, const std::string& name = "scene") {
+    WriteTerrain(kind, spec_, folder_.path() / name);
+    return folder_.path() / name;
+  }
+
+  // The ground alone, ready for rays.
+  void Load(const std::string& kind) {
+    model_ = LoadModelFile(Write(kind) / "scene.xml");
+    data_.reset(mj_makeData(model_.get()));
+    mj_forward(model_.get(), data_.get());
+  }
+
+  // Height of the ground seen from above, m.
+  double Height(double x, double y) const {
+    constexpr double kAbove = 30;
+    const mjtNum from[3] = {x, y, kAbove}, down[3] = {0, 0, -1};
+    int geom = -1;
+    return kAbove - mj_ray(model_.get(), data_.get(), from, down, nullptr, 1, -1, &geom);
+  }
+
+  // How far [m] the ground of the patch lies from z = 0 on average.
+  double Unevenness() const {
+    double sum = 0;
+    int count = 0;
+    for (double x = 1.52; x < 9.5; x += 0.13) {
+      for (double y = -1.9; y < 2; y += 0.37) {
+        sum += std::abs(Height(x, y));
+        ++count;
+      }
+    }
+    return sum / count;
+  }
+
+  std::string Refusal(const std::string& kind) {
+    try {
+      Write(kind);
+    } catch (const ModelError& error) {
+      EXPECT_THAT(error.what(), testing::Not(testing::HasSubstr("\n")));
+      return error.what();
+    }
+    return "";
+  }
+
+  // 3 x 2 pixels: black, grey, white over white, grey, black.
+  void UseImage() {
+    WriteGreyPng(folder_.path() / "image.png", 3, 2, {0, 32768, 65535, 65535, 32768, 0});
+    spec_.image = folder_.path() / "image.png";
+  }
+
+  TemporaryFolder folder_;
+  TerrainSpec spec_;
+  ModelHandle model_;
+  DataHandle data_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_PHYSICS_TERRAIN_FIXTURE_H_

@@ -1,0 +1,222 @@
+// Walks every row of every robot's tables.
+#include <cmath>
+#include <fstream>
+#include <set>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "services/robot_services.h"
+#include "tests/services/services_fixture.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+json GoodValue(const Field& field) {
+  const double low = std::isfinite(field.low) ? field.low : 0;
+  const double high = std::isfinite(field.high) ? field.high : low;
+  const json point = {{"t_from_start", 0.1}, {"x", 0.0}, {"y", 0.0}, {"yaw", 0.0}};
+  switch (field.kind) {
+    case FieldKind::kBool:
+    case FieldKind::kFlag:
+      return true;
+    case FieldKind::kInt:
+      return static_cast<std::int64_t>(high);
+    case FieldKind::kNumber:
+      return (low + high) / 2;
+    case FieldKind::kNumbers:
+      return json(std::vector<double>(static_cast<std::size_t>(std::max(field.count, 1)), low));
+    case FieldKind::kText:
+      return "name";
+    case FieldKind::kPath:
+      return json(std::vector<json>(static_cast<std::size_t>(std::max(field.count, 1)), point));
+  }
+  return nullptr;
+}
+
+json GoodParameter(const ApiRow& row) {
+  if (!row.fields.empty() && row.fields.front().key.empty()) return GoodValue(row.fields.front());
+  json object = json::object();
+  for (const Field& field : row.fields) object[std::string(field.key)] = GoodValue(field);
+  return object;
+}
+
+// What no field takes for its own.
+json WrongValue(const Field& field) {
+  return field.kind == FieldKind::kText ? json(7) : json("seven");
+}
+
+bool IsList(const ApiRow& row) { return !row.fields.empty() && row.fields.front().key.empty(); }
+
+// Calls check(caller, table, row) for each row of each robot, with a fresh robot and service each.
+template <typename Check>
+void ForEachRow(Check check) {
+  for (const std::string_view robot : RobotsWithServices()) {
+    for (const ServiceTable& table : ServicesOf(robot)) {
+      for (const ApiRow& row : table.rows) {
+        SCOPED_TRACE(std::string(robot) + " " + std::string(table.name) + " " +
+                     std::string(row.name));
+        Caller caller(table);
+        check(&caller, table, row);
+      }
+    }
+  }
+}
+
+std::int32_t ParameterCode(const ServiceTable& table, const ApiRow& row) {
+  return row.parameter_code.value_or(table.parameter_code);
+}
+
+TEST(ApiRowsTest, AnswerEveryApiOfTheVendorsHeadersOnItsRobots) {
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/tests/data/vendor_apis.json");
+  for (const json& vendor : json::parse(file)) {
+    for (const auto& robot : vendor.at("robots")) {
+      const ServiceTable table =
+          TableOf(robot.get<std::string>(), vendor.at("service").get<std::string>());
+      SCOPED_TRACE(std::string(table.title));
+      std::set<std::int64_t> ours, theirs;
+      for (const ApiRow& row : table.rows) ours.insert(row.id);
+      for (const json& api : vendor.at("apis")) theirs.insert(api.at(0).get<std::int64_t>());
+      EXPECT_EQ(ours, theirs);
+      const auto& versions = vendor.at("versions");
+      EXPECT_NE(std::find(versions.begin(), versions.end(), table.api_version), versions.end())
+          << table.api_version;
+    }
+  }
+}
+
+TEST(ApiRowsTest, HaveNamesDocumentationAndSources) {
+  ForEachRow([](Caller*, const ServiceTable&, const ApiRow& row) {
+    EXPECT_FALSE(row.name.empty());
+    EXPECT_FALSE(row.does.empty());
+    EXPECT_FALSE(row.source.empty());
+  });
+}
+
+TEST(ApiRowsTest, TakeAGoodParameterOrSayThatNothingHerePlaysIt) {
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    const ServiceReply reply = caller->Ask(row.id, GoodParameter(row).dump());
+    EXPECT_NE(reply.code, kRpcApiNotImplemented);
+    EXPECT_NE(reply.code, kRpcServerInternal) << caller->notice;
+    if (std::holds_alternative<NoController>(row.effect)) {
+      EXPECT_NE(reply.code, 0);
+      EXPECT_FALSE(caller->notice.empty());
+      EXPECT_TRUE(caller->robot.book.goals.empty());
+    } else if (!std::holds_alternative<Special>(row.effect)) {
+      EXPECT_EQ(reply.code, 0);
+    }
+  });
+}
+
+TEST(ApiRowsTest, AskTheMotionServiceForWhatTheySay) {
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    const auto* ask = std::get_if<AskGoal>(&row.effect);
+    if (ask == nullptr) return;
+    caller->Ask(row.id, GoodParameter(row).dump());
+    ASSERT_EQ(caller->robot.book.goals.size(), 1U);
+    EXPECT_EQ(caller->robot.book.goals.front().action, ask->action);
+  });
+}
+
+TEST(ApiRowsTest, SayThatAGoalCannotBePlayedInsteadOfClaimingIt) {
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    if (!std::holds_alternative<AskGoal>(row.effect)) return;
+    caller->robot.book.verdict = MotionVerdict::kUnable;
+    EXPECT_NE(caller->Ask(row.id, GoodParameter(row).dump()).code, 0);
+    EXPECT_FALSE(caller->notice.empty());
+  });
+}
+
+TEST(ApiRowsTest, AnswerGettersWithJson) {
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    if (!OnlyReads(row) || !row.fields.empty()) return;
+    for (const char* parameter : {"", "{}"}) {
+      const ServiceReply reply = caller->Ask(row.id, parameter);
+      EXPECT_FALSE(json::parse(reply.data, nullptr, false).is_discarded()) << reply.data;
+    }
+  });
+}
+
+TEST(ApiRowsTest, RefuseAParameterThatIsMissing) {
+  ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
+    for (const Field& field : row.fields) {
+      if (field.optional || IsList(row)) continue;
+      json parameter = GoodParameter(row);
+      parameter.erase(std::string(field.key));
+      EXPECT_EQ(caller->Ask(row.id, parameter.dump()).code, ParameterCode(table, row));
+    }
+  });
+}
+
+TEST(ApiRowsTest, RefuseAParameterOfAnotherType) {
+  ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
+    for (const Field& field : row.fields) {
+      json parameter = GoodParameter(row);
+      (IsList(row) ? parameter : parameter[std::string(field.key)]) = WrongValue(field);
+      EXPECT_EQ(caller->Ask(row.id, parameter.dump()).code, ParameterCode(table, row));
+    }
+  });
+}
+
+TEST(ApiRowsTest, RefuseOrClampWhatIsOutOfRange) {
+  ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
+    for (const Field& field : row.fields) {
+      if (!std::isfinite(field.high) || field.kind == FieldKind::kText) continue;
+      json parameter = GoodParameter(row);
+      parameter[std::string(field.key)] = field.high + 1000;
+      const std::int32_t code = caller->Ask(row.id, parameter.dump()).code;
+      if (field.beyond == OutOfRange::kRefuse) {
+        EXPECT_EQ(code, ParameterCode(table, row)) << field.key;
+      } else {
+        EXPECT_NE(code, ParameterCode(table, row)) << field.key;
+        for (const MotionGoal& goal : caller->robot.book.goals) {
+          for (const double value : goal.value) EXPECT_LT(std::abs(value), 999);
+        }
+      }
+    }
+  });
+}
+
+TEST(ApiRowsTest, RefuseGarbage) {
+  const std::string deep(10000, '[');
+  ForEachRow([&](Caller* caller, const ServiceTable& table, const ApiRow& row) {
+    const bool needs = std::ranges::any_of(row.fields, [](const auto& f) { return !f.optional; });
+    if (!needs) return;
+    for (const std::string_view bytes :
+         {std::string_view("{"), std::string_view(deep), std::string_view("\xff\xfe"),
+          std::string_view("nan"), std::string_view("[1,2]"), std::string_view("null"),
+          std::string_view("\"ai\""), std::string_view("{}"), std::string_view("")}) {
+      EXPECT_EQ(caller->Ask(row.id, bytes).code, ParameterCode(table, row)) << bytes.substr(0, 9);
+    }
+  });
+}
+
+TEST(ApiRowsTest, RefuseWhatIsTooLong) {
+  ForEachRow([](Caller* caller, const ServiceTable& table, const ApiRow& row) {
+    ServiceRequest request{.api_id = row.id, .parameter_bytes = 1 << 20};
+    std::string notice;
+    EXPECT_EQ(caller->service.Answer(request, &caller->robot.owner, caller->now, &notice).code,
+              ParameterCode(table, row));
+    request.parameter_bytes = 0;
+    request.binary_bytes = 1 << 20;
+    EXPECT_EQ(caller->service.Answer(request, &caller->robot.owner, caller->now, &notice).code,
+              ParameterCode(table, row));
+  });
+}
+
+TEST(ApiRowsTest, SurviveEveryOtherRobotsParameters) {
+  std::vector<std::string> parameters;
+  ForEachRow([&](Caller*, const ServiceTable&, const ApiRow& row) {
+    parameters.push_back(GoodParameter(row).dump());
+  });
+  ForEachRow([&](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    for (std::size_t i = 0; i < parameters.size(); i += 7) {
+      EXPECT_NE(caller->Ask(row.id, parameters[i]).code, kRpcServerInternal) << caller->notice;
+    }
+  });
+}
+
+}  // namespace
+}  // namespace understudy

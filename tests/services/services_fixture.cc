@@ -1,0 +1,16 @@
+#include "tests/services/services_fixture.h"
+
+#include <stdexcept>
+
+#include "services/robot_services.h"
+
+namespace understudy {
+
+ServiceTable TableOf(std::string_view robot, std::string_view service) {
+  for (ServiceTable& table : ServicesOf(robot)) {
+    if (table.name == service) return std::move(table);
+  }
+  throw std::out_of_range(std::string(robot) + " has no " + std::string(service));
+}
+
+}  // namespace understudy

@@ -1,0 +1,74 @@
+// A robot for services to act on, and good and bad parameters for every row.
+#ifndef UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_
+#define UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "motion/motor_owner.h"
+#include "services/service.h"
+
+namespace understudy {
+
+// What a test sets and looks at of a FakeMotion.
+struct MotionBook {
+  MotionVerdict verdict = MotionVerdict::kTaken;
+  MotionState state{};
+  std::vector<MotionGoal> goals{};
+};
+
+// A motion service that writes down what it is asked for.
+class FakeMotion final : public Motion {
+ public:
+  explicit FakeMotion(MotionBook* book) : book_(book) {}
+  void Start(const MotionInput&) override {}
+  MotionVerdict Ask(const MotionGoal& goal) override {
+    book_->goals.push_back(goal);
+    return book_->verdict;
+  }
+  void Step(const MotionInput&, double, RobotCommand*) override {}
+  MotionState state() const override { return book_->state; }
+
+ private:
+  MotionBook* book_;
+};
+
+// A robot with one motion service, "ai", that is on, and programs with and without protection.
+struct ServedRobot {
+  MotionBook book;
+  MotorOwner owner{{{.name = "ai_sport", .alias = "ai"},
+                    {.name = "vui_service"},
+                    {.name = "basic_service", .is_protected = true}},
+                   "0",
+                   std::make_unique<FakeMotion>(&book)};
+};
+
+// One call, without the network.
+class Caller {
+ public:
+  explicit Caller(ServiceTable table) : service(std::move(table)) {}
+
+  ServiceReply Ask(std::int64_t api, std::string_view parameter = "", std::int64_t lease = 0) {
+    notice.clear();
+    return service.Answer({.api_id = api,
+                           .lease_id = lease,
+                           .parameter = parameter,
+                           .parameter_bytes = parameter.size(),
+                           .binary_bytes = 0},
+                          &robot.owner, now, &notice);
+  }
+
+  ServedRobot robot;
+  Service service;
+  Lease::Time now{0};
+  std::string notice;
+};
+
+// The table of that robot's service; the test ends when there is none.
+ServiceTable TableOf(std::string_view robot, std::string_view service);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_

@@ -1,0 +1,49 @@
+#include "services/switch_topics.h"
+
+#include <gtest/gtest.h>
+
+#include "bus/participant.h"
+#include "bus/writer.h"
+#include "tests/services/services_fixture.h"
+
+namespace understudy {
+namespace {
+
+class SwitchTopicsTest : public testing::Test {
+ protected:
+  static constexpr int kDomain = 142;
+
+  // A writer and a reader of one participant match at once.
+  void Say(std::string word) {
+    lidar_.Write({.data = word.data()});
+    switches_.Poll(&owner_);
+  }
+
+  MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
+  Service service_{TableOf("go2", "uwbswitch")};
+  Participant participant_{"lo", kDomain};
+  SwitchTopics switches_{participant_, &service_};
+  Writer<std_msgs_msg_dds__String_> lidar_{participant_,
+                                           {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}};
+  Writer<unitree_go_msg_dds__UwbSwitch_> uwb_{
+      participant_, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}};
+};
+
+TEST_F(SwitchTopicsTest, SwitchTheLidarsProgramByWord) {
+  Say("OFF");
+  EXPECT_FALSE(owner_.services()[0].on);
+  Say("off");
+  Say("on");
+  EXPECT_FALSE(owner_.services()[0].on);
+  Say("ON");
+  EXPECT_TRUE(owner_.services()[0].on);
+}
+
+TEST_F(SwitchTopicsTest, SetWhatTheUwbServiceGives) {
+  uwb_.Write({.enabled = 7});
+  switches_.Poll(&owner_);
+  EXPECT_EQ(service_.settings().at("enable"), 1);
+}
+
+}  // namespace
+}  // namespace understudy

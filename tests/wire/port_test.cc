@@ -1,0 +1,113 @@
+// What both families' ports do alike.
+#include <gmock/gmock.h>
+
+#include "robot/errors.h"
+#include "tests/support/allocations.h"
+#include "tests/wire/client.h"
+#include "tests/wire/go_command.h"
+#include "tests/wire/robots.h"
+#include "wire/go_port.h"
+#include "wire/hg_port.h"
+#include "wire/message_crc.h"
+#include "wire/topics.h"
+
+namespace understudy {
+namespace {
+
+struct Go {
+  using Port = GoPort;
+  using LowCmd = unitree_go_msg_dds__LowCmd_;
+  static constexpr auto& kLowCmd = kGoLowCmd;
+  static constexpr int kFirstDomain = 156;
+  static constexpr int kSlots = 20;
+  static RobotSpec Robot() { return GoRobot(); }
+  // Sets one motor, the one with index 1.
+  static LowCmd Command(float q) {
+    LowCmd message = InitialGoCommand();
+    message.motor_cmd[4].q = q;
+    message.crc = MessageCrc(message);
+    return message;
+  }
+};
+
+struct Hg {
+  using Port = HgPort;
+  using LowCmd = unitree_hg_msg_dds__LowCmd_;
+  static constexpr auto& kLowCmd = kHgLowCmd;
+  static constexpr int kFirstDomain = 167;
+  static constexpr int kSlots = 35;
+  static RobotSpec Robot() { return HgRobot(); }
+  static LowCmd Command(float q) {
+    LowCmd message{};
+    message.mode_machine = 5;
+    message.motor_cmd[4].mode = 1;
+    message.motor_cmd[4].q = q;
+    message.crc = MessageCrc(message);
+    return message;
+  }
+};
+
+template <typename Family>
+class PortTest : public testing::Test {
+ protected:
+  // Tests run side by side: each has a domain of its own.
+  static Participant Join(int test) { return {"lo", Family::kFirstDomain + test}; }
+
+  RobotSpec spec_ = Family::Robot();
+  RobotCommand command_ = CommandOf(spec_);
+  Refusal wire_ = Refusal::kNone;
+};
+
+using Families = testing::Types<Go, Hg>;
+TYPED_TEST_SUITE(PortTest, Families);
+
+TYPED_TEST(PortTest, HasNoCommandBeforeTheFirst) {
+  const Participant participant = TestFixture::Join(0);
+  typename TypeParam::Port port(participant, this->spec_);
+  EXPECT_EQ(port.command_writers(), 0);
+  EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
+}
+
+TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
+  const Participant participant = TestFixture::Join(1);
+  typename TypeParam::Port port(participant, this->spec_);
+  Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  ASSERT_TRUE(client.Write(TypeParam::Command(1)));
+  auto broken = TypeParam::Command(2);
+  broken.crc ^= 1;
+  ASSERT_TRUE(client.Write(broken));
+
+  ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
+  EXPECT_EQ(this->wire_, Refusal::kNone);
+  EXPECT_EQ(this->command_.motors[1].q, 1);
+  ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
+  EXPECT_EQ(this->wire_, Refusal::kCrc);
+  EXPECT_EQ(this->command_.motors[1].q, 2);
+  EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
+}
+
+TYPED_TEST(PortTest, AllocatesNothingInATick) {
+  const Participant participant = TestFixture::Join(2);
+  typename TypeParam::Port port(participant, this->spec_);
+  Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  const RobotState state = StateOf(this->spec_);
+  const auto message = TypeParam::Command(1);
+  const std::uint64_t before = Allocations();
+  client.Write(message);
+  const bool taken = port.TakeCommand(&this->command_, &this->wire_);
+  port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
+  const std::uint64_t after = Allocations();
+  EXPECT_TRUE(taken);
+  EXPECT_EQ(after - before, 0);
+}
+
+TYPED_TEST(PortTest, RefusesARobotThatDoesNotFit) {
+  const Participant participant = TestFixture::Join(3);
+  this->spec_.motors.back().slot = TypeParam::kSlots;
+  EXPECT_THROW(typename TypeParam::Port(participant, this->spec_), ModelError);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,144 @@
+#include "wire/strangers.h"
+
+#include <optional>
+
+#include <dds/dds.h>
+#include <gmock/gmock.h>
+
+#include "bus/writer.h"
+#include "tests/support/eventually.h"
+#include "wire/topics.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+// Somebody else's participant in a domain that this process has already, with a writer of
+// rt/lowstate.
+class Stranger {
+ public:
+  Stranger(int domain, const dds_topic_descriptor* type)
+      : participant_(dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr),
+                     "create a stranger"),
+        writer_(dds_create_writer(participant_.handle(), MakeTopic(type), nullptr, nullptr),
+                "create the stranger's writer") {}
+
+  ParticipantKey key() const {
+    dds_guid_t guid{};
+    dds_get_guid(participant_.handle(), &guid);
+    return std::to_array(guid.v);
+  }
+  template <typename Msg>
+  void Say(const Msg& message) const {
+    dds_write(writer_.handle(), &message);
+  }
+
+ private:
+  dds_entity_t MakeTopic(const dds_topic_descriptor* type) const {
+    return dds_create_topic(participant_.handle(), type, "rt/lowstate", nullptr, nullptr);
+  }
+
+  Entity participant_, writer_;
+};
+
+const unitree_go_msg_dds__LowState_ kGoState{};
+const unitree_hg_msg_dds__LowState_ kHgState{};
+
+// Polls until `count` strangers have appeared.
+void AwaitStrangers(StrangerWatch* watch, std::size_t count) {
+  std::size_t appeared = 0;
+  ASSERT_TRUE(Eventually([&] { return (appeared += watch->Poll().appeared.size()) == count; }));
+}
+
+// Polls while the stranger speaks until somebody is heard for the first time.
+template <typename Msg>
+std::vector<Neighbour> AwaitSpeech(StrangerWatch* watch, const Stranger& stranger,
+                                   const Msg& message) {
+  std::vector<Neighbour> spoke;
+  Eventually([&] {
+    stranger.Say(message);
+    spoke = watch->Poll().spoke;
+    return !spoke.empty();
+  });
+  return spoke;
+}
+
+TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
+  const Participant ours("lo", 171);
+  Writer<unitree_go_msg_dds__LowState_> writer(ours, kGoLowState);
+  StrangerWatch watch(ours);
+  ASSERT_TRUE(writer.Write(kGoState));
+  const StrangerWatch::News news = watch.Poll();
+  EXPECT_THAT(news.appeared, IsEmpty());
+  EXPECT_THAT(news.spoke, IsEmpty());
+  EXPECT_THAT(watch.silent(), IsEmpty());
+  EXPECT_THAT(watch.speaking(), IsEmpty());
+}
+
+TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
+  const Participant ours("lo", 172);
+  StrangerWatch watch(ours);
+  const Stranger stranger(172, kGoLowState.descriptor);
+  AwaitStrangers(&watch, 1);
+  EXPECT_THAT(watch.Poll().appeared, IsEmpty());
+  EXPECT_THAT(watch.silent(), SizeIs(1));
+  EXPECT_THAT(watch.speaking(), IsEmpty());
+}
+
+TEST(StrangerWatchTest, NamesTheOneThatSpeaksAmongSeveral) {
+  const Participant ours("lo", 173);
+  StrangerWatch watch(ours);
+  const Stranger first(173, kGoLowState.descriptor), second(173, kHgLowState.descriptor),
+      third(173, kGoLowState.descriptor);
+  AwaitStrangers(&watch, 3);
+
+  const std::vector<Neighbour> spoke = AwaitSpeech(&watch, second, kHgState);
+
+  ASSERT_THAT(spoke, SizeIs(1));
+  EXPECT_EQ(spoke.front().participant, second.key());
+  EXPECT_THAT(watch.silent(), SizeIs(2));
+  ASSERT_THAT(watch.speaking(), SizeIs(1));
+  EXPECT_EQ(watch.speaking().front().participant, second.key());
+}
+
+TEST(StrangerWatchTest, TellsOfASecondSpeakerWhileTheFirstGoesOn) {
+  const Participant ours("lo", 174);
+  StrangerWatch watch(ours);
+  const Stranger first(174, kGoLowState.descriptor), second(174, kGoLowState.descriptor);
+  AwaitStrangers(&watch, 2);
+  ASSERT_THAT(AwaitSpeech(&watch, first, kGoState), SizeIs(1));
+  for (int i = 0; i < 10; ++i) first.Say(kGoState);
+
+  const std::vector<Neighbour> spoke = AwaitSpeech(&watch, second, kGoState);
+
+  ASSERT_THAT(spoke, SizeIs(1));
+  EXPECT_EQ(spoke.front().participant, second.key());
+  EXPECT_THAT(watch.speaking(), SizeIs(2));
+}
+
+TEST(StrangerWatchTest, ForgetsASpeakerThatHasGone) {
+  const Participant ours("lo", 175);
+  StrangerWatch watch(ours);
+  std::optional<Stranger> stranger;
+  stranger.emplace(175, kGoLowState.descriptor);
+  AwaitStrangers(&watch, 1);
+  ASSERT_THAT(AwaitSpeech(&watch, *stranger, kGoState), SizeIs(1));
+  stranger.reset();
+  EXPECT_TRUE(Eventually([&] {
+    watch.Poll();
+    return watch.speaking().empty();
+  }));
+}
+
+TEST(StrangersTest, AreDescribedOneByOne) {
+  const Neighbour one{.process = "a", .pid = "1"}, two{.process = "b", .pid = "2"};
+  EXPECT_EQ(Describe(std::vector<Neighbour>{}), "");
+  EXPECT_EQ(Describe(std::vector{one}), "process 1 (a)");
+  EXPECT_EQ(Describe(std::vector{one, two}), "process 1 (a) and process 2 (b)");
+  EXPECT_EQ(Describe(std::vector{one, two, one}), "process 1 (a), process 2 (b) and process 1 (a)");
+}
+
+}  // namespace
+}  // namespace understudy
