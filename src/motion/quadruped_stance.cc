@@ -57,7 +57,7 @@ void Stance::Begin(const QuadrupedReading& reading) {
   for (std::size_t leg = 0; leg < feet.size(); ++leg) {
     footprints_[leg] = R_FT * (feet[leg] - middle) + body_.radius() * Vector3d::UnitZ();
   }
-  com_ = body_.Com(reading.q);
+  com_ = com_at_begin_ = body_.Com(reading.q);
   trim_height_ = 0;
   trim_rotation_.setZero();
   Measure(reading, 1);
@@ -93,10 +93,10 @@ void Stance::Measure(const QuadrupedReading& reading, double paw_load) {
   measured_.rpy = RollPitchYaw(R_FB_);
 }
 
-PerLeg Stance::FeetInBase(const StancePose& pose) const {
+PerLeg Stance::FeetInBase(const StancePose& pose, const Vector3d& com) const {
   const Matrix3d R_FB = Rotation(pose.rpy);
   Vector3d base = pose.place;
-  base.head<2>() -= (R_FB * com_).head<2>();
+  base.head<2>() -= (R_FB * com).head<2>();
   PerLeg feet;
   for (std::size_t leg = 0; leg < feet.size(); ++leg) {
     const Vector3d lift = leg == 0 ? pose.paw : Vector3d::Zero();
@@ -107,7 +107,7 @@ PerLeg Stance::FeetInBase(const StancePose& pose) const {
 
 bool Stance::CanHold(const StancePose& pose) const {
   PerLeg q;
-  if (!body_.Reach(FeetInBase(pose), &q)) return false;
+  if (!body_.Reach(FeetInBase(pose, com_at_begin_), &q)) return false;
   const Vector3d up = Rotation(pose.rpy).row(2).transpose();
   if (pose.place.z() < body_.Depth(up) + kTrunkClear * body_.leg_length()) return false;
   for (std::size_t leg = 0; leg < q.size(); ++leg) {

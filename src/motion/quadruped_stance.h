@@ -47,7 +47,7 @@ class Stance {
   void Follow(const StancePose& pose);
 
   // Points of the feet in the base when the body is held so, m.
-  PerLeg FeetInBase(const StancePose& pose) const;
+  PerLeg FeetInBase(const StancePose& pose) const { return FeetInBase(pose, com_); }
 
   StanceCommand Step(const QuadrupedReading& reading, double dt);
 
@@ -60,6 +60,7 @@ class Stance {
  private:
   void Measure(const QuadrupedReading& reading, double paw_load);
   void Lead(double dt);
+  PerLeg FeetInBase(const StancePose& pose, const Eigen::Vector3d& com) const;
   bool CanHold(const StancePose& pose) const;
 
   const QuadrupedBody& body_;
@@ -69,6 +70,7 @@ class Stance {
   StancePose from_, to_, held_;
   Eigen::Vector3d v_place_{0, 0, 0}, v_rpy_{0, 0, 0};  // rates of `held_` while following
   double duration_ = 0, elapsed_ = 0;
+  Eigen::Vector3d com_at_begin_{0, 0, 0};   // in the base, m: what is feasible is judged with
   Eigen::Vector3d com_{0, 0, 0};            // in the base, m
   double trim_height_ = 0;                  // m, what corrects the height
   Eigen::Vector3d trim_rotation_{0, 0, 0};  // rad, what corrects the orientation, about F's axes
