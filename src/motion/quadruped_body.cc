@@ -17,6 +17,7 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
     : legs_{QuadrupedLeg(figures.legs[0]), QuadrupedLeg(figures.legs[1]),
             QuadrupedLeg(figures.legs[2]), QuadrupedLeg(figures.legs[3])},
       trunk_(figures.trunk),
+      trunk_shapes_(figures.trunk_shapes),
       R_IB_(figures.R_BI.conjugate()),
       mass_(figures.mass),
       gravity_(figures.gravity) {}
@@ -53,6 +54,15 @@ double QuadrupedBody::Height(const QuadrupedReading& reading) const {
   double depth = 0;
   for (const Vector3d& foot : reading.feet) depth -= reading.up.dot(foot) / 4;
   return depth + radius();
+}
+
+double QuadrupedBody::Depth(const Vector3d& up) const {
+  double depth = 0;
+  for (const TrunkShape& shape : trunk_shapes_) {
+    const double half = up.cwiseAbs().dot(shape.box.sizes()) / 2 + shape.rounding;
+    depth = std::max(depth, half - up.dot(shape.box.center()));
+  }
+  return depth;
 }
 
 // Forces s along `up` with sum m g and no moment about the centre of mass: A s = b. With the

@@ -4,8 +4,10 @@
 #define UNDERSTUDY_MOTION_QUADRUPED_BODY_H_
 
 #include <array>
+#include <vector>
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "motion/motion.h"
 #include "motion/quadruped_leg.h"
@@ -42,6 +44,9 @@ class QuadrupedBody {
   // m, of the base over the mean of the ground under the feet.
   double Height(const QuadrupedReading& reading) const;
 
+  // How far the trunk reaches down from the base's origin [m], where `up` is up.
+  double Depth(const Eigen::Vector3d& up) const;
+
   // Joint torques [N·m] that hold legs and trunk at rest against gravity when the feet carry
   // `share` of the weight, divided among them so that it does not tip and squares are least.
   // `load` from 0 to 1 says how willing each foot is; not all may be 0.
@@ -59,6 +64,7 @@ class QuadrupedBody {
 
   std::array<QuadrupedLeg, 4> legs_;
   LinkMass trunk_;
+  std::vector<TrunkShape> trunk_shapes_;
   Eigen::Quaterniond R_IB_;
   double mass_;
   double gravity_;

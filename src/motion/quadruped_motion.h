@@ -87,7 +87,7 @@ class QuadrupedMotion : public Motion {
   void Advance();  // to the state that follows, where one does
   void Legs(RobotCommand* command) const;
   void Wheels(const MotionInput& input, RobotCommand* command);
-  void Damp(RobotCommand* command) const;
+  static void Brake(double kd, RobotCommand* command);
 
   // Feet as they stand under the hips, that far below them [m], in the base.
   PerLeg Under(double depth) const;

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 
 #include "motion/quadruped_motion.h"
 
@@ -133,7 +132,9 @@ void QuadrupedMotion::Step(const MotionInput& input, double dt, RobotCommand* co
       break;
   }
   if (state_ == State::kDamped) {
-    Damp(command);
+    Brake(figures_.damping_kd, command);
+  } else if (state_ == State::kLying && wheeled()) {
+    Brake(0, command);  // the vendor's Go2-W page: motors idle after StandDown
   } else {
     Legs(command);
     Wheels(input, command);
@@ -213,9 +214,9 @@ void QuadrupedMotion::Wheels(const MotionInput& input, RobotCommand* command) {
   }
 }
 
-void QuadrupedMotion::Damp(RobotCommand* command) const {
+void QuadrupedMotion::Brake(double kd, RobotCommand* command) {
   for (MotorCommand& motor : command->motors) {
-    motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.damping_kd};
+    motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = kd};
   }
 }
 

@@ -26,36 +26,38 @@ struct Push {
   double swing_time, push_time, rest;  // s
 };
 
-// Found by a random search in simulation from the back and the side: derived from our models, like
-// nothing that was seen on a robot. The first gets all but the B2-W over, the second the B2-W.
+// Found by a random search in simulation, from the back and the side: derived from our models, like
+// nothing that was seen on a robot. The first way gets all but the Go2-W over, the second all but
+// the B2-W.
 constexpr double kFolded = -3, kWide = 1.5;
+constexpr std::size_t kPushesEach = 3;
 const std::array<Push, 2> kFromBack{
+    Push{.swing = {.lower = {-1.11, 1.76, -1.96}, .higher = {-kWide, 4.63, kFolded}},
+         .push = {.lower = {0.05, 1.73, -2.67}, .higher = {1.09, 3.32, 0}},
+         .swing_time = 0.25,
+         .push_time = 0.15,
+         .rest = 0.44},
     Push{.swing = {.lower = {-0.73, 1.46, -2.23}, .higher = {-1.13, 3.32, kFolded}},
          .push = {.lower = {kWide, 1.57, -2.4}, .higher = {kWide, 3.5, -0.52}},
          .swing_time = 0.25,
          .push_time = 0.18,
-         .rest = 0.4},
-    Push{.swing = {.lower = {-0.91, 1.64, -2.25}, .higher = {-1.13, 4.56, kFolded}},
-         .push = {.lower = {-0.12, 1.35, -2.5}, .higher = {1.09, 3.37, -0.38}},
-         .swing_time = 0.44,
-         .push_time = 0.15,
-         .rest = 0.44}};
+         .rest = 0.4}};
 const std::array<Push, 2> kFromSide{
+    Push{.swing = {.lower = {-1.04, 3.07, kFolded}, .higher = {0.69, 1.74, -0.71}},
+         .push = {.lower = {0.89, 3.35, -1.49}, .higher = {-0.47, 0.9, -1.46}},
+         .swing_time = 0.24,
+         .push_time = 0.32,
+         .rest = 0.44},
     Push{.swing = {.lower = {-1.04, 3.03, kFolded}, .higher = {0.76, 0.09, -0.97}},
          .push = {.lower = {1.15, 2.92, -2.5}, .higher = {-0.51, 0.1, 0}},
          .swing_time = 0.47,
          .push_time = 0.25,
-         .rest = 0.4},
-    Push{.swing = {.lower = {-1.03, 3.07, kFolded}, .higher = {0.82, 1.51, -0.71}},
-         .push = {.lower = {1.07, 3.51, -1.49}, .higher = {-0.47, 0.88, -1.46}},
-         .swing_time = 0.24,
-         .push_time = 0.29,
-         .rest = 0.44}};
+         .rest = 0.4}};
 
+// From the back it takes two pushes, over the side: so a way has several before its turn ends.
 const Push& Way(bool on_back, std::size_t pushes) {
   const auto& ways = on_back ? kFromBack : kFromSide;
-  // From the back it takes two pushes, over the side: the ways take turns after every two.
-  return ways[(pushes / 2 + 1) % ways.size()];
+  return ways[pushes / kPushesEach % ways.size()];
 }
 
 bool IsRight(std::size_t leg) { return leg % 2 == 0; }

@@ -21,9 +21,10 @@ constexpr double kTrimRotation = 0.2;    // rad
 constexpr double kHeightError = 0.02;    // m: more than this is a move under way, not an error
 constexpr double kRotationError = 0.06;  // rad
 constexpr double kHipClear = 0.2;        // of the leg's length over the ground
+constexpr double kTrunkClear = 0.01;
 constexpr double kKneeClear = 0.08;
 constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
-constexpr double kTiltStep = 0.1;     // of the wanted tilt, likewise
+constexpr double kTiltStep = 0.05;    // of the wanted tilt, likewise
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
 
 Matrix3d Rotation(const Vector3d& rpy) {
@@ -108,6 +109,7 @@ bool Stance::CanHold(const StancePose& pose) const {
   PerLeg q;
   if (!body_.Reach(FeetInBase(pose), &q)) return false;
   const Vector3d up = Rotation(pose.rpy).row(2).transpose();
+  if (pose.place.z() < body_.Depth(up) + kTrunkClear * body_.leg_length()) return false;
   for (std::size_t leg = 0; leg < q.size(); ++leg) {
     const double hip = pose.place.z() + up.dot(body_.leg(leg).figures().hip);
     const double knee = pose.place.z() + up.dot(body_.leg(leg).Knee(q[leg]));

@@ -35,7 +35,7 @@ class Stance {
   // The feet stand where they are from now on; the pose is the present one.
   void Begin(const QuadrupedReading& reading);
 
-  // The pose nearest to `wanted` that the legs can hold with hips and knees clear of the ground:
+  // The pose nearest to `wanted` that the legs can hold with trunk and knees clear of the ground:
   // the body is lowered or raised first, and tilted less where that is not enough.
   StancePose Feasible(const StancePose& wanted) const;
 

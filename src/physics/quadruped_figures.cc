@@ -49,6 +49,49 @@ LinkMass Lump(const mjModel& model, int root, const Without& without) {
   return lump;
 }
 
+// A shape with its half sizes along its own axes, less what is round about it.
+struct Half {
+  Eigen::Vector3d size;
+  double rounding;
+};
+
+Half HalfOf(const mjModel& model, int geom) {
+  const Eigen::Vector3d size = Vector(model.geom_size + 3 * geom);
+  switch (model.geom_type[geom]) {
+    case mjGEOM_BOX:
+    case mjGEOM_ELLIPSOID:
+      return {size, 0};
+    case mjGEOM_CYLINDER:
+      return {{size.x(), size.x(), size.y()}, 0};
+    case mjGEOM_CAPSULE:
+      return {{0, 0, size.y()}, size.x()};
+    default:
+      return {Eigen::Vector3d::Zero(), model.geom_rbound[geom]};
+  }
+}
+
+// The shapes that collide, of the bodies that hang on `base` but not on one of `hips`.
+std::vector<TrunkShape> TrunkShapes(const mjModel& model, int base,
+                                    const std::array<int, kLegs>& hips) {
+  std::vector<TrunkShape> shapes;
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const int body = model.geom_bodyid[geom];
+    const bool collides = model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
+    const bool of_leg =
+        std::any_of(hips.begin(), hips.end(), [&](int hip) { return HangsOn(model, body, hip); });
+    if (!collides || of_leg || !HangsOn(model, body, base)) continue;
+    Eigen::Quaterniond turn = Quaternion(model.geom_quat + 4 * geom);
+    for (int b = body; b != base; b = model.body_parentid[b]) {
+      turn = Quaternion(model.body_quat + 4 * b) * turn;
+    }
+    const Eigen::Vector3d middle = InAncestor(model, body, base, Vector(model.geom_pos + 3 * geom));
+    const Half half = HalfOf(model, geom);
+    const Eigen::Vector3d reach = turn.toRotationMatrix().cwiseAbs() * half.size;
+    shapes.push_back({Eigen::AlignedBox3d(middle - reach, middle + reach), half.rounding});
+  }
+  return shapes;
+}
+
 // The joint of that motor, which must turn about `axis` of its own body.
 int Hinge(const mjModel& model, const std::string& name, const Eigen::Vector3d& axis) {
   const int joint = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
@@ -118,6 +161,7 @@ QuadrupedFigures ReadQuadruped(const PhysicsWorld& world, const RobotSpec& spec)
     hips[leg] = model.jnt_bodyid[joint];
   }
   figures.trunk = Lump(model, base, hips);
+  figures.trunk_shapes = TrunkShapes(model, base, hips);
   figures.mass = model.body_subtreemass[base];
   figures.gravity = -model.opt.gravity[2];
   const int site = mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str());

@@ -4,6 +4,7 @@
 #define UNDERSTUDY_PHYSICS_QUADRUPED_FIGURES_H_
 
 #include <array>
+#include <vector>
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -17,6 +18,12 @@ namespace understudy {
 struct LinkMass {
   double mass = 0;               // kg
   Eigen::Vector3d com{0, 0, 0};  // m, in the frame of the link
+};
+
+// All within `rounding` of a box along the base's axes, m.
+struct TrunkShape {
+  Eigen::AlignedBox3d box;
+  double rounding = 0;
 };
 
 // A leg of three hinges: hip about x, thigh and calf about y, all zero with the leg straight down.
@@ -33,7 +40,8 @@ struct LegFigures {
 
 struct QuadrupedFigures {
   LinkMass trunk;
-  std::array<LegFigures, 4> legs;  // FR FL RR RL
+  std::vector<TrunkShape> trunk_shapes;  // what of the trunk can touch the ground
+  std::array<LegFigures, 4> legs;        // FR FL RR RL
   Eigen::Quaterniond R_BI{1, 0, 0, 0};
   double mass = 0;        // kg, of everything
   double gravity = 9.81;  // m/s²
