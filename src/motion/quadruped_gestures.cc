@@ -7,11 +7,12 @@ namespace {
 
 using Eigen::Vector3d;
 
-Keyframe Body(double duration, Vector3d place, double pitch) {
+Keyframe Body(double duration, const Vector3d& place, double pitch) {
   return {.duration = duration, .pose = {.place = place, .rpy = {0, pitch, 0}}};
 }
 
-Keyframe Paw(double duration, Vector3d place, Vector3d rpy, Vector3d paw, double load) {
+Keyframe Paw(double duration, const Vector3d& place, const Vector3d& rpy, const Vector3d& paw,
+             double load) {
   return {.duration = duration, .pose = {.place = place, .rpy = rpy, .paw = paw, .paw_load = load}};
 }
 
