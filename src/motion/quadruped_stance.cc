@@ -24,7 +24,7 @@ constexpr double kHipClear = 0.2;        // of the leg's length over the ground
 constexpr double kTrunkClear = 0.01;
 constexpr double kKneeClear = 0.08;
 constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
-constexpr double kTiltStep = 0.05;    // of the wanted tilt, likewise
+constexpr int kTilts = 20;            // from the wanted tilt down to none, likewise
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
 
 Matrix3d Rotation(const Vector3d& rpy) {
@@ -122,9 +122,9 @@ bool Stance::CanHold(const StancePose& pose) const {
 StancePose Stance::Feasible(const StancePose& wanted) const {
   constexpr int kHeights = 9;
   const double length = body_.leg_length();
-  for (double part = 1; part > 0; part -= kTiltStep) {
+  for (int tilt = 0; tilt < kTilts; ++tilt) {
     StancePose pose = wanted;
-    pose.rpy *= part;
+    pose.rpy *= 1 - static_cast<double>(tilt) / kTilts;
     for (int step = 0; step < kHeights; ++step) {
       for (const double direction : {-1.0, 1.0}) {
         pose.place.z() = wanted.place.z() + direction * step * kHeightStep * length;
