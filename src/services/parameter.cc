@@ -67,7 +67,9 @@ std::optional<json> DecodeField(const Field& field, const json& value) {
       return value.is_boolean() ? std::optional(value) : std::nullopt;
     case FieldKind::kFlag:
       if (value.is_boolean()) return value;
-      if (value == 0 || value == 1) return value == 1;
+      if (const auto number = Number(value); number && (*number == 0 || *number == 1)) {
+        return *number == 1;
+      }
       return std::nullopt;
     case FieldKind::kInt:
       return DecodeInt(field, value);

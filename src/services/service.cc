@@ -76,7 +76,7 @@ ServiceReply Service::Answer(const ServiceRequest& request, MotorOwner* owner, L
   const auto row = std::ranges::find(table_.rows, request.api_id, &ApiRow::id);
   if (row == table_.rows.end()) return {.code = kRpcApiNotImplemented};
   if (!OnlyReads(*row) && lease_.Denies(request.lease_id, now)) return {.code = kRpcLeaseDenied};
-  const ServiceReply bad{.code = row->parameter_code.value_or(table_.parameter_code)};
+  ServiceReply bad{.code = row->parameter_code.value_or(table_.parameter_code)};
   if (request.parameter_bytes > kMostParameterBytes) return bad;
   if (request.binary_bytes > (row->takes_binary ? kMostBinaryBytes : 0)) return bad;
   try {
