@@ -10,7 +10,7 @@
 namespace understudy {
 namespace {
 
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 constexpr std::int32_t kBusy = 7400;
 constexpr std::int32_t kHolding = 7401;

@@ -11,7 +11,7 @@
 namespace understudy {
 namespace {
 
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 using nlohmann::json;
 
 // --- motion_switcher ---

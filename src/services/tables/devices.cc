@@ -9,7 +9,7 @@
 namespace understudy {
 namespace {
 
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 using nlohmann::json;
 
 constexpr std::int32_t kDeviceError = 100;  // the only code of vui, voice and the videohubs

@@ -11,7 +11,7 @@ namespace understudy {
 namespace {
 
 using enum MotionAction;
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 // Ids and words of the four humanoid services differ; what they do does not.
 struct Loco {

@@ -7,7 +7,7 @@ namespace understudy {
 namespace {
 
 using enum MotionAction;
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 constexpr std::string_view kA2 = "[sdk] a2/sport";
 constexpr std::string_view kAs2 = "[sdk] as2/sport";

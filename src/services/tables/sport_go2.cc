@@ -4,7 +4,7 @@
 namespace understudy {
 
 using enum MotionAction;
-using namespace fields;
+using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kSdk = "[sdk] go2/sport";
