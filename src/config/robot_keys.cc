@@ -213,10 +213,11 @@ void Describe(Archive& a, RobotSpec& r) {
          "Hardware revision, one of those that the robot's file lists under robot.revisions; \"\" "
          "is none"},
         &r.revision);
-  a.Key({"locked_joints",
-         "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
-         "every pose, and the model holds them fast where it has them"},
-        &r.locked_joints);
+  a.Key(
+      {"locked_joints",
+       "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
+       "every pose, and the model holds them fast where it has them"},
+      &r.locked_joints);
   a.List({"bodies", "Bodies that differ from the model file"}, &r.bodies, DescribeBody,
          &BodySpec::name);
   a.List({"sites", "Sites that differ from the model file"}, &r.sites, DescribeSite,
