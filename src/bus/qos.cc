@@ -17,8 +17,8 @@ QosPtr CommonQos(int depth) {
 
 }  // namespace
 
-QosPtr WriterQos(const WriterOptions& options) {
-  QosPtr qos = CommonQos(options.depth);
+QosPtr WriterQos() {
+  QosPtr qos = CommonQos(1);
   dds_qset_reliability(qos.get(), DDS_RELIABILITY_RELIABLE, 0);
   return qos;
 }

@@ -7,7 +7,6 @@
 #include <dds/dds.h>
 
 #include "bus/reader.h"
-#include "bus/writer.h"
 
 namespace understudy {
 
@@ -17,9 +16,9 @@ struct QosDeleter {
 using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 
 // What the vendor's writers offer (sdk_surface.md, section 8): RELIABLE, VOLATILE, KEEP_LAST 1,
-// XCDR1 or XCDR2, sent as XCDR1. Two things differ, unseen by others: our writers may block for 0 s
-// where the vendor's may for 100 ms, and may keep more than one message.
-QosPtr WriterQos(const WriterOptions& options);
+// XCDR1 or XCDR2, sent as XCDR1. One thing differs, unseen by others: our writers may block for 0 s
+// where the vendor's may for 100 ms.
+QosPtr WriterQos();
 
 // Takes what C++, Python and ROS 2 writers offer: VOLATILE, KEEP_LAST, XCDR1 and XCDR2.
 QosPtr ReaderQos(const ReaderOptions& options);

@@ -14,12 +14,10 @@
 namespace understudy {
 
 WriterCore::WriterCore(const Participant& participant, const char* topic,
-                       const dds_topic_descriptor& descriptor, std::size_t message_size,
-                       const WriterOptions& options)
+                       const dds_topic_descriptor& descriptor, std::size_t message_size)
     : topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
-      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos(options).get(),
-                                nullptr),
+      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(), nullptr),
               std::string("write topic ") + topic) {
   if (descriptor.m_size != message_size) {
     throw BusError(std::string("topic ") + topic + ": " + descriptor.m_typename +

@@ -9,20 +9,12 @@
 
 namespace understudy {
 
-struct WriterOptions {
-  // Messages kept for reliable readers that have not acknowledged them. With 1, a message that is
-  // followed at once by another may never be had again: a reader that hears of the second first
-  // gives the first up. Some 30 kB of them unacknowledged are refused, for a write does not wait.
-  int depth = 1;
-};
-
 // The part of Writer that does not know the message.
 class WriterCore {
  public:
   // Throws BusError when Cyclone refuses. `message_size` is checked against the descriptor's.
   WriterCore(const Participant& participant, const char* topic,
-             const dds_topic_descriptor& descriptor, std::size_t message_size,
-             const WriterOptions& options);
+             const dds_topic_descriptor& descriptor, std::size_t message_size);
 
   // Readers matched now, of any participant, ours included. Does not allocate.
   int matched_readers() const;
@@ -45,15 +37,15 @@ class WriterCore {
 
 // Sends messages of one topic.
 //
-// Reliable, yet a reader that hangs or is slow does not hold us up: the history is KEEP_LAST, by
-// default 1, for which Cyclone 0.10.2 never makes a writer wait (the next message replaces the
-// oldest not yet acknowledged), and the time that a write may block is 0. Such a reader loses
-// messages; the others get all of them.
+// Reliable, yet a reader that hangs or is slow does not hold us up: the history is KEEP_LAST 1, for
+// which Cyclone 0.10.2 never makes a writer wait (the next message replaces the one not yet
+// acknowledged), and the time that a write may block is 0. Such a reader loses messages; the others
+// get all of them.
 template <typename Msg>
 class Writer : public WriterCore {
  public:
-  Writer(const Participant& participant, const Topic<Msg>& topic, const WriterOptions& options = {})
-      : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg), options) {}
+  Writer(const Participant& participant, const Topic<Msg>& topic)
+      : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg)) {}
 
   // Sends one message to the readers matched now; without one it does nothing. False, and counted
   // in failures(), when Cyclone refuses it. Allocates in Cyclone's C, not here.

@@ -17,9 +17,8 @@ constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
 constexpr std::size_t kMostUrgent = 5;
 constexpr int kMostServed = 8;    // assumed: bounds what a poll costs
-constexpr int kReaderDepth = 64;  // assumed
-// Replies to two clients, or to a burst, leave one right after the other (WriterOptions::depth).
-constexpr int kWriterDepth = 16;  // assumed
+// Assumed: a thousand calls a second, while the machine gives us no time for a quarter of one.
+constexpr int kReaderDepth = 256;
 
 }  // namespace
 
@@ -31,8 +30,7 @@ ServiceHost::Channel::Channel(const Participant& participant, const std::string&
       response_topic("rt/api/" + name + "/response"),
       reader(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc},
              {.depth = kReaderDepth}),
-      writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc},
-             {.depth = kWriterDepth}) {}
+      writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
 ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTable> tables, Say say)
     : say_(std::move(say)) {
