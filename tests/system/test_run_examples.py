@@ -46,19 +46,20 @@ def test_every_row_says_only_what_the_tool_knows(tool):
         ({}, 0, "x\nTraceback (most recent call last):\n  a\nValueError", 0.0, "said `Traceback"),
         ({"rises": 0.3}, 0, "", 0.1, "rose to 0.10 m only"),
         ({"commands": True}, 0, "", 0.0, "no command was taken"),
+        ({"arms": True}, 0, "", 0.0, "moved the arms with weight 0.00 only"),
     ],
 )
 def test_what_is_not_an_end_is_said(tool, row, code, said, highest, reason):
-    heights = tool.Heights("understudy", "nobody")
-    heights.highest = highest
-    found = list(tool.faults({**tool.DEFAULTS, **row}, code, said, heights))
+    watch = tool.Watch("understudy", "nobody")
+    watch.highest = highest
+    found = list(tool.faults({**tool.DEFAULTS, **row}, code, said, watch))
     assert len(found) == 1 and found[0].startswith(reason)
 
 
 def test_a_program_that_runs_until_ctrl_c_has_run_to_its_end(tool):
     said = 'Traceback (most recent call last):\n  File "a", line 1\nKeyboardInterrupt\n'
     row = {**tool.DEFAULTS, "ends": "on Ctrl-C"}
-    assert list(tool.faults(row, 124, said, tool.Heights("understudy", "nobody"))) == []
+    assert list(tool.faults(row, 124, said, tool.Watch("understudy", "nobody"))) == []
 
 
 @pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (3, 1, "no: exit code 3")])
