@@ -35,6 +35,9 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--model", "robot.model", "FILE",
                  "MJCF to play instead of the robot's own, with the same joint names")
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
+  AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
+                 "Joint friction, damping and armature: catalogue, as in the model's file, or "
+                 "fitted to real robots [the better evidence; with --model catalogue]");
   AddShortOption(app, arguments, "--speed", "time.speed", "X",
                  "Simulated seconds per wall second; max = as fast as possible [1]")
       ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <system_error>
 #include <utility>
 
@@ -110,6 +111,33 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
   return config;
 }
 
+// What a mapping of mappings holds at a path; null where it is not there.
+const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string_view> path) {
+  const YamlValue* value = &tree;
+  for (const std::string_view key : path) {
+    if (value->kind != YamlValue::Kind::kMap) return nullptr;
+    value = value->Find(key);
+    if (value == nullptr) return nullptr;
+  }
+  return value;
+}
+
+// Whether a layer over the robot's own file, which comes first, names another model and none says
+// whose joint figures to use.
+bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees) {
+  const YamlValue* own = FindAt(trees.front(), {"robot", "model"});
+  bool another = false;
+  for (std::size_t i = 1; i < trees.size(); ++i) {
+    if (const YamlValue* model = FindAt(trees[i], {"robot", "model"})) {
+      another = own == nullptr || model->text != own->text;
+    }
+    const YamlValue* dynamics = FindAt(trees[i], {"robot", "dynamics"});
+    if (dynamics == nullptr) continue;
+    if (dynamics->kind == YamlValue::Kind::kScalar || dynamics->Find("use") != nullptr) return false;
+  }
+  return another;
+}
+
 }  // namespace
 
 std::vector<std::string> RobotNames(const std::filesystem::path& data_dir) {
@@ -128,6 +156,7 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
   AddTrees(layers, &trees);
   Places places;
   Config config = ReadLayers(trees, &places);
+  if (LeavesJointsToAnotherModel(trees)) config.robot.dynamics.use = DynamicsSource::kCatalogue;
   Validate(config, places);
   return config;
 }

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "config/keys.h"
 #include "motion/chord.h"
 
@@ -28,6 +30,36 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
         &p.roll);
   a.Key({"roll_ratio", "rad/rad", {0.01, 100}, "How far A and B part per roll angle"},
         &p.roll_ratio);
+}
+
+void DescribeFitted(Archive& a, FittedDynamicsSpec& f) {
+  constexpr Range kOrModel{-1, std::numeric_limits<double>::infinity()};
+  a.Key({"slots", "", {0, 34}, "Slots of the motors whose joints these are"}, &f.slots);
+  a.Key({"armature", "kg·m²", kOrModel, "Rotor inertia at the joint; below 0 is the model's"},
+        &f.armature);
+  a.Key({"damping", "N·m·s/rad", kOrModel, "Damping of the joint; below 0 is the model's"},
+        &f.damping);
+  a.Key({"frictionloss", "N·m", kOrModel, "Dry friction of the joint; below 0 is the model's"},
+        &f.frictionloss);
+  a.Key({"kd_share",
+         "",
+         {0, 10},
+         "How much of a commanded kd acts; of motors of a parallel pair in PR mode only"},
+        &f.kd_share);
+}
+
+void DescribeDynamics(Archive& a, DynamicsSpec& d) {
+  a.Choice({"use",
+            "Figures of joints and drives: catalogue, those of the model's file, or fitted to "
+            "recordings of real robots; another robot.model has its own unless this is said again"},
+           {"catalogue", "fitted"}, &d.use);
+  a.List({"fitted", "What the fit says; what it does not say is the model's"}, &d.fitted,
+         DescribeFitted);
+  a.Key({"delay",
+         "s",
+         {0, 0.1},
+         "Time from when motors would follow a command to its torque, to the nearest step"},
+        &d.delay);
 }
 
 void DescribeFoot(Archive& a, FootSpec& f) {
@@ -191,6 +223,9 @@ void Describe(Archive& a, RobotSpec& r) {
   a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
+  a.Section(
+      {"dynamics", "Friction, damping and inertia of joints; drives"},
+      [&] { DescribeDynamics(a, r.dynamics); }, "use");
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });

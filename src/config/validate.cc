@@ -82,6 +82,25 @@ void CheckParallel(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
+void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
+  const DynamicsSpec& dynamics = robot.dynamics;
+  checker.Check(dynamics.use != DynamicsSource::kFitted || !dynamics.fitted.empty(),
+                "robot.dynamics.use",
+                "robot '" + robot.name + "' has no fitted figures; choose catalogue");
+  std::set<double> taken;
+  for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
+    const std::string key = "robot.dynamics.fitted." + std::to_string(i) + ".slots";
+    checker.Check(!dynamics.fitted[i].slots.empty(), key, "expected at least one slot");
+    for (const double slot : dynamics.fitted[i].slots) {
+      const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
+                                   [&](const MotorSpec& motor) { return motor.slot == slot; });
+      checker.Check(has, key, "no motor is in slot " + NumberText(slot));
+      checker.Check(taken.insert(slot).second, key,
+                    "slot " + NumberText(slot) + " has figures already");
+    }
+  }
+}
+
 void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors,
                const Checker& checker) {
   checker.Check(pose.q.size() == motors, "robot." + name + ".q",
@@ -224,6 +243,7 @@ void Validate(const Config& config, const Places& places) {
   checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
   CheckMotors(robot, checker);
   CheckParallel(robot, checker);
+  CheckDynamics(robot, checker);
   CheckFeet(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);

@@ -24,8 +24,26 @@ double AvailableTorque(const MotorSpec& spec, double tau, double dq) {
   return std::clamp(tau, -limit, limit);
 }
 
+namespace {
+
+std::vector<double> KdShares(const RobotSpec& spec) {
+  std::vector<double> shares(spec.motors.size(), 1.0);
+  if (spec.dynamics.use != DynamicsSource::kFitted) return shares;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    for (const FittedDynamicsSpec& fit : spec.dynamics.fitted) {
+      if (std::ranges::find(fit.slots, spec.motors[i].slot) != fit.slots.end()) {
+        shares[i] = fit.kd_share;
+      }
+    }
+  }
+  return shares;
+}
+
+}  // namespace
+
 MotorBank::MotorBank(const RobotSpec& spec)
     : spec_(spec),
+      kd_share_(KdShares(spec)),
       torque_(spec.motors.size()),
       winding_c_(spec.motors.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
   for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
@@ -34,7 +52,9 @@ MotorBank::MotorBank(const RobotSpec& spec)
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
                                         std::span<const double> dq, double dt) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] = DesiredTorque(command.motors[i], q[i], dq[i]);
+    MotorCommand motor = command.motors[i];
+    motor.kd *= kd_share_[i];
+    torque_[i] = DesiredTorque(motor, q[i], dq[i]);
   }
   if (command.joint_space == JointSpace::kMotors) {
     for (const ParallelJoint& joint : parallel_) {

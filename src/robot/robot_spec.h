@@ -26,6 +26,25 @@ struct MotorSpec {
   double hold_kd = 0;        // N·m·s/rad
 };
 
+// Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of
+// real robots.
+enum class DynamicsSource : std::uint8_t { kCatalogue, kFitted };
+
+// What such a fit says of some motors and their joints.
+struct FittedDynamicsSpec {
+  std::vector<double> slots{};  // the motors
+  double armature = -1;         // kg·m² at the joint; below 0: as in the model
+  double damping = -1;          // N·m·s/rad of the joint, likewise
+  double frictionloss = -1;     // N·m of the joint, likewise
+  double kd_share = 1;          // how much of a commanded kd acts
+};
+
+struct DynamicsSpec {
+  DynamicsSource use = DynamicsSource::kCatalogue;
+  std::vector<FittedDynamicsSpec> fitted;
+  double delay = 0;  // s from when a command is followed to its torque
+};
+
 // Two serial joints driven by two parallel motors A and B. Indices in motor order.
 struct ParallelSpec {
   int pitch = 0;          // the slot of B in AB mode
@@ -176,6 +195,7 @@ struct RobotSpec {
   int mode_machine = 0;           // hg only: what LowState announces and LowCmd must echo
   std::vector<MotorSpec> motors;  // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
+  DynamicsSpec dynamics;
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force

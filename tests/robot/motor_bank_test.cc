@@ -84,6 +84,49 @@ TEST_F(MotorBankTest, MeasuresAnglesAndRatesInMotorSpace) {
   EXPECT_NEAR(tau[2], 0, 1e-12);
 }
 
+// Motors in slots 0 to 2; the fit says 1.5 of kd at the pitch and 0.5 at the roll.
+RobotSpec SpecWithKdShares(DynamicsSource use) {
+  RobotSpec spec = Spec();
+  for (std::size_t i = 0; i < 3; ++i) spec.motors[i].slot = static_cast<int>(i);
+  spec.dynamics.use = use;
+  spec.dynamics.fitted = {{.slots = {1}, .kd_share = 1.5}, {.slots = {2}, .kd_share = 0.5}};
+  return spec;
+}
+
+// Every motor is to stand still with kp 0 and kd 10.
+RobotCommand Brake() {
+  RobotCommand command;
+  command.motors.assign(3, {.enabled = true, .kd = 10});
+  return command;
+}
+
+TEST_F(MotorBankTest, LetsTheFittedShareOfKdActOnEachMotor) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kFitted);
+  MotorBank bank(spec);
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(Brake(), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -15, -5}));
+}
+
+TEST_F(MotorBankTest, LetsAllOfKdActUnderCatalogueDynamics) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kCatalogue);
+  MotorBank bank(spec);
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(Brake(), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -10, -10}));
+}
+
+// A = pitch + 2 roll turns at 3, B = pitch - 2 roll at -1: -30 and 10 N·m in motor space.
+TEST_F(MotorBankTest, LetsAllOfKdActOnMotorsThatAreCommandedThemselves) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kFitted);
+  MotorBank bank(spec);
+  RobotCommand command = Brake();
+  command.joint_space = JointSpace::kMotors;
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -20, -80}));
+}
+
 TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   RobotSpec spec = Spec();
   spec.parallel.clear();
