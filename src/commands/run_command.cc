@@ -45,6 +45,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "End after so many simulated seconds [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
                  "damped, standing, hanging or clamped [the robot's own]");
+  AddShortOption(app, arguments, "--seed", "randomization.seed", "N",
+                 "Seed of all that randomization draws [one is drawn and said]");
   app->add_flag_callback(
       "--released",
       [arguments] {

@@ -21,6 +21,10 @@ void DescribeMotor(Archive& a, MotorSpec& m) {
         &m.tau_step);
   a.Key({"hold_kp", "N·m/rad", kNotNegative, "Gain that holds a start pose"}, &m.hold_kp);
   a.Key({"hold_kd", "N·m·s/rad", kNotNegative, "Damping that holds a start pose"}, &m.hold_kd);
+  a.Key({"strength", "", {0, 100}, "Torque that it gives over the torque meant, limit included"},
+        &m.strength);
+  a.Key({"kp_scale", "", {0, 100}, "How much of a commanded kp acts"}, &m.kp_scale);
+  a.Key({"kd_scale", "", {0, 100}, "How much of a commanded kd acts"}, &m.kd_scale);
 }
 
 void DescribeParallel(Archive& a, ParallelSpec& p) {

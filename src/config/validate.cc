@@ -9,6 +9,7 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
+#include "config/randomization_keys.h"
 #include "motion/chord.h"
 #include "motion/onboard.h"
 #include "robot/errors.h"
@@ -84,8 +85,8 @@ void CheckParallel(const RobotSpec& robot, const Checker& checker) {
 
 void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
   const DynamicsSpec& dynamics = robot.dynamics;
-  checker.Check(dynamics.use != DynamicsSource::kFitted || !dynamics.fitted.empty(),
-                "robot.dynamics.use",
+  if (dynamics.use != DynamicsSource::kFitted) return;
+  checker.Check(!dynamics.fitted.empty(), "robot.dynamics.use",
                 "robot '" + robot.name + "' has no fitted figures; choose catalogue");
   std::set<double> taken;
   for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
@@ -140,6 +141,25 @@ void CheckFeet(const RobotSpec& robot, const Checker& checker) {
     checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
                   "expected three numbers");
   }
+}
+
+void CheckRandomization(const Config& config, const Checker& checker) {
+  const RandomizationSpec& spec = config.randomization;
+  for (const RandomRange& range : RandomRanges()) {
+    const RandomizationSpec::Limits& limits = spec.*range.limits;
+    const std::string key = "randomization." + std::string(range.row.name);
+    checker.Check(limits.empty() || limits.size() == 2, key,
+                  "expected [least, most], or [] to draw nothing, got " +
+                      std::to_string(limits.size()) + " numbers");
+    checker.Check(limits.empty() || limits[0] <= limits[1], key,
+                  "expected least before most, got " + NumberText(limits.empty() ? 0 : limits[0]) +
+                      " before " + NumberText(limits.empty() ? 0 : limits[1]));
+  }
+  const RateSpec& rates = config.robot.rates;
+  checker.Check(spec.timestep.empty() || !PossibleTimesteps(spec.timestep, rates).empty(),
+                "randomization.timestep",
+                "no step in it divides the periods of " + NumberText(rates.lowstate_hz) + " and " +
+                    NumberText(rates.service_hz) + " Hz, as 0.001, 0.0005 and 0.00025 s may");
 }
 
 bool IsWhole(double ratio) {
@@ -250,6 +270,7 @@ void Validate(const Config& config, const Places& places) {
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
   CheckHumanoid(robot, checker);
   CheckRates(config, checker);
+  CheckRandomization(config, checker);
   CheckFirmware(robot, checker);
   CheckMotionService(config, checker);
   CheckArmSdk(robot, checker);

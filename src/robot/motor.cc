@@ -39,6 +39,12 @@ std::vector<double> KdShares(const RobotSpec& spec) {
   return shares;
 }
 
+MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
+  command.kp *= spec.kp_scale;
+  command.kd *= spec.kd_scale;
+  return command;
+}
+
 }  // namespace
 
 MotorBank::MotorBank(const RobotSpec& spec)
@@ -52,7 +58,7 @@ MotorBank::MotorBank(const RobotSpec& spec)
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
                                         std::span<const double> dq, double dt) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    MotorCommand motor = command.motors[i];
+    MotorCommand motor = Scaled(command.motors[i], spec_.motors[i]);
     motor.kd *= kd_share_[i];
     torque_[i] = DesiredTorque(motor, q[i], dq[i]);
   }
@@ -62,16 +68,17 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
       const auto roll = static_cast<std::size_t>(joint.roll());
       const ParallelJoint::Motors x = joint.ToMotors({q[pitch], q[roll]});
       const ParallelJoint::Motors v = joint.ToMotors({dq[pitch], dq[roll]});
-      const ParallelJoint::Serial tau =
-          joint.TorqueToSerial({DesiredTorque(command.motors[roll], x.a, v.a),
-                                DesiredTorque(command.motors[pitch], x.b, v.b)});
+      const ParallelJoint::Serial tau = joint.TorqueToSerial(
+          {DesiredTorque(Scaled(command.motors[roll], spec_.motors[roll]), x.a, v.a),
+           DesiredTorque(Scaled(command.motors[pitch], spec_.motors[pitch]), x.b, v.b)});
       torque_[pitch] = tau.pitch;
       torque_[roll] = tau.roll;
     }
   }
   const ThermalSpec& thermal = spec_.thermal;
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] = AvailableTorque(spec_.motors[i], torque_[i], dq[i]);
+    const MotorSpec& motor = spec_.motors[i];
+    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]);
     const double steady =
         thermal.ambient_c + thermal.rest_rise_c + thermal.rise_per_nm2_c * torque_[i] * torque_[i];
     winding_c_[i] += (steady - winding_c_[i]) * dt / thermal.time_constant;

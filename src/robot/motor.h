@@ -38,7 +38,8 @@ class MotorBank {
   // same instant, and the motor temperatures one step of dt [s] on. The span stays valid until the
   // next call. In JointSpace::kMotors the parallel pairs follow their command in motor space; their
   // limits stay those of pitch and roll (*assumed*). In JointSpace::kPitchRoll, and of motors in no
-  // pair, only the fitted share of a commanded kd acts (spec.dynamics).
+  // pair, only the fitted share of a commanded kd acts (spec.dynamics). Gains and torque of each
+  // motor are scaled as MotorSpec says; in JointSpace::kMotors `strength` counts at pitch and roll.
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
                                std::span<const double> dq, double dt);
 

@@ -24,6 +24,9 @@ struct MotorSpec {
   double tau_step = 0;       // N·m
   double hold_kp = 0;        // N·m/rad, gains that hold a start pose
   double hold_kd = 0;        // N·m·s/rad
+  double strength = 1;       // torque given over torque meant, before and at the limit
+  double kp_scale = 1;       // how much of a commanded kp acts
+  double kd_scale = 1;       // likewise of kd
 };
 
 // Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of

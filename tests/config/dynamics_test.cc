@@ -80,28 +80,34 @@ TEST(DynamicsTest, AnotherModelKeepsItsOwnJointsUnlessToldOtherwise) {
 class DynamicsMisuseTest : public ConfigFixture {};
 
 TEST_F(DynamicsMisuseTest, SuggestsTheNearestWord) {
-  EXPECT_EQ(SetError("robot.dynamics.use=fited"),
-            "--set robot.dynamics.use=fited: robot.dynamics.use: expected one of catalogue, fitted, "
-            "got 'fited'; did you mean 'fitted'?");
+  EXPECT_EQ(
+      SetError("robot.dynamics.use=fited"),
+      "--set robot.dynamics.use=fited: robot.dynamics.use: expected one of catalogue, fitted, "
+      "got 'fited'; did you mean 'fitted'?");
 }
 
 TEST_F(DynamicsMisuseTest, RefusesFiguresOfASlotWithoutAMotor) {
-  EXPECT_THAT(SetError("robot.dynamics.fitted=[{slots: [0, 7], damping: 1}]"),
+  EXPECT_THAT(SetError("robot.dynamics={use: fitted, fitted: [{slots: [0, 7], damping: 1}]}"),
               HasSubstr("robot.dynamics.fitted.0.slots: no motor is in slot 7"));
 }
 
 TEST_F(DynamicsMisuseTest, RefusesTwoFiguresForOneSlot) {
-  EXPECT_THAT(SetError("robot.dynamics.fitted=[{slots: [0]}, {slots: [1, 0]}]"),
+  EXPECT_THAT(SetError("robot.dynamics={use: fitted, fitted: [{slots: [0]}, {slots: [1, 0]}]}"),
               HasSubstr("robot.dynamics.fitted.1.slots: slot 0 has figures already"));
 }
 
 TEST_F(DynamicsMisuseTest, RefusesFiguresOfNoSlot) {
-  EXPECT_THAT(SetError("robot.dynamics.fitted=[{damping: 1}]"),
+  EXPECT_THAT(SetError("robot.dynamics={use: fitted, fitted: [{damping: 1}]}"),
               HasSubstr("robot.dynamics.fitted.0.slots: expected at least one slot"));
 }
 
+TEST_F(DynamicsMisuseTest, LeavesFiguresThatAreNotUsedAlone) {
+  EXPECT_EQ(SetError("robot.dynamics={use: catalogue, fitted: [{slots: [7]}]}"), "");
+}
+
 TEST_F(DynamicsMisuseTest, RefusesADelayThatIsNoDelay) {
-  EXPECT_THAT(SetError("robot.dynamics.delay=-0.001"), HasSubstr("expected a number from 0 to 0.1 s"));
+  EXPECT_THAT(SetError("robot.dynamics.delay=-0.001"),
+              HasSubstr("expected a number from 0 to 0.1 s"));
   EXPECT_THAT(SetError("robot.dynamics.delay=nan"), HasSubstr("expected a number from 0 to 0.1 s"));
 }
 

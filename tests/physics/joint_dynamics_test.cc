@@ -39,8 +39,8 @@ class JointDynamicsTest : public MujocoTest {
   }
 };
 
-// measured.md, section d: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh 0.14
-// to 0.29; the 0.2 of the vendor's model is too small at the calf.
+// measured.md, section d: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh
+// 0.14 to 0.29; the 0.2 of the vendor's model is too small at the calf.
 TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
   const ModelHandle model = Load("go2", "");
   for (const std::string leg : {"FR", "FL", "RR", "RL"}) {
@@ -68,7 +68,8 @@ TEST_F(JointDynamicsTest, LeavesJointsOfWhichTheFitSaysNothingAlone) {
 TEST_F(JointDynamicsTest, LeavesFiguresOfWhichTheFitSaysNothingAlone) {
   const ModelHandle fitted = Load("g1", "fitted");  // the fit is of kd only
   const ModelHandle catalogue = Load("g1", "catalogue");
-  for (const std::string joint : {"left_ankle_pitch_joint", "waist_roll_joint", "left_knee_joint"}) {
+  for (const std::string joint :
+       {"left_ankle_pitch_joint", "waist_roll_joint", "left_knee_joint"}) {
     EXPECT_EQ(JointOf(*fitted, joint), JointOf(*catalogue, joint)) << joint;
   }
 }

@@ -137,6 +137,41 @@ TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{1, 2, 3}));
 }
 
+TEST_F(MotorBankTest, ScalesGainsButNotTorquesThatAreFedForward) {
+  RobotSpec spec = Spec();
+  spec.motors[0].kp_scale = 0.5;
+  spec.motors[0].kd_scale = 3;
+  MotorBank bank(spec);
+  RobotCommand command = Torques(7, 0, 0);
+  command.motors[0].q = 1;
+  command.motors[0].kp = 100;  // 50 of it
+  command.motors[0].kd = 10;   // 30
+  dq_[0] = 1;
+  EXPECT_EQ(bank.Step(command, q_, dq_, 0.001)[0], 7 + 50 - 30);
+}
+
+TEST_F(MotorBankTest, ScalesGainsInMotorSpaceToo) {
+  RobotSpec spec = Spec();
+  spec.motors[1].kp_scale = 0.5;  // of B, which is in the pitch slot
+  MotorBank bank(spec);
+  RobotCommand command = Torques(0, 0, 0);
+  command.joint_space = JointSpace::kMotors;
+  command.motors[1].q = 1;
+  command.motors[1].kp = 100;
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(tau[1], 50);
+  EXPECT_EQ(tau[2], -100);  // ratio (A - B)
+}
+
+TEST_F(MotorBankTest, IsWeakerThanMeantAtAndBelowItsLimit) {
+  RobotSpec spec = Spec();
+  spec.motors[0].torque_limit = 10;
+  spec.motors[0].strength = 0.5;
+  MotorBank bank(spec);
+  EXPECT_EQ(bank.Step(Torques(4, 0, 0), q_, dq_, 0.001)[0], 2);
+  EXPECT_EQ(bank.Step(Torques(90, 0, 0), q_, dq_, 0.001)[0], 5);
+}
+
 TEST_F(MotorBankTest, StartsAtItsTemperatureOfRest) {
   for (const double temperature : bank_.winding_c()) EXPECT_EQ(temperature, 25);
 }
