@@ -31,8 +31,8 @@ void RandomizeBodies(const RandomizationSpec& ranges, int base, Dice* dice, mjMo
   for (int body = base; body < static_cast<int>(model->nbody); ++body) {
     if (!IsBelow(*model, body, base) || model->body_mass[body] <= 0) continue;
     const std::string name = BodyName(*model, body);
-    const double mass = dice->Draw("mass", name, ranges.mass, 1);
-    const double inertia = mass * dice->Draw("inertia", name, ranges.inertia, 1);
+    const double mass = dice->DrawOr("mass", name, ranges.mass, 1);
+    const double inertia = mass * dice->DrawOr("inertia", name, ranges.inertia, 1);
     model->body_mass[body] *= mass;
     mju_scl3(model->body_inertia + 3 * body, model->body_inertia + 3 * body, inertia);
   }
@@ -55,7 +55,7 @@ void ForgetCoincidences(int body, mjModel* model) {
 void MoveCentreOfMass(const Limits& limits, int base, Dice* dice, mjModel* model) {
   if (limits.empty()) return;
   mjtNum offset[3];
-  for (int i = 0; i < 3; ++i) offset[i] = dice->Draw("base_com", kAxes[i], limits, 0);
+  for (int i = 0; i < 3; ++i) offset[i] = dice->DrawOr("base_com", kAxes[i], limits, 0);
   mju_addTo3(model->body_ipos + 3 * base, offset);
   ForgetCoincidences(base, model);
 }
@@ -65,15 +65,15 @@ void RandomizeJoints(const RandomizationSpec& ranges, const RobotSpec& robot, Di
   for (const MotorSpec& motor : robot.motors) {
     const std::string& name = motor.joint;
     const int dof = model->jnt_dofadr[Find(*model, mjOBJ_JOINT, name)];
-    model->dof_damping[dof] *= dice->Draw("damping", name, ranges.damping, 1);
-    model->dof_armature[dof] *= dice->Draw("armature", name, ranges.armature, 1);
-    model->dof_frictionloss[dof] *= dice->Draw("frictionloss", name, ranges.frictionloss, 1);
+    model->dof_damping[dof] *= dice->DrawOr("damping", name, ranges.damping, 1);
+    model->dof_armature[dof] *= dice->DrawOr("armature", name, ranges.armature, 1);
+    model->dof_frictionloss[dof] *= dice->DrawOr("frictionloss", name, ranges.frictionloss, 1);
   }
 }
 
 // One factor for all geoms, since the larger friction of two counts.
 void RandomizeFriction(const Limits& limits, Dice* dice, mjModel* model) {
-  const double factor = dice->Draw("friction", "", limits, 1);
+  const double factor = dice->DrawOr("friction", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
     model->geom_friction[3 * geom] *= factor;
   }
@@ -96,7 +96,7 @@ void Soften(double factor, mjtNum* solref) {
 
 void RandomizeSoftness(const Limits& limits, Dice* dice, mjModel* model) {
   if (limits.empty()) return;
-  const double factor = dice->Draw("floor_softness", "", limits, 1);
+  const double factor = dice->DrawOr("floor_softness", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
     Soften(factor, model->geom_solref + mjNREF * geom);
   }
@@ -110,7 +110,7 @@ void TurnImu(const Limits& limits, const std::string& site_name, Dice* dice, mjM
   const int site = Find(*model, mjOBJ_SITE, site_name);
   mjtNum rotation[3];
   for (int i = 0; i < 3; ++i) {
-    rotation[i] = dice->Draw("imu_mounting", site_name + " " + kAxes[i], limits, 0);
+    rotation[i] = dice->DrawOr("imu_mounting", site_name + " " + kAxes[i], limits, 0);
   }
   const mjtNum angle = mju_normalize3(rotation);
   mjtNum turn[4], turned[4];
@@ -122,7 +122,7 @@ void TurnImu(const Limits& limits, const std::string& site_name, Dice* dice, mjM
 
 void TiltGravity(const Limits& limits, Dice* dice, mjModel* model) {
   if (limits.empty()) return;
-  const double angle = dice->Draw("gravity_tilt", "angle", limits, 0);
+  const double angle = dice->DrawOr("gravity_tilt", "angle", limits, 0);
   const double side = dice->Draw("gravity_tilt", "side", 0, 2 * std::numbers::pi);
   const mjtNum axis[3] = {std::cos(side), std::sin(side), 0};
   mjtNum turn[4], tilted[3];

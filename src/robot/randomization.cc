@@ -31,8 +31,8 @@ double Dice::Draw(std::string_view quantity, std::string_view element, double lo
   return Note(quantity, element, std::min(value, high));
 }
 
-double Dice::Draw(std::string_view quantity, std::string_view element,
-                  const RandomizationSpec::Limits& limits, double otherwise) {
+double Dice::DrawOr(std::string_view quantity, std::string_view element,
+                    const RandomizationSpec::Limits& limits, double otherwise) {
   return limits.empty() ? otherwise : Draw(quantity, element, limits[0], limits[1]);
 }
 
@@ -69,11 +69,11 @@ std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
 
 void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot) {
   for (MotorSpec& motor : robot->motors) {
-    motor.strength *= dice->Draw("motor_strength", motor.joint, ranges.motor_strength, 1);
-    motor.kp_scale *= dice->Draw("kp", motor.joint, ranges.kp, 1);
-    motor.kd_scale *= dice->Draw("kd", motor.joint, ranges.kd, 1);
+    motor.strength *= dice->DrawOr("motor_strength", motor.joint, ranges.motor_strength, 1);
+    motor.kp_scale *= dice->DrawOr("kp", motor.joint, ranges.kp, 1);
+    motor.kd_scale *= dice->DrawOr("kd", motor.joint, ranges.kd, 1);
   }
-  robot->dynamics.delay += dice->Draw("delay", "", ranges.delay, 0);
+  robot->dynamics.delay += dice->DrawOr("delay", "", ranges.delay, 0);
 }
 
 }  // namespace understudy

@@ -47,9 +47,8 @@ class Dice {
   // From low to high, which must be finite and in order; low where they are equal.
   double Draw(std::string_view quantity, std::string_view element, double low, double high);
   // The same from limits, or nothing and `otherwise` where those are empty.
-  double Draw(std::string_view quantity, std::string_view element,
-              const RandomizationSpec::Limits& limits, double otherwise);
-
+  double DrawOr(std::string_view quantity, std::string_view element,
+                const RandomizationSpec::Limits& limits, double otherwise);
   // One of some values, of which there is at least one, each as likely.
   double DrawOneOf(std::string_view quantity, const std::vector<double>& values);
 
