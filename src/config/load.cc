@@ -133,8 +133,8 @@ bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees) {
     }
     const YamlValue* dynamics = FindAt(trees[i], {"robot", "dynamics"});
     if (dynamics == nullptr) continue;
-    if (dynamics->kind == YamlValue::Kind::kScalar || dynamics->Find("use") != nullptr)
-      return false;
+    const bool scalar = dynamics->kind == YamlValue::Kind::kScalar;
+    if (scalar || dynamics->Find("use") != nullptr) return false;
   }
   return another;
 }

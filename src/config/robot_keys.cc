@@ -38,7 +38,11 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
 
 void DescribeFitted(Archive& a, FittedDynamicsSpec& f) {
   constexpr Range kOrModel{-1, std::numeric_limits<double>::infinity()};
-  a.Key({"slots", "", {0, 34}, "Slots of the motors whose joints these are"}, &f.slots);
+  a.Key({"slots",
+         "",
+         {0, 34},
+         "Slots of the motors whose joints these are; empty ones are passed over"},
+        &f.slots);
   a.Key({"armature", "kg·m²", kOrModel, "Rotor inertia at the joint; below 0 is the model's"},
         &f.armature);
   a.Key({"damping", "N·m·s/rad", kOrModel, "Damping of the joint; below 0 is the model's"},
