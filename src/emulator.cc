@@ -21,6 +21,11 @@ RobotCommand HoldCommand(const RobotSpec& spec, const std::vector<double>& q) {
   return command;
 }
 
+std::size_t DelaySteps(const Config& config) {
+  return static_cast<std::size_t>(
+      std::llround(config.robot.dynamics.delay / config.physics.timestep));
+}
+
 // Cut to what there is room for, with a zero at the end.
 template <std::size_t kRoom>
 void Copy(std::string_view text, std::array<char, kRoom>* to) {
@@ -35,6 +40,7 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       world_(std::move(world)),
       port_(port),
       inbox_(inbox),
+      delay_(DelaySteps(config_), start_.command),
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
@@ -58,7 +64,7 @@ StepHealth Emulator::Tick() {
   const double t = time();
   TakeOrders(t);
   TakeCommands(t);
-  const RobotCommand& command = Decide(t);
+  const RobotCommand& command = delay_.Pass(Decide(t));
 
   world_.BeginStep();
   motors_.Step(command, world_.q(), world_.dq(), world_.timestep());
@@ -155,6 +161,7 @@ std::int64_t Emulator::Every(double hz) const {
 
 void Emulator::ToStart() {
   router_.Restart();
+  delay_.Restart();
   pushes_.clear();
   world_.Reset(start_.pose);
   crane_.Release();

@@ -12,6 +12,7 @@
 #include "control/status.h"
 #include "motion/command_router.h"
 #include "physics/world.h"
+#include "robot/command_delay.h"
 #include "robot/motor.h"
 #include "sim/battery.h"
 #include "sim/crane.h"
@@ -85,6 +86,7 @@ class Emulator {
   PhysicsWorld world_;
   RobotPort* port_;
   Inbox* inbox_;
+  CommandDelay delay_;
   MotorBank motors_;
   Battery battery_;
   Sensors sensors_;

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "config/keys.h"
 #include "motion/chord.h"
 
@@ -22,6 +24,10 @@ void DescribeMotor(Archive& a, MotorSpec& m) {
   a.Key({"armature", "kg·m²", kNotNegative,
          "Inertia of its rotor at the joint; 0 leaves that of the model"},
         &m.armature);
+  a.Key({"strength", "", {0, 100}, "Torque that it gives over the torque meant, limit included"},
+        &m.strength);
+  a.Key({"kp_scale", "", {0, 100}, "How much of a commanded kp acts"}, &m.kp_scale);
+  a.Key({"kd_scale", "", {0, 100}, "How much of a commanded kd acts"}, &m.kd_scale);
 }
 
 void DescribeBody(Archive& a, BodySpec& b) {
@@ -49,6 +55,40 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
         &p.roll);
   a.Key({"roll_ratio", "rad/rad", {0.01, 100}, "How far A and B part per roll angle"},
         &p.roll_ratio);
+}
+
+void DescribeFitted(Archive& a, FittedDynamicsSpec& f) {
+  constexpr Range kOrModel{-1, std::numeric_limits<double>::infinity()};
+  a.Key({"slots",
+         "",
+         {0, 34},
+         "Slots of the motors whose joints these are; empty ones are passed over"},
+        &f.slots);
+  a.Key({"armature", "kg·m²", kOrModel, "Rotor inertia at the joint; below 0 is the model's"},
+        &f.armature);
+  a.Key({"damping", "N·m·s/rad", kOrModel, "Damping of the joint; below 0 is the model's"},
+        &f.damping);
+  a.Key({"frictionloss", "N·m", kOrModel, "Dry friction of the joint; below 0 is the model's"},
+        &f.frictionloss);
+  a.Key({"kd_share",
+         "",
+         {0, 10},
+         "How much of a commanded kd acts; of motors of a parallel pair in PR mode only"},
+        &f.kd_share);
+}
+
+void DescribeDynamics(Archive& a, DynamicsSpec& d) {
+  a.Choice({"use",
+            "Figures of joints and drives: catalogue, those of the model's file, or fitted to "
+            "recordings of real robots; another robot.model has its own unless this is said again"},
+           {"catalogue", "fitted"}, &d.use);
+  a.List({"fitted", "What the fit says; what it does not say is the model's"}, &d.fitted,
+         DescribeFitted);
+  a.Key({"delay",
+         "s",
+         {0, 0.1},
+         "Time from when motors would follow a command to its torque, to the nearest step"},
+        &d.delay);
 }
 
 void DescribeFoot(Archive& a, FootSpec& f) {
@@ -226,6 +266,9 @@ void Describe(Archive& a, RobotSpec& r) {
          &MotorSpec::joint);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
+  a.Section(
+      {"dynamics", "Friction, damping and inertia of joints; drives"},
+      [&] { DescribeDynamics(a, r.dynamics); }, "use");
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });

@@ -9,6 +9,7 @@
 
 #include "config/archive.h"
 #include "config/keys.h"
+#include "config/randomization_keys.h"
 #include "motion/chord.h"
 #include "motion/onboard.h"
 #include "robot/errors.h"
@@ -82,6 +83,29 @@ void CheckParallel(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
+void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
+  const DynamicsSpec& dynamics = robot.dynamics;
+  if (dynamics.use != DynamicsSource::kFitted) return;
+  checker.Check(!dynamics.fitted.empty(), "robot.dynamics.use",
+                "robot '" + robot.name + "' has no fitted figures; choose catalogue");
+  std::set<double> taken;
+  for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
+    const std::string key = "robot.dynamics.fitted." + std::to_string(i) + ".slots";
+    const std::vector<double>& slots = dynamics.fitted[i].slots;
+    // Some may be empty: a robot's next of kin has fewer motors.
+    checker.Check(std::any_of(robot.motors.begin(), robot.motors.end(),
+                              [&slots](const MotorSpec& motor) {
+                                return std::find(slots.begin(), slots.end(), motor.slot) !=
+                                       slots.end();
+                              }),
+                  key, "expected slots of motors; none of these has one");
+    for (const double slot : slots) {
+      checker.Check(taken.insert(slot).second, key,
+                    "slot " + NumberText(slot) + " has figures already");
+    }
+  }
+}
+
 void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors,
                const Checker& checker) {
   checker.Check(pose.q.size() == motors, "robot." + name + ".q",
@@ -121,6 +145,25 @@ void CheckFeet(const RobotSpec& robot, const Checker& checker) {
     checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
                   "expected three numbers");
   }
+}
+
+void CheckRandomization(const Config& config, const Checker& checker) {
+  const RandomizationSpec& spec = config.randomization;
+  for (const RandomRange& range : RandomRanges()) {
+    const RandomizationSpec::Limits& limits = spec.*range.limits;
+    const std::string key = "randomization." + std::string(range.row.name);
+    checker.Check(limits.empty() || limits.size() == 2, key,
+                  "expected [least, most], or [] to draw nothing, got " +
+                      std::to_string(limits.size()) + " numbers");
+    checker.Check(limits.empty() || limits[0] <= limits[1], key,
+                  "expected least before most, got " + NumberText(limits.empty() ? 0 : limits[0]) +
+                      " before " + NumberText(limits.empty() ? 0 : limits[1]));
+  }
+  const RateSpec& rates = config.robot.rates;
+  checker.Check(spec.timestep.empty() || !PossibleTimesteps(spec.timestep, rates).empty(),
+                "randomization.timestep",
+                "no step in it divides the periods of " + NumberText(rates.lowstate_hz) + " and " +
+                    NumberText(rates.service_hz) + " Hz, as 0.001, 0.0005 and 0.00025 s may");
 }
 
 bool IsWhole(double ratio) {
@@ -246,6 +289,7 @@ void Validate(const Config& config, const Places& places) {
   checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
   CheckMotors(robot, checker);
   CheckParallel(robot, checker);
+  CheckDynamics(robot, checker);
   CheckFeet(robot, checker);
   CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
@@ -253,6 +297,7 @@ void Validate(const Config& config, const Places& places) {
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
   CheckHumanoid(robot, checker);
   CheckRates(config, checker);
+  CheckRandomization(config, checker);
   CheckFirmware(robot, checker);
   CheckMotionService(config, checker);
   CheckArmSdk(robot, checker);

@@ -61,6 +61,10 @@ std::string Crane(const ordered_json& crane) {
   return crane.at("attached").get<bool>() ? "attached" : "released";
 }
 
+std::string Randomized(const ordered_json& randomization) {
+  return randomization.is_null() ? "no" : "from seed " + Count(randomization.at("seed"));
+}
+
 // "0", or "3 (crc 2, gain 1; last gain)".
 std::string Refused(const ordered_json& commands) {
   std::int64_t total = 0;
@@ -111,6 +115,7 @@ std::string StatusText(const ordered_json& status) {
       {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
       {"base height", Fixed(base.at("height"), 3), "m"},
       {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
+      {"randomized", Randomized(status.at("randomization"))},
   });
 }
 

@@ -15,6 +15,21 @@ nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
   return refused;
 }
 
+// {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
+// nothing was drawn.
+nlohmann::ordered_json DrawsJson(const Draws& draws) {
+  if (draws.seed < 0) return nullptr;
+  nlohmann::ordered_json drawn = nlohmann::ordered_json::object();
+  for (const Drawn& one : draws.values) {
+    if (one.element.empty()) {
+      drawn[one.quantity] = one.value;
+    } else {
+      drawn[one.quantity][one.element] = one.value;
+    }
+  }
+  return {{"seed", draws.seed}, {"drawn", drawn}};
+}
+
 }  // namespace
 
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
@@ -69,6 +84,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"tension", status.crane_tension}}},
       {"clamped", status.clamped},
       {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
+      {"randomization", DrawsJson(identity.draws)},
   };
 }
 

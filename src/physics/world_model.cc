@@ -10,6 +10,7 @@
 #include "physics/feet.h"
 #include "physics/fit_names.h"
 #include "physics/geom_extent.h"
+#include "physics/joint_dynamics.h"
 #include "physics/mjcf_assets.h"
 #include "physics/mjcf_compile.h"
 #include "physics/mjcf_looks.h"
@@ -263,6 +264,7 @@ ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
     throw ModelError(
         place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
+  UseFittedDynamics(spec, model.get());
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;
   return model;

@@ -25,6 +25,9 @@ struct MotorSpec {
   double hold_kp = 0;        // N·m/rad, gains that hold a start pose
   double hold_kd = 0;        // N·m·s/rad
   double armature = 0;       // kg·m², in place of the model's; 0 = the model's
+  double strength = 1;       // torque given over torque meant, before and at the limit
+  double kp_scale = 1;       // how much of a commanded kp acts
+  double kd_scale = 1;       // likewise of kd
 };
 
 // Where a body is otherwise than the model file has it; empty or 0 = as there.
@@ -40,6 +43,25 @@ struct BodySpec {
 struct SiteSpec {
   std::string name{};
   std::vector<double> pos = {0, 0, 0};  // m, in its body's frame
+};
+
+// Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of
+// real robots.
+enum class DynamicsSource : std::uint8_t { kCatalogue, kFitted };
+
+// What such a fit says of some motors and their joints.
+struct FittedDynamicsSpec {
+  std::vector<double> slots{};  // the motors
+  double armature = -1;         // kg·m² at the joint; below 0: as in the model
+  double damping = -1;          // N·m·s/rad of the joint, likewise
+  double frictionloss = -1;     // N·m of the joint, likewise
+  double kd_share = 1;          // how much of a commanded kd acts
+};
+
+struct DynamicsSpec {
+  DynamicsSource use = DynamicsSource::kCatalogue;
+  std::vector<FittedDynamicsSpec> fitted;
+  double delay = 0;  // s from when a command is followed to its torque
 };
 
 // Two serial joints driven by two parallel motors A and B. Indices in motor order.
@@ -196,6 +218,7 @@ struct RobotSpec {
   std::vector<SiteSpec> sites;             // that differ from the model file
   std::vector<MotorSpec> motors;           // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
+  DynamicsSpec dynamics;
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force

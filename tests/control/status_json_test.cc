@@ -61,7 +61,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
       R"("script":{"done":3,"refused":1,"refusal":"no"},)"
       R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
-      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125}})");
+      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},"randomization":null})");
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
@@ -89,6 +89,14 @@ TEST(StatusJsonTest, ANumberThatIsNotFiniteBecomesNull) {
   Status status;
   status.tilt = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(StatusJson(kG1, status).dump().find(R"("tilt":null)"), std::string::npos);
+}
+
+TEST(StatusJsonTest, TellsWhatTheRunLeftToChance) {
+  RobotIdentity identity = kG1;
+  identity.draws = {.seed = 7,
+                    .values = {{"friction", "", 0.5}, {"mass", "a", 1.25}, {"mass", "b", 0.75}}};
+  EXPECT_EQ(StatusJson(identity, {})["randomization"].dump(),
+            R"({"seed":7,"drawn":{"friction":0.5,"mass":{"a":1.25,"b":0.75}}})");
 }
 
 }  // namespace

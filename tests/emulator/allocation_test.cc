@@ -116,6 +116,18 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
   EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
 }
 
+TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
+  config_.robot.dynamics.delay = 0.005;
+  port_.KeepTheLastOnly();
+  StartAs("standing");
+  CountIn(10);
+  port_.SendEveryTick(Torque(1));
+  CountIn(1);  // the fake port's own copy
+  EXPECT_EQ(CountIn(500), 0);
+  Order(ResetRobot{});
+  EXPECT_EQ(CountIn(50), 0);
+}
+
 TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
   port_.KeepTheLastOnly();
   for (const char* pose : {"hanging", "clamped", "standing", "damped"}) {
