@@ -6,7 +6,7 @@ namespace {
 
 void DescribeMotor(Archive& a, MotorSpec& m) {
   a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
-  a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
+  a.Key({"slot", "", {0, 34}, "Index in motor_cmd and motor_state of its messages"}, &m.slot);
   a.Key({"torque_limit", "N·m", kNotNegative, "Most torque at the joint"}, &m.torque_limit);
   a.Key({"knee_speed", "rad/s", kNotNegative,
          "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"},
@@ -28,6 +28,30 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
         &p.roll);
   a.Key({"roll_ratio", "rad/rad", {0.01, 100}, "How far A and B part per roll angle"},
         &p.roll_ratio);
+}
+
+void DescribePad(Archive& a, PadSpec& p) {
+  a.Key({"name", "Where it is"}, &p.name);
+  a.Key({"taxels", "", {0, 11}, "Places in pressure that it has; the others show no value"},
+        &p.taxels);
+}
+
+void DescribeHand(Archive& a, HandSpec& h) {
+  a.Key({"name", "Its name"}, &h.name);
+  a.Key({"topic", "Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"},
+        &h.topic);
+  a.List({"motors", "Its motors; slots are 0, 1, 2 and so on"}, &h.motors, DescribeMotor);
+  a.List({"pads", "What feels pressure, in the order of press_sensor_state"}, &h.pads,
+         DescribePad);
+  a.Key({"timeout",
+         "s",
+         {0.001, 3600},
+         "Simulated time without a taken command until motors lock that commands have watched"},
+        &h.timeout);
+  a.Key({"lock_kd", "N·m·s/rad", {0, 100}, "Gain with which a locked motor brakes"}, &h.lock_kd);
+  a.Key({"temperature_c", "°C", {-100, 150}, "Temperature that motors and pads show"},
+        &h.temperature_c);
+  a.Key({"supply_v", "V", {0, 100}, "Voltage that power_v shows"}, &h.supply_v);
 }
 
 void DescribeFoot(Archive& a, FootSpec& f) {
@@ -52,6 +76,8 @@ void DescribeRates(Archive& a, RateSpec& r) {
   constexpr Range kHz{1, 10000};
   a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
   a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
+  a.Key({"hand_hz", "Hz", kHz, "Rate of the states of hands (the default is assumed)"},
+        &r.hand_hz);
   a.Key({"lf_hz", "Hz", kHz, "Rate of all rt/lf topics"}, &r.lf_hz);
   a.Key({"service_hz", "Hz", kHz, "Rate of the commands of the robot's own motion service"},
         &r.service_hz);
@@ -191,6 +217,7 @@ void Describe(Archive& a, RobotSpec& r) {
   a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
+  a.List({"hands", "Hands that have motors of their own; hg only"}, &r.hands, DescribeHand);
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });

@@ -1,6 +1,7 @@
 #include "config/validate.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -21,6 +22,7 @@ namespace {
 // Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
 constexpr int kGoSlots = 20;
 constexpr int kHgSlots = 35;
+constexpr int kHandSlots = 16;  // that a hand's mode byte tells apart
 
 class Checker {
  public:
@@ -36,31 +38,75 @@ class Checker {
   const Places& places_;
 };
 
-std::string MotorKey(std::size_t i, const char* key) {
-  return "robot.motors." + std::to_string(i) + "." + key;
-}
-
-void CheckMotors(const RobotSpec& robot, const Checker& checker) {
-  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
-  std::set<std::string> joints;
+// `list`: the key of the motors. `slots`: how many a message has. `joints`: those that have a motor.
+void CheckMotorList(const std::vector<MotorSpec>& motors, const std::string& list, int slots,
+                    std::set<std::string>* joints, const Checker& checker) {
   int last = -1;
-  checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
-  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-    const MotorSpec& m = robot.motors[i];
-    checker.Check(!m.joint.empty(), MotorKey(i, "joint"), "expected the name of a joint");
-    checker.Check(joints.insert(m.joint).second, MotorKey(i, "joint"),
+  checker.Check(!motors.empty(), list, "expected at least one motor");
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const MotorSpec& m = motors[i];
+    const std::string key = list + "." + std::to_string(i) + ".";
+    checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
+    checker.Check(joints->insert(m.joint).second, key + "joint",
                   "'" + m.joint + "' has a motor already");
-    checker.Check(m.slot >= 0 && m.slot < slots, MotorKey(i, "slot"),
+    checker.Check(m.slot >= 0 && m.slot < slots, key + "slot",
                   "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
                       std::to_string(m.slot));
-    checker.Check(m.slot > last, MotorKey(i, "slot"),
+    checker.Check(m.slot > last, key + "slot",
                   "expected more than " + std::to_string(last) +
                       ", as slots ascend and no two are alike, got " + std::to_string(m.slot));
     last = m.slot;
-    checker.Check(m.torque_limit > 0, MotorKey(i, "torque_limit"), "expected more than 0 N·m");
-    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, MotorKey(i, "knee_speed"),
+    checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
+    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
                   "expected less than no_load_speed " + NumberText(m.no_load_speed) +
                       " rad/s, got " + NumberText(m.knee_speed));
+  }
+}
+
+// A part of a topic's name that DDS takes: words between slashes.
+bool IsTopic(const std::string& topic) {
+  const auto fits = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
+  };
+  return !topic.empty() && topic.front() != '/' && topic.back() != '/' &&
+         topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
+}
+
+void CheckHand(const HandSpec& hand, const std::string& key, const Checker& checker) {
+  checker.Check(!hand.name.empty(), key + "name", "expected a name");
+  checker.Check(IsTopic(hand.topic), key + "topic",
+                "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
+                    hand.topic + "'");
+  for (std::size_t i = 0; i < hand.motors.size(); ++i) {
+    checker.Check(hand.motors[i].slot == static_cast<int>(i),
+                  key + "motors." + std::to_string(i) + ".slot",
+                  "expected " + std::to_string(i) + ", its place in motor_cmd, got " +
+                      std::to_string(hand.motors[i].slot));
+  }
+  for (std::size_t i = 0; i < hand.pads.size(); ++i) {
+    const std::vector<double>& taxels = hand.pads[i].taxels;
+    const bool whole = std::all_of(taxels.begin(), taxels.end(),
+                                   [](double taxel) { return taxel == std::floor(taxel); });
+    checker.Check(whole, key + "pads." + std::to_string(i) + ".taxels", "expected whole numbers");
+  }
+}
+
+void CheckMotors(const RobotSpec& robot, const Checker& checker) {
+  std::set<std::string> joints;
+  CheckMotorList(robot.motors, "robot.motors",
+                 robot.family == WireFamily::kGo ? kGoSlots : kHgSlots, &joints, checker);
+  checker.Check(robot.hands.empty() || robot.family == WireFamily::kHg, "robot.hands",
+                "the go family has no message for them");
+  checker.Check(robot.hands.size() <= kMostHands, "robot.hands",
+                "expected at most " + std::to_string(kMostHands) + ", got " +
+                    std::to_string(robot.hands.size()));
+  std::set<std::string> topics;
+  for (std::size_t i = 0; i < robot.hands.size(); ++i) {
+    const std::string key = "robot.hands." + std::to_string(i) + ".";
+    CheckMotorList(robot.hands[i].motors, key + "motors", kHandSlots, &joints, checker);
+    CheckHand(robot.hands[i], key, checker);
+    checker.Check(topics.insert(robot.hands[i].topic).second, key + "topic",
+                  "another hand has '" + robot.hands[i].topic + "' already");
   }
 }
 
@@ -144,6 +190,7 @@ void CheckRates(const Config& config, const Checker& checker) {
                 "expected a rate whose period is a whole number of physics steps, got " +
                     NumberText(rates.service_hz));
   divides(rates.motion_hz, "robot.rates.motion_hz");
+  divides(rates.hand_hz, "robot.rates.hand_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }
 
