@@ -4,15 +4,20 @@
 namespace understudy {
 namespace {
 
-void DescribeMotor(Archive& a, MotorSpec& m) {
-  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
-  a.Key({"slot", "", {0, 34}, "Index in motor_cmd and motor_state of its messages"}, &m.slot);
+// What motors of hands have too.
+void DescribeDrive(Archive& a, MotorSpec& m) {
   a.Key({"torque_limit", "N·m", kNotNegative, "Most torque at the joint"}, &m.torque_limit);
   a.Key({"knee_speed", "rad/s", kNotNegative,
          "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"},
         &m.knee_speed);
   a.Key({"no_load_speed", "rad/s", kNotNegative, "Speed at which no driving torque is left"},
         &m.no_load_speed);
+}
+
+void DescribeMotor(Archive& a, MotorSpec& m) {
+  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
+  a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
+  DescribeDrive(a, m);
   a.Key({"q_step", "rad", kNotNegative, "Lattice of the reported angle; 0 is none"}, &m.q_step);
   a.Key({"dq_step", "rad/s", kNotNegative, "Lattice of the reported rate; 0 is none"}, &m.dq_step);
   a.Key({"tau_step", "N·m", kNotNegative, "Lattice of the reported torque; 0 is none"},
@@ -30,6 +35,11 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
         &p.roll_ratio);
 }
 
+void DescribeHandMotor(Archive& a, MotorSpec& m) {
+  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
+  DescribeDrive(a, m);
+}
+
 void DescribePad(Archive& a, PadSpec& p) {
   a.Key({"name", "Where it is"}, &p.name);
   a.Key({"taxels", "", {0, 11}, "Places in pressure that it has; the others show no value"},
@@ -40,7 +50,8 @@ void DescribeHand(Archive& a, HandSpec& h) {
   a.Key({"name", "Its name"}, &h.name);
   a.Key({"topic", "Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"},
         &h.topic);
-  a.List({"motors", "Its motors; slots are 0, 1, 2 and so on"}, &h.motors, DescribeMotor);
+  a.List({"motors", "Its motors, in the order of motor_cmd and motor_state"}, &h.motors,
+         DescribeHandMotor);
   a.List({"pads", "What feels pressure, in the order of press_sensor_state"}, &h.pads,
          DescribePad);
   a.Key({"timeout",

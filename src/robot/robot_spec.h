@@ -44,12 +44,14 @@ struct PadSpec {
 struct HandSpec {
   std::string name;   // "left"
   std::string topic;  // between rt/ and /cmd, /state; rt/lf/ and /state
-  std::vector<MotorSpec> motors;  // slot = place in motor_cmd = id in the mode byte: 0, 1, 2 ...
-  std::vector<PadSpec> pads;      // in the order of press_sensor_state
-  double timeout = 1;             // s without a command until watched motors lock
-  double lock_kd = 0;             // N·m·s/rad with which a locked motor brakes
-  double temperature_c = 0;       // what motors and pads show
-  double supply_v = 0;            // what it is fed with
+  // In the order of motor_cmd, their place there being the id in their mode byte. Only joint and
+  // what the motor can give count; the rest of MotorSpec is the body's.
+  std::vector<MotorSpec> motors;
+  std::vector<PadSpec> pads;  // in the order of press_sensor_state
+  double timeout = 1;         // s without a command until watched motors lock
+  double lock_kd = 0;         // N·m·s/rad with which a locked motor brakes
+  double temperature_c = 0;   // what motors and pads show
+  double supply_v = 0;        // what it is fed with
 };
 
 struct FootSpec {

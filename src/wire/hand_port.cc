@@ -4,7 +4,6 @@
 #include <string>
 
 #include "robot/errors.h"
-#include "wire/slots.h"
 
 namespace understudy {
 namespace {
@@ -14,11 +13,6 @@ const HandSpec& Checked(const HandSpec& spec) {
   if (spec.motors.size() > kHandIds) {
     throw ModelError("hand " + spec.name + " has " + std::to_string(spec.motors.size()) +
                      " motors, the mode byte tells " + std::to_string(kHandIds) + " apart");
-  }
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    if (SlotOf(spec.motors[i]) == i) continue;
-    throw ModelError("hand " + spec.name + ": motor " + spec.motors[i].joint + " is in slot " +
-                     std::to_string(spec.motors[i].slot) + ", expected " + std::to_string(i));
   }
   constexpr double kTaxels = std::size(unitree_hg_msg_dds__PressSensorState_{}.pressure);
   for (const PadSpec& pad : spec.pads) {

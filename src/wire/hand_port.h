@@ -18,7 +18,7 @@ namespace understudy {
 class HandPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
-  // ModelError when the hand's motors are not 0, 1, 2 ... or a pad's taxels not below 12.
+  // ModelError when the hand has more motors or a pad other taxels than the messages have room for.
   HandPort(const Participant& participant, const HandSpec& spec);
 
   // As RobotPort::TakeHandCommand.

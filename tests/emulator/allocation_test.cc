@@ -148,6 +148,27 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   EXPECT_EQ(CountIn(100), 0);
 }
 
+// Two hands of one motor each, made of the neck, with good commands, refused ones and none.
+TEST_F(AllocationTest, DoesNotHappenWithHands) {
+  RobotSpec& robot = config_.robot;
+  robot.motors.resize(4);
+  robot.parallel.clear();
+  for (PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
+  robot.hands = {{.name = "left", .motors = {{.joint = "neck_roll_joint", .torque_limit = 5}}},
+                 {.name = "right", .motors = {{.joint = "neck_pitch_joint", .torque_limit = 5}}}};
+  port_.KeepTheLastOnly();
+  StartAs("clamped");
+  HandCommand command{
+      .motors = {{.motor = {.enabled = true, .q = 0.3, .kp = 20, .kd = 1}, .watched = true}}};
+  port_.SendHandsEveryTick(command);
+  CountIn(10);
+  EXPECT_EQ(CountIn(1000), 0);
+  command.motors[0].motor.kp = -1;
+  port_.SendHandsEveryTick(command);
+  EXPECT_EQ(CountIn(1500), 0);
+  EXPECT_EQ(emulator_->status().hands[1].commands.timeouts, 1U);
+}
+
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   Start();
   CountIn(10);
