@@ -24,6 +24,27 @@ void DescribeMotor(Archive& a, MotorSpec& m) {
         &m.tau_step);
   a.Key({"hold_kp", "N·m/rad", kNotNegative, "Gain that holds a start pose"}, &m.hold_kp);
   a.Key({"hold_kd", "N·m·s/rad", kNotNegative, "Damping that holds a start pose"}, &m.hold_kd);
+  a.Key({"armature", "kg·m²", kNotNegative,
+         "Inertia of its rotor at the joint; 0 leaves that of the model"},
+        &m.armature);
+}
+
+void DescribeBody(Archive& a, BodySpec& b) {
+  a.Key({"name", "Body of the model"}, &b.name);
+  a.Key({"pos", "m", {-10, 10}, "Its place in its parent's frame; none is the model's"}, &b.pos);
+  a.Key({"mass", "kg", {0, 1000}, "Its mass; 0 is the model's"}, &b.mass);
+  a.Key({"com", "m", {-10, 10}, "Its centre of mass in its own frame; none is the model's"},
+        &b.com);
+  a.Key({"inertia",
+         "kg·m²",
+         {-1000, 1000},
+         "Its inertia about that, xx yy zz xy xz yz in its own frame; none is the model's"},
+        &b.inertia);
+}
+
+void DescribeSite(Archive& a, SiteSpec& s) {
+  a.Key({"name", "Site of the model"}, &s.name);
+  a.Key({"pos", "m", {-10, 10}, "Its place in its body's frame"}, &s.pos, 3);
 }
 
 void DescribeParallel(Archive& a, ParallelSpec& p) {
@@ -225,18 +246,32 @@ void Describe(Archive& a, RobotSpec& r) {
         &r.state_id_since);
   a.Key({"mode_machine", "", {0, 255}, "Robot type that an hg robot announces and commands echo"},
         &r.mode_machine);
-  a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
+  a.Key({"revision",
+         "Hardware revision, one of those that the robot's file lists under robot.revisions; \"\" "
+         "is none"},
+        &r.revision);
+  a.Key({"locked_joints",
+         "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
+         "every pose, and the model holds them fast where it has them"},
+        &r.locked_joints);
+  a.List({"bodies", "Bodies that differ from the model file"}, &r.bodies, DescribeBody,
+         &BodySpec::name);
+  a.List({"sites", "Sites that differ from the model file"}, &r.sites, DescribeSite,
+         &SiteSpec::name);
+  a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor,
+         &MotorSpec::joint);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
   a.List({"hands", "Hands that have motors of their own; hg only"}, &r.hands, DescribeHand);
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });
-  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot);
+  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot, &FootSpec::name);
   a.Section({"foot_sensor", "What foot_force shows"},
             [&] { DescribeFootSensor(a, r.foot_sensor); });
   a.Section({"rates", "How often topics are written"}, [&] { DescribeRates(a, r.rates); });
-  a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService);
+  a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService,
+         &ServiceSpec::name);
   a.Section({"arm_sdk", "rt/arm_sdk: commands mixed over the motion service's"},
             [&] { DescribeArmSdk(a, r.arm_sdk); });
   a.Key({"user_lowcmd", "Whether the motion service can hand the motors to rt/user_lowcmd"},

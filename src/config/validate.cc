@@ -177,6 +177,28 @@ bool IsWhole(double ratio) {
   return whole >= 1 && std::abs(ratio - whole) < 1e-9 * whole;
 }
 
+// What a robot says of its model's bodies: whole vectors or none.
+void CheckBodies(const RobotSpec& robot, const Checker& checker) {
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+    const BodySpec& body = robot.bodies[i];
+    const std::string key = "robot.bodies." + std::to_string(i) + ".";
+    const auto check = [&](const std::vector<double>& values, std::size_t length,
+                           const std::string& name) {
+      checker.Check(values.empty() || values.size() == length, key + name,
+                    "expected " + std::to_string(length) + " numbers or none, got " +
+                        std::to_string(values.size()));
+    };
+    checker.Check(!body.name.empty(), key + "name", "expected the name of a body");
+    check(body.pos, 3, "pos");
+    check(body.com, 3, "com");
+    check(body.inertia, 6, "inertia");
+  }
+  for (std::size_t i = 0; i < robot.sites.size(); ++i) {
+    checker.Check(!robot.sites[i].name.empty(), "robot.sites." + std::to_string(i) + ".name",
+                  "expected the name of a site");
+  }
+}
+
 void CheckRates(const Config& config, const Checker& checker) {
   const RateSpec& rates = config.robot.rates;
   const double steps = 1 / config.physics.timestep;
@@ -277,6 +299,7 @@ void Validate(const Config& config, const Places& places) {
   CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckFeet(robot, checker);
+  CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);

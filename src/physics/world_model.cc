@@ -13,6 +13,7 @@
 #include "physics/mjcf_assets.h"
 #include "physics/mjcf_compile.h"
 #include "physics/mjcf_looks.h"
+#include "physics/mjcf_revise.h"
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 
@@ -229,9 +230,10 @@ struct LoadedRobot {
   ModelHandle model;
 };
 
-LoadedRobot LoadRobot(const std::filesystem::path& file, LoadNotes* notes) {
+LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
   MjcfElement tree = Read(file, notes);
+  Revise(spec, &tree);
   ModelHandle model = CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
 }
@@ -301,7 +303,7 @@ ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                            const std::filesystem::path& scene_file, double timestep,
                            LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
   RequireFeet(spec, NameCheck(*robot.model, robot_file));
   return Compose(std::move(robot), spec, robot_file, scene_file, timestep, notes);
 }
@@ -309,7 +311,7 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
 FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,
                             LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
   RobotSpec fitted = FitNames(spec, *robot.model, &notes->warnings);
   NoteFeet(*robot.model, fitted, notes);
   ModelHandle model = Compose(std::move(robot), fitted, robot_file, scene_file, timestep, notes);

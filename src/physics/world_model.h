@@ -29,7 +29,8 @@ struct LoadNotes {
   std::vector<std::string> unknown;   // from LoadModelFile that throws: see UnknownWords
 };
 
-// Compiles the robot in the scene at the given time step [s], with gyro and accelerometer at the
+// Compiles the robot in the scene at the given time step [s], where the spec differs from the file as
+// the spec has it (physics/mjcf_revise.h), with gyro and accelerometer at the
 // sites the spec names and, where the base has a free joint, an inactive weld of the base to the
 // world. MuJoCo's own actuators are switched off: the motors are ours. A robot file that brings
 // ground of its own (a plane or height field of the world) is compiled without the scene, which is

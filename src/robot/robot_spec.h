@@ -25,6 +25,22 @@ struct MotorSpec {
   double tau_step = 0;       // N·m
   double hold_kp = 0;        // N·m/rad, gains that hold a start pose
   double hold_kd = 0;        // N·m·s/rad
+  double armature = 0;       // kg·m², in place of the model's; 0 = the model's
+};
+
+// Where a body is otherwise than the model file has it; empty or 0 = as there.
+struct BodySpec {
+  std::string name{};
+  std::vector<double> pos{};      // m, in the parent's frame
+  double mass = 0;                // kg
+  std::vector<double> com{};      // m, centre of mass in the body's frame
+  std::vector<double> inertia{};  // kg·m², xx yy zz xy xz yz about it, in the body's frame
+};
+
+// Where a site is otherwise than the model file has it.
+struct SiteSpec {
+  std::string name{};
+  std::vector<double> pos = {0, 0, 0};  // m, in its body's frame
 };
 
 // Two serial joints driven by two parallel motors A and B. Indices in motor order.
@@ -197,8 +213,12 @@ struct RobotSpec {
   // Firmware from which on states are told by the state machine's id: in go's SportModeState in
   // error_code, in hg in a message of its own. "" = never.
   std::string state_id_since;
-  int mode_machine = 0;           // hg only: what LowState announces and LowCmd must echo
-  std::vector<MotorSpec> motors;  // motor order: ascending slot
+  std::string revision;  // of the hardware: one of the file's revisions, "" where it has none
+  int mode_machine = 0;  // hg only: what LowState announces and LowCmd must echo
+  std::vector<std::string> locked_joints;  // have no motor and cannot move
+  std::vector<BodySpec> bodies;            // that differ from the model file
+  std::vector<SiteSpec> sites;             // that differ from the model file
+  std::vector<MotorSpec> motors;           // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
   std::vector<HandSpec> hands;  // hg only, at most kMostHands
   ImuSpec imu;
