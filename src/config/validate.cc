@@ -215,7 +215,7 @@ void CheckRates(const Config& config, const Checker& checker) {
                 "expected a rate whose period is a whole number of physics steps, got " +
                     NumberText(rates.service_hz));
   divides(rates.motion_hz, "robot.rates.motion_hz");
-  divides(rates.hand_hz, "robot.rates.hand_hz");
+  if (!config.robot.hands.empty()) divides(rates.hand_hz, "robot.rates.hand_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }
 

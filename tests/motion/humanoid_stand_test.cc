@@ -52,7 +52,8 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
   EXPECT_TRUE(rig.standing());
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest, testing::Values("g1", "h1", "h1_2", "r1", "h2"),
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
+                         testing::Values("g1", "g1_29dof_dex3", "h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 class HumanoidLastsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
