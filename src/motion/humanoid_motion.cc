@@ -155,6 +155,7 @@ MotionVerdict HumanoidMotion::Ask(const MotionGoal& goal) {
     case MotionAction::kPose:
     case MotionAction::kEuler:
     case MotionAction::kBodyHeight:
+    case MotionAction::kAutoRecovery:
       break;  // a quadruped's
   }
   return MotionVerdict::kUnknown;

@@ -27,6 +27,7 @@ enum class MotionAction : std::uint8_t {
   kEuler,       // roll, pitch, yaw of the body, rad
   kBodyHeight,  // m over the robot's own standing height
   kStopMove,
+  kAutoRecovery,    // 1: gets up by itself after a fall, 0: stays damped (as at the start)
   kMove,            // vx, vy m/s, yaw rate rad/s in the body's frame, s it holds
   kSetFsm,          // humanoids: the vendor's state-machine id
   kSetBalanceMode,  // humanoids: 0 step only when needed, 1 keep stepping

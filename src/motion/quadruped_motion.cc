@@ -28,6 +28,7 @@ void QuadrupedMotion::Start(const MotionInput& input) {
   reading_ = body_.Read(input);
   state_ = State::kDamped;
   balance_next_ = false;
+  fallen_for_ = 0;
   if (upright() && body_.Height(reading_) > kExtended * figures_.stand_height) Balance();
 }
 
@@ -37,6 +38,10 @@ MotionVerdict QuadrupedMotion::Ask(const MotionGoal& goal) {
   switch (goal.action) {
     case MotionAction::kDamp:
       state_ = State::kDamped;
+      fallen_for_ = 0;
+      return MotionVerdict::kTaken;
+    case MotionAction::kAutoRecovery:
+      auto_recovery_ = goal.value[0] != 0;
       return MotionVerdict::kTaken;
     case MotionAction::kStandUp:
       return StandUp();

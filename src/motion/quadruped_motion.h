@@ -106,7 +106,9 @@ class QuadrupedMotion : public Motion {
   QuadrupedRecovery recovery_;
   JointMove joints_;
   State state_ = State::kDamped;
-  bool balance_next_ = false;  // once it stands, from a recovery
+  bool balance_next_ = false;   // once it stands, from a recovery
+  bool auto_recovery_ = false;  // outlives Start, as the services' settings do
+  double fallen_for_ = 0;       // s in kDamped because of a fall; 0 when damped by a goal
   QuadrupedReading reading_;
   PerLeg feet_from_, feet_to_;  // of kRising, kLowering; in the base, m
   double elapsed_ = 0;          // s of them

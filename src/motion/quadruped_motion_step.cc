@@ -12,6 +12,7 @@ using Eigen::Vector3d;
 
 // All assumed.
 constexpr double kFallenCosine = 0.36;  // 1.2 rad: no legal pose tilts as far
+constexpr double kFallenRest = 1.0;     // s a fallen robot lies before it gets up by itself
 constexpr double kCrouch = 0.25;        // feet under the hips, of the leg's length
 constexpr double kJointSpeed = 2.5;     // rad/s, mean of the fastest joint between two postures
 constexpr double kShortestMove = 0.5;   // s
@@ -103,7 +104,13 @@ void QuadrupedMotion::StepFeet(double dt, StanceCommand* legs) {
 
 void QuadrupedMotion::Step(const MotionInput& input, double dt, RobotCommand* command) {
   reading_ = body_.Read(input);
-  if (stands() && reading_.up.z() < kFallenCosine) state_ = State::kDamped;
+  if (stands() && reading_.up.z() < kFallenCosine) {
+    state_ = State::kDamped;
+    fallen_for_ = dt;
+  } else if (state_ == State::kDamped && fallen_for_ > 0) {
+    fallen_for_ += dt;
+    if (auto_recovery_ && fallen_for_ > kFallenRest) Recover();
+  }
   command->joint_space = JointSpace::kPitchRoll;
   switch (state_) {
     case State::kDamped:

@@ -134,5 +134,50 @@ TEST_F(RecoveryTest, SaysThatItIsUnderWay) {
   EXPECT_EQ(rig.state().id, 1001);
 }
 
+class AutoRecoveryTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    rig.StandUp();
+    rig.BalanceStand();
+  }
+  void Topple() {
+    rig.Push({0, 900, 0}, 0.2);
+    ASSERT_TRUE(rig.RunUntil(kDamped, 3));
+    ASSERT_GT(rig.tilt(), 1.0);
+  }
+  static constexpr int kDamped = 1001, kRecovering = 2006;
+  QuadrupedRig rig{"go2"};
+};
+
+TEST_F(AutoRecoveryTest, LeavesAFallenRobotDampedUntilItIsSwitchedOn) {
+  Topple();
+  rig.Run(5);
+  EXPECT_EQ(rig.state().id, kDamped);
+  EXPECT_EQ(rig.Ask(MotionAction::kAutoRecovery, {1}), MotionVerdict::kTaken);
+  EXPECT_TRUE(rig.RunUntil(kRecovering, 0.1));
+}
+
+TEST_F(AutoRecoveryTest, GetsUpByItselfOnceItIsSwitchedOn) {
+  rig.Ask(MotionAction::kAutoRecovery, {1});
+  Topple();
+  EXPECT_TRUE(rig.RunUntil(kBalance, kPatience));
+  rig.Run(1.5);
+  EXPECT_LT(rig.tilt(), 0.05);
+}
+
+TEST_F(AutoRecoveryTest, StaysDownAfterDampAndAfterItIsSwitchedOff) {
+  rig.Ask(MotionAction::kAutoRecovery, {1});
+  Topple();
+  rig.Ask(MotionAction::kDamp);
+  rig.Run(3);
+  EXPECT_EQ(rig.state().id, kDamped);
+  rig.Ask(MotionAction::kRecoveryStand);
+  ASSERT_TRUE(rig.RunUntil(kBalance, kPatience));
+  rig.Ask(MotionAction::kAutoRecovery, {0});
+  Topple();
+  rig.Run(3);
+  EXPECT_EQ(rig.state().id, kDamped);
+}
+
 }  // namespace
 }  // namespace understudy

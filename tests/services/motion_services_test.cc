@@ -35,10 +35,12 @@ TEST(Go2SportTest, HasNotTheIdsThatNewFirmwareRemoved) {
   }
 }
 
-TEST(Go2SportTest, GivesBackAutoRecovery) {
+TEST(Go2SportTest, SwitchesAutoRecoveryAndGivesItBack) {
   Caller caller(TableOf("go2", "sport"));
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":false})");
   EXPECT_EQ(caller.Ask(2054, R"({"data":true})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.at(0).action, MotionAction::kAutoRecovery);
+  EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 1);
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":true})");
 }
 

@@ -86,8 +86,8 @@ std::vector<ApiRow> CommonRows(std::string_view source) {
       {1040,
        "SetAutoRecovery",
        {Flag()},
-       KeepSetting{"auto_recovery"},
-       "kept; read by GetState",
+       AskGoal{.action = kAutoRecovery, .keep = "auto_recovery"},
+       "whether a fallen robot gets up by itself; read by GetState",
        source},
   };
 }
