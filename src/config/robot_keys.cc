@@ -62,7 +62,6 @@ void DescribeHandMotor(Archive& a, MotorSpec& m) {
 }
 
 void DescribePad(Archive& a, PadSpec& p) {
-  a.Key({"name", "Where it is"}, &p.name);
   a.Key({"taxels", "", {0, 11}, "Places in pressure that it has; the others show no value"},
         &p.taxels);
 }

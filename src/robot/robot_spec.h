@@ -52,7 +52,6 @@ struct ParallelSpec {
 
 // A place of a hand that feels pressure.
 struct PadSpec {
-  std::string name;
   std::vector<double> taxels;  // the ones it has, of the message's 12
 };
 
@@ -88,7 +87,7 @@ struct PoseSpec {
 struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
-  double hand_hz = 500;      // states of hands
+  double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
   double service_hz = 500;   // commands of the robot's own motion service
 };

@@ -18,7 +18,7 @@ const HandSpec& Checked(const HandSpec& spec) {
   for (const PadSpec& pad : spec.pads) {
     for (const double taxel : pad.taxels) {
       if (taxel >= 0 && taxel < kTaxels) continue;
-      throw ModelError("hand " + spec.name + ": pad " + pad.name + " has a taxel beyond 0..11");
+      throw ModelError("hand " + spec.name + " has a pad with a taxel beyond 0..11");
     }
   }
   return spec;

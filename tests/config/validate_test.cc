@@ -121,9 +121,9 @@ TEST_F(HandsTest, HaveTopicsThatDdsTakes) {
 }
 
 TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {
-  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{name: tip, taxels: [1.5]}]")),
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [1.5]}]")),
               testing::HasSubstr("robot.hands.0.pads.0.taxels: expected whole numbers"));
-  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{name: tip, taxels: [12]}]")),
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [12]}]")),
               testing::HasSubstr("robot.hands.0.pads.0.taxels"));
 }
 

@@ -10,7 +10,7 @@ namespace {
 HandSpec ThreeMotors() {
   return {.name = "left",
           .motors = {{.joint = "a"}, {.joint = "b"}, {.joint = "c"}},
-          .pads = {{.name = "tip", .taxels = {3, 11}}, {.name = "palm", .taxels = {}}},
+          .pads = {{.taxels = {3, 11}}, {.taxels = {}}},
           .temperature_c = 40,
           .supply_v = 24};
 }

@@ -30,7 +30,7 @@ RobotSpec Handy() {
     spec.hands.push_back({.name = side,
                           .topic = std::string("dex/") + side,
                           .motors = {{.joint = "thumb"}, {.joint = "index"}},
-                          .pads = {{.name = "tip", .taxels = {0}}}});
+                          .pads = {{.taxels = {0}}}});
   }
   return spec;
 }
