@@ -72,8 +72,7 @@ void DescribeHand(Archive& a, HandSpec& h) {
         &h.topic);
   a.List({"motors", "Its motors, in the order of motor_cmd and motor_state"}, &h.motors,
          DescribeHandMotor);
-  a.List({"pads", "What feels pressure, in the order of press_sensor_state"}, &h.pads,
-         DescribePad);
+  a.List({"pads", "What feels pressure, in the order of press_sensor_state"}, &h.pads, DescribePad);
   a.Key({"timeout",
          "s",
          {0.001, 3600},
@@ -107,8 +106,7 @@ void DescribeRates(Archive& a, RateSpec& r) {
   constexpr Range kHz{1, 10000};
   a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
   a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
-  a.Key({"hand_hz", "Hz", kHz, "Rate of the states of hands (the default is assumed)"},
-        &r.hand_hz);
+  a.Key({"hand_hz", "Hz", kHz, "Rate of the states of hands (the default is assumed)"}, &r.hand_hz);
   a.Key({"lf_hz", "Hz", kHz, "Rate of all rt/lf topics"}, &r.lf_hz);
   a.Key({"service_hz", "Hz", kHz, "Rate of the commands of the robot's own motion service"},
         &r.service_hz);
@@ -249,10 +247,11 @@ void Describe(Archive& a, RobotSpec& r) {
          "Hardware revision, one of those that the robot's file lists under robot.revisions; \"\" "
          "is none"},
         &r.revision);
-  a.Key({"locked_joints",
-         "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
-         "every pose, and the model holds them fast where it has them"},
-        &r.locked_joints);
+  a.Key(
+      {"locked_joints",
+       "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
+       "every pose, and the model holds them fast where it has them"},
+      &r.locked_joints);
   a.List({"bodies", "Bodies that differ from the model file"}, &r.bodies, DescribeBody,
          &BodySpec::name);
   a.List({"sites", "Sites that differ from the model file"}, &r.sites, DescribeSite,

@@ -46,8 +46,8 @@ void CheckMotor(const MotorSpec& m, const std::string& key, std::set<std::string
                 "'" + m.joint + "' has a motor already");
   checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
   checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
-                "expected less than no_load_speed " + NumberText(m.no_load_speed) +
-                    " rad/s, got " + NumberText(m.knee_speed));
+                "expected less than no_load_speed " + NumberText(m.no_load_speed) + " rad/s, got " +
+                    NumberText(m.knee_speed));
 }
 
 void CheckMotors(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {

@@ -113,13 +113,13 @@ std::string StatusText(const ordered_json& status) {
     rows.push_back({name + " time-outs", Count(hand.at("timeouts"))});
   }
   rows.insert(rows.end(), {
-      {"crane", Crane(crane)},
-      {"crane length", Fixed(crane.at("length"), 3), "m"},
-      {"crane tension", Fixed(crane.at("tension"), 1), "N"},
-      {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
-      {"base height", Fixed(base.at("height"), 3), "m"},
-      {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
-  });
+                              {"crane", Crane(crane)},
+                              {"crane length", Fixed(crane.at("length"), 3), "m"},
+                              {"crane tension", Fixed(crane.at("tension"), 1), "N"},
+                              {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
+                              {"base height", Fixed(base.at("height"), 3), "m"},
+                              {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
+                          });
   return Aligned(rows);
 }
 

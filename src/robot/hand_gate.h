@@ -16,7 +16,8 @@ namespace understudy {
 // follows its last taken command for as long as nobody sends another, unless that command had it
 // watched: then it locks once spec.timeout has passed without a taken command, and stays locked
 // until a command that does not have it watched ("must be cleared with 0": Dex3-1 page,
-// hardware_contract 1.5). That a motor which has timed out locks rather than goes limp is *assumed*.
+// hardware_contract 1.5). That a motor which has timed out locks rather than goes limp is
+// *assumed*.
 //
 // No motion service holds a hand: commands count at any time. Lenient lets pass what is wrong in
 // form (motor mode), but not a command with other than one entry per motor.

@@ -27,8 +27,8 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 // The word that logs, counters and the control plane use.
 constexpr std::string_view Name(Refusal refusal) {
   constexpr std::array<std::string_view, kRefusals> kNames = {
-      "none",        "crc",        "head", "mode_machine",  "mode_pr", "motor_mode",
-      "motor_count", "not_finite", "gain", "motion_service"};
+      "none",       "crc",         "head",       "mode_machine", "mode_pr",
+      "motor_mode", "motor_count", "not_finite", "gain",         "motion_service"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

@@ -52,21 +52,21 @@ struct ParallelSpec {
 
 // A place of a hand that feels pressure.
 struct PadSpec {
-  std::vector<double> taxels;  // the ones it has, of the message's 12
+  std::vector<double> taxels{};  // the ones it has, of the message's 12
 };
 
 // A hand with motors of its own, on topics of its own.
 struct HandSpec {
-  std::string name;   // "left"
-  std::string topic;  // between rt/ and /cmd, /state; rt/lf/ and /state
+  std::string name{};   // "left"
+  std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
   // In the order of motor_cmd, their place there being the id in their mode byte. Only joint and
   // what the motor can give count; the rest of MotorSpec is the body's.
-  std::vector<MotorSpec> motors;
-  std::vector<PadSpec> pads;  // in the order of press_sensor_state
-  double timeout = 1;         // s without a command until watched motors lock
-  double lock_kd = 0;         // N·m·s/rad with which a locked motor brakes
-  double temperature_c = 0;   // what motors and pads show
-  double supply_v = 0;        // what it is fed with
+  std::vector<MotorSpec> motors{};
+  std::vector<PadSpec> pads{};  // in the order of press_sensor_state
+  double timeout = 1;           // s without a command until watched motors lock
+  double lock_kd = 0;           // N·m·s/rad with which a locked motor brakes
+  double temperature_c = 0;     // what motors and pads show
+  double supply_v = 0;          // what it is fed with
 };
 
 struct FootSpec {

@@ -17,8 +17,7 @@ std::span<const double> Hand::Step(std::span<const double> q, std::span<const do
                                    double t) {
   const std::span<const MotorCommand> commands = gate_.Current(t);
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] =
-        AvailableTorque(spec_.motors[i], DesiredTorque(commands[i], q[i], dq[i]), dq[i]);
+    torque_[i] = AvailableTorque(spec_.motors[i], DesiredTorque(commands[i], q[i], dq[i]), dq[i]);
   }
   return torque_;
 }

@@ -11,8 +11,9 @@
 
 namespace understudy {
 
-// Its motors obey the law of the robot's (robot/motor.h) in every step. Not modelled: how they warm,
-// what they draw from the battery, encoder lattices (no capture of one is known) and what pads feel.
+// Its motors obey the law of the robot's (robot/motor.h) in every step. Not modelled: how they
+// warm, what they draw from the battery, encoder lattices (no capture of one is known) and what
+// pads feel.
 class Hand {
  public:
   // `spec` must outlive the hand. `lenient` as in HandGate.

@@ -15,7 +15,8 @@
 namespace understudy {
 
 // Reads rt/lowcmd and, where the robot has one, rt/arm_sdk; writes rt/lowstate, rt/sportmodestate,
-// their rt/lf/ twins and, while a remote controller is there, rt/wirelesscontroller. Hands are hg's.
+// their rt/lf/ twins and, while a remote controller is there, rt/wirelesscontroller. Hands are
+// hg's.
 class GoPort final : public RobotPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and

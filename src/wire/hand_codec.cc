@@ -65,8 +65,7 @@ void HandStateMessage::Encode(const HandReading& reading) {
     unitree_hg_msg_dds__MotorState_& wire = motors_[i];
     const unsigned status = motor.enabled ? kFollowing : kLocked;
     const unsigned timed_out = reading.timed_out[i];
-    wire.mode =
-        static_cast<std::uint8_t>(i | status << kStatusShift | timed_out << kTimeoutShift);
+    wire.mode = static_cast<std::uint8_t>(i | status << kStatusShift | timed_out << kTimeoutShift);
     wire.q = static_cast<float>(motor.q);
     wire.dq = static_cast<float>(motor.dq);
     wire.tau_est = static_cast<float>(motor.tau);

@@ -32,9 +32,9 @@ Topic<unitree_hg_msg_dds__HandState_> State(const std::string& name) {
 
 HandPort::HandPort(const Participant& participant, const HandSpec& spec)
     : spec_(&Checked(spec)),
-      commands_(participant, Topic<unitree_hg_msg_dds__HandCmd_>{
-                                 ("rt/" + spec.topic + "/cmd").c_str(),
-                                 &unitree_hg_msg_dds__HandCmd__desc}),
+      commands_(participant,
+                Topic<unitree_hg_msg_dds__HandCmd_>{("rt/" + spec.topic + "/cmd").c_str(),
+                                                    &unitree_hg_msg_dds__HandCmd__desc}),
       state_(participant, State("rt/" + spec.topic + "/state")),
       lf_state_(participant, State("rt/lf/" + spec.topic + "/state")),
       message_(spec) {}

@@ -60,8 +60,7 @@ TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
   for (const HandSpec& hand : robot.hands) {
     EXPECT_EQ(hand.topic, "dex3/" + hand.name);
     EXPECT_EQ(hand.pads.size(), 9U);
-    const auto order =
-        figures["hands"][hand.name]["motor_order"].get<std::vector<std::string>>();
+    const auto order = figures["hands"][hand.name]["motor_order"].get<std::vector<std::string>>();
     ASSERT_EQ(hand.motors.size(), order.size());
     for (std::size_t i = 0; i < order.size(); ++i) {
       EXPECT_EQ(hand.motors[i].joint, order[i]);

@@ -110,14 +110,14 @@ TEST_F(HandsTest, HaveMotorsOfTheirOwn) {
 
 TEST_F(HandsTest, HaveTopicsThatDdsTakes) {
   for (const char* topic : {"''", "/left", "left/", "a//b", "a-b", "'a b'"}) {
-    EXPECT_THAT(HandsError("{name: left, topic: " + std::string(topic) + ", motors: [" + kThumb +
-                           "]}"),
-                testing::HasSubstr("robot.hands.0.topic: expected words"))
+    EXPECT_THAT(
+        HandsError("{name: left, topic: " + std::string(topic) + ", motors: [" + kThumb + "]}"),
+        testing::HasSubstr("robot.hands.0.topic: expected words"))
         << topic;
   }
-  EXPECT_THAT(HandsError(Hand("left", kThumb) + "," +
-                         Hand("left", "{joint: index, torque_limit: 1}")),
-              testing::HasSubstr("robot.hands.1.topic: another hand has 'left' already"));
+  EXPECT_THAT(
+      HandsError(Hand("left", kThumb) + "," + Hand("left", "{joint: index, torque_limit: 1}")),
+      testing::HasSubstr("robot.hands.1.topic: another hand has 'left' already"));
 }
 
 TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {

@@ -15,7 +15,7 @@
 namespace understudy {
 namespace {
 
-constexpr int kSecond = 1000;    // steps
+constexpr int kSecond = 1000;       // steps
 constexpr double kExampleKd = 0.1;  // unitree_sdk2 g1_dex3_example
 constexpr double kMostKd = 0.3;     // that a public report on a real pair used
 
@@ -23,8 +23,9 @@ class Dex3Test : public ModelTest {
  protected:
   // The wrists are where they are; no ground.
   Dex3Test()
-      : model_(LoadTogether({kG1Dex3}, "<equality><weld body1=\"left_wrist_yaw_link\"/>"
-                                       "<weld body1=\"right_wrist_yaw_link\"/></equality>")),
+      : model_(LoadTogether({kG1Dex3},
+                            "<equality><weld body1=\"left_wrist_yaw_link\"/>"
+                            "<weld body1=\"right_wrist_yaw_link\"/></equality>")),
         data_(model_ ? mj_makeData(model_.get()) : nullptr),
         hands_(ReadFigures("g1_29dof_dex3")["hands"]) {}
 

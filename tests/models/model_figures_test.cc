@@ -294,17 +294,17 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
-                         testing::Values(Robot{"go2", kGo2},      //
-                                         Robot{"go2w", kGo2W},    //
-                                         Robot{"b2", kB2},        //
-                                         Robot{"b2w", kB2W},      //
-                                         Robot{"a2", kA2},        //
-                                         Robot{"g1_29dof", kG1},  //
-                                         Robot{"g1_29dof_dex3", kG1Dex3},
-                                         Robot{"h1", kH1},        //
-                                         Robot{"h1_2", kH12},     //
-                                         Robot{"r1", kR1},        //
-                                         Robot{"h2", kH2}),       //
+                         testing::Values(Robot{"go2", kGo2},               //
+                                         Robot{"go2w", kGo2W},             //
+                                         Robot{"b2", kB2},                 //
+                                         Robot{"b2w", kB2W},               //
+                                         Robot{"a2", kA2},                 //
+                                         Robot{"g1_29dof", kG1},           //
+                                         Robot{"g1_29dof_dex3", kG1Dex3},  //
+                                         Robot{"h1", kH1},                 //
+                                         Robot{"h1_2", kH12},              //
+                                         Robot{"r1", kR1},                 //
+                                         Robot{"h2", kH2}),                //
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace

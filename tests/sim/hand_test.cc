@@ -15,11 +15,12 @@ class HandTest : public testing::Test {
     return reading;
   }
 
-  const HandSpec spec_{.name = "left",
-                       .motors = {{.torque_limit = 2}, {.torque_limit = 3}},
-                       .timeout = 1,
-                       .lock_kd = 0.5,
-                       .temperature_c = 41};
+  const HandSpec spec_{
+      .name = "left",
+      .motors = {{.joint = "thumb", .torque_limit = 2}, {.joint = "index", .torque_limit = 3}},
+      .timeout = 1,
+      .lock_kd = 0.5,
+      .temperature_c = 41};
   Hand hand_{spec_, /*lenient=*/false};
   const std::array<double, 2> q_{0.25, -0.5};
   const std::array<double, 2> dq_{1, -2};
