@@ -98,7 +98,7 @@ TEST_F(Dex3Test, FingersAreStillUnderTheGainsOfTheExample) { EXPECT_LT(FastestFi
 // The trap of the vendor's file: why ours has an armature.
 TEST_F(Dex3Test, FingersWithoutArmatureWouldChatterUnderTheGainsOfTheExample) {
   SetArmature(0);
-  for (const std::string& joint : {"left_hand_index_1_joint", "right_hand_thumb_2_joint"}) {
+  for (const char* joint : {"left_hand_index_1_joint", "right_hand_thumb_2_joint"}) {
     EXPECT_LT(FeltInertia(joint) * 2 / model_->opt.timestep, kExampleKd) << joint;
   }
   std::fill(data_->qvel, data_->qvel + model_->nv, 0.1);  // rad/s, a nudge

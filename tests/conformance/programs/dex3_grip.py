@@ -26,6 +26,8 @@ MAX = {"left": [1.05, 1.05, 1.75, 0, 0, 0, 0], "right": [1.05, 0.742, 0, 1.57, 1
 MIN = {"left": [-1.05, -0.724, 0, -1.57, -1.75, -1.57, -1.75], "right": [-1.05, -1.05, -1.75, 0, 0, 0, 0]}
 KP, KD = 1.5, 0.1
 PERIOD = 0.01  # s; the vendor's teleoperation commands hands at 100 Hz
+SETTLED = 0.5  # s from there on until it rests, still following what it was told last
+NEAR = 0.09  # rad; what a real pair missed its aims by at most, at kp 1
 PATIENCE = 40.0  # s
 
 
@@ -98,9 +100,10 @@ def main():
 
         def arrived():
             hand.send(aim)
-            return all(abs(q - to) < 0.09 for q, to in zip(hand.q(), aim))
+            return all(abs(q - to) < NEAR for q, to in zip(hand.q(), aim))
 
         wait_for(f"grip of the {side} hand", arrived)
+        time.sleep(SETTLED)
         report["missed"][side] = [round(q - to, 3) for q, to in zip(hand.q(), aim)]
         report["others"][side] = max(abs(now - then) for now, then in zip(other.q(), rest))
 
