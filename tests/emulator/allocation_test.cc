@@ -4,8 +4,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 
+#include "config/load.h"
+#include "physics/world_model.h"
 #include "tests/emulator/emulator_test.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -167,6 +170,25 @@ TEST_F(AllocationTest, DoesNotHappenWithHands) {
   port_.SendHandsEveryTick(command);
   EXPECT_EQ(CountIn(1500), 0);
   EXPECT_EQ(emulator_->status().hands[1].commands.timeouts, 1U);
+}
+
+// A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
+TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
+  const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
+  config_ = LoadConfig({.robot = "g1_29dof_dex3"}, root);
+  port_.KeepTheLastOnly();
+  port_.SendHandsEveryTick({.motors = std::vector<HandMotorCommand>(
+                                7, {.motor = {.enabled = true, .kp = 1, .kd = 0.1}})});
+  emulator_ = std::make_unique<Emulator>(
+      config_,
+      PhysicsWorld(LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
+                                  root / "models/scene/flat.xml", config_.physics.timestep),
+                   config_.robot),
+      &port_, &inbox_);
+  CountIn(10);
+  EXPECT_EQ(CountIn(500), 0);
+  EXPECT_EQ(emulator_->status().hands[1].commands.accepted, 510U);
+  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
 }
 
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
