@@ -22,11 +22,11 @@ using nlohmann::json;
 
 const char* Family(WireFamily family) { return family == WireFamily::kGo ? "go" : "hg"; }
 
-// "[5], 6, 11": the one that is played unless another is asked for in brackets.
+// "; --revision 2, [5], 6": in brackets the one that is played unless another is asked for.
 std::string Listed(const std::vector<std::string>& revisions, const std::string& own) {
   std::string text;
   for (const std::string& name : revisions) {
-    text += (text.empty() ? "" : ", ") + (name == own ? "[" + name + "]" : name);
+    text += (text.empty() ? "; --revision " : ", ") + (name == own ? "[" + name + "]" : name);
   }
   return text;
 }
@@ -113,11 +113,9 @@ int RobotsCommand(bool as_json) {
                       {"lowstate_hz", robot.rates.lowstate_hz},
                       {"start", robot.default_start}});
     } else {
-      std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s\n", name.c_str(), robot.motors.size(),
-                  Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str());
-      if (!revisions.empty()) {
-        std::printf("%14s --revision %s\n", "", Listed(revisions, robot.revision).c_str());
-      }
+      std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s%s\n", name.c_str(), robot.motors.size(),
+                  Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str(),
+                  Listed(revisions, robot.revision).c_str());
     }
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());

@@ -75,7 +75,7 @@ std::size_t Index(const YamlValue& key, const std::string& path,
   if (found != names.end() && !key.text.empty()) {
     return static_cast<std::size_t>(found - names.begin());
   }
-  const std::string nearest = NearestWord(key.text, names);
+  const std::string nearest = index ? "" : NearestWord(key.text, names);
   throw ConfigError(key.where + ": " + path + ": has " + std::to_string(names.size()) +
                     " elements, counted from 0; there is no '" + OneLine(key.text) + "'" +
                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));

@@ -28,7 +28,7 @@ struct RobotRevision {
 };
 
 struct RobotFile {
-  std::vector<YamlValue> trees;  // weakest first: what it extends, then the file itself
+  std::vector<YamlValue> trees;          // weakest first: what it extends, then the file itself
   std::vector<RobotRevision> revisions;  // in the order of the files
 
   // Null where there is none of that name.

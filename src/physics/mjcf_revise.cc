@@ -63,10 +63,9 @@ void ReviseBody(const BodySpec& spec, const std::string& key, MjcfElement* root)
       throw ModelError(body.place.text() + ": " + key + ": the file leaves mass and inertia of '" +
                        spec.name + "' to its geoms; expected all of mass, com and inertia");
     }
-    body.children.insert(body.children.begin(), {.name = "inertial",
-                                                 .attributes = {},
-                                                 .children = {},
-                                                 .place = body.place});
+    body.children.insert(
+        body.children.begin(),
+        {.name = "inertial", .attributes = {}, .children = {}, .place = body.place});
     inertial = body.children.begin();
   }
   if (spec.mass > 0) inertial->Set("mass", Text({spec.mass}));

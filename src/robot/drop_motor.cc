@@ -7,8 +7,8 @@ namespace understudy {
 void DropMotor(std::size_t i, RobotSpec* spec) {
   const auto at = static_cast<std::ptrdiff_t>(i);
   HumanoidMotionSpec& humanoid = spec->motion.humanoid;
-  for (std::vector<double>* q : {&spec->lying.q, &spec->standing.q, &spec->hanging.q,
-                                 &humanoid.squat_q, &humanoid.sit_q}) {
+  for (std::vector<double>* q :
+       {&spec->lying.q, &spec->standing.q, &spec->hanging.q, &humanoid.squat_q, &humanoid.sit_q}) {
     if (q->size() == spec->motors.size()) q->erase(q->begin() + at);
   }
   std::erase(spec->arm_sdk.slots, spec->motors[i].slot);

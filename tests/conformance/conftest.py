@@ -58,6 +58,8 @@ def rehearse(tmp_path_factory):
     The same rehearsal is run once per session: tests that ask for it again get the same Run.
     """
 
+    tmp_path_factory.getbasetemp()  # its first caller makes it; callers may be threads
+
     @functools.cache
     def run(robot, program, *arguments, options=()):
         status = tmp_path_factory.mktemp("status") / "status.json"
