@@ -140,10 +140,12 @@ void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& c
                "robot.base_body name another body");
 }
 
-void RequireMotors(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const std::string& name = spec.motors[i].joint;
-    check.Require(mjOBJ_JOINT, "joint", name, "robot.motors." + std::to_string(i) + ".joint");
+// `list`: the key of the motors.
+void RequireMotors(const mjModel& model, const std::vector<MotorSpec>& motors,
+                   const std::string& list, const NameCheck& check) {
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const std::string& name = motors[i].joint;
+    check.Require(mjOBJ_JOINT, "joint", name, list + "." + std::to_string(i) + ".joint");
     const int type = model.jnt_type[mj_name2id(&model, mjOBJ_JOINT, name.c_str())];
     if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
       check.Refuse("joint '" + name + "' of a motor must be a hinge or a slide");
@@ -162,7 +164,11 @@ void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
 
 void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
   RequireBase(model, spec, check);
-  RequireMotors(model, spec, check);
+  RequireMotors(model, spec.motors, "robot.motors", check);
+  for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+    RequireMotors(model, spec.hands[i].motors, "robot.hands." + std::to_string(i) + ".motors",
+                  check);
+  }
   check.Require(mjOBJ_SITE, "IMU site", spec.imu.site, "robot.imu.site");
   if (!spec.imu.secondary_site.empty()) {
     check.Require(mjOBJ_SITE, "IMU site", spec.imu.secondary_site, "robot.imu.secondary_site");

@@ -4,6 +4,7 @@
 #ifndef UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 #define UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -71,6 +72,25 @@ struct ParallelSpec {
   double roll_ratio = 1;  // how far A and B part per radian of roll
 };
 
+// A place of a hand that feels pressure.
+struct PadSpec {
+  std::vector<double> taxels{};  // the ones it has, of the message's 12
+};
+
+// A hand with motors of its own, on topics of its own.
+struct HandSpec {
+  std::string name{};   // "left"
+  std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
+  // In the order of motor_cmd, their place there being the id in their mode byte. Only joint and
+  // what the motor can give count; the rest of MotorSpec is the body's.
+  std::vector<MotorSpec> motors{};
+  std::vector<PadSpec> pads{};  // in the order of press_sensor_state
+  double timeout = 1;           // s without a command until watched motors lock
+  double lock_kd = 0;           // N·m·s/rad with which a locked motor brakes
+  double temperature_c = 0;     // what motors and pads show
+  double supply_v = 0;          // what it is fed with
+};
+
 struct FootSpec {
   std::string name;
   std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
@@ -89,6 +109,7 @@ struct PoseSpec {
 struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
+  double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
   double service_hz = 500;   // commands of the robot's own motion service
 };
@@ -200,6 +221,8 @@ struct MotionSpec {
   QuadrupedMotionSpec quadruped;
 };
 
+inline constexpr std::size_t kMostHands = 2;
+
 struct RobotSpec {
   std::string name;
   std::string description;
@@ -219,6 +242,7 @@ struct RobotSpec {
   std::vector<MotorSpec> motors;           // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
   DynamicsSpec dynamics;
+  std::vector<HandSpec> hands;  // hg only, at most kMostHands
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force
