@@ -66,8 +66,9 @@ std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
               nullptr);
   }
   notes->looks.clear();  // of interest where one checks a model
+  const std::size_t hands = config.robot.hands.size();
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
-         " motors, fits its model";
+         " motors, " + (hands == 0 ? "" : std::to_string(hands) + " hands, ") + "fits its model";
 }
 
 // One file's result. A refusal's text names file and line by itself; that of an included file does

@@ -37,6 +37,9 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
   AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
                  "Hardware revision, as `understudy robots` lists them [the robot's own]");
+  AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
+                 "Joint friction, damping and armature: catalogue, as in the model's file, or "
+                 "fitted to real robots [the better evidence; with --model catalogue]");
   AddShortOption(app, arguments, "--speed", "time.speed", "X",
                  "Simulated seconds per wall second; max = as fast as possible [1]")
       ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });
@@ -44,6 +47,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "End after so many simulated seconds [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
                  "damped, standing, hanging or clamped [the robot's own]");
+  AddShortOption(app, arguments, "--seed", "randomization.seed", "N",
+                 "Seed of all that randomization draws [one is drawn and said]");
   app->add_flag_callback(
       "--released",
       [arguments] {

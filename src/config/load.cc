@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <initializer_list>
 #include <set>
 #include <utility>
 
@@ -115,6 +116,36 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
   return config;
 }
 
+// What a mapping of mappings holds at a path; null where it is not there.
+const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string_view> path) {
+  const YamlValue* value = &tree;
+  for (const std::string_view key : path) {
+    if (value->kind != YamlValue::Kind::kMap) return nullptr;
+    value = value->Find(key);
+    if (value == nullptr) return nullptr;
+  }
+  return value;
+}
+
+// Whether a layer over the robot's own, which are the first `own`, names another model and none says
+// whose joint figures to use.
+bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t own) {
+  const YamlValue* own_model = nullptr;
+  bool another = false;
+  for (std::size_t i = 0; i < trees.size(); ++i) {
+    if (const YamlValue* model = FindAt(trees[i], {"robot", "model"})) {
+      if (i < own) own_model = model;
+      another = own_model == nullptr || model->text != own_model->text;
+    }
+    if (i < own) continue;
+    const YamlValue* dynamics = FindAt(trees[i], {"robot", "dynamics"});
+    if (dynamics == nullptr) continue;
+    const bool scalar = dynamics->kind == YamlValue::Kind::kScalar;
+    if (scalar || dynamics->Find("use") != nullptr) return false;
+  }
+  return another;
+}
+
 // The last word on the revision; null where there is none.
 const YamlValue* LastRevision(const std::vector<YamlValue>& trees) {
   const YamlValue* last = nullptr;
@@ -176,10 +207,12 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
   std::vector<YamlValue> trees = file.trees;
   AddTrees(layers, &trees);
   const std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
+  const std::size_t own = file.trees.size() + chosen.size();
   trees.insert(trees.begin() + static_cast<std::ptrdiff_t>(file.trees.size()), chosen.begin(),
                chosen.end());
   Places places;
   Config config = ReadLayers(trees, &places);
+  if (LeavesJointsToAnotherModel(trees, own)) config.robot.dynamics.use = DynamicsSource::kCatalogue;
   Validate(config, places);
   CheckOtherRevisions(file);
   return config;

@@ -10,6 +10,7 @@
 #include "physics/feet.h"
 #include "physics/fit_names.h"
 #include "physics/geom_extent.h"
+#include "physics/joint_dynamics.h"
 #include "physics/mjcf_assets.h"
 #include "physics/mjcf_compile.h"
 #include "physics/mjcf_looks.h"
@@ -139,10 +140,12 @@ void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& c
                "robot.base_body name another body");
 }
 
-void RequireMotors(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const std::string& name = spec.motors[i].joint;
-    check.Require(mjOBJ_JOINT, "joint", name, "robot.motors." + std::to_string(i) + ".joint");
+// `list`: the key of the motors.
+void RequireMotors(const mjModel& model, const std::vector<MotorSpec>& motors,
+                   const std::string& list, const NameCheck& check) {
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const std::string& name = motors[i].joint;
+    check.Require(mjOBJ_JOINT, "joint", name, list + "." + std::to_string(i) + ".joint");
     const int type = model.jnt_type[mj_name2id(&model, mjOBJ_JOINT, name.c_str())];
     if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
       check.Refuse("joint '" + name + "' of a motor must be a hinge or a slide");
@@ -161,7 +164,11 @@ void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
 
 void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
   RequireBase(model, spec, check);
-  RequireMotors(model, spec, check);
+  RequireMotors(model, spec.motors, "robot.motors", check);
+  for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+    RequireMotors(model, spec.hands[i].motors, "robot.hands." + std::to_string(i) + ".motors",
+                  check);
+  }
   check.Require(mjOBJ_SITE, "IMU site", spec.imu.site, "robot.imu.site");
   if (!spec.imu.secondary_site.empty()) {
     check.Require(mjOBJ_SITE, "IMU site", spec.imu.secondary_site, "robot.imu.secondary_site");
@@ -263,6 +270,7 @@ ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
     throw ModelError(
         place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
+  UseFittedDynamics(spec, model.get());
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;
   return model;

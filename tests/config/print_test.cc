@@ -105,6 +105,18 @@ TEST_F(PrintConfigTest, WritesOneLinePerKeyAndPerElement) {
   EXPECT_EQ(text.find('#'), std::string::npos);
 }
 
+TEST_F(PrintConfigTest, WritesListsWithinAnElementOnItsLine) {
+  const Config config = LoadText(
+      "robot: {family: hg, hands: [{name: left, topic: left,\n"
+      "  motors: [{joint: u, torque_limit: 1}, {joint: v, torque_limit: 2}]}]}\n");
+  EXPECT_THAT(PrintConfig(config, false),
+              HasSubstr("\n  hands:\n    - {name: left, topic: left, motors: [{joint: u, "
+                        "torque_limit: 1, knee_speed: 0, no_load_speed: 0}, {joint: v, "));
+  EXPECT_THAT(PrintConfig(config, true),
+              HasSubstr("    # motors: Its motors, in the order of motor_cmd and motor_state\n"
+                        "      # joint: Joint of the model that it drives [text]\n"));
+}
+
 TEST_F(PrintConfigTest, ExplainsKeysInComments) {
   EXPECT_THAT(PrintConfig(LoadText(""), true),
               HasSubstr("    # Rate of all rt/lf topics [Hz; 1 to 10000]\n    lf_hz: 20\n"));

@@ -177,7 +177,10 @@ TEST_P(ModelFiguresTest, MotorsStopAtThePublishedTorque) {
 TEST_P(ModelFiguresTest, EveryMotorOfTheSdkHasAJoint) {
   std::vector<std::string> published;
   for (const json& joint : figures_["joints"]) published.push_back(joint["name"]);
-  const auto order = figures_["motor_order"].get<std::vector<std::string>>();
+  auto order = figures_["motor_order"].get<std::vector<std::string>>();
+  for (const json& hand : figures_.value("hands", json::object())) {
+    for (const json& joint : hand["motor_order"]) order.push_back(joint);
+  }
   EXPECT_THAT(order, testing::UnorderedElementsAreArray(published));
 }
 
@@ -283,16 +286,18 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
-                         testing::Values(Robot{"go2", kGo2},                          //
-                                         Robot{"go2w", kGo2W},                        //
-                                         Robot{"b2", kB2},                            //
-                                         Robot{"b2w", kB2W},                          //
-                                         Robot{"a2", kA2},                            //
-                                         Robot{"g1_29dof", kG1},                      //
-                                         Robot{"g1_23dof", kG123}, Robot{"h1", kH1},  //
-                                         Robot{"h1_2", kH12},                         //
-                                         Robot{"r1", kR1},                            //
-                                         Robot{"h2", kH2}),                           //
+                         testing::Values(Robot{"go2", kGo2},               //
+                                         Robot{"go2w", kGo2W},             //
+                                         Robot{"b2", kB2},                 //
+                                         Robot{"b2w", kB2W},               //
+                                         Robot{"a2", kA2},                 //
+                                         Robot{"g1_29dof", kG1},           //
+                                         Robot{"g1_29dof_dex3", kG1Dex3},  //
+                                         Robot{"g1_23dof", kG123},         //
+                                         Robot{"h1", kH1},                 //
+                                         Robot{"h1_2", kH12},              //
+                                         Robot{"r1", kR1},                 //
+                                         Robot{"h2", kH2}),                //
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace

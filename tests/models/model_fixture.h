@@ -27,6 +27,7 @@ inline const std::string kB2 = kModels + "b2/b2.xml";
 inline const std::string kB2W = kModels + "b2w/b2w.xml";
 inline const std::string kA2 = kModels + "a2/a2.xml";
 inline const std::string kG1 = kModels + "g1/g1_29dof.xml";
+inline const std::string kG1Dex3 = kModels + "g1/g1_29dof_dex3.xml";
 inline const std::string kG123 = kModels + "g1/g1_23dof.xml";
 inline const std::string kH1 = kModels + "h1/h1.xml";
 inline const std::string kH12 = kModels + "h1_2/h1_2.xml";

@@ -78,7 +78,8 @@ std::string Name(std::string robot) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
-                         testing::Values("g1", "g1_23dof", "h1", "h1_2", "r1", "h2"),
+                         testing::Values("g1", "g1_23dof", "g1_29dof_dex3", "h1", "h1_2", "r1",
+                                         "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 const auto kRevisions = testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
