@@ -12,9 +12,11 @@
 #include "control/status.h"
 #include "motion/command_router.h"
 #include "physics/world.h"
+#include "robot/command_delay.h"
 #include "robot/motor.h"
 #include "sim/battery.h"
 #include "sim/crane.h"
+#include "sim/hand.h"
 #include "sim/remote.h"
 #include "sim/sensors.h"
 #include "wire/robot_port.h"
@@ -74,8 +76,11 @@ class Emulator {
   Due DueNow() const;
   void TakeOrders(double t);
   void TakeCommands(double t);
+  void TakeHandCommands(double t);
   const RobotCommand& Decide(double t);
+  void MoveHands(double t);
   void PushAndPull(double t);
+  void Sample(const RobotCommand& command, double t);
   void HangFromCrane();
   Answer CarryOut(const Order& order);
   Answer BeginPush(const PushBody& push);
@@ -85,16 +90,18 @@ class Emulator {
   PhysicsWorld world_;
   RobotPort* port_;
   Inbox* inbox_;
+  CommandDelay delay_;
   MotorBank motors_;
   Battery battery_;
   Sensors sensors_;
   Crane crane_;
   Remote remote_;
   CommandRouter router_;
+  std::vector<Hand> hands_;
   int crane_body_;
   Eigen::Vector3d crane_point_;
   std::int64_t step_ns_;
-  std::int64_t lowstate_every_, motion_every_, lf_every_, service_every_;  // in steps
+  std::int64_t lowstate_every_, motion_every_, hand_every_, lf_every_, service_every_;  // in steps
 
   std::int64_t step_ = 0;
   std::vector<ScriptEvent> script_;
@@ -103,6 +110,7 @@ class Emulator {
   std::string script_refusal_;
   std::vector<Push> pushes_;
   RobotCommand offered_;
+  HandCommand offered_hand_;
   MotionInput input_;
   std::vector<double> foot_force_;
   RobotState state_;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <thread>
@@ -15,10 +14,10 @@
 #include "bus/participant.h"
 #include "control/server.h"
 #include "emulator.h"
+#include "make_world.h"
 #include "physics/world_model.h"
 #include "reporter.h"
 #include "robot/errors.h"
-#include "scene.h"
 #include "services/robot_services.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
@@ -34,37 +33,6 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
-
-// Says what loading a model brought up.
-void Tell(const LoadNotes& notes) {
-  for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
-  if (!notes.rewrites.empty()) {
-    spdlog::info(
-        "{} places of the model were rewritten for this MuJoCo (`understudy check` lists them)",
-        notes.rewrites.size());
-  }
-  for (const Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
-  for (const std::string& looks : notes.looks) spdlog::debug("{}", looks);
-}
-
-// The world of the configured robot. A model from elsewhere may call things otherwise than the
-// robot's description: config->robot then takes its names.
-PhysicsWorld MakeWorld(Config* config) {
-  const SceneFile scene(config->scene, config->terrain);
-  const std::filesystem::path file = ModelFile(config->robot);
-  const double timestep = config->physics.timestep;
-  LoadNotes notes;
-  ModelHandle model;
-  if (std::filesystem::path(config->robot.model).is_relative()) {
-    model = LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
-  } else {
-    FittedModel fitted = LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
-    config->robot = std::move(fitted.spec);
-    model = std::move(fitted.model);
-  }
-  Tell(notes);
-  return {std::move(model), config->robot};
-}
 
 // Returns when nobody else is a robot here, or only may be one and the configuration allows that.
 // `since`: when the watch was set. Who has a writer is given the same time again to speak.
@@ -176,7 +144,7 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
   }
   StrangerWatch watch(participant);
   const Clock::Time watch_set = clock.Now();
-  PhysicsWorld world = MakeWorld(&config);
+  MadeWorld made = MakeWorld(&config);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = OpenPort(participant, config.robot);
@@ -185,9 +153,10 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
 
   Inbox inbox;
   StatusBoard board;
-  Emulator robot(config, std::move(world), port.get(), &inbox);
+  Emulator robot(config, std::move(made.world), port.get(), &inbox);
   robot.Play(options.script);
-  const ControlServer control(options.control_socket, config.robot.name, &board, &inbox);
+  const ControlServer control(options.control_socket, config.robot.name, &board, &inbox,
+                              ServerLimits{}, std::move(made.draws));
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);

@@ -9,6 +9,7 @@
 #include "motion/motion_config.h"
 #include "physics/terrain.h"
 #include "robot/command_gate.h"
+#include "robot/randomization.h"
 #include "robot/robot_spec.h"
 #include "sim/crane.h"
 #include "sim/sensors.h"
@@ -59,6 +60,7 @@ struct Config {
   StartConfig start;
   std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path
   TerrainSpec terrain;
+  RandomizationSpec randomization;
   RobotSpec robot;
 };
 

@@ -1,5 +1,7 @@
 #include "config/keys.h"
 
+#include "config/randomization_keys.h"
+
 namespace understudy {
 namespace {
 
@@ -117,6 +119,10 @@ void Describe(Archive& a, Config& c) {
       "service");
   a.Section({"crane", "The tether a robot hangs from"}, [&] { DescribeCrane(a, c.crane); });
   a.Section({"start", "How a run begins"}, [&] { DescribeStart(a, c.start); });
+  a.Section({"randomization",
+             "What is drawn by chance at the start, each from [least, most]; [] leaves it "
+             "(docs/randomization.md)"},
+            [&] { DescribeRandomization(a, c.randomization); });
   a.Section({"robot", "What the robot is; config/robots holds one file per robot"},
             [&] { Describe(a, c.robot); });
 }

@@ -235,14 +235,16 @@ class ControlServer::Loop {
 };
 
 ControlServer::ControlServer(const std::filesystem::path& socket, const std::string& robot,
-                             const StatusBoard* board, Inbox* inbox, const ServerLimits& limits)
-    : loop_(std::make_unique<Loop>(
-          socket,
-          Shared{.identity = {.robot = robot, .version = UNDERSTUDY_VERSION, .pid = ::getpid()},
-                 .board = board,
-                 .inbox = inbox,
-                 .limits = limits,
-                 .done = {}})) {}
+                             const StatusBoard* board, Inbox* inbox, const ServerLimits& limits,
+                             Draws draws)
+    : loop_(std::make_unique<Loop>(socket, Shared{.identity = {.robot = robot,
+                                                               .version = UNDERSTUDY_VERSION,
+                                                               .pid = ::getpid(),
+                                                               .draws = std::move(draws)},
+                                                  .board = board,
+                                                  .inbox = inbox,
+                                                  .limits = limits,
+                                                  .done = {}})) {}
 
 ControlServer::~ControlServer() = default;
 

@@ -10,6 +10,7 @@
 
 #include "control/inbox.h"
 #include "control/status.h"
+#include "robot/randomization.h"
 
 namespace understudy {
 
@@ -38,9 +39,11 @@ struct ServerLimits {
 class ControlServer {
  public:
   // Listens at `socket`, in a folder that exists (MakeControlFolder). `board` and `inbox` must
-  // outlive the server. Throws SocketError as ListeningSocket does.
+  // outlive the server. `draws`: what the run left to chance, which the status tells. Throws
+  // SocketError as ListeningSocket does.
   ControlServer(const std::filesystem::path& socket, const std::string& robot,
-                const StatusBoard* board, Inbox* inbox, const ServerLimits& limits = {});
+                const StatusBoard* board, Inbox* inbox, const ServerLimits& limits = {},
+                Draws draws = {});
   // Hangs up on whoever is connected and removes the socket file.
   ~ControlServer();
 

@@ -15,6 +15,35 @@ nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
   return refused;
 }
 
+// {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
+// nothing was drawn.
+nlohmann::ordered_json DrawsJson(const Draws& draws) {
+  if (draws.seed < 0) return nullptr;
+  nlohmann::ordered_json drawn = nlohmann::ordered_json::object();
+  for (const Drawn& one : draws.values) {
+    if (one.element.empty()) {
+      drawn[one.quantity] = one.value;
+    } else {
+      drawn[one.quantity][one.element] = one.value;
+    }
+  }
+  return {{"seed", draws.seed}, {"drawn", drawn}};
+}
+
+// One object per hand that the robot has.
+nlohmann::ordered_json HandsJson(const Status& status) {
+  nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+  for (const HandStatus& hand : status.hands) {
+    if (hand.name[0] == '\0') continue;
+    hands.push_back({{"name", hand.name.data()},
+                     {"accepted", hand.commands.accepted},
+                     {"timeouts", hand.commands.timeouts},
+                     {"refused", RefusedJson(hand.commands)},
+                     {"last_refusal", Name(hand.last_refusal)}});
+  }
+  return hands;
+}
+
 }  // namespace
 
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
@@ -43,6 +72,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
+      {"hands", HandsJson(status)},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},
@@ -69,6 +99,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"tension", status.crane_tension}}},
       {"clamped", status.clamped},
       {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
+      {"randomization", DrawsJson(identity.draws)},
   };
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "control/status.h"
+#include "robot/randomization.h"
 
 namespace understudy {
 
@@ -15,6 +16,7 @@ struct RobotIdentity {
   std::string robot;    // the description's name, as in `understudy run <robot>`
   std::string version;  // of this program
   int pid = 0;
+  Draws draws{};  // what the run left to chance
 };
 
 // Every field of `status` in SI units, keys in a fixed order. A number that is not finite becomes

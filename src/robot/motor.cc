@@ -24,8 +24,32 @@ double AvailableTorque(const MotorSpec& spec, double tau, double dq) {
   return std::clamp(tau, -limit, limit);
 }
 
+namespace {
+
+std::vector<double> KdShares(const RobotSpec& spec) {
+  std::vector<double> shares(spec.motors.size(), 1.0);
+  if (spec.dynamics.use != DynamicsSource::kFitted) return shares;
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    for (const FittedDynamicsSpec& fit : spec.dynamics.fitted) {
+      if (std::ranges::find(fit.slots, spec.motors[i].slot) != fit.slots.end()) {
+        shares[i] = fit.kd_share;
+      }
+    }
+  }
+  return shares;
+}
+
+MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
+  command.kp *= spec.kp_scale;
+  command.kd *= spec.kd_scale;
+  return command;
+}
+
+}  // namespace
+
 MotorBank::MotorBank(const RobotSpec& spec)
     : spec_(spec),
+      kd_share_(KdShares(spec)),
       torque_(spec.motors.size()),
       winding_c_(spec.motors.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
   for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
@@ -34,7 +58,9 @@ MotorBank::MotorBank(const RobotSpec& spec)
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
                                         std::span<const double> dq, double dt) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] = DesiredTorque(command.motors[i], q[i], dq[i]);
+    MotorCommand motor = Scaled(command.motors[i], spec_.motors[i]);
+    motor.kd *= kd_share_[i];
+    torque_[i] = DesiredTorque(motor, q[i], dq[i]);
   }
   if (command.joint_space == JointSpace::kMotors) {
     for (const ParallelJoint& joint : parallel_) {
@@ -42,16 +68,17 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
       const auto roll = static_cast<std::size_t>(joint.roll());
       const ParallelJoint::Motors x = joint.ToMotors({q[pitch], q[roll]});
       const ParallelJoint::Motors v = joint.ToMotors({dq[pitch], dq[roll]});
-      const ParallelJoint::Serial tau =
-          joint.TorqueToSerial({DesiredTorque(command.motors[roll], x.a, v.a),
-                                DesiredTorque(command.motors[pitch], x.b, v.b)});
+      const ParallelJoint::Serial tau = joint.TorqueToSerial(
+          {DesiredTorque(Scaled(command.motors[roll], spec_.motors[roll]), x.a, v.a),
+           DesiredTorque(Scaled(command.motors[pitch], spec_.motors[pitch]), x.b, v.b)});
       torque_[pitch] = tau.pitch;
       torque_[roll] = tau.roll;
     }
   }
   const ThermalSpec& thermal = spec_.thermal;
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] = AvailableTorque(spec_.motors[i], torque_[i], dq[i]);
+    const MotorSpec& motor = spec_.motors[i];
+    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]);
     const double steady =
         thermal.ambient_c + thermal.rest_rise_c + thermal.rise_per_nm2_c * torque_[i] * torque_[i];
     winding_c_[i] += (steady - winding_c_[i]) * dt / thermal.time_constant;

@@ -37,7 +37,9 @@ class MotorBank {
   // Joint torques [N·m] in motor order for the joint angles q [rad] and rates dq [rad/s] of the
   // same instant, and the motor temperatures one step of dt [s] on. The span stays valid until the
   // next call. In JointSpace::kMotors the parallel pairs follow their command in motor space; their
-  // limits stay those of pitch and roll (*assumed*).
+  // limits stay those of pitch and roll (*assumed*). In JointSpace::kPitchRoll, and of motors in no
+  // pair, only the fitted share of a commanded kd acts (spec.dynamics). Gains and torque of each
+  // motor are scaled as MotorSpec says; in JointSpace::kMotors `strength` counts at pitch and roll.
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
                                std::span<const double> dq, double dt);
 
@@ -49,6 +51,7 @@ class MotorBank {
  private:
   const RobotSpec& spec_;
   std::vector<ParallelJoint> parallel_;
+  std::vector<double> kd_share_;  // motor order
   std::vector<double> torque_;
   std::vector<double> winding_c_;
 };

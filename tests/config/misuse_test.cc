@@ -18,7 +18,7 @@ TEST_F(ConfigMisuseTest, NamesAnUnknownSection) {
   EXPECT_EQ(FileError("gait: lenient\n"),
             "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: scene, terrain, "
             "network, guard, time, physics, sensors, gate, "
-            "motion, crane, start, robot)");
+            "motion, crane, start, randomization, robot)");
 }
 
 TEST_F(ConfigMisuseTest, NamesAnUnknownKeyOfAListElement) {

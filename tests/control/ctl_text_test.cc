@@ -46,12 +46,13 @@ crane tension      340.2   N
 base clamped       no
 base height        0.000   m
 base tilt          0.000   rad
+randomized         no
 )");
 }
 
 TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
   Status status;
-  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 1};
+  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
   status.last_refusal = Refusal::kGain;
   EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
 }
@@ -61,6 +62,12 @@ TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
   status.motion_service = {'m', 'c', 'f'};
   status.motion.id = 1002;
   EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, state 1002\n"));
+}
+
+TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {
+  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  status["randomization"] = {{"seed", 7}, {"drawn", {}}};
+  EXPECT_THAT(StatusText(status), HasSubstr("randomized         from seed 7\n"));
 }
 
 TEST(CtlTextTest, SaysThatARobotWasSilenced) {

@@ -27,6 +27,17 @@ TEST_F(CommandsTest, ShowInTheStateOfTheStepThatTakesThem) {
   for (const MotorReading& motor : port_.samples()[2].state.motors) EXPECT_NEAR(motor.tau, 0, 1e-3);
 }
 
+TEST_F(CommandsTest, ReachTheMotorsAfterTheDelayOfTheRobot) {
+  config_.robot.dynamics.delay = 0.002;
+  Start();
+  port_.Send(Torque(2));
+  Tick(3);
+  const auto& samples = port_.samples();
+  EXPECT_NEAR(samples[0].state.motors[0].tau, 0, 1e-3);
+  EXPECT_NEAR(samples[1].state.motors[0].tau, 0, 1e-3);
+  EXPECT_EQ(samples[2].state.motors[0].tau, 2);
+}
+
 TEST_F(CommandsTest, ReachTheMotorTheyAreMeantFor) {
   for (std::size_t i = 0; i < 6; ++i) {
     RobotCommand command = Torque(0);

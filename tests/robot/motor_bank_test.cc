@@ -84,6 +84,49 @@ TEST_F(MotorBankTest, MeasuresAnglesAndRatesInMotorSpace) {
   EXPECT_NEAR(tau[2], 0, 1e-12);
 }
 
+// Motors in slots 0 to 2; the fit says 1.5 of kd at the pitch and 0.5 at the roll.
+RobotSpec SpecWithKdShares(DynamicsSource use) {
+  RobotSpec spec = Spec();
+  for (std::size_t i = 0; i < 3; ++i) spec.motors[i].slot = static_cast<int>(i);
+  spec.dynamics.use = use;
+  spec.dynamics.fitted = {{.slots = {1}, .kd_share = 1.5}, {.slots = {2}, .kd_share = 0.5}};
+  return spec;
+}
+
+// Every motor is to stand still with kp 0 and kd 10.
+RobotCommand Brake() {
+  RobotCommand command;
+  command.motors.assign(3, {.enabled = true, .kd = 10});
+  return command;
+}
+
+TEST_F(MotorBankTest, LetsTheFittedShareOfKdActOnEachMotor) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kFitted);
+  MotorBank bank(spec);
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(Brake(), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -15, -5}));
+}
+
+TEST_F(MotorBankTest, LetsAllOfKdActUnderCatalogueDynamics) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kCatalogue);
+  MotorBank bank(spec);
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(Brake(), q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -10, -10}));
+}
+
+// A = pitch + 2 roll turns at 3, B = pitch - 2 roll at -1: -30 and 10 N·m in motor space.
+TEST_F(MotorBankTest, LetsAllOfKdActOnMotorsThatAreCommandedThemselves) {
+  const RobotSpec spec = SpecWithKdShares(DynamicsSource::kFitted);
+  MotorBank bank(spec);
+  RobotCommand command = Brake();
+  command.joint_space = JointSpace::kMotors;
+  dq_ = {1, 1, 1};
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -20, -80}));
+}
+
 TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   RobotSpec spec = Spec();
   spec.parallel.clear();
@@ -92,6 +135,41 @@ TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   command.joint_space = JointSpace::kMotors;
   const auto tau = bank.Step(command, q_, dq_, 0.001);
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{1, 2, 3}));
+}
+
+TEST_F(MotorBankTest, ScalesGainsButNotTorquesThatAreFedForward) {
+  RobotSpec spec = Spec();
+  spec.motors[0].kp_scale = 0.5;
+  spec.motors[0].kd_scale = 3;
+  MotorBank bank(spec);
+  RobotCommand command = Torques(7, 0, 0);
+  command.motors[0].q = 1;
+  command.motors[0].kp = 100;  // 50 of it
+  command.motors[0].kd = 10;   // 30
+  dq_[0] = 1;
+  EXPECT_EQ(bank.Step(command, q_, dq_, 0.001)[0], 7 + 50 - 30);
+}
+
+TEST_F(MotorBankTest, ScalesGainsInMotorSpaceToo) {
+  RobotSpec spec = Spec();
+  spec.motors[1].kp_scale = 0.5;  // of B, which is in the pitch slot
+  MotorBank bank(spec);
+  RobotCommand command = Torques(0, 0, 0);
+  command.joint_space = JointSpace::kMotors;
+  command.motors[1].q = 1;
+  command.motors[1].kp = 100;
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(tau[1], 50);
+  EXPECT_EQ(tau[2], -100);  // ratio (A - B)
+}
+
+TEST_F(MotorBankTest, IsWeakerThanMeantAtAndBelowItsLimit) {
+  RobotSpec spec = Spec();
+  spec.motors[0].torque_limit = 10;
+  spec.motors[0].strength = 0.5;
+  MotorBank bank(spec);
+  EXPECT_EQ(bank.Step(Torques(4, 0, 0), q_, dq_, 0.001)[0], 2);
+  EXPECT_EQ(bank.Step(Torques(90, 0, 0), q_, dq_, 0.001)[0], 5);
 }
 
 TEST_F(MotorBankTest, StartsAtItsTemperatureOfRest) {

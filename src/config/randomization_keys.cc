@@ -1,0 +1,69 @@
+#include "config/randomization_keys.h"
+
+#include <algorithm>
+#include <array>
+
+namespace understudy {
+namespace {
+
+constexpr Range kScale{0, 100};
+constexpr Range kPositiveScale{0.01, 100};  // of what has no meaning at 0
+
+using Spec = RandomizationSpec;
+
+const std::array<RandomRange, 15> kRanges{{
+    {{"friction", "", kPositiveScale, "Sliding friction of every contact: factor on the model's"},
+     &Spec::friction},
+    {{"mass", "", kPositiveScale,
+      "Mass of each body of the robot: factor, which its inertia takes as well"},
+     &Spec::mass},
+    {{"base_com", "m", {-1, 1}, "Centre of mass of the base: added, along each of its axes"},
+     &Spec::base_com},
+    {{"inertia", "", kPositiveScale, "Inertia of each body of the robot: factor"}, &Spec::inertia},
+    {{"motor_strength", "", kScale, "Torque of each motor, limit included: factor"},
+     &Spec::motor_strength},
+    {{"damping", "", kScale, "Damping of each motor's joint: factor"}, &Spec::damping},
+    {{"armature", "", kScale, "Rotor inertia at each motor's joint: factor"}, &Spec::armature},
+    {{"frictionloss", "", kScale, "Dry friction of each motor's joint: factor"},
+     &Spec::frictionloss},
+    {{"timestep",
+      "s",
+      {0.0001, 0.01},
+      "Physics step in place of physics.timestep: of those that divide the periods of LowState and "
+      "of the motion service"},
+     &Spec::timestep},
+    {{"kp", "", kScale, "How much of a commanded kp acts, for each motor: factor"}, &Spec::kp},
+    {{"kd", "", kScale, "How much of a commanded kd acts, for each motor: factor"}, &Spec::kd},
+    {{"delay", "s", {0, 0.1}, "Time from command to torque: added to robot.dynamics.delay"},
+     &Spec::delay},
+    {{"imu_mounting",
+      "rad",
+      {-3.2, 3.2},
+      "Rotation of each inertial unit from its place: the components of a rotation vector"},
+     &Spec::imu_mounting},
+    {{"gravity_tilt", "rad", {0, 1.5}, "Angle of gravity from the vertical, to any side"},
+     &Spec::gravity_tilt},
+    {{"floor_softness", "", kPositiveScale,
+      "How far contacts give way under a load: factor on the model's"},
+     &Spec::floor_softness},
+}};
+
+}  // namespace
+
+std::span<const RandomRange> RandomRanges() { return kRanges; }
+
+bool IsRandom(const RandomizationSpec& spec) {
+  return std::ranges::any_of(
+      kRanges, [&spec](const RandomRange& range) { return !(spec.*range.limits).empty(); });
+}
+
+void DescribeRandomization(Archive& a, RandomizationSpec& r) {
+  a.Key({"seed",
+         "",
+         {-1, kMaxInt},
+         "Seed of all that is drawn; -1 draws one, which the log and `ctl status` tell"},
+        &r.seed);
+  for (const RandomRange& range : kRanges) a.Key(range.row, &(r.*range.limits));
+}
+
+}  // namespace understudy

@@ -1,0 +1,18 @@
+// Friction, damping and armature of joints, put into a compiled model.
+#ifndef UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
+#define UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
+
+#include <mujoco/mujoco.h>
+
+#include "robot/robot_spec.h"
+
+namespace understudy {
+
+// Gives the motors' joints the figures of spec.dynamics.fitted where spec.dynamics.use asks for
+// them; else, and where those say nothing, the model keeps its own. What MuJoCo derives from them
+// is derived anew. The model has the joints that `spec` names.
+void UseFittedDynamics(const RobotSpec& spec, mjModel* model);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_

@@ -1,0 +1,79 @@
+#include "robot/randomization.h"
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace understudy {
+namespace {
+
+// 64 bits of a name: FNV-1a.
+std::uint64_t HashOf(std::string_view quantity, std::string_view element) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto add = [&hash](unsigned char byte) { hash = (hash ^ byte) * 0x100000001b3U; };
+  for (const char c : quantity) add(static_cast<unsigned char>(c));
+  add(0);
+  for (const char c : element) add(static_cast<unsigned char>(c));
+  return hash;
+}
+
+// The period [ns] of a rate, 0 where it is not whole.
+std::int64_t WholePeriod(double hz) {
+  const double period = std::round(1e9 / hz);
+  return std::abs(period * hz - 1e9) < 1e-3 ? static_cast<std::int64_t>(period) : 0;
+}
+
+}  // namespace
+
+double Dice::Draw(std::string_view quantity, std::string_view element, double low, double high) {
+  // fma, because some compilers contract a product in a sum by themselves and others do not.
+  const double value = std::fma(high - low, Throw(quantity, element), low);
+  return Note(quantity, element, std::min(value, high));
+}
+
+double Dice::DrawOr(std::string_view quantity, std::string_view element,
+                    const RandomizationSpec::Limits& limits, double otherwise) {
+  return limits.empty() ? otherwise : Draw(quantity, element, limits[0], limits[1]);
+}
+
+double Dice::DrawOneOf(std::string_view quantity, const std::vector<double>& values) {
+  const double place = Throw(quantity, "") * static_cast<double>(values.size());
+  return Note(quantity, "", values[static_cast<std::size_t>(place)]);
+}
+
+double Dice::Throw(std::string_view quantity, std::string_view element) const {
+  std::mt19937_64 stream(HashOf(quantity, element) + static_cast<std::uint64_t>(draws_.seed));
+  // 53 bits; the standard's own distributions differ between libraries.
+  return static_cast<double>(stream() >> 11) * 0x1p-53;
+}
+
+double Dice::Note(std::string_view quantity, std::string_view element, double value) {
+  draws_.values.push_back({std::string(quantity), std::string(element), value});
+  return value;
+}
+
+std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
+                                      const RateSpec& rates) {
+  std::vector<double> steps;
+  const std::int64_t least = std::max(std::llround(limits[0] * 1e9), 1LL);
+  const std::int64_t most = std::llround(limits[1] * 1e9);
+  const std::int64_t period = WholePeriod(rates.lowstate_hz);
+  const std::int64_t service = WholePeriod(rates.service_hz);
+  for (std::int64_t parts = 1; parts * least <= period; ++parts) {
+    const std::int64_t step = period / parts;
+    if (period % parts != 0 || step > most || service == 0 || service % step != 0) continue;
+    steps.push_back(static_cast<double>(step) / 1e9);
+  }
+  return steps;
+}
+
+void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot) {
+  for (MotorSpec& motor : robot->motors) {
+    motor.strength *= dice->DrawOr("motor_strength", motor.joint, ranges.motor_strength, 1);
+    motor.kp_scale *= dice->DrawOr("kp", motor.joint, ranges.kp, 1);
+    motor.kd_scale *= dice->DrawOr("kd", motor.joint, ranges.kd, 1);
+  }
+  robot->dynamics.delay += dice->DrawOr("delay", "", ranges.delay, 0);
+}
+
+}  // namespace understudy
