@@ -63,7 +63,7 @@ def test_a_program_that_runs_until_ctrl_c_has_run_to_its_end(tool):
     assert list(tool.faults(row, 124, said, tool.Watch("understudy", "nobody"))) == []
 
 
-@pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (3, 1, "no: exit code 3")])
+@pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (42, 1, "no: exit code 42")])
 def test_a_program_runs_beside_its_robot(tmp_path, code, exit_code, result):
     program = tmp_path / "test_jsonize"
     program.write_text(f'#!/bin/sh\n"$UNDERSTUDY" ctl status > /dev/null && exit {code}\n')
