@@ -52,11 +52,14 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       step_ns_(std::llround(config_.physics.timestep * 1e9)),
       lowstate_every_(Every(config_.robot.rates.lowstate_hz)),
       motion_every_(Every(config_.robot.rates.motion_hz)),
+      hand_every_(Every(config_.robot.rates.hand_hz)),
       lf_every_(Every(config_.robot.rates.lf_hz)),
       service_every_(Every(config_.robot.rates.service_hz)),
       offered_(start_.command),
       foot_force_(config_.robot.feet.size()) {
   pushes_.reserve(kMostPushes);
+  for (const HandSpec& hand : config_.robot.hands) hands_.emplace_back(hand, config_.gate.lenient);
+  state_.hands.resize(hands_.size());
   ToStart();
 }
 
@@ -64,10 +67,12 @@ StepHealth Emulator::Tick() {
   const double t = time();
   TakeOrders(t);
   TakeCommands(t);
+  TakeHandCommands(t);
   const RobotCommand& command = delay_.Pass(Decide(t));
 
   world_.BeginStep();
   motors_.Step(command, world_.q(), world_.dq(), world_.timestep());
+  MoveHands(t);
   PushAndPull(t);
   const StepHealth health = world_.EndStep(motors_.torque());
   battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
@@ -76,9 +81,7 @@ StepHealth Emulator::Tick() {
     ++divergences_;
     if (config_.physics.on_divergence == DivergenceAction::kReset) ToStart();
   } else if (const Due due = DueNow(); due.any()) {
-    sensors_.Sample(world_, motors_, command, battery_, step_ * step_ns_ / 1'000'000, &state_);
-    state_.remote = remote_.Read(t);
-    state_.motion = router_.motion();
+    Sample(command, t);
     if (!silenced_) {
       port_->Publish(state_, due);
       if (due.lowstate) ++published_;
@@ -96,6 +99,14 @@ void Emulator::TakeCommands(double t) {
   for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
     const Refusal refusal = router_.Offer(offered_, wire, t);
     if (refusal != Refusal::kNone) last_refusal_ = refusal;
+  }
+}
+
+void Emulator::TakeHandCommands(double t) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    for (Refusal wire = Refusal::kNone; port_->TakeHandCommand(i, &offered_hand_, &wire);) {
+      hands_[i].Offer(offered_hand_, wire, t);
+    }
   }
 }
 
@@ -134,6 +145,12 @@ Status Emulator::status() const {
   status.script_done = script_next_;
   status.script_refused = script_refused_;
   Copy(script_refusal_, &status.script_refusal);
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    HandStatus& hand = status.hands[i];
+    Copy(config_.robot.hands[i].name, &hand.name);
+    hand.commands = hands_[i].counts();
+    hand.last_refusal = hands_[i].last_refusal();
+  }
   status.crane_attached = crane_.attached();
   status.crane_length = crane_.length();
   status.crane_tension = crane_.tension();
@@ -162,6 +179,7 @@ std::int64_t Emulator::Every(double hz) const {
 void Emulator::ToStart() {
   router_.Restart();
   delay_.Restart();
+  for (Hand& hand : hands_) hand.Restart();
   pushes_.clear();
   world_.Reset(start_.pose);
   crane_.Release();
@@ -172,7 +190,23 @@ void Emulator::ToStart() {
 Due Emulator::DueNow() const {
   return {.lowstate = step_ % lowstate_every_ == 0,
           .motion = step_ % motion_every_ == 0,
+          .hands = !hands_.empty() && step_ % hand_every_ == 0,
           .lf = step_ % lf_every_ == 0};
+}
+
+void Emulator::MoveHands(double t) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    world_.DriveHand(i, hands_[i].Step(world_.hand_q(i), world_.hand_dq(i), t));
+  }
+}
+
+void Emulator::Sample(const RobotCommand& command, double t) {
+  sensors_.Sample(world_, motors_, command, battery_, step_ * step_ns_ / 1'000'000, &state_);
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    hands_[i].Sample(world_.hand_q(i), world_.hand_dq(i), &state_.hands[i]);
+  }
+  state_.remote = remote_.Read(t);
+  state_.motion = router_.motion();
 }
 
 void Emulator::PushAndPull(double t) {

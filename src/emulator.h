@@ -16,6 +16,7 @@
 #include "robot/motor.h"
 #include "sim/battery.h"
 #include "sim/crane.h"
+#include "sim/hand.h"
 #include "sim/remote.h"
 #include "sim/sensors.h"
 #include "wire/robot_port.h"
@@ -75,8 +76,11 @@ class Emulator {
   Due DueNow() const;
   void TakeOrders(double t);
   void TakeCommands(double t);
+  void TakeHandCommands(double t);
   const RobotCommand& Decide(double t);
+  void MoveHands(double t);
   void PushAndPull(double t);
+  void Sample(const RobotCommand& command, double t);
   void HangFromCrane();
   Answer CarryOut(const Order& order);
   Answer BeginPush(const PushBody& push);
@@ -93,10 +97,11 @@ class Emulator {
   Crane crane_;
   Remote remote_;
   CommandRouter router_;
+  std::vector<Hand> hands_;
   int crane_body_;
   Eigen::Vector3d crane_point_;
   std::int64_t step_ns_;
-  std::int64_t lowstate_every_, motion_every_, lf_every_, service_every_;  // in steps
+  std::int64_t lowstate_every_, motion_every_, hand_every_, lf_every_, service_every_;  // in steps
 
   std::int64_t step_ = 0;
   std::vector<ScriptEvent> script_;
@@ -105,6 +110,7 @@ class Emulator {
   std::string script_refusal_;
   std::vector<Push> pushes_;
   RobotCommand offered_;
+  HandCommand offered_hand_;
   MotionInput input_;
   std::vector<double> foot_force_;
   RobotState state_;

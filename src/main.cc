@@ -15,7 +15,7 @@
 #include "commands/run_command.h"
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
-#include "config/load.h"
+#include "config/robot_file.h"
 #include "control/control_error.h"
 #include "control/ctl_command.h"
 #include "exec/command.h"

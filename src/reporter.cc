@@ -23,7 +23,8 @@ enum Cause : std::size_t {
   kOverruns,
   kShifts,
   kDivergence,
-  kScript
+  kScript,
+  kHands  // and all from there on
 };
 
 }  // namespace
@@ -49,6 +50,8 @@ std::string Reporter::Explain(Refusal refusal) {
       return "mode_pr must be 0 (PR) or 1 (AB)";
     case Refusal::kMotorMode:
       return "a motor's mode byte is none that this robot knows";
+    case Refusal::kMotorCount:
+      return "motor_cmd holds other than one entry per motor";
     case Refusal::kNotFinite:
       return "a motor's q, dq, tau, kp or kd is not a finite number";
     case Refusal::kGain:
@@ -61,6 +64,12 @@ std::string Reporter::Explain(Refusal refusal) {
       break;
   }
   return {};
+}
+
+std::string Reporter::ExplainForHand(Refusal refusal) {
+  if (refusal != Refusal::kMotorMode) return Explain(refusal);
+  return "mode of motor_cmd[i] must be i + 16 to follow or i to lock, and 128 more to have the "
+         "motor lock by itself when commands stop";
 }
 
 void Reporter::Update(const Status& status, WallTime now) {
@@ -97,6 +106,7 @@ void Reporter::Update(const Status& status, WallTime now) {
       status.commands.accepted > 0) {
     spdlog::info("following LowCmd");
   }
+  for (std::size_t hand = 0; hand < kMostHands; ++hand) SpeakOfHand(hand, status, now);
   if (status.pace.overruns != said_overruns_ && MaySpeak(kOverruns, now)) {
     // A few late ticks are made up for unnoticed. Many mean that the machine is too slow.
     const std::uint64_t fresh = status.pace.overruns - said_overruns_;
@@ -127,6 +137,27 @@ void Reporter::Update(const Status& status, WallTime now) {
   }
   if (status_line_) DrawStatusLine(status, now);
   last_ = status;
+}
+
+void Reporter::SpeakOfHand(std::size_t hand, const Status& status, WallTime now) {
+  const HandStatus& is = status.hands[hand];
+  const HandStatus& was = last_.hands[hand];
+  const std::size_t first_cause = kHands + hand * kHandCauses;
+  for (std::size_t i = 1; i < kRefusals; ++i) {
+    const std::uint64_t fresh = is.commands.refused[i] - said_hand_refused_[hand][i];
+    if (fresh == 0 || !MaySpeak(first_cause + i, now)) continue;
+    const auto refusal = static_cast<Refusal>(i);
+    spdlog::warn("refused {} HandCmd to the {} hand ({}): {}", fresh, is.name.data(), Name(refusal),
+                 ExplainForHand(refusal));
+    said_hand_refused_[hand][i] = is.commands.refused[i];
+  }
+  if (is.commands.timeouts != was.commands.timeouts && MaySpeak(first_cause + kRefusals, now)) {
+    spdlog::warn("commands to the {} hand stopped: watched motors lock until mode's bit 7 is 0",
+                 is.name.data());
+  }
+  if (was.commands.accepted == 0 && is.commands.accepted > 0) {
+    spdlog::info("the {} hand follows HandCmd", is.name.data());
+  }
 }
 
 bool Reporter::MaySpeak(std::size_t cause, WallTime now) {

@@ -28,19 +28,24 @@ class Reporter {
 
   // One line for a refusal reason: what it means and what to do about it.
   static std::string Explain(Refusal refusal);
+  // The same for a command to a hand.
+  static std::string ExplainForHand(Refusal refusal);
 
  private:
   // True at most once a second for each cause.
   bool MaySpeak(std::size_t cause, WallTime now);
+  void SpeakOfHand(std::size_t hand, const Status& status, WallTime now);
   void DrawStatusLine(const Status& status, WallTime now);
 
   double expected_hz_;
   bool status_line_;
   bool line_drawn_ = false;
   Status last_;
-  static constexpr std::size_t kCauses = kRefusals + 9;
+  static constexpr std::size_t kHandCauses = kRefusals + 1;  // the refusals and the time-out
+  static constexpr std::size_t kCauses = kRefusals + 9 + kMostHands * kHandCauses;
   std::array<WallTime, kCauses> spoken_;
   std::array<std::uint64_t, kRefusals> said_refused_{};
+  std::array<std::array<std::uint64_t, kRefusals>, kMostHands> said_hand_refused_{};
   std::uint64_t said_overruns_ = 0;
   double said_shifted_ = 0;
   std::uint64_t drawn_published_ = 0;

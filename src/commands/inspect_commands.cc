@@ -7,6 +7,7 @@
 
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/robot_file.h"
 #include "config/script.h"
 #include "exit_code.h"
 #include "physics/world_model.h"
@@ -20,6 +21,15 @@ namespace {
 using nlohmann::json;
 
 const char* Family(WireFamily family) { return family == WireFamily::kGo ? "go" : "hg"; }
+
+// "; --revision 2, [5], 6": in brackets the one that is played unless another is asked for.
+std::string Listed(const std::vector<std::string>& revisions, const std::string& own) {
+  std::string text;
+  for (const std::string& name : revisions) {
+    text += (text.empty() ? "; --revision " : ", ") + (name == own ? "[" + name + "]" : name);
+  }
+  return text;
+}
 
 // What a sound file holds, in one line. Throws SetupError for an unsound one. Of a model, `notes`
 // has what loading it brought up.
@@ -41,8 +51,9 @@ std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
   const ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
                                            config.physics.timestep, notes);
   notes->looks.clear();  // of interest where one checks a model
+  const std::size_t hands = config.robot.hands.size();
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
-         " motors, fits its model";
+         " motors, " + (hands == 0 ? "" : std::to_string(hands) + " hands, ") + "fits its model";
 }
 
 // One file's result. A refusal's text names file and line by itself; that of an included file does
@@ -90,17 +101,21 @@ int RobotsCommand(bool as_json) {
   for (const std::string& name : RobotNames(data)) {
     const Config config = LoadConfig({.robot = name, .files = {}, .sets = {}}, data);
     const RobotSpec& robot = config.robot;
+    const std::vector<std::string> revisions = ReadRobotFile(name, data).RevisionNames();
     if (as_json) {
       list.push_back({{"name", name},
                       {"description", robot.description},
                       {"motors", robot.motors.size()},
                       {"wire", Family(robot.family)},
                       {"mode_machine", robot.mode_machine},
+                      {"revision", robot.revision},
+                      {"revisions", revisions},
                       {"lowstate_hz", robot.rates.lowstate_hz},
                       {"start", robot.default_start}});
     } else {
-      std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s\n", name.c_str(), robot.motors.size(),
-                  Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str());
+      std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s%s\n", name.c_str(), robot.motors.size(),
+                  Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str(),
+                  Listed(revisions, robot.revision).c_str());
     }
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());

@@ -35,6 +35,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--model", "robot.model", "FILE",
                  "MJCF to play instead of the robot's own, with the same joint names")
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
+  AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
+                 "Hardware revision, as `understudy robots` lists them [the robot's own]");
   AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
                  "Joint friction, damping and armature: catalogue, as in the model's file, or "
                  "fitted to real robots [the better evidence; with --model catalogue]");
@@ -93,6 +95,7 @@ CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
       "Examples:\n"
       "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
       "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
       "  understudy run go2 --released             for programs that do not release it themselves\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"

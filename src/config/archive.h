@@ -60,6 +60,8 @@ struct ListSlot {
   std::function<void(std::size_t)> reset;     // to that many defaults
   std::function<void(std::size_t)> describe;  // the element at an index
   std::function<void()> describe_blank;       // an element of defaults
+  // The word by which an element may be meant instead of by its index; "" where elements have none.
+  std::function<std::string(std::size_t)> name;
 };
 
 class Archive {
@@ -95,8 +97,10 @@ class Archive {
     Leave();
   }
 
+  // `name` is the member by whose value an element may be meant, null where none tells them apart.
   template <class T>
-  void List(const Row& row, std::vector<T>* values, void (*describe)(Archive&, T&)) {
+  void List(const Row& row, std::vector<T>* values, void (*describe)(Archive&, T&),
+            std::string T::*name = nullptr) {
     VisitList(row,
               ListSlot{[values] { return values->size(); },
                        [values](std::size_t n) {
@@ -107,6 +111,9 @@ class Archive {
                        [this, describe] {
                          T blank;
                          describe(*this, blank);
+                       },
+                       [values, name](std::size_t i) {
+                         return name == nullptr ? std::string() : (*values)[i].*name;
                        }});
   }
 

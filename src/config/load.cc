@@ -3,28 +3,21 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
-#include <system_error>
+#include <set>
 #include <utility>
 
 #include "config/keys.h"
 #include "config/printer.h"
 #include "config/reader.h"
+#include "config/robot_file.h"
 #include "config/validate.h"
 #include "config/yaml_document.h"
+#include "robot/drop_motor.h"
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {
-
-std::filesystem::path RobotFile(const std::string& robot, const std::filesystem::path& data_dir) {
-  if (robot.find('/') != std::string::npos || robot.ends_with(".yaml")) return robot;
-  const std::vector<std::string> names = RobotNames(data_dir);
-  if (std::find(names.begin(), names.end(), robot) == names.end()) {
-    throw ConfigError("robot '" + OneLine(robot) + "': unknown" + DidYouMean(robot, names));
-  }
-  return data_dir / "config" / "robots" / (robot + ".yaml");
-}
 
 // "robot.motors.3.slot=4" as the tree {robot: {motors: {3: {slot: 4}}}}.
 YamlValue SetTree(const std::string& set) {
@@ -42,27 +35,6 @@ YamlValue SetTree(const std::string& set) {
     const std::size_t begin = dot == std::string::npos ? 0 : dot + 1;
     tree = MapOf(key.substr(begin, end - begin), std::move(tree));
     end = dot;
-  }
-  return tree;
-}
-
-YamlValue* FindIn(YamlValue* map, std::string_view key) {
-  for (std::size_t i = 0; i < map->keys.size(); ++i) {
-    if (map->keys[i].text == key) return &map->items[i];
-  }
-  return nullptr;
-}
-
-// A model that lies beside the file that names it is that one, else it is below models.
-YamlValue ReadLayer(const std::filesystem::path& file) {
-  YamlValue tree = ReadYamlFile(file);
-  YamlValue* robot = FindIn(&tree, "robot");
-  YamlValue* model = robot == nullptr ? nullptr : FindIn(robot, "model");
-  if (model == nullptr || model->text.empty()) return tree;
-  std::error_code error;
-  const std::filesystem::path beside = file.parent_path() / model->text;
-  if (std::filesystem::is_regular_file(beside, error)) {
-    model->text = std::filesystem::absolute(beside).lexically_normal().string();
   }
   return tree;
 }
@@ -97,8 +69,32 @@ void ReadSceneFile(const std::string& file, Config* config, Places* places) {
   }
 }
 
+// Takes out the motors of joints that are locked, whose names go to `left_out`.
+void LeaveOutLocked(RobotSpec* robot, std::set<std::string>* left_out) {
+  for (const std::string& joint : robot->locked_joints) {
+    const auto motor = std::find_if(robot->motors.begin(), robot->motors.end(),
+                                    [&](const MotorSpec& m) { return m.joint == joint; });
+    if (motor == robot->motors.end()) continue;
+    left_out->insert(joint);
+    DropMotor(static_cast<std::size_t>(motor - robot->motors.begin()), robot);
+  }
+}
+
+void CheckLocked(const RobotSpec& robot, const std::set<std::string>& left_out,
+                 const Places& places) {
+  std::vector<std::string> joints(left_out.begin(), left_out.end());
+  for (const MotorSpec& motor : robot.motors) joints.push_back(motor.joint);
+  for (const std::string& joint : robot.locked_joints) {
+    if (left_out.contains(joint)) continue;
+    throw ConfigError(places.at("robot.locked_joints") +
+                      ": robot.locked_joints: no motor has a joint '" + OneLine(joint) + "'" +
+                      DidYouMean(joint, joints));
+  }
+}
+
 Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
   Config config;
+  std::set<std::string> left_out;
   const std::string last = LastScene(trees);
   if (IsSceneFile(last)) ReadSceneFile(last, &config, places);
   const std::string scene = config.scene;
@@ -106,7 +102,10 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
     Reader reader(tree, places);
     Describe(reader, config);
     reader.Finish();
+    // Layer by layer, so that each one meets the motors that the printed configuration shows.
+    LeaveOutLocked(&config.robot, &left_out);
   }
+  CheckLocked(config.robot, left_out, *places);
   if (IsSceneFile(last)) config.scene = scene;
   return config;
 }
@@ -122,15 +121,17 @@ const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string
   return value;
 }
 
-// Whether a layer over the robot's own file, which comes first, names another model and none says
+// Whether a layer over the robot's own, which are the first `own`, names another model and none says
 // whose joint figures to use.
-bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees) {
-  const YamlValue* own = FindAt(trees.front(), {"robot", "model"});
+bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t own) {
+  const YamlValue* own_model = nullptr;
   bool another = false;
-  for (std::size_t i = 1; i < trees.size(); ++i) {
+  for (std::size_t i = 0; i < trees.size(); ++i) {
     if (const YamlValue* model = FindAt(trees[i], {"robot", "model"})) {
-      another = own == nullptr || model->text != own->text;
+      if (i < own) own_model = model;
+      another = own_model == nullptr || model->text != own_model->text;
     }
+    if (i < own) continue;
     const YamlValue* dynamics = FindAt(trees[i], {"robot", "dynamics"});
     if (dynamics == nullptr) continue;
     const bool scalar = dynamics->kind == YamlValue::Kind::kScalar;
@@ -139,26 +140,72 @@ bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees) {
   return another;
 }
 
-}  // namespace
-
-std::vector<std::string> RobotNames(const std::filesystem::path& data_dir) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(data_dir / "config" / "robots", error)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+// The last word on the revision; null where there is none.
+const YamlValue* LastRevision(const std::vector<YamlValue>& trees) {
+  const YamlValue* last = nullptr;
+  for (const YamlValue& tree : trees) {
+    const YamlValue* robot = tree.Find("robot");
+    const YamlValue* value = robot == nullptr ? nullptr : robot->Find("revision");
+    if (value != nullptr) last = value;
   }
-  std::sort(names.begin(), names.end());
-  return names;
+  return last;
 }
 
+std::string Listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+// "; g1_23dof has: understudy run g1_23dof --revision 10", "" where no robot of ours has it.
+std::string WhoHas(const std::string& revision, const std::filesystem::path& data_dir) {
+  for (const std::string& robot : RobotNames(data_dir)) {
+    if (ReadRobotFile(robot, data_dir).FindRevision(revision) == nullptr) continue;
+    return "; " + robot + " has: understudy run " + robot + " --revision " + revision;
+  }
+  return "";
+}
+
+// The layers of the revision that the trees ask for, none where they ask for none. What is no text
+// is refused when it is read.
+std::vector<YamlValue> ChosenRevision(const RobotFile& file, const std::vector<YamlValue>& trees,
+                                      const std::filesystem::path& data_dir) {
+  const YamlValue* asked = LastRevision(trees);
+  if (asked == nullptr || asked->text.empty()) return {};
+  if (const RobotRevision* found = file.FindRevision(asked->text)) return found->trees;
+  const std::vector<std::string> names = file.RevisionNames();
+  throw ConfigError(asked->where + ": robot.revision: this robot has no revision '" +
+                    OneLine(asked->text) + "'" +
+                    (names.empty() ? ", nor any other"
+                                   : "; it has " + Listed(names) + WhoHas(asked->text, data_dir)));
+}
+
+// A fault in a revision is told whichever is played.
+void CheckOtherRevisions(const RobotFile& file) {
+  for (const RobotRevision& revision : file.revisions) {
+    std::vector<YamlValue> trees = file.trees;
+    trees.insert(trees.end(), revision.trees.begin(), revision.trees.end());
+    Places places;
+    const Config config = ReadLayers(trees, &places);
+    Validate(config, places);
+  }
+}
+
+}  // namespace
+
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  std::vector<YamlValue> trees{ReadLayer(RobotFile(layers.robot, data_dir))};
+  RobotFile file = ReadRobotFile(layers.robot, data_dir);
+  std::vector<YamlValue> trees = file.trees;
   AddTrees(layers, &trees);
+  const std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
+  const std::size_t own = file.trees.size() + chosen.size();
+  trees.insert(trees.begin() + static_cast<std::ptrdiff_t>(file.trees.size()), chosen.begin(),
+               chosen.end());
   Places places;
   Config config = ReadLayers(trees, &places);
-  if (LeavesJointsToAnotherModel(trees)) config.robot.dynamics.use = DynamicsSource::kCatalogue;
+  if (LeavesJointsToAnotherModel(trees, own)) config.robot.dynamics.use = DynamicsSource::kCatalogue;
   Validate(config, places);
+  CheckOtherRevisions(file);
   return config;
 }
 

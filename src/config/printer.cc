@@ -1,5 +1,7 @@
 #include "config/printer.h"
 
+#include <utility>
+
 namespace understudy {
 
 void Printer::Comment(const Row& row, const std::string& allowed) {
@@ -29,21 +31,43 @@ void Printer::Visit(const Row& row, const Slot& slot) {
 }
 
 void Printer::VisitList(const Row& row, const ListSlot& slot) {
-  Comment(row, "");
-  text_ += Indent() + std::string(row.name) + (slot.size() == 0 ? ": []\n" : ":\n");
-  ++depth_;
-  if (with_comments_) {
-    mode_ = Mode::kElementComment;
-    slot.describe_blank();
+  switch (mode_) {
+    case Mode::kLine:
+      Comment(row, "");
+      text_ += Indent() + std::string(row.name) + (slot.size() == 0 ? ": []\n" : ":\n");
+      ++depth_;
+      if (with_comments_) {
+        mode_ = Mode::kElementComment;
+        slot.describe_blank();
+      }
+      mode_ = Mode::kElement;
+      for (std::size_t i = 0; i < slot.size(); ++i) {
+        text_ += Indent() + "- " + Element(slot, i) + "\n";
+      }
+      mode_ = Mode::kLine;
+      --depth_;
+      return;
+    case Mode::kElement: {
+      std::string list;
+      for (std::size_t i = 0; i < slot.size(); ++i) {
+        list += (list.empty() ? "" : ", ") + Element(slot, i);
+      }
+      element_ += (element_.empty() ? "" : ", ") + std::string(row.name) + ": [" + list + "]";
+      return;
+    }
+    case Mode::kElementComment:
+      Comment(Row("", std::string(row.name) + ": " + std::string(row.meaning)), "");
+      ++depth_;
+      slot.describe_blank();
+      --depth_;
+      return;
   }
-  mode_ = Mode::kElement;
-  for (std::size_t i = 0; i < slot.size(); ++i) {
-    element_.clear();
-    slot.describe(i);
-    text_ += Indent() + "- {" + element_ + "}\n";
-  }
-  mode_ = Mode::kLine;
-  --depth_;
+}
+
+std::string Printer::Element(const ListSlot& slot, std::size_t i) {
+  std::string around = std::exchange(element_, "");
+  slot.describe(i);
+  return "{" + std::exchange(element_, std::move(around)) + "}";
 }
 
 bool Printer::Enter(const Row& row, std::string_view) {

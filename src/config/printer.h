@@ -9,8 +9,8 @@
 
 namespace understudy {
 
-// Lists of structs get one line per element. With comments, meaning, unit and range stand above
-// each key, and above a list once for all its elements.
+// Lists of structs get one line per element, lists within an element and all. With comments,
+// meaning, unit and range stand above each key, and above a list once for all its elements.
 class Printer : public Archive {
  public:
   explicit Printer(bool with_comments) : with_comments_(with_comments) {}
@@ -29,6 +29,7 @@ class Printer : public Archive {
 
   std::string Indent() const { return std::string(2 * depth_, ' '); }
   void Comment(const Row& row, const std::string& allowed);
+  std::string Element(const ListSlot& slot, std::size_t i);  // in braces
 
   bool with_comments_;
   Mode mode_ = Mode::kLine;

@@ -66,12 +66,19 @@ bool ReadWord(const YamlValue& value, const WordSlot& slot) {
   throw ConfigError(value.where + ": " + path + ": expected " + expected + ", got " + Shown(value));
 }
 
-// The index that a key of an {index: element} mapping stands for.
-std::size_t Index(const YamlValue& key, const std::string& path, std::size_t size) {
+// The index that a key of an {index or name: element} mapping stands for.
+std::size_t Index(const YamlValue& key, const std::string& path,
+                  const std::vector<std::string>& names) {
   const std::optional<std::size_t> index = Parsed<std::size_t>(key.text);
-  if (index && *index < size) return *index;
-  throw ConfigError(key.where + ": " + path + ": has " + std::to_string(size) +
-                    " elements, counted from 0; there is no '" + OneLine(key.text) + "'");
+  if (index && *index < names.size()) return *index;
+  const auto found = std::find(names.begin(), names.end(), key.text);
+  if (found != names.end() && !key.text.empty()) {
+    return static_cast<std::size_t>(found - names.begin());
+  }
+  const std::string nearest = index ? "" : NearestWord(key.text, names);
+  throw ConfigError(key.where + ": " + path + ": has " + std::to_string(names.size()) +
+                    " elements, counted from 0; there is no '" + OneLine(key.text) + "'" +
+                    (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
 }
 
 }  // namespace
@@ -139,7 +146,8 @@ void Reader::ReadNumbers(const Row& row, const NumbersSlot& slot, const YamlValu
   };
   if (value.kind == Kind::kMap) {
     for (std::size_t i = 0; i < value.keys.size(); ++i) {
-      const std::size_t index = Index(value.keys[i], path, slot.values->size());
+      const std::vector<std::string> unnamed(slot.values->size());
+      const std::size_t index = Index(value.keys[i], path, unnamed);
       read(value.items[i], index, &(*slot.values)[index]);
     }
     return;
@@ -173,9 +181,11 @@ void Reader::VisitList(const Row& row, const ListSlot& slot) {
     FailValue(*value, path, "a list of mappings");
   }
   if (value->kind == Kind::kSequence) slot.reset(value->items.size());
+  std::vector<std::string> names(slot.size());
+  for (std::size_t i = 0; i < names.size(); ++i) names[i] = slot.name(i);
   for (std::size_t i = 0; i < value->items.size(); ++i) {
     const std::size_t index =
-        value->kind == Kind::kSequence ? i : Index(value->keys[i], path, slot.size());
+        value->kind == Kind::kSequence ? i : Index(value->keys[i], path, names);
     const std::string at = path + "." + std::to_string(index);
     (*places_)[at] = value->items[i].where;
     Open(value->items[i], at);

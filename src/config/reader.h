@@ -17,9 +17,10 @@ namespace understudy {
 using Places = std::map<std::string, std::string>;
 
 // A key that is missing leaves its value as it is, so layers are read one after the other into the
-// same struct. A list replaces the list before it; a mapping from index to element changes those
-// elements only ({3: {slot: 4}}). Every step throws ConfigError with place, key, what was expected
-// and what was found; the struct may then be half read.
+// same struct. A list replaces the list before it; a mapping from index or name to element changes
+// those elements only ({3: {slot: 4}, left_knee_joint: {hold_kp: 80}}). Every step throws
+// ConfigError with place, key, what was expected and what was found; the struct may then be half
+// read.
 class Reader : public Archive {
  public:
   // `root` must outlive the reader; `places` is added to.

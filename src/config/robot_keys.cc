@@ -6,25 +6,51 @@
 namespace understudy {
 namespace {
 
-void DescribeMotor(Archive& a, MotorSpec& m) {
-  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
-  a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
+// What motors of hands have too.
+void DescribeDrive(Archive& a, MotorSpec& m) {
   a.Key({"torque_limit", "N·m", kNotNegative, "Most torque at the joint"}, &m.torque_limit);
   a.Key({"knee_speed", "rad/s", kNotNegative,
          "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"},
         &m.knee_speed);
   a.Key({"no_load_speed", "rad/s", kNotNegative, "Speed at which no driving torque is left"},
         &m.no_load_speed);
+}
+
+void DescribeMotor(Archive& a, MotorSpec& m) {
+  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
+  a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
+  DescribeDrive(a, m);
   a.Key({"q_step", "rad", kNotNegative, "Lattice of the reported angle; 0 is none"}, &m.q_step);
   a.Key({"dq_step", "rad/s", kNotNegative, "Lattice of the reported rate; 0 is none"}, &m.dq_step);
   a.Key({"tau_step", "N·m", kNotNegative, "Lattice of the reported torque; 0 is none"},
         &m.tau_step);
   a.Key({"hold_kp", "N·m/rad", kNotNegative, "Gain that holds a start pose"}, &m.hold_kp);
   a.Key({"hold_kd", "N·m·s/rad", kNotNegative, "Damping that holds a start pose"}, &m.hold_kd);
+  a.Key({"armature", "kg·m²", kNotNegative,
+         "Inertia of its rotor at the joint; 0 leaves that of the model"},
+        &m.armature);
   a.Key({"strength", "", {0, 100}, "Torque that it gives over the torque meant, limit included"},
         &m.strength);
   a.Key({"kp_scale", "", {0, 100}, "How much of a commanded kp acts"}, &m.kp_scale);
   a.Key({"kd_scale", "", {0, 100}, "How much of a commanded kd acts"}, &m.kd_scale);
+}
+
+void DescribeBody(Archive& a, BodySpec& b) {
+  a.Key({"name", "Body of the model"}, &b.name);
+  a.Key({"pos", "m", {-10, 10}, "Its place in its parent's frame; none is the model's"}, &b.pos);
+  a.Key({"mass", "kg", {0, 1000}, "Its mass; 0 is the model's"}, &b.mass);
+  a.Key({"com", "m", {-10, 10}, "Its centre of mass in its own frame; none is the model's"},
+        &b.com);
+  a.Key({"inertia",
+         "kg·m²",
+         {-1000, 1000},
+         "Its inertia about that, xx yy zz xy xz yz in its own frame; none is the model's"},
+        &b.inertia);
+}
+
+void DescribeSite(Archive& a, SiteSpec& s) {
+  a.Key({"name", "Site of the model"}, &s.name);
+  a.Key({"pos", "m", {-10, 10}, "Its place in its body's frame"}, &s.pos, 3);
 }
 
 void DescribeParallel(Archive& a, ParallelSpec& p) {
@@ -70,6 +96,34 @@ void DescribeDynamics(Archive& a, DynamicsSpec& d) {
         &d.delay);
 }
 
+void DescribeHandMotor(Archive& a, MotorSpec& m) {
+  a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
+  DescribeDrive(a, m);
+}
+
+void DescribePad(Archive& a, PadSpec& p) {
+  a.Key({"taxels", "", {0, 11}, "Places in pressure that it has; the others show no value"},
+        &p.taxels);
+}
+
+void DescribeHand(Archive& a, HandSpec& h) {
+  a.Key({"name", "Its name"}, &h.name);
+  a.Key({"topic", "Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"},
+        &h.topic);
+  a.List({"motors", "Its motors, in the order of motor_cmd and motor_state"}, &h.motors,
+         DescribeHandMotor);
+  a.List({"pads", "What feels pressure, in the order of press_sensor_state"}, &h.pads, DescribePad);
+  a.Key({"timeout",
+         "s",
+         {0.001, 3600},
+         "Simulated time without a taken command until motors lock that commands have watched"},
+        &h.timeout);
+  a.Key({"lock_kd", "N·m·s/rad", {0, 100}, "Gain with which a locked motor brakes"}, &h.lock_kd);
+  a.Key({"temperature_c", "°C", {-100, 150}, "Temperature that motors and pads show"},
+        &h.temperature_c);
+  a.Key({"supply_v", "V", {0, 100}, "Voltage that power_v shows"}, &h.supply_v);
+}
+
 void DescribeFoot(Archive& a, FootSpec& f) {
   a.Key({"name", "Its name"}, &f.name);
   a.Key({"geoms", "Geoms of the model whose contacts are this foot's"}, &f.geoms);
@@ -92,6 +146,7 @@ void DescribeRates(Archive& a, RateSpec& r) {
   constexpr Range kHz{1, 10000};
   a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
   a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
+  a.Key({"hand_hz", "Hz", kHz, "Rate of the states of hands (the default is assumed)"}, &r.hand_hz);
   a.Key({"lf_hz", "Hz", kHz, "Rate of all rt/lf topics"}, &r.lf_hz);
   a.Key({"service_hz", "Hz", kHz, "Rate of the commands of the robot's own motion service"},
         &r.service_hz);
@@ -228,20 +283,36 @@ void Describe(Archive& a, RobotSpec& r) {
         &r.state_id_since);
   a.Key({"mode_machine", "", {0, 255}, "Robot type that an hg robot announces and commands echo"},
         &r.mode_machine);
-  a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor);
+  a.Key({"revision",
+         "Hardware revision, one of those that the robot's file lists under robot.revisions; \"\" "
+         "is none"},
+        &r.revision);
+  a.Key(
+      {"locked_joints",
+       "Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
+       "every pose, and the model holds them fast where it has them"},
+      &r.locked_joints);
+  a.List({"bodies", "Bodies that differ from the model file"}, &r.bodies, DescribeBody,
+         &BodySpec::name);
+  a.List({"sites", "Sites that differ from the model file"}, &r.sites, DescribeSite,
+         &SiteSpec::name);
+  a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor,
+         &MotorSpec::joint);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
   a.Section(
       {"dynamics", "Friction, damping and inertia of joints; drives"},
       [&] { DescribeDynamics(a, r.dynamics); }, "use");
+  a.List({"hands", "Hands that have motors of their own; hg only"}, &r.hands, DescribeHand);
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });
-  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot);
+  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot, &FootSpec::name);
   a.Section({"foot_sensor", "What foot_force shows"},
             [&] { DescribeFootSensor(a, r.foot_sensor); });
   a.Section({"rates", "How often topics are written"}, [&] { DescribeRates(a, r.rates); });
-  a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService);
+  a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService,
+         &ServiceSpec::name);
   a.Section({"arm_sdk", "rt/arm_sdk: commands mixed over the motion service's"},
             [&] { DescribeArmSdk(a, r.arm_sdk); });
   a.Key({"user_lowcmd", "Whether the motion service can hand the motors to rt/user_lowcmd"},

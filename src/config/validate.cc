@@ -1,6 +1,7 @@
 #include "config/validate.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstddef>
 #include <set>
@@ -22,6 +23,7 @@ namespace {
 // Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
 constexpr int kGoSlots = 20;
 constexpr int kHgSlots = 35;
+constexpr std::size_t kHandMotors = 16;  // that the mode byte of a hand tells apart
 
 class Checker {
  public:
@@ -37,31 +39,78 @@ class Checker {
   const Places& places_;
 };
 
-std::string MotorKey(std::size_t i, const char* key) {
-  return "robot.motors." + std::to_string(i) + "." + key;
+// `key`: of the motor, with a dot behind. `joints`: those that have a motor already.
+void CheckMotor(const MotorSpec& m, const std::string& key, std::set<std::string>* joints,
+                const Checker& checker) {
+  checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
+  checker.Check(joints->insert(m.joint).second, key + "joint",
+                "'" + m.joint + "' has a motor already");
+  checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
+  checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
+                "expected less than no_load_speed " + NumberText(m.no_load_speed) + " rad/s, got " +
+                    NumberText(m.knee_speed));
 }
 
-void CheckMotors(const RobotSpec& robot, const Checker& checker) {
+void CheckMotors(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
   const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
-  std::set<std::string> joints;
   int last = -1;
   checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-    const MotorSpec& m = robot.motors[i];
-    checker.Check(!m.joint.empty(), MotorKey(i, "joint"), "expected the name of a joint");
-    checker.Check(joints.insert(m.joint).second, MotorKey(i, "joint"),
-                  "'" + m.joint + "' has a motor already");
-    checker.Check(m.slot >= 0 && m.slot < slots, MotorKey(i, "slot"),
+    const int slot = robot.motors[i].slot;
+    const std::string key = "robot.motors." + std::to_string(i) + ".";
+    checker.Check(slot >= 0 && slot < slots, key + "slot",
                   "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
-                      std::to_string(m.slot));
-    checker.Check(m.slot > last, MotorKey(i, "slot"),
+                      std::to_string(slot));
+    checker.Check(slot > last, key + "slot",
                   "expected more than " + std::to_string(last) +
-                      ", as slots ascend and no two are alike, got " + std::to_string(m.slot));
-    last = m.slot;
-    checker.Check(m.torque_limit > 0, MotorKey(i, "torque_limit"), "expected more than 0 N·m");
-    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, MotorKey(i, "knee_speed"),
-                  "expected less than no_load_speed " + NumberText(m.no_load_speed) +
-                      " rad/s, got " + NumberText(m.knee_speed));
+                      ", as slots ascend and no two are alike, got " + std::to_string(slot));
+    last = slot;
+    CheckMotor(robot.motors[i], key, joints, checker);
+  }
+}
+
+// A part of a topic's name that DDS takes: words between slashes.
+bool IsTopic(const std::string& topic) {
+  const auto fits = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
+  };
+  return !topic.empty() && topic.front() != '/' && topic.back() != '/' &&
+         topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
+}
+
+void CheckHand(const HandSpec& hand, const std::string& key, std::set<std::string>* joints,
+               const Checker& checker) {
+  checker.Check(!hand.name.empty(), key + "name", "expected a name");
+  checker.Check(IsTopic(hand.topic), key + "topic",
+                "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
+                    hand.topic + "'");
+  checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
+                "expected 1 to " + std::to_string(kHandMotors) + ", got " +
+                    std::to_string(hand.motors.size()));
+  for (std::size_t i = 0; i < hand.motors.size(); ++i) {
+    CheckMotor(hand.motors[i], key + "motors." + std::to_string(i) + ".", joints, checker);
+  }
+  for (std::size_t i = 0; i < hand.pads.size(); ++i) {
+    const std::vector<double>& taxels = hand.pads[i].taxels;
+    const bool whole = std::all_of(taxels.begin(), taxels.end(),
+                                   [](double taxel) { return taxel == std::floor(taxel); });
+    checker.Check(whole, key + "pads." + std::to_string(i) + ".taxels", "expected whole numbers");
+  }
+}
+
+void CheckHands(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
+  checker.Check(robot.hands.empty() || robot.family == WireFamily::kHg, "robot.hands",
+                "the go family has no messages for them");
+  checker.Check(robot.hands.size() <= kMostHands, "robot.hands",
+                "expected at most " + std::to_string(kMostHands) + ", got " +
+                    std::to_string(robot.hands.size()));
+  std::set<std::string> topics;
+  for (std::size_t i = 0; i < robot.hands.size(); ++i) {
+    const HandSpec& hand = robot.hands[i];
+    const std::string key = "robot.hands." + std::to_string(i) + ".";
+    CheckHand(hand, key, joints, checker);
+    checker.Check(topics.insert(hand.topic).second, key + "topic",
+                  "another hand has '" + hand.topic + "' already");
   }
 }
 
@@ -171,6 +220,28 @@ bool IsWhole(double ratio) {
   return whole >= 1 && std::abs(ratio - whole) < 1e-9 * whole;
 }
 
+// What a robot says of its model's bodies: whole vectors or none.
+void CheckBodies(const RobotSpec& robot, const Checker& checker) {
+  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
+    const BodySpec& body = robot.bodies[i];
+    const std::string key = "robot.bodies." + std::to_string(i) + ".";
+    const auto check = [&](const std::vector<double>& values, std::size_t length,
+                           const std::string& name) {
+      checker.Check(values.empty() || values.size() == length, key + name,
+                    "expected " + std::to_string(length) + " numbers or none, got " +
+                        std::to_string(values.size()));
+    };
+    checker.Check(!body.name.empty(), key + "name", "expected the name of a body");
+    check(body.pos, 3, "pos");
+    check(body.com, 3, "com");
+    check(body.inertia, 6, "inertia");
+  }
+  for (std::size_t i = 0; i < robot.sites.size(); ++i) {
+    checker.Check(!robot.sites[i].name.empty(), "robot.sites." + std::to_string(i) + ".name",
+                  "expected the name of a site");
+  }
+}
+
 void CheckRates(const Config& config, const Checker& checker) {
   const RateSpec& rates = config.robot.rates;
   const double steps = 1 / config.physics.timestep;
@@ -187,6 +258,7 @@ void CheckRates(const Config& config, const Checker& checker) {
                 "expected a rate whose period is a whole number of physics steps, got " +
                     NumberText(rates.service_hz));
   divides(rates.motion_hz, "robot.rates.motion_hz");
+  if (!config.robot.hands.empty()) divides(rates.hand_hz, "robot.rates.hand_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }
 
@@ -265,10 +337,13 @@ void Validate(const Config& config, const Places& places) {
   checker.Check(!robot.base_body.empty(), "robot.base_body", "expected the name of a body");
   checker.Check(!robot.imu.site.empty(), "robot.imu.site", "expected the name of a site");
   checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
-  CheckMotors(robot, checker);
+  std::set<std::string> joints;
+  CheckMotors(robot, &joints, checker);
+  CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckDynamics(robot, checker);
   CheckFeet(robot, checker);
+  CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);

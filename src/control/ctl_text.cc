@@ -87,7 +87,7 @@ std::string StatusText(const ordered_json& status) {
   const ordered_json& crane = status.at("crane");
   const ordered_json& base = status.at("base");
   constexpr double kMilli = 1000;
-  return Aligned({
+  std::vector<Cells> rows = {
       {"robot", status.at("robot").get<std::string>()},
       {"process", Count(status.at("pid"))},
       {"version", status.at("version").get<std::string>()},
@@ -109,14 +109,23 @@ std::string StatusText(const ordered_json& status) {
       {"commands refused", Refused(commands)},
       {"command time-outs", Count(commands.at("timeouts"))},
       {"unused slots set", Count(commands.at("unused_slots"))},
-      {"crane", Crane(crane)},
-      {"crane length", Fixed(crane.at("length"), 3), "m"},
-      {"crane tension", Fixed(crane.at("tension"), 1), "N"},
-      {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
-      {"base height", Fixed(base.at("height"), 3), "m"},
-      {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
-      {"randomized", Randomized(status.at("randomization"))},
-  });
+  };
+  for (const ordered_json& hand : status.at("hands")) {
+    const auto name = hand.at("name").get<std::string>() + " hand";
+    rows.push_back({name + " taken", Count(hand.at("accepted"))});
+    rows.push_back({name + " refused", Refused(hand)});
+    rows.push_back({name + " time-outs", Count(hand.at("timeouts"))});
+  }
+  rows.insert(rows.end(), {
+                              {"crane", Crane(crane)},
+                              {"crane length", Fixed(crane.at("length"), 3), "m"},
+                              {"crane tension", Fixed(crane.at("tension"), 1), "N"},
+                              {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
+                              {"base height", Fixed(base.at("height"), 3), "m"},
+                              {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
+                              {"randomized", Randomized(status.at("randomization"))},
+                          });
+  return Aligned(rows);
 }
 
 std::string RobotsText(const std::vector<RunningRobot>& robots) {

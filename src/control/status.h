@@ -8,10 +8,18 @@
 
 #include "robot/command_gate.h"
 #include "robot/port_counts.h"
+#include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 #include "time/pacer.h"
 
 namespace understudy {
+
+// Of one hand.
+struct HandStatus {
+  std::array<char, 16> name{};  // "" where the robot has no such hand
+  GateCounts commands;
+  Refusal last_refusal = Refusal::kNone;
+};
 
 struct Status {
   bool ready = false;     // the first LowState is out
@@ -28,6 +36,7 @@ struct Status {
   std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
   GateCounts commands;
   Refusal last_refusal = Refusal::kNone;
+  std::array<HandStatus, kMostHands> hands;
   PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples

@@ -30,6 +30,20 @@ nlohmann::ordered_json DrawsJson(const Draws& draws) {
   return {{"seed", draws.seed}, {"drawn", drawn}};
 }
 
+// One object per hand that the robot has.
+nlohmann::ordered_json HandsJson(const Status& status) {
+  nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+  for (const HandStatus& hand : status.hands) {
+    if (hand.name[0] == '\0') continue;
+    hands.push_back({{"name", hand.name.data()},
+                     {"accepted", hand.commands.accepted},
+                     {"timeouts", hand.commands.timeouts},
+                     {"refused", RefusedJson(hand.commands)},
+                     {"last_refusal", Name(hand.last_refusal)}});
+  }
+  return hands;
+}
+
 }  // namespace
 
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
@@ -58,6 +72,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
+      {"hands", HandsJson(status)},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},

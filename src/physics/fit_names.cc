@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "robot/drop_motor.h"
+
 namespace understudy {
 namespace {
 
@@ -89,22 +91,6 @@ void FitImu(const mjModel& model, RobotSpec* spec, std::vector<std::string>* not
     note("IMU site", imu.secondary_site, other);
   }
   imu.secondary_site = other;
-}
-
-void DropMotor(std::size_t i, RobotSpec* spec) {
-  const auto at = static_cast<std::ptrdiff_t>(i);
-  spec->motors.erase(spec->motors.begin() + at);
-  for (PoseSpec* pose : {&spec->lying, &spec->standing, &spec->hanging}) {
-    if (i < pose->q.size()) pose->q.erase(pose->q.begin() + at);
-  }
-  const int index = static_cast<int>(i);
-  std::erase_if(spec->parallel, [index](const ParallelSpec& pair) {
-    return pair.pitch == index || pair.roll == index;
-  });
-  for (ParallelSpec& pair : spec->parallel) {
-    if (pair.pitch > index) --pair.pitch;
-    if (pair.roll > index) --pair.roll;
-  }
 }
 
 void FitMotors(const mjModel& model, RobotSpec* spec, std::vector<std::string>* notes) {

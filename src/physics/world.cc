@@ -30,13 +30,15 @@ auto* Active(mjModel*, mjData* data) { return data->eq_active; }
 PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
     : model_(std::move(model)),
       data_(mj_makeData(model_.get())),
-      q_(spec.motors.size()),
-      dq_(spec.motors.size()) {
-  for (const MotorSpec& motor : spec.motors) {
-    const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
-    q_address_.push_back(model_->jnt_qposadr[joint]);
-    dq_address_.push_back(model_->jnt_dofadr[joint]);
+      motors_(spec.motors.size()),
+      hand_begin_{motors_} {
+  FindJoints(spec.motors);
+  for (const HandSpec& hand : spec.hands) {
+    FindJoints(hand.motors);
+    hand_begin_.push_back(q_address_.size());
   }
+  q_.resize(q_address_.size());
+  dq_.resize(dq_address_.size());
   for (const FootSpec& foot : spec.feet) foot_axis_.emplace_back(foot.axis.data());
   mj_kinematics(model_.get(), data_.get());
   foot_of_geom_ = FindFeet(*model_, *data_, spec);
@@ -63,7 +65,7 @@ void PhysicsWorld::Reset(const PoseSpec& pose) {
     mju_copy4(base + 3, pose.quat.data());
     mju_normalize4(base + 3);
   }
-  for (std::size_t i = 0; i < q_address_.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
+  for (std::size_t i = 0; i < motors_; ++i) data_->qpos[q_address_[i]] = pose.q[i];
   if (!has_fixed_base()) {
     data_->qpos[base_q_ + 2] += LiftOntoGround(*model_, data_.get(), base_body_, base_q_);
   }
@@ -76,10 +78,13 @@ void PhysicsWorld::BeginStep() {
   ReadKinematics();
 }
 
+void PhysicsWorld::DriveHand(std::size_t hand, std::span<const double> tau) {
+  const std::span<const int> address = OfHand(hand, dq_address_);
+  for (std::size_t i = 0; i < address.size(); ++i) data_->qfrc_applied[address[i]] = tau[i];
+}
+
 StepHealth PhysicsWorld::EndStep(std::span<const double> tau) {
-  for (std::size_t i = 0; i < dq_address_.size(); ++i) {
-    data_->qfrc_applied[dq_address_[i]] = tau[i];
-  }
+  for (std::size_t i = 0; i < motors_; ++i) data_->qfrc_applied[dq_address_[i]] = tau[i];
   mj_step2(model_.get(), data_.get());
   mju_zero(data_->xfrc_applied, 6 * static_cast<int>(model_->nbody));
   StepHealth health = StepHealth::kFine;
@@ -183,6 +188,14 @@ ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
   imu.w_WI_I = Vector(data_->sensordata + address.gyro);
   imu.f_WI_I = Vector(data_->sensordata + address.accel);
   return imu;
+}
+
+void PhysicsWorld::FindJoints(const std::vector<MotorSpec>& motors) {
+  for (const MotorSpec& motor : motors) {
+    const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
+    q_address_.push_back(model_->jnt_qposadr[joint]);
+    dq_address_.push_back(model_->jnt_dofadr[joint]);
+  }
 }
 
 void PhysicsWorld::ReadKinematics() {

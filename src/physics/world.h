@@ -43,6 +43,10 @@ class PhysicsWorld {
 
   void BeginStep();
 
+  // Torques [N·m] of a hand's motors, in HandSpec::motors order; finite. They act in the coming
+  // steps until others are set or Reset.
+  void DriveHand(std::size_t hand, std::span<const double> tau);
+
   // tau: joint torques [N·m] in motor order; finite. External forces set before act in this step
   // and are then gone.
   [[nodiscard]] StepHealth EndStep(std::span<const double> tau);
@@ -63,8 +67,11 @@ class PhysicsWorld {
   // The point p [m] in the frame of a body.
   PointReading Point(int body, const Eigen::Vector3d& p_BP) const;
 
-  std::span<const double> q() const { return q_; }    // rad, motor order
-  std::span<const double> dq() const { return dq_; }  // rad/s, motor order
+  // Joint angles [rad] and rates [rad/s] in motor order, and of a hand in HandSpec::motors order.
+  std::span<const double> q() const { return std::span(q_).first(motors_); }
+  std::span<const double> dq() const { return std::span(dq_).first(motors_); }
+  std::span<const double> hand_q(std::size_t hand) const { return OfHand(hand, q_); }
+  std::span<const double> hand_dq(std::size_t hand) const { return OfHand(hand, dq_); }
   const BaseReading& base() const { return base_; }
   double tilt() const;  // rad between the base's up and the world's
   ImuReading Imu() const { return Read(imu_); }
@@ -90,10 +97,17 @@ class PhysicsWorld {
   ImuReading Read(const ImuAddress& address) const;
   void ReadKinematics();
   bool has_fixed_base() const { return clamp_ < 0; }
+  void FindJoints(const std::vector<MotorSpec>& motors);
+  template <typename T>
+  std::span<const T> OfHand(std::size_t hand, const std::vector<T>& all) const {
+    return std::span(all).subspan(hand_begin_[hand], hand_begin_[hand + 1] - hand_begin_[hand]);
+  }
 
   ModelHandle model_;
   DataHandle data_;
-  std::vector<int> q_address_, dq_address_;  // in motor order
+  std::size_t motors_;
+  std::vector<std::size_t> hand_begin_;      // where each hand begins in what follows, and the end
+  std::vector<int> q_address_, dq_address_;  // in motor order, then hand by hand
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;

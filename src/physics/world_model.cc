@@ -14,6 +14,7 @@
 #include "physics/mjcf_assets.h"
 #include "physics/mjcf_compile.h"
 #include "physics/mjcf_looks.h"
+#include "physics/mjcf_revise.h"
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 
@@ -139,10 +140,12 @@ void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& c
                "robot.base_body name another body");
 }
 
-void RequireMotors(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const std::string& name = spec.motors[i].joint;
-    check.Require(mjOBJ_JOINT, "joint", name, "robot.motors." + std::to_string(i) + ".joint");
+// `list`: the key of the motors.
+void RequireMotors(const mjModel& model, const std::vector<MotorSpec>& motors,
+                   const std::string& list, const NameCheck& check) {
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const std::string& name = motors[i].joint;
+    check.Require(mjOBJ_JOINT, "joint", name, list + "." + std::to_string(i) + ".joint");
     const int type = model.jnt_type[mj_name2id(&model, mjOBJ_JOINT, name.c_str())];
     if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
       check.Refuse("joint '" + name + "' of a motor must be a hinge or a slide");
@@ -161,7 +164,11 @@ void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
 
 void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
   RequireBase(model, spec, check);
-  RequireMotors(model, spec, check);
+  RequireMotors(model, spec.motors, "robot.motors", check);
+  for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+    RequireMotors(model, spec.hands[i].motors, "robot.hands." + std::to_string(i) + ".motors",
+                  check);
+  }
   check.Require(mjOBJ_SITE, "IMU site", spec.imu.site, "robot.imu.site");
   if (!spec.imu.secondary_site.empty()) {
     check.Require(mjOBJ_SITE, "IMU site", spec.imu.secondary_site, "robot.imu.secondary_site");
@@ -224,9 +231,10 @@ struct LoadedRobot {
   ModelHandle model;
 };
 
-LoadedRobot LoadRobot(const std::filesystem::path& file, LoadNotes* notes) {
+LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
   MjcfElement tree = Read(file, notes);
+  Revise(spec, &tree);
   ModelHandle model = CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
 }
@@ -297,7 +305,7 @@ ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                            const std::filesystem::path& scene_file, double timestep,
                            LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
   RequireFeet(spec, NameCheck(*robot.model, robot_file));
   return Compose(std::move(robot), spec, robot_file, scene_file, timestep, notes);
 }
@@ -305,7 +313,7 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
 FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,
                             LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
   RobotSpec fitted = FitNames(spec, *robot.model, &notes->warnings);
   NoteFeet(*robot.model, fitted, notes);
   ModelHandle model = Compose(std::move(robot), fitted, robot_file, scene_file, timestep, notes);

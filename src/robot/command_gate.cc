@@ -5,13 +5,17 @@
 
 namespace understudy {
 // What no program can mean. That a robot refuses it too is assumed: nothing is published.
+Refusal HarmIn(const MotorCommand& m) {
+  if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
+      !std::isfinite(m.kp) || !std::isfinite(m.kd)) {
+    return Refusal::kNotFinite;
+  }
+  return m.kp < 0 || m.kd < 0 ? Refusal::kGain : Refusal::kNone;
+}
+
 Refusal HarmIn(const RobotCommand& command) {
-  for (const MotorCommand& m : command.motors) {
-    if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
-        !std::isfinite(m.kp) || !std::isfinite(m.kd)) {
-      return Refusal::kNotFinite;
-    }
-    if (m.kp < 0 || m.kd < 0) return Refusal::kGain;
+  for (const MotorCommand& motor : command.motors) {
+    if (const Refusal harm = HarmIn(motor); harm != Refusal::kNone) return harm;
   }
   return Refusal::kNone;
 }

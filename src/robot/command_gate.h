@@ -82,6 +82,7 @@ class CommandGate {
 };
 
 // The first thing in a command that would harm, whatever its form: kNotFinite, kGain, or kNone.
+Refusal HarmIn(const MotorCommand& command);
 Refusal HarmIn(const RobotCommand& command);
 
 // A command under which every motor only brakes: kd [N·m·s/rad] on its rate.

@@ -15,6 +15,7 @@ enum class Refusal : std::uint8_t {
   kModeMachine,    // hg: not the machine LowState announces
   kModePr,         // hg: neither PR (0) nor AB (1)
   kMotorMode,      // a motor's mode byte is none that the robot knows
+  kMotorCount,     // hands: other than one entry per motor
   kNotFinite,      // NaN or infinity in a motor's command
   kGain,           // a negative kp or kd
   kMotionService,  // the robot's own motion service moves the motors
@@ -26,8 +27,8 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 // The word that logs, counters and the control plane use.
 constexpr std::string_view Name(Refusal refusal) {
   constexpr std::array<std::string_view, kRefusals> kNames = {
-      "none",       "crc",        "head", "mode_machine",  "mode_pr",
-      "motor_mode", "not_finite", "gain", "motion_service"};
+      "none",       "crc",         "head",       "mode_machine", "mode_pr",
+      "motor_mode", "motor_count", "not_finite", "gain",         "motion_service"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

@@ -4,6 +4,7 @@
 #ifndef UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 #define UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -24,9 +25,25 @@ struct MotorSpec {
   double tau_step = 0;       // N·m
   double hold_kp = 0;        // N·m/rad, gains that hold a start pose
   double hold_kd = 0;        // N·m·s/rad
+  double armature = 0;       // kg·m², in place of the model's; 0 = the model's
   double strength = 1;       // torque given over torque meant, before and at the limit
   double kp_scale = 1;       // how much of a commanded kp acts
   double kd_scale = 1;       // likewise of kd
+};
+
+// Where a body is otherwise than the model file has it; empty or 0 = as there.
+struct BodySpec {
+  std::string name{};
+  std::vector<double> pos{};      // m, in the parent's frame
+  double mass = 0;                // kg
+  std::vector<double> com{};      // m, centre of mass in the body's frame
+  std::vector<double> inertia{};  // kg·m², xx yy zz xy xz yz about it, in the body's frame
+};
+
+// Where a site is otherwise than the model file has it.
+struct SiteSpec {
+  std::string name{};
+  std::vector<double> pos = {0, 0, 0};  // m, in its body's frame
 };
 
 // Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of
@@ -55,6 +72,25 @@ struct ParallelSpec {
   double roll_ratio = 1;  // how far A and B part per radian of roll
 };
 
+// A place of a hand that feels pressure.
+struct PadSpec {
+  std::vector<double> taxels{};  // the ones it has, of the message's 12
+};
+
+// A hand with motors of its own, on topics of its own.
+struct HandSpec {
+  std::string name{};   // "left"
+  std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
+  // In the order of motor_cmd, their place there being the id in their mode byte. Only joint and
+  // what the motor can give count; the rest of MotorSpec is the body's.
+  std::vector<MotorSpec> motors{};
+  std::vector<PadSpec> pads{};  // in the order of press_sensor_state
+  double timeout = 1;           // s without a command until watched motors lock
+  double lock_kd = 0;           // N·m·s/rad with which a locked motor brakes
+  double temperature_c = 0;     // what motors and pads show
+  double supply_v = 0;          // what it is fed with
+};
+
 struct FootSpec {
   std::string name;
   std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
@@ -73,6 +109,7 @@ struct PoseSpec {
 struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
+  double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
   double service_hz = 500;   // commands of the robot's own motion service
 };
@@ -184,6 +221,8 @@ struct MotionSpec {
   QuadrupedMotionSpec quadruped;
 };
 
+inline constexpr std::size_t kMostHands = 2;
+
 struct RobotSpec {
   std::string name;
   std::string description;
@@ -195,10 +234,15 @@ struct RobotSpec {
   // Firmware from which on states are told by the state machine's id: in go's SportModeState in
   // error_code, in hg in a message of its own. "" = never.
   std::string state_id_since;
-  int mode_machine = 0;           // hg only: what LowState announces and LowCmd must echo
-  std::vector<MotorSpec> motors;  // motor order: ascending slot
+  std::string revision;  // of the hardware: one of the file's revisions, "" where it has none
+  int mode_machine = 0;  // hg only: what LowState announces and LowCmd must echo
+  std::vector<std::string> locked_joints;  // have no motor and cannot move
+  std::vector<BodySpec> bodies;            // that differ from the model file
+  std::vector<SiteSpec> sites;             // that differ from the model file
+  std::vector<MotorSpec> motors;           // motor order: ascending slot
   std::vector<ParallelSpec> parallel;
   DynamicsSpec dynamics;
+  std::vector<HandSpec> hands;  // hg only, at most kMostHands
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
   std::vector<FootSpec> feet;  // FR FL RR RL for quadrupeds: the order of foot_force

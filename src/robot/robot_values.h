@@ -40,6 +40,17 @@ struct RobotCommand {
   JointSpace joint_space = JointSpace::kPitchRoll;
 };
 
+// What one motor of a hand is asked to do. Not enabled, it is locked: it brakes where it is.
+struct HandMotorCommand {
+  MotorCommand motor;
+  bool watched = false;  // locks by itself when commands stop
+};
+
+// One command to a hand, in motor order (HandSpec::motors).
+struct HandCommand {
+  std::vector<HandMotorCommand> motors;
+};
+
 // What one motor reports. Joint side, signs as in MotorCommand.
 struct MotorReading {
   bool enabled = false;
@@ -48,6 +59,12 @@ struct MotorReading {
   double tau = 0;        // N·m, what the motor gives before joint friction
   double casing_c = 0;   // degrees Celsius
   double winding_c = 0;  // degrees Celsius
+};
+
+// What a hand tells of one instant. Vectors in motor order.
+struct HandReading {
+  std::vector<MotorReading> motors;     // enabled: not locked
+  std::vector<std::uint8_t> timed_out;  // 1 for a watched motor that has locked by itself
 };
 
 // One inertial unit, I, in the world, W. `f` is the specific force: at rest +g along the upward
@@ -98,6 +115,7 @@ struct RobotState {
   ImuReading imu;                  // the one LowState carries
   ImuReading secondary_imu;        // where the robot has one
   std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
+  std::vector<HandReading> hands;  // in RobotSpec::hands order
   BatteryReading battery;
   BaseReading base;
   RemoteReading remote;

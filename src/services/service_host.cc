@@ -16,8 +16,9 @@ constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
 constexpr std::size_t kMostUrgent = 5;
-constexpr int kMostServed = 8;    // assumed: bounds what a poll costs
-constexpr int kReaderDepth = 64;  // assumed
+constexpr int kMostServed = 8;  // assumed: bounds what a poll costs
+// Assumed: a thousand calls a second, while the machine gives us no time for a quarter of one.
+constexpr int kReaderDepth = 256;
 
 }  // namespace
 

@@ -28,8 +28,8 @@ namespace understudy {
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
 //   - the request's identity is echoed, since clients match a reply by id;
 //   - requests of priority above 0 go first. Of each service 10 requests and 5 of priority wait in
-//     queues, 64 more in the reader; where there are more, the oldest is dropped. 8 are served in a
-//     poll;
+//     queues, 256 more in the reader; where there are more, the oldest is dropped. 8 are served in
+//     a poll;
 //   - a request with noreply set is carried out and not answered;
 //   - while a service is not served (Service::IsServed), what comes for it is dropped;
 //   - a reply waits until a response reader of the asking participant is matched, 300 ms at most:

@@ -15,7 +15,8 @@
 namespace understudy {
 
 // Reads rt/lowcmd and, where the robot has one, rt/arm_sdk; writes rt/lowstate, rt/sportmodestate,
-// their rt/lf/ twins and, while a remote controller is there, rt/wirelesscontroller.
+// their rt/lf/ twins and, while a remote controller is there, rt/wirelesscontroller. Hands are
+// hg's.
 class GoPort final : public RobotPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
@@ -25,6 +26,7 @@ class GoPort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   bool TakeArmCommand(RobotCommand* command, double* weight) override;
   bool TakeUserCommand(RobotCommand* command) override;
+  bool TakeHandCommand(std::size_t, HandCommand*, Refusal*) override { return false; }
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
   PortCounts counts() const override;

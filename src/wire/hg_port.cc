@@ -36,6 +36,7 @@ HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
   }
   const auto acts = [&](const ServiceSpec& service) { return service.name == kArmActionService; };
   if (std::ranges::any_of(spec.services, acts)) arm_action_.emplace(participant, kArmActionState);
+  for (const HandSpec& hand : spec.hands) hands_.emplace_back(participant, hand);
   if (!spec.imu.secondary_site.empty()) {
     secondary_.emplace(SecondaryImu{.imu = Writer(participant, kSecondaryImu),
                                     .lf_imu = Writer(participant, kLfSecondaryImu)});
@@ -67,6 +68,10 @@ bool HgPort::TakeUserCommand(RobotCommand* command) {
   return user_commands_->Take(visit, 1) == 1;
 }
 
+bool HgPort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) {
+  return hands_[hand].Take(command, wire);
+}
+
 void HgPort::Publish(const RobotState& state, const Due& due) {
   if (due.lowstate || due.lf) {
     Encode(state, spec_, &lowstate_message_);
@@ -92,6 +97,7 @@ void HgPort::Publish(const RobotState& state, const Due& due) {
     lf_board_.Write(unitree_hg_msg_dds__MainBoardState_{});
     if (secondary_) secondary_->lf_imu.Write(secondary_->message);
   }
+  for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i].Publish(state.hands[i], due);
   if (state.motion) PublishService(state, due);
 }
 
@@ -116,6 +122,7 @@ PortCounts HgPort::counts() const {
   counts.write_failures = lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
                           lf_motion_.failures() + lf_bms_.failures() + lf_board_.failures() +
                           remote_.failures() + secondary + service;
+  for (const HandPort& hand : hands_) counts.write_failures += hand.failures();
   return counts;
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <vector>
 
 #include "bus/reader.h"
 #include "bus/writer.h"
@@ -11,6 +12,7 @@
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 #include "robot/robot_spec.h"
+#include "wire/hand_port.h"
 #include "wire/motion_codec.h"
 #include "wire/robot_port.h"
 
@@ -20,7 +22,8 @@ namespace understudy {
 // rt/odommodestate, rt/secondary_imu where the robot has one, their rt/lf/ twins, rt/lf/bmsstate
 // and rt/lf/mainboardstate, which have no fast twin, and rt/wirelesscontroller while a remote
 // controller is there. Where firmware tells the state machine's id, rt/sportmodestate and its twin
-// while a motion service is on; G1 rt/arm/action/state then too.
+// while a motion service is on; G1 rt/arm/action/state then too. Hands have topics of their own
+// (HandPort).
 //
 // No page documents what is in MainBoardState_: it is all 0.
 class HgPort final : public RobotPort {
@@ -32,6 +35,7 @@ class HgPort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   bool TakeArmCommand(RobotCommand* command, double* weight) override;
   bool TakeUserCommand(RobotCommand* command) override;
+  bool TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
   PortCounts counts() const override;
@@ -66,6 +70,7 @@ class HgPort final : public RobotPort {
   std::optional<SecondaryImu> secondary_;
   std::optional<Fsm> fsm_;
   std::optional<Writer<std_msgs_msg_dds__String_>> arm_action_;
+  std::vector<HandPort> hands_;
   unitree_hg_msg_dds__LowState_ lowstate_message_{};
   unitree_go_msg_dds__SportModeState_ motion_message_{};
   unitree_hg_msg_dds__BmsState_ bms_message_{};

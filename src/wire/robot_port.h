@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_WIRE_ROBOT_PORT_H_
 #define UNDERSTUDY_WIRE_ROBOT_PORT_H_
 
+#include <cstddef>
 #include <cstdint>
 
 #include "robot/port_counts.h"
@@ -14,9 +15,10 @@ namespace understudy {
 struct Due {
   bool lowstate = false;  // rt/lowstate and rt/secondary_imu
   bool motion = false;    // rt/sportmodestate or rt/odommodestate
+  bool hands = false;     // states of hands
   bool lf = false;        // the rt/lf/* twins and rt/lf/bmsstate
 
-  bool any() const { return lowstate || motion || lf; }
+  bool any() const { return lowstate || motion || hands || lf; }
 };
 
 // Two real ports, one per wire family, and a fake one for tests. Polled by the tick; nothing here
@@ -36,6 +38,10 @@ class RobotPort {
   // where the robot has no such topic.
   virtual bool TakeArmCommand(RobotCommand* command, double* weight) = 0;
   virtual bool TakeUserCommand(RobotCommand* command) = 0;
+
+  // The same for the hand with that index in RobotSpec::hands. A command with other than one entry
+  // per motor is kMotorCount and leaves `command` as it was.
+  virtual bool TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) = 0;
 
   // Sends what is due of `state`. `joint_space` of the state says in which space parallel joints
   // are reported.

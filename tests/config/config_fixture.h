@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "config/load.h"
+#include "config/robot_file.h"
 #include "robot/errors.h"
 
 namespace understudy {

@@ -67,19 +67,31 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRobot) {
   }
 }
 
+TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRevision) {
+  for (const std::string robot : {"g1", "g1_23dof"}) {
+    for (const std::string& revision : ReadRobotFile(robot, kSource).RevisionNames()) {
+      const Config config = LoadConfig(
+          {.robot = robot, .files = {}, .sets = {"robot.revision=" + revision}}, kSource);
+      EXPECT_EQ(config.robot.revision, revision);
+      const std::string printed = PrintConfig(config, false);
+      EXPECT_EQ(Again(robot, printed), printed) << robot << " " << revision;
+    }
+  }
+}
+
 TEST_F(PrintConfigTest, ReadsBackAsTheSameWithEveryKeyChanged) {
   const std::string all = (kSource / "tests/config/data/one_of_everything.yaml").string();
-  const Config config = LoadConfig({.robot = "go2", .files = {all}}, kSource);
+  const Config config = LoadConfig({.robot = "g1", .files = {all}}, kSource);
   const std::string printed = PrintConfig(config, false);
-  EXPECT_EQ(Again("go2", printed), printed);
-  EXPECT_EQ(Again("go2", PrintConfig(config, true)), printed);
+  EXPECT_EQ(Again("g1", printed), printed);
+  EXPECT_EQ(Again("g1", PrintConfig(config, true)), printed);
   EXPECT_EQ(config.robot.description, "a \"robot\" with \\ and é: #1");
   EXPECT_EQ(config.robot.standing.q[0], 0.30000000000000004);
 }
 
 TEST_F(PrintConfigTest, ChangesEveryKeyInOneOfEverything) {
   const std::string all = (kSource / "tests/config/data/one_of_everything.yaml").string();
-  const auto changed = Values(LoadConfig({.robot = "go2", .files = {all}}, kSource));
+  const auto changed = Values(LoadConfig({.robot = "g1", .files = {all}}, kSource));
   const auto defaults = Values(Config{});
   EXPECT_EQ(changed.size(), ConfigKeys().size());
   for (const auto& [key, value] : changed) EXPECT_NE(value, defaults.at(key)) << key;
@@ -90,6 +102,18 @@ TEST_F(PrintConfigTest, WritesOneLinePerKeyAndPerElement) {
   EXPECT_THAT(text, HasSubstr("\ngate:\n  mode: lenient\n  timeout: 0.2\n"));
   EXPECT_THAT(text, HasSubstr("\n  motors:\n    - {joint: a, slot: 0, torque_limit: 10, "));
   EXPECT_EQ(text.find('#'), std::string::npos);
+}
+
+TEST_F(PrintConfigTest, WritesListsWithinAnElementOnItsLine) {
+  const Config config = LoadText(
+      "robot: {family: hg, hands: [{name: left, topic: left,\n"
+      "  motors: [{joint: u, torque_limit: 1}, {joint: v, torque_limit: 2}]}]}\n");
+  EXPECT_THAT(PrintConfig(config, false),
+              HasSubstr("\n  hands:\n    - {name: left, topic: left, motors: [{joint: u, "
+                        "torque_limit: 1, knee_speed: 0, no_load_speed: 0}, {joint: v, "));
+  EXPECT_THAT(PrintConfig(config, true),
+              HasSubstr("    # motors: Its motors, in the order of motor_cmd and motor_state\n"
+                        "      # joint: Joint of the model that it drives [text]\n"));
 }
 
 TEST_F(PrintConfigTest, ExplainsKeysInComments) {

@@ -1,5 +1,8 @@
 // The robots that we ship: what their files must say to be the robots they name.
 #include <cmath>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
 
 #include "config_fixture.h"
 
@@ -43,6 +46,30 @@ TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
   EXPECT_EQ(robot.motors[21].joint, "left_wrist_yaw_joint");
   EXPECT_EQ(robot.motors[28].joint, "right_wrist_yaw_joint");
   EXPECT_EQ(robot.default_start, "hanging");
+}
+
+TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
+  const RobotSpec robot = Robot("g1_29dof_dex3").robot;
+  const RobotSpec g1 = Robot("g1").robot;
+  EXPECT_EQ(robot.mode_machine, g1.mode_machine);
+  EXPECT_EQ(robot.motors.size(), g1.motors.size());
+  EXPECT_TRUE(g1.hands.empty());
+  ASSERT_EQ(robot.hands.size(), 2U);
+  const auto figures = nlohmann::json::parse(
+      std::ifstream(std::string(UNDERSTUDY_SOURCE_DIR) + "/tests/data/figures/g1_29dof_dex3.json"));
+  for (const HandSpec& hand : robot.hands) {
+    EXPECT_EQ(hand.topic, "dex3/" + hand.name);
+    EXPECT_EQ(hand.pads.size(), 9U);
+    const auto order = figures["hands"][hand.name]["motor_order"].get<std::vector<std::string>>();
+    ASSERT_EQ(hand.motors.size(), order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      EXPECT_EQ(hand.motors[i].joint, order[i]);
+      for (const nlohmann::json& joint : figures["joints"]) {
+        if (joint["name"] != order[i]) continue;
+        EXPECT_EQ(hand.motors[i].torque_limit, joint["torque_limit"].get<double>()) << order[i];
+      }
+    }
+  }
 }
 
 TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {

@@ -65,6 +65,75 @@ TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
             "angle per motor, 2, got 1");
 }
 
+class HandsTest : public ValidateTest {
+ protected:
+  // The tiny robot as one of the hg family, with what is said of its hands.
+  Config Hands(const std::string& hands) const {
+    return LoadText("robot: {family: hg, hands: [" + hands + "]}\n");
+  }
+  std::string HandsError(const std::string& hands) const {
+    return ErrorOf([&] { Hands(hands); });
+  }
+  static std::string Hand(const std::string& topic, const std::string& motors,
+                          const std::string& more = "") {
+    return "{name: " + topic + ", topic: " + topic + ", motors: [" + motors + "]" + more + "}";
+  }
+};
+
+constexpr char kThumb[] = "{joint: thumb, torque_limit: 1}";
+
+TEST_F(HandsTest, AreReadWithTheirMotors) {
+  const RobotSpec robot = Hands(Hand("left", kThumb, ", timeout: 2")).robot;
+  ASSERT_EQ(robot.hands.size(), 1U);
+  EXPECT_EQ(robot.hands[0].motors.at(0).joint, "thumb");
+  EXPECT_EQ(robot.hands[0].timeout, 2);
+}
+
+TEST_F(HandsTest, AreNotOfTheGoFamily) {
+  EXPECT_THAT(SetError("robot.hands=[" + Hand("left", kThumb) + "]"),
+              testing::HasSubstr("robot.hands: the go family has no messages for them"));
+}
+
+TEST_F(HandsTest, AreTwoAtMost) {
+  EXPECT_THAT(HandsError(Hand("a1", kThumb) + "," + Hand("a2", kThumb) + "," + Hand("a3", kThumb)),
+              testing::HasSubstr("robot.hands: expected at most 2, got 3"));
+}
+
+TEST_F(HandsTest, HaveMotorsOfTheirOwn) {
+  EXPECT_THAT(HandsError(Hand("left", "")),
+              testing::HasSubstr("robot.hands.0.motors: expected 1 to 16, got 0"));
+  EXPECT_THAT(HandsError(Hand("left", "{joint: a, torque_limit: 1}")),
+              testing::HasSubstr("robot.hands.0.motors.0.joint: 'a' has a motor already"));
+  EXPECT_THAT(HandsError(Hand("left", "{joint: thumb}")),
+              testing::HasSubstr("robot.hands.0.motors.0.torque_limit: expected more than 0 N·m"));
+}
+
+TEST_F(HandsTest, HaveTopicsThatDdsTakes) {
+  for (const char* topic : {"''", "/left", "left/", "a//b", "a-b", "'a b'"}) {
+    EXPECT_THAT(
+        HandsError("{name: left, topic: " + std::string(topic) + ", motors: [" + kThumb + "]}"),
+        testing::HasSubstr("robot.hands.0.topic: expected words"))
+        << topic;
+  }
+  EXPECT_THAT(
+      HandsError(Hand("left", kThumb) + "," + Hand("left", "{joint: index, torque_limit: 1}")),
+      testing::HasSubstr("robot.hands.1.topic: another hand has 'left' already"));
+}
+
+TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [1.5]}]")),
+              testing::HasSubstr("robot.hands.0.pads.0.taxels: expected whole numbers"));
+  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [12]}]")),
+              testing::HasSubstr("robot.hands.0.pads.0.taxels"));
+}
+
+TEST_F(HandsTest, AreToldAtARateThatDividesLowstates) {
+  const std::string rate = "], rates: {hand_hz: 300";
+  EXPECT_EQ(FileError("robot: {rates: {hand_hz: 300}}\n"), "") << "without hands";
+  EXPECT_THAT(FileError("robot: {family: hg, hands: [" + Hand("left", kThumb) + rate + "}}\n"),
+              testing::HasSubstr("robot.rates.hand_hz: expected a rate that divides lowstate_hz"));
+}
+
 TEST_F(ValidateTest, RefusesStatesThatAreNotWholeNumbers) {
   EXPECT_EQ(SetError("robot.motion.humanoid.balance=[1.5]"),
             "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance: expected "

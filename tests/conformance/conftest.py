@@ -25,12 +25,13 @@ THEN_STATUS = 'file=$1; shift; "$@"; code=$?; "$UNDERSTUDY" ctl status --json > 
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """What one program did, and the robot's own count of commands after it."""
+    """What one program did, and the robot's own count of commands after it, to body and hands."""
 
     code: int
     output: str
     errors: str
     commands: dict
+    hands: list
 
     @property
     def refused(self):
@@ -57,6 +58,8 @@ def rehearse(tmp_path_factory):
     The same rehearsal is run once per session: tests that ask for it again get the same Run.
     """
 
+    tmp_path_factory.getbasetemp()  # its first caller makes it; callers may be threads
+
     @functools.cache
     def run(robot, program, *arguments, options=()):
         status = tmp_path_factory.mktemp("status") / "status.json"
@@ -68,7 +71,7 @@ def rehearse(tmp_path_factory):
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
         said = f"{done.stdout}\n{done.stderr}"
         assert status.exists() and status.stat().st_size, f"no status from the robot\n{said}"
-        commands = json.loads(status.read_text())["commands"]
-        return Run(done.returncode, done.stdout, done.stderr, commands)
+        told = json.loads(status.read_text())
+        return Run(done.returncode, done.stdout, done.stderr, told["commands"], told["hands"])
 
     return run

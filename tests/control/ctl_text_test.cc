@@ -52,7 +52,7 @@ randomized         no
 
 TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
   Status status;
-  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 1};
+  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
   status.last_refusal = Refusal::kGain;
   EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
 }

@@ -4,8 +4,11 @@
 #include <cerrno>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 
+#include "config/load.h"
+#include "physics/world_model.h"
 #include "tests/emulator/emulator_test.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -158,6 +161,46 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
   emulator_->owner().Release();
   EXPECT_EQ(CountIn(100), 0);
+}
+
+// Two hands of one motor each, made of the neck, with good commands, refused ones and none.
+TEST_F(AllocationTest, DoesNotHappenWithHands) {
+  RobotSpec& robot = config_.robot;
+  robot.motors.resize(4);
+  robot.parallel.clear();
+  for (PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
+  robot.hands = {{.name = "left", .motors = {{.joint = "neck_roll_joint", .torque_limit = 5}}},
+                 {.name = "right", .motors = {{.joint = "neck_pitch_joint", .torque_limit = 5}}}};
+  port_.KeepTheLastOnly();
+  StartAs("clamped");
+  HandCommand command{
+      .motors = {{.motor = {.enabled = true, .q = 0.3, .kp = 20, .kd = 1}, .watched = true}}};
+  port_.SendHandsEveryTick(command);
+  CountIn(10);
+  EXPECT_EQ(CountIn(1000), 0);
+  command.motors[0].motor.kp = -1;
+  port_.SendHandsEveryTick(command);
+  EXPECT_EQ(CountIn(1500), 0);
+  EXPECT_EQ(emulator_->status().hands[1].commands.timeouts, 1U);
+}
+
+// A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
+TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
+  const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
+  config_ = LoadConfig({.robot = "g1_29dof_dex3"}, root);
+  port_.KeepTheLastOnly();
+  port_.SendHandsEveryTick({.motors = std::vector<HandMotorCommand>(
+                                7, {.motor = {.enabled = true, .kp = 1, .kd = 0.1}})});
+  emulator_ = std::make_unique<Emulator>(
+      config_,
+      PhysicsWorld(LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
+                                  root / "models/scene/flat.xml", config_.physics.timestep),
+                   config_.robot),
+      &port_, &inbox_);
+  CountIn(10);
+  EXPECT_EQ(CountIn(500), 0);
+  EXPECT_EQ(emulator_->status().hands[1].commands.accepted, 510U);
+  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
 }
 
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {

@@ -15,7 +15,8 @@ class RatesTest : public EmulatorTest, public testing::WithParamInterface<Rates>
 TEST_P(RatesTest, SendsEachMessageAtItsRateOfSimulatedTime) {
   const Rates& rates = GetParam();
   config_.physics.timestep = rates.timestep;
-  config_.robot.rates = {rates.lowstate_hz, rates.motion_hz, rates.lf_hz};
+  config_.robot.rates = {
+      .lowstate_hz = rates.lowstate_hz, .motion_hz = rates.motion_hz, .lf_hz = rates.lf_hz};
   Start();
   Tick(static_cast<int>(std::lround(2 / rates.timestep)));  // two seconds
   EXPECT_NEAR(emulator_->time(), 2, 1e-9);

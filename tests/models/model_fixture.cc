@@ -1,6 +1,7 @@
 #include "tests/models/model_fixture.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -73,6 +74,19 @@ int Id(const mjModel& model, mjtObj type, const std::string& name) {
   const int id = mj_name2id(&model, type, name.c_str());
   EXPECT_GE(id, 0) << "no " << mju_type2Str(type) << " named " << name;
   return id;
+}
+
+// R diag(I) R^T
+std::vector<double> InertiaInBodyFrame(const mjModel& model, int body) {
+  std::array<mjtNum, 9> r{};
+  mju_quat2Mat(r.data(), model.body_iquat + 4 * body);
+  const mjtNum* d = model.body_inertia + 3 * body;
+  const auto at = [&](std::size_t i, std::size_t j) {
+    double sum = 0;
+    for (std::size_t k = 0; k < 3; ++k) sum += r[3 * i + k] * d[k] * r[3 * j + k];
+    return sum;
+  };
+  return {at(0, 0), at(1, 1), at(2, 2), at(0, 1), at(0, 2), at(1, 2)};
 }
 
 JointPd::JointPd(const mjModel& model, const std::vector<std::string>& joints,

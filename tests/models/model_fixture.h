@@ -27,6 +27,8 @@ inline const std::string kB2 = kModels + "b2/b2.xml";
 inline const std::string kB2W = kModels + "b2w/b2w.xml";
 inline const std::string kA2 = kModels + "a2/a2.xml";
 inline const std::string kG1 = kModels + "g1/g1_29dof.xml";
+inline const std::string kG1Dex3 = kModels + "g1/g1_29dof_dex3.xml";
+inline const std::string kG123 = kModels + "g1/g1_23dof.xml";
 inline const std::string kH1 = kModels + "h1/h1.xml";
 inline const std::string kH12 = kModels + "h1_2/h1_2.xml";
 inline const std::string kR1 = kModels + "r1/r1.xml";
@@ -51,6 +53,9 @@ nlohmann::json ReadFigures(const std::string& robot);
 
 // Id of the named object. Fails the test and returns -1 when the model lacks it.
 int Id(const mjModel& model, mjtObj type, const std::string& name);
+
+// xx yy zz xy xz yz about the centre of mass, in the body's frame.
+std::vector<double> InertiaInBodyFrame(const mjModel& model, int body);
 
 // Joint PD, torque held for one step: kp (q* - q) + kd (dq* - dq), dq* 0 unless set. All vectors
 // are in SDK motor order.

@@ -23,7 +23,14 @@ PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)
 
 }  // namespace
 
-Config HumanoidConfig(const std::string& robot) { return LoadConfig({.robot = robot}, kData); }
+Config HumanoidConfig(const std::string& robot) {
+  const std::size_t space = robot.find(' ');
+  if (space == std::string::npos) return LoadConfig({.robot = robot}, kData);
+  return LoadConfig({.robot = robot.substr(0, space),
+                     .files = {},
+                     .sets = {"robot.revision=" + robot.substr(space + 1)}},
+                    kData);
+}
 
 HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjModel&)>& change,
                          double timestep)

@@ -18,7 +18,7 @@
 
 namespace understudy {
 
-// config/robots/<robot>.yaml
+// config/robots/<robot>.yaml; "g1 6" is its hardware revision 6.
 Config HumanoidConfig(const std::string& robot);
 
 class HumanoidRig {

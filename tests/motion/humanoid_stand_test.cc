@@ -52,8 +52,21 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
   EXPECT_TRUE(rig.standing());
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest, testing::Values("g1", "h1", "h1_2", "r1", "h2"),
+// "g1 13" stands on the revision 13; gtest wants a name of letters.
+std::string Name(std::string robot) {
+  std::replace(robot.begin(), robot.end(), ' ', '_');
+  return robot;
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
+                         testing::Values("g1", "g1_23dof", "g1_29dof_dex3", "h1", "h1_2", "r1",
+                                         "h2"),
                          [](const auto& test) { return std::string(test.param); });
+
+INSTANTIATE_TEST_SUITE_P(Revisions, HumanoidStandTest,
+                         testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
+                                         "g1 15", "g1 16", "g1_23dof 1", "g1_23dof 10"),
+                         [](const auto& test) { return Name(test.param); });
 
 class HumanoidLastsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
 

@@ -165,7 +165,8 @@ TEST_P(BodyModelTest, FindsSolesOfTheSizeOfAFoot) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::Values("g1", "h1", "h1_2", "r1", "h2"),
+INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest,
+                         testing::Values("g1", "g1_23dof", "h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 using BodyModelMisuseTest = MujocoTest;

@@ -1,4 +1,5 @@
 // motion_switcher, robot_state, config and the devices.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -179,6 +180,22 @@ TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
   ASSERT_EQ(caller.robot.book.goals.size(), 1U);
   EXPECT_EQ(caller.robot.book.goals[0].value, (std::array<double, 4>{1.5, 0, 0, 1}));
   EXPECT_EQ(caller.Ask(1003, R"({"x":1,"y":0,"yaw":0,"mode":2})").code, 3202);
+}
+
+TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
+  using testing::HasSubstr;
+  Caller caller(TableOf("go2", "obstacles_avoid"));
+  const char* move = R"({"x":1,"y":0,"yaw":0,"mode":0})";
+  caller.Ask(1001, R"({"enable":true})");
+  caller.Ask(1004, R"({"is_remote_commands_from_api":true})");
+  caller.Ask(1003, move);
+  EXPECT_THAT(caller.notice, HasSubstr("walks without seeing obstacles"));
+  caller.robot.book.verdict = MotionVerdict::kUnable;
+  EXPECT_EQ(caller.Ask(1003, move).code, 3202);
+  EXPECT_THAT(caller.notice, HasSubstr("nothing here can"));
+  caller.robot.book.verdict = MotionVerdict::kNotNow;
+  EXPECT_EQ(caller.Ask(1003, move).code, 3202);
+  EXPECT_EQ(caller.notice, "");
 }
 
 }  // namespace

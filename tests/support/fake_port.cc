@@ -20,6 +20,25 @@ bool FakePort::TakeCommand(RobotCommand* command, Refusal* wire) {
   return true;
 }
 
+void FakePort::SendHand(std::size_t hand, const HandCommand& command, Refusal wire) {
+  hands_[hand].push_back({command, wire});
+}
+
+bool FakePort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) {
+  std::deque<WaitingHand>& waiting = hands_[hand];
+  if (!waiting.empty()) {
+    *command = waiting.front().command;
+    *wire = waiting.front().wire;
+    waiting.pop_front();
+    return true;
+  }
+  steady_hand_taken_ = steady_hand_.has_value() && !steady_hand_taken_;
+  if (!steady_hand_taken_) return false;
+  *command = *steady_hand_;
+  *wire = Refusal::kNone;
+  return true;
+}
+
 bool FakePort::TakeArmCommand(RobotCommand* command, double* weight) {
   if (arms_.empty()) return false;
   *command = arms_.front().command;

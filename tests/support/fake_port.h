@@ -2,11 +2,14 @@
 #ifndef UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
 #define UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <optional>
 #include <vector>
 
+#include "robot/robot_spec.h"
 #include "wire/robot_port.h"
 
 namespace understudy {
@@ -26,6 +29,9 @@ class FakePort final : public RobotPort {
   // The same for rt/arm_sdk and rt/user_lowcmd: these wait until taken.
   void SendArms(const RobotCommand& command, double weight) { arms_.push_back({command, weight}); }
   void SendUser(const RobotCommand& command) { user_.push_back(command); }
+  // The same for a hand: one that waits, and one that waits at every drain.
+  void SendHand(std::size_t hand, const HandCommand& command, Refusal wire = Refusal::kNone);
+  void SendHandsEveryTick(const HandCommand& command) { steady_hand_ = command; }
   // From now on only the last sample is kept; publishing one more then allocates nothing.
   void KeepTheLastOnly() { keep_all_ = false; }
 
@@ -36,6 +42,7 @@ class FakePort final : public RobotPort {
   bool TakeCommand(RobotCommand* command, Refusal* wire) override;
   bool TakeArmCommand(RobotCommand* command, double* weight) override;
   bool TakeUserCommand(RobotCommand* command) override;
+  bool TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) override;
   void Publish(const RobotState& state, const Due& due) override;
   int command_writers() override { return 1; }
   PortCounts counts() const override { return {}; }
@@ -43,6 +50,11 @@ class FakePort final : public RobotPort {
  private:
   struct Waiting {
     RobotCommand command;
+    Refusal wire;
+  };
+
+  struct WaitingHand {
+    HandCommand command;
     Refusal wire;
   };
 
@@ -54,6 +66,9 @@ class FakePort final : public RobotPort {
   std::deque<Waiting> waiting_;
   std::deque<WaitingArms> arms_;
   std::deque<RobotCommand> user_;
+  std::array<std::deque<WaitingHand>, kMostHands> hands_;
+  std::optional<HandCommand> steady_hand_;
+  bool steady_hand_taken_ = false;  // in this drain
   std::optional<RobotCommand> steady_;
   bool steady_taken_ = false;  // in this drain
   bool keep_all_ = true;

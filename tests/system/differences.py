@@ -94,11 +94,11 @@ class Counted:
 class Refused:
     """A run with the changed key ends with the code, and says the word."""
 
-    def __init__(self, changed, code, word):
-        self._changed, self._code, self._word = changed, code, word
+    def __init__(self, changed, code, word, robot="go2"):
+        self._changed, self._code, self._word, self._robot = changed, code, word, robot
 
     def check(self, play):
-        done = understudy("run", "go2", "--duration", 0.01, *options_of([self._changed]))
+        done = understudy("run", self._robot, "--duration", 0.01, *options_of([self._changed]))
         assert done.returncode == self._code, done.stderr
         assert self._word in done.stderr
 

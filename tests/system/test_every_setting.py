@@ -10,8 +10,9 @@ import pytest
 from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
 from unitree_sdk2py.g1.loco.g1_loco_client import LocoClient
 from unitree_sdk2py.go2.robot_state.robot_state_client import RobotStateClient
+from unitree_sdk2py.idl.default import unitree_hg_msg_dds__HandCmd_
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
-from unitree_sdk2py.idl.unitree_hg.msg.dds_ import IMUState_
+from unitree_sdk2py.idl.unitree_hg.msg.dds_ import HandCmd_, HandState_, IMUState_
 
 import namespaces
 from differences import (
@@ -193,6 +194,66 @@ def by_a_chord(changed, look=lambda played: played.status()["motion"], does="deb
                 given=("motion.service=ai", given))
 
 
+DEX3 = "g1_29dof_dex3"
+MIDDLE = 3  # motor of the left hand that most of what follows is about
+
+
+def hand_command(status=1, watched=0, **fields):
+    message = unitree_hg_msg_dds__HandCmd_()
+    for i, motor in enumerate(message.motor_cmd):
+        motor.mode = i | status << 4 | watched << 7
+    for field, value in fields.items():
+        setattr(message.motor_cmd[MIDDLE], field, value)
+    return message
+
+
+def hand_states(played, *messages, after=0.4):
+    """What the left hand tells from the first of these commands on, `after` seconds apart."""
+    with listener("rt/dex3/left/state", HandState_) as ear:
+        ear.wait()
+        with speaker("rt/dex3/left/cmd", HandCmd_) as client:
+            client.speak_until(lambda: played.status()["hands"][0]["accepted"], messages[0])
+            ear.take()
+            for message in messages:
+                client.write(message)
+                time.sleep(after)
+        return ear.take()
+
+
+def fastest_finger(played):
+    """rad/s, of one that is pushed from its stop to where it is closed."""
+    hand_states(played, hand_command(tau=1.0))
+    closing = hand_states(played, hand_command(tau=-1.0))
+    return round(max(abs(state.motor_state[MIDDLE].dq) for state in closing))
+
+
+def braking_gain(played):
+    """Torque per rate of a finger that is locked while it moves."""
+    hand_states(played, hand_command(tau=1.0))
+    braking = hand_states(played, hand_command(dq=-5.0, kd=0.1), hand_command(status=0), after=0.15)
+    locked = [state.motor_state[MIDDLE] for state in braking]
+    ratios = [-motor.tau_est / motor.dq for motor in locked if not motor.mode >> 4 and motor.dq < -0.3]
+    assert ratios, "it never moved locked"
+    return round(ratios[0], 3)
+
+
+def hand(changed, look, *given):
+    return Seen(f"robot.hands.0.{changed}", look, robot=DEX3, given=("start.pose=clamped", *given))
+
+
+def shown_by_the_hand(field):
+    def look(played):
+        with listener("rt/dex3/left/state", HandState_) as ear:
+            return repr(getattr(ear.wait()[-1], field))
+
+    return look
+
+
+def is_told_on_its_topic(played):
+    with listener("rt/dex3/left/state", HandState_) as ear:
+        return bool(ear.take_for(2.0))
+
+
 def follows_a_slow_client(played):
     """Whether a hip, fought over with a client of 50 Hz, mostly does what the client says."""
     message = go_command()
@@ -315,6 +376,16 @@ SETTINGS = {
     "robot.family": Seen("robot.family=hg", lambda robot: hears_hg(robot),
                          given=("robot.rates.lf_hz=20",)),
     "robot.mode_machine": Differs("robot.mode_machine=6", robot="g1"),
+    "robot.revision": Differs("robot.revision=13", robot="g1"),
+    "robot.locked_joints": Differs("robot.locked_joints=[waist_roll_joint]", robot="g1"),
+    "robot.bodies[].name": Refused("robot.bodies=[{name: nobody}]", 4, "nobody"),
+    "robot.bodies[].pos": differs_standing("bodies", "[{name: FR_calf, pos: [0, 0, -0.25]}]"),
+    "robot.bodies[].mass": differs_standing("bodies", "[{name: FR_calf, mass: 2}]"),
+    "robot.bodies[].com": differs_standing("bodies", "[{name: FR_calf, com: [0, 0, -0.2]}]"),
+    "robot.bodies[].inertia": Elsewhere("../physics/mjcf_revise_test.cc", ".inertia ="),
+    "robot.sites[].name": Refused("robot.sites=[{name: nowhere}]", 4, "nowhere"),
+    "robot.sites[].pos": differs_standing("sites", "[{name: imu, pos: [0.2, 0, 0]}]"),
+    "robot.motors[].armature": differs_standing("motors.0.armature", 0.5),
     "robot.crane_body": differs_hanging("robot.crane_body=FR_calf"),
     "robot.crane_point": differs_hanging("robot.crane_point=[0.1, 0, 0.06]"),
     "robot.default_start": Differs("robot.default_start=standing"),
@@ -364,6 +435,25 @@ SETTINGS = {
     "robot.parallel[].roll_ratio": Seen("robot.parallel=[{pitch: 4, roll: 5, roll_ratio: 4}]",
                                         ankle_behind_its_motors, robot="g1",
                                         given=("start.pose=clamped",)),
+    "robot.hands[].name": hand("name=claw", lambda robot: robot.status()["hands"][0]["name"]),
+    "robot.hands[].topic": hand("topic=dex4/left", is_told_on_its_topic),
+    "robot.hands[].motors[].joint": Refused("robot.hands.0.motors.0.joint=none", 4, "none", DEX3),
+    "robot.hands[].motors[].torque_limit": hand(
+        f"motors.{MIDDLE}.torque_limit=0.25",
+        lambda robot: hand_states(robot, hand_command(tau=1.0))[-1].motor_state[MIDDLE].tau_est),
+    "robot.hands[].motors[].knee_speed": hand(f"motors.{MIDDLE}.knee_speed=0.1", fastest_finger,
+                                              f"robot.hands.0.motors.{MIDDLE}.torque_limit=0.2"),
+    "robot.hands[].motors[].no_load_speed": hand(f"motors.{MIDDLE}.no_load_speed=2", fastest_finger,
+                                                 f"robot.hands.0.motors.{MIDDLE}.knee_speed=1"),
+    "robot.hands[].pads[].taxels": hand("pads.0.taxels=[1]",
+                                        shown_by_the_hand("press_sensor_state")),
+    "robot.hands[].timeout": hand("timeout=0.05", lambda robot: hand_states(
+        robot, hand_command(watched=1))[-1].motor_state[MIDDLE].mode),
+    "robot.hands[].lock_kd": hand("lock_kd=0.02", braking_gain, "robot.hands.0.lock_kd=0.01"),
+    "robot.hands[].temperature_c": hand("temperature_c=50", lambda robot: hand_states(
+        robot, hand_command())[-1].motor_state[MIDDLE].temperature),
+    "robot.hands[].supply_v": hand("supply_v=12", shown_by_the_hand("power_v")),
+    "robot.rates.hand_hz": Counted("robot.rates.hand_hz=250", "rt/dex3/left/state", HandState_, DEX3),
     "robot.imu.site": Differs("robot.imu.site=secondary_imu", robot="g1"),
     "robot.imu.secondary_site": Check(lambda play: secondary_imu_is_there()),
     "robot.imu.gyro_step": differs_lying("imu.gyro_step", 0.1),

@@ -10,6 +10,7 @@
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/robot_file.h"
 #include "exec/private_network.h"
 #include "figure.h"
 #include "latency.h"

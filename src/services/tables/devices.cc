@@ -37,14 +37,20 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
     *call.notice = "obstacles_avoid Move: nothing here walks to a place; answered 3202";
     return {.code = kRpcServerInternal};
   }
-  *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
   };
   const MotionVerdict verdict =
       call.owner->Ask({.action = MotionAction::kMove,
                        .value = {within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1.0}});
-  return {.code = verdict == MotionVerdict::kTaken ? kRpcOk : kRpcServerInternal};
+  if (verdict == MotionVerdict::kTaken) {
+    *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
+    return {};
+  }
+  if (verdict == MotionVerdict::kUnable) {
+    *call.notice = "obstacles_avoid Move: a robot can do this, nothing here can; answered 3202";
+  }
+  return {.code = kRpcServerInternal};
 }
 
 ApiRow WithoutImage() {

@@ -1,7 +1,8 @@
-"""A thousand calls a second, a client killed in the middle of a call, and leases.
+"""A thousand calls a second beside another client, a client killed in a call, and leases.
 
-Prints one JSON object: how many calls were made and answered, the slowest answer, whether the service
-still answers after the client's death, and the codes of a second client while the first has a lease.
+Prints one JSON object: how many calls were made and answered, the slowest answer, what the client
+beside them was answered, whether the service still answers after a client's death, and the codes of a
+second client while the first has a lease.
 """
 
 import json
@@ -33,7 +34,7 @@ from sdk_session import arguments
 GET_VOLUME = 1004
 SET_VOLUME = 1003
 CALLS_PER_SECOND = 1000
-SECONDS = 3
+SECONDS = 10
 KEEP_ALL = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepAll)
 
 # A client of its own that never stops calling.
@@ -47,6 +48,23 @@ client.Init()
 print("calling", flush=True)
 while True:
     client._Call({GET_VOLUME}, "{{}}")
+"""
+
+# One that calls, one call after the other, until its stdin is closed; then says what it was answered.
+BESIDE = f"""
+import json, select, sys
+from unitree_sdk2py.core.channel import ChannelFactoryInitialize
+from unitree_sdk2py.go2.vui.vui_client import VuiClient
+ChannelFactoryInitialize(0, "lo")
+client = VuiClient()
+client.SetTimeout(3.0)
+client.Init()
+print("calling", flush=True)
+calls, codes = 0, set()
+while not select.select([sys.stdin], [], [], 0.005)[0]:
+    codes.add(client._Call({GET_VOLUME}, "{{}}")[0])
+    calls += 1
+print(json.dumps(dict(calls=calls, codes=sorted(codes))))
 """
 
 
@@ -75,7 +93,8 @@ class RawClient:
         for sample in self._reader.take(N=1000):
             if not isinstance(sample, InvalidSample):
                 number = sample.header.identity.id
-                self.answered.setdefault(number, time.monotonic() - self.asked.get(number, 0))
+                if number in self.asked:  # not another client's, nor one of before the load
+                    self.answered.setdefault(number, time.monotonic() - self.asked[number])
 
     def _wait_until_matched(self):
         deadline = time.monotonic() + 10
@@ -99,16 +118,23 @@ def run_load():
     while len(client.answered) < len(client.asked) and time.monotonic() < deadline:
         time.sleep(0.01)
         client.collect()
-    mine = [client.answered[number] for number in client.asked if number in client.answered]
-    return {"asked": len(client.asked), "answered": len(mine), "slowest": max(mine, default=None)}
+    return {"asked": len(client.asked), "answered": len(client.answered),
+            "slowest": max(client.answered.values(), default=None)}
+
+
+def start(program):
+    """Starts it; returns once it calls."""
+    child = subprocess.Popen([sys.executable, "-c", program], stdin=subprocess.PIPE,
+                             stdout=subprocess.PIPE, text=True)
+    for line in child.stdout:
+        if line.strip() == "calling":
+            break
+    return child
 
 
 def kill_a_client():
     """Ends a program with SIGKILL while it calls."""
-    program = subprocess.Popen([sys.executable, "-c", ENDLESS], stdout=subprocess.PIPE, text=True)
-    for line in program.stdout:
-        if line.strip() == "calling":
-            break
+    program = start(ENDLESS)
     time.sleep(0.2)
     program.send_signal(signal.SIGKILL)
     program.wait()
@@ -132,7 +158,9 @@ def main():
     client = VuiClient()
     client.SetTimeout(3.0)
     client.Init()
+    beside = start(BESIDE)
     report = {"load": run_load()}
+    report["beside"] = json.loads(beside.communicate()[0])
     kill_a_client()
     report["after_a_killed_client"] = client.GetVolume()[0]
     report["lease"] = lease_codes(client)

@@ -1,0 +1,157 @@
+#include "config/robot_file.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+#include "robot/errors.h"
+#include "robot/nearest_word.h"
+
+namespace understudy {
+namespace {
+
+using std::filesystem::path;
+
+constexpr char kExtends[] = "extends";
+constexpr char kRevisions[] = "revisions";
+
+bool IsFile(const std::string& robot) {
+  return robot.find('/') != std::string::npos || robot.ends_with(".yaml");
+}
+
+path NamedFile(const std::string& robot, const std::string& where, const path& data_dir) {
+  const std::vector<std::string> names = RobotNames(data_dir);
+  if (std::find(names.begin(), names.end(), robot) == names.end()) {
+    throw ConfigError(where + "robot '" + OneLine(robot) + "': unknown" + DidYouMean(robot, names));
+  }
+  return data_dir / "config" / "robots" / (robot + ".yaml");
+}
+
+YamlValue* FindIn(YamlValue* map, std::string_view key) {
+  for (std::size_t i = 0; i < map->keys.size(); ++i) {
+    if (map->keys[i].text == key) return &map->items[i];
+  }
+  return nullptr;
+}
+
+// The value of a key, which the map has no longer.
+std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
+  for (std::size_t i = 0; i < map->keys.size(); ++i) {
+    if (map->keys[i].text != key) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    YamlValue value = std::move(map->items[i]);
+    map->keys.erase(map->keys.begin() + at);
+    map->items.erase(map->items.begin() + at);
+    return value;
+  }
+  return std::nullopt;
+}
+
+void AddRevision(const std::string& name, YamlValue differences, RobotFile* file) {
+  const auto known = std::find_if(file->revisions.begin(), file->revisions.end(),
+                                  [&](const RobotRevision& r) { return r.name == name; });
+  const bool is_known = known != file->revisions.end();
+  if (differences.kind == YamlValue::Kind::kNull && is_known) {
+    file->revisions.erase(known);
+    return;
+  }
+  if (differences.kind != YamlValue::Kind::kMap) {
+    throw ConfigError(differences.where + ": robot." + kRevisions + "." + OneLine(name) +
+                      ": expected a mapping of keys, {} for none, got " + Shown(differences));
+  }
+  RobotRevision& revision =
+      is_known ? *known : file->revisions.emplace_back(RobotRevision{name, {}});
+  revision.trees.push_back(MapOf("robot", std::move(differences)));
+}
+
+void AddRevisions(YamlValue revisions, RobotFile* file) {
+  if (revisions.kind != YamlValue::Kind::kMap) {
+    throw ConfigError(revisions.where + ": robot." + kRevisions +
+                      ": expected a mapping from names to what differs, got " + Shown(revisions));
+  }
+  for (std::size_t i = 0; i < revisions.keys.size(); ++i) {
+    AddRevision(revisions.keys[i].text, std::move(revisions.items[i]), file);
+  }
+}
+
+// The file that another one extends: beside it, or a robot's name.
+path Extended(const YamlValue& extends, const path& file, const path& data_dir) {
+  if (extends.kind != YamlValue::Kind::kScalar) {
+    throw ConfigError(extends.where + ": " + kExtends + ": expected a robot's name or file, got " +
+                      Shown(extends));
+  }
+  if (IsFile(extends.text)) return file.parent_path() / extends.text;
+  return NamedFile(extends.text, extends.where + ": " + kExtends + ": ", data_dir);
+}
+
+// `seen`: the files that extend this one, itself not among them.
+void AddFile(const path& file, const path& data_dir, std::vector<path>* seen, RobotFile* result) {
+  YamlValue tree = ReadLayer(file);
+  seen->push_back(std::filesystem::weakly_canonical(file));
+  if (const std::optional<YamlValue> extends = TakeOut(&tree, kExtends)) {
+    const path parent = Extended(*extends, file, data_dir);
+    if (std::find(seen->begin(), seen->end(), std::filesystem::weakly_canonical(parent)) !=
+        seen->end()) {
+      throw ConfigError(extends->where + ": " + kExtends + ": '" + OneLine(extends->text) +
+                        "' extends this file in turn");
+    }
+    AddFile(parent, data_dir, seen, result);
+  }
+  YamlValue* robot = FindIn(&tree, "robot");
+  if (robot != nullptr) {
+    if (std::optional<YamlValue> revisions = TakeOut(robot, kRevisions)) {
+      AddRevisions(std::move(*revisions), result);
+    }
+  }
+  result->trees.push_back(std::move(tree));
+}
+
+}  // namespace
+
+const RobotRevision* RobotFile::FindRevision(const std::string& name) const {
+  for (const RobotRevision& revision : revisions) {
+    if (revision.name == name) return &revision;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> RobotFile::RevisionNames() const {
+  std::vector<std::string> names;
+  for (const RobotRevision& revision : revisions) names.push_back(revision.name);
+  return names;
+}
+
+std::vector<std::string> RobotNames(const path& data_dir) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(data_dir / "config" / "robots", error)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+YamlValue ReadLayer(const path& file) {
+  YamlValue tree = ReadYamlFile(file);
+  YamlValue* robot = FindIn(&tree, "robot");
+  YamlValue* model = robot == nullptr ? nullptr : FindIn(robot, "model");
+  if (model == nullptr || model->text.empty()) return tree;
+  std::error_code error;
+  const path beside = file.parent_path() / model->text;
+  if (std::filesystem::is_regular_file(beside, error)) {
+    model->text = std::filesystem::absolute(beside).lexically_normal().string();
+  }
+  return tree;
+}
+
+RobotFile ReadRobotFile(const std::string& robot, const path& data_dir) {
+  RobotFile file;
+  std::vector<path> seen;
+  AddFile(IsFile(robot) ? path(robot) : NamedFile(robot, "", data_dir), data_dir, &seen, &file);
+  return file;
+}
+
+}  // namespace understudy

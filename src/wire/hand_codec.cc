@@ -1,0 +1,77 @@
+#include "wire/hand_codec.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <span>
+
+#include "wire/rounded.h"
+#include "wire/slots.h"
+
+namespace understudy {
+namespace {
+
+constexpr int kStatusShift = 4;
+constexpr int kTimeoutShift = 7;
+constexpr unsigned kIdMask = kHandIds - 1;
+constexpr unsigned kStatusMask = 7;
+
+constexpr unsigned kLocked = 0;
+constexpr unsigned kFollowing = 1;
+
+}  // namespace
+
+Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const HandSpec& spec,
+               HandCommand* command) {
+  const std::span wire(message.motor_cmd._buffer, message.motor_cmd._length);
+  if (wire.size() != spec.motors.size()) return Refusal::kMotorCount;
+  command->motors.resize(wire.size());
+  bool modes_known = true;
+  for (std::size_t i = 0; i < wire.size(); ++i) {
+    const unsigned mode = wire[i].mode;
+    const unsigned status = mode >> kStatusShift & kStatusMask;
+    modes_known = modes_known && (mode & kIdMask) == i && status <= kFollowing;
+    command->motors[i].motor = DecodeMotor(wire[i]);
+    command->motors[i].motor.enabled = status != kLocked;
+    command->motors[i].watched = mode >> kTimeoutShift != 0;
+  }
+  return modes_known ? Refusal::kNone : Refusal::kMotorMode;
+}
+
+HandStateMessage::HandStateMessage(const HandSpec& spec)
+    : motors_(spec.motors.size()), pads_(spec.pads.size()) {
+  for (std::size_t i = 0; i < pads_.size(); ++i) {
+    std::ranges::fill(pads_[i].pressure, kNoTaxel);
+    for (const double taxel : spec.pads[i].taxels) {
+      const auto t = static_cast<std::size_t>(taxel);
+      std::span(pads_[i].pressure)[t] = kUntouched;
+      std::span(pads_[i].temperature)[t] = static_cast<float>(spec.temperature_c);
+    }
+  }
+  message_.motor_state = {._maximum = static_cast<std::uint32_t>(motors_.size()),
+                          ._length = static_cast<std::uint32_t>(motors_.size()),
+                          ._buffer = motors_.data(),
+                          ._release = false};
+  message_.press_sensor_state = {._maximum = static_cast<std::uint32_t>(pads_.size()),
+                                 ._length = static_cast<std::uint32_t>(pads_.size()),
+                                 ._buffer = pads_.data(),
+                                 ._release = false};
+  message_.power_v = static_cast<float>(spec.supply_v);
+}
+
+void HandStateMessage::Encode(const HandReading& reading) {
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const MotorReading& motor = reading.motors[i];
+    unitree_hg_msg_dds__MotorState_& wire = motors_[i];
+    const unsigned status = motor.enabled ? kFollowing : kLocked;
+    const unsigned timed_out = reading.timed_out[i];
+    wire.mode = static_cast<std::uint8_t>(i | status << kStatusShift | timed_out << kTimeoutShift);
+    wire.q = static_cast<float>(motor.q);
+    wire.dq = static_cast<float>(motor.dq);
+    wire.tau_est = static_cast<float>(motor.tau);
+    wire.temperature[0] = Rounded<std::int16_t>(motor.casing_c);
+    wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
+  }
+}
+
+}  // namespace understudy

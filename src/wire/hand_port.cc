@@ -1,0 +1,56 @@
+#include "wire/hand_port.h"
+
+#include <iterator>
+#include <string>
+
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+// What is wrong with the hand throws, before memory is laid out by it.
+const HandSpec& Checked(const HandSpec& spec) {
+  if (spec.motors.size() > kHandIds) {
+    throw ModelError("hand " + spec.name + " has " + std::to_string(spec.motors.size()) +
+                     " motors, the mode byte tells " + std::to_string(kHandIds) + " apart");
+  }
+  constexpr double kTaxels = std::size(unitree_hg_msg_dds__PressSensorState_{}.pressure);
+  for (const PadSpec& pad : spec.pads) {
+    for (const double taxel : pad.taxels) {
+      if (taxel >= 0 && taxel < kTaxels) continue;
+      throw ModelError("hand " + spec.name + " has a pad with a taxel beyond 0..11");
+    }
+  }
+  return spec;
+}
+
+Topic<unitree_hg_msg_dds__HandState_> State(const std::string& name) {
+  return {name.c_str(), &unitree_hg_msg_dds__HandState__desc};
+}
+
+}  // namespace
+
+HandPort::HandPort(const Participant& participant, const HandSpec& spec)
+    : spec_(&Checked(spec)),
+      commands_(participant,
+                Topic<unitree_hg_msg_dds__HandCmd_>{("rt/" + spec.topic + "/cmd").c_str(),
+                                                    &unitree_hg_msg_dds__HandCmd__desc}),
+      state_(participant, State("rt/" + spec.topic + "/state")),
+      lf_state_(participant, State("rt/lf/" + spec.topic + "/state")),
+      message_(spec) {}
+
+bool HandPort::Take(HandCommand* command, Refusal* wire) {
+  const auto visit = [&](const unitree_hg_msg_dds__HandCmd_& message, WriterHandle) {
+    *wire = Decode(message, *spec_, command);
+  };
+  return commands_.Take(visit, 1) == 1;
+}
+
+void HandPort::Publish(const HandReading& reading, const Due& due) {
+  if (!due.hands && !due.lf) return;
+  message_.Encode(reading);
+  if (due.hands) state_.Write(message_.message());
+  if (due.lf) lf_state_.Write(message_.message());
+}
+
+}  // namespace understudy

@@ -1,0 +1,37 @@
+"""A Go2 on its feet does what the vendor's sport client asks, in the states of the vendor's page."""
+
+import pytest
+
+BALANCE, LOCKED, POSE, SIT, LYING, GREETING = 1013, 1002, 1091, 1007, 1004, 1006
+
+
+@pytest.fixture(scope="module")
+def calls(rehearse):
+    run = rehearse("go2", "motions.py", options=("--start", "standing", "--speed", "4"))
+    assert run.succeeded()
+    return run.report["calls"]
+
+
+def test_every_motion_is_taken(calls):
+    assert [code for _, code, _ in calls] == [0] * 11
+
+
+def test_every_motion_ends_in_its_state(calls):
+    assert [(name, states[-1]) for name, _, states in calls] == [
+        ("BalanceStand", BALANCE),
+        ("Euler", BALANCE),
+        ("Pose", POSE),
+        ("Pose", BALANCE),
+        ("Hello", BALANCE),
+        ("Stretch", BALANCE),
+        ("Sit", SIT),
+        ("RiseSit", BALANCE),
+        ("StopMove", BALANCE),
+        ("StandUp", LOCKED),
+        ("StandDown", LYING),
+    ]
+
+
+def test_gestures_are_gone_through(calls):
+    for name, _, states in calls:
+        assert (GREETING in states) == (name in ("Hello", "Stretch", "RiseSit")), name

@@ -1,0 +1,147 @@
+// Hands in whole ticks: of the fixture robot's neck a hand is made.
+#include <gmock/gmock.h>
+
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy {
+namespace {
+
+constexpr int kRoll = 0;  // its motors, the other way round than the model's joints
+constexpr int kPitch = 1;
+
+class HandsTest : public EmulatorTest {
+ protected:
+  HandsTest() {
+    RobotSpec& robot = config_.robot;
+    robot.motors.resize(4);
+    robot.parallel.clear();
+    for (PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
+    robot.hands = {{.name = "neck",
+                    .topic = "neck",
+                    .motors = {{.joint = "neck_roll_joint", .torque_limit = 5},
+                               {.joint = "neck_pitch_joint", .torque_limit = 5}},
+                    .timeout = 0.1,
+                    .lock_kd = 1}};
+    robot.rates.hand_hz = 250;
+    StartAs("clamped");
+  }
+
+  // Both motors to these angles.
+  static HandCommand Reach(double roll, double pitch, bool watched = false) {
+    const auto motor = [watched](double q) -> HandMotorCommand {
+      return {.motor = {.enabled = true, .q = q, .kp = 20, .kd = 1}, .watched = watched};
+    };
+    return {.motors = {motor(roll), motor(pitch)}};
+  }
+
+  HandReading Reading() const { return port_.last().state.hands.at(0); }
+  double JointAngle(const char* joint) const {
+    const mjModel& model = emulator_->world().model();
+    return emulator_->world()
+        .data()
+        .qpos[model.jnt_qposadr[mj_name2id(&model, mjOBJ_JOINT, joint)]];
+  }
+  HandStatus HandOf(const Status& status) { return status.hands[0]; }
+};
+
+TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
+  port_.SendHand(0, Reach(0.5, -0.25));
+  Tick(1500);
+  EXPECT_NEAR(JointAngle("neck_roll_joint"), 0.5, 1e-3);
+  EXPECT_NEAR(JointAngle("neck_pitch_joint"), -0.25, 1e-3);
+  EXPECT_NEAR(Reading().motors[kRoll].q, 0.5, 1e-3);
+  EXPECT_NEAR(Reading().motors[kPitch].q, -0.25, 1e-3);
+}
+
+TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
+  port_.SendHand(0, Reach(0.5, 0.5));
+  Tick(5000);
+  EXPECT_NEAR(Reading().motors[kPitch].q, 0.5, 1e-3);
+  EXPECT_EQ(HandOf(emulator_->status()).commands.timeouts, 0U);
+}
+
+TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
+  HandCommand spin = Reach(0, 0, /*watched=*/true);
+  spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
+  port_.SendHand(0, spin);
+  Tick(50);
+  const double before = Reading().motors[kRoll].dq;
+  Tick(200);
+  EXPECT_GT(before, 1);
+  EXPECT_NEAR(Reading().motors[kRoll].dq, 0, 1e-2);
+  EXPECT_EQ(Reading().timed_out[kRoll], 1);
+  EXPECT_FALSE(Reading().motors[kRoll].enabled);
+  EXPECT_EQ(HandOf(emulator_->status()).commands.timeouts, 1U);
+}
+
+TEST_F(HandsTest, BrakeWhenLocked) {
+  HandCommand spin = Reach(0, 0);
+  spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
+  port_.SendHand(0, spin);
+  Tick(50);
+  spin.motors[kRoll].motor.enabled = false;
+  port_.SendHand(0, spin);
+  Tick(4);
+  EXPECT_FALSE(Reading().motors[kRoll].enabled);
+  EXPECT_GT(Reading().motors[kRoll].dq, 1);
+  EXPECT_EQ(Reading().motors[kRoll].tau, -Reading().motors[kRoll].dq);
+}
+
+TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
+  HandCommand command = Reach(0, 0);
+  command.motors[kPitch].motor.tau = 100;
+  port_.SendHand(0, command);
+  Tick();
+  EXPECT_EQ(Reading().motors[kPitch].tau, 5);
+}
+
+TEST_F(HandsTest, AreToldAtTheirOwnRate) {
+  Tick(1001);
+  int told = 0;
+  for (const FakePort::Sample& sample : port_.samples()) told += sample.due.hands ? 1 : 0;
+  EXPECT_EQ(told, 251);
+}
+
+TEST_F(HandsTest, AreLockedAgainAfterAReset) {
+  port_.SendHand(0, Reach(0.5, 0.5));
+  Tick(500);
+  Order(ResetRobot{});
+  Tick(5);
+  EXPECT_NEAR(Reading().motors[kPitch].q, 0, 1e-6);
+  EXPECT_FALSE(Reading().motors[kPitch].enabled);
+}
+
+TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
+  HandCommand harm = Reach(0, 0);
+  harm.motors[0].motor.q = NAN;
+  port_.SendHand(0, harm);
+  port_.SendHand(0, Reach(0, 0), Refusal::kMotorMode);
+  port_.SendHand(0, {}, Refusal::kMotorCount);
+  port_.SendHand(0, Reach(0, 0));
+  Tick();
+  const Status status = emulator_->status();
+  const HandStatus hand = HandOf(status);
+  EXPECT_STREQ(hand.name.data(), "neck");
+  EXPECT_EQ(hand.commands.accepted, 1U);
+  for (const Refusal refusal : {Refusal::kNotFinite, Refusal::kMotorMode, Refusal::kMotorCount}) {
+    EXPECT_EQ(hand.commands.refused[static_cast<std::size_t>(refusal)], 1U) << Name(refusal);
+  }
+  EXPECT_EQ(hand.last_refusal, Refusal::kMotorCount);
+  EXPECT_EQ(status.last_refusal, Refusal::kNone);
+  EXPECT_THAT(status.commands.refused, testing::Each(0U));
+  EXPECT_EQ(status.hands[1].name[0], '\0');
+}
+
+// rt/lowcmd does not reach a hand, nor a hand's command the body.
+TEST_F(HandsTest, AndBodyDoNotMoveEachOthersMotors) {
+  RobotCommand body;
+  body.motors.assign(4, {.enabled = true, .q = 0.3, .kp = 100, .kd = 5});
+  port_.Send(body);
+  Tick(150);
+  EXPECT_NEAR(Reading().motors[kPitch].q, 0, 0.02);
+  EXPECT_EQ(port_.last().state.motors.size(), 4U);
+  EXPECT_NEAR(port_.last().state.motors[0].q, 0.3, 0.1);
+}
+
+}  // namespace
+}  // namespace understudy
