@@ -121,8 +121,8 @@ const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string
   return value;
 }
 
-// Whether a layer over the robot's own, which are the first `own`, names another model and none says
-// whose joint figures to use.
+// Whether a layer over the robot's own, which are the first `own`, names another model and none
+// says whose joint figures to use.
 bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t own) {
   const YamlValue* own_model = nullptr;
   bool another = false;
@@ -203,7 +203,8 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
                chosen.end());
   Places places;
   Config config = ReadLayers(trees, &places);
-  if (LeavesJointsToAnotherModel(trees, own)) config.robot.dynamics.use = DynamicsSource::kCatalogue;
+  if (LeavesJointsToAnotherModel(trees, own))
+    config.robot.dynamics.use = DynamicsSource::kCatalogue;
   Validate(config, places);
   CheckOtherRevisions(file);
   return config;
