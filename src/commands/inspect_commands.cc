@@ -31,6 +31,17 @@ std::string Listed(const std::vector<std::string>& revisions, const std::string&
   return text;
 }
 
+// Throws ModelError where the robot does not fit its model. `notes` may be null.
+void CheckFits(const Config& config, const SceneFile& scene, LoadNotes* notes) {
+  const RobotSpec& robot = config.robot;
+  try {
+    LoadWorldModel(robot, ModelFile(robot), scene.path(), config.physics.timestep, notes);
+  } catch (const ModelError& error) {
+    if (robot.revision.empty()) throw;
+    throw ModelError("revision " + robot.revision + ": " + error.what());
+  }
+}
+
 // What a sound file holds, in one line. Throws SetupError for an unsound one. Of a model, `notes`
 // has what loading it brought up.
 std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
@@ -48,8 +59,12 @@ std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
   }
   const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
   const SceneFile scene("flat", {});
-  const ModelHandle model = LoadWorldModel(config.robot, ModelFile(config.robot), scene.path(),
-                                           config.physics.timestep, notes);
+  CheckFits(config, scene, notes);
+  for (const std::string& revision : ReadRobotFile(file.string(), DataDir()).RevisionNames()) {
+    const std::vector<std::string> sets{"robot.revision=" + revision};
+    CheckFits(LoadConfig({.robot = file.string(), .files = {}, .sets = sets}, DataDir()), scene,
+              nullptr);
+  }
   notes->looks.clear();  // of interest where one checks a model
   const std::size_t hands = config.robot.hands.size();
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +

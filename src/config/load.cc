@@ -102,8 +102,14 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
     Reader reader(tree, places);
     Describe(reader, config);
     reader.Finish();
-    // Layer by layer, so that each one meets the motors that the printed configuration shows.
+    // Layer by layer, so that each one meets the motors that the printed configuration shows. One
+    // that lists all motors has left theirs out itself, as that configuration does.
     LeaveOutLocked(&config.robot, &left_out);
+    const YamlValue* robot = tree.Find("robot");
+    const YamlValue* motors = robot == nullptr ? nullptr : robot->Find("motors");
+    if (motors != nullptr && motors->kind == YamlValue::Kind::kSequence) {
+      left_out.insert(config.robot.locked_joints.begin(), config.robot.locked_joints.end());
+    }
   }
   CheckLocked(config.robot, left_out, *places);
   if (IsSceneFile(last)) config.scene = scene;
@@ -174,6 +180,9 @@ std::vector<YamlValue> ChosenRevision(const RobotFile& file, const std::vector<Y
   if (asked == nullptr || asked->text.empty()) return {};
   if (const RobotRevision* found = file.FindRevision(asked->text)) return found->trees;
   const std::vector<std::string> names = file.RevisionNames();
+  // A printed configuration that is a robot by itself says what it was, and has no others.
+  const YamlValue* own = LastRevision(file.trees);
+  if (names.empty() && own != nullptr && own->text == asked->text) return {};
   throw ConfigError(asked->where + ": robot.revision: this robot has no revision '" +
                     OneLine(asked->text) + "'" +
                     (names.empty() ? ", nor any other"

@@ -1,5 +1,5 @@
-// H1, H1-2, R1 and H2: their slots, and that description and model carry the same published
-// figures.
+// G1 with 23 motors, H1, H1-2, R1 and H2: their slots, and that description and model carry the
+// same published figures.
 #include <fstream>
 #include <string>
 #include <vector>
@@ -78,7 +78,8 @@ TEST_P(HumanoidsTest, PairsArePitchAndRollOfOneMechanism) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest, testing::Values("h1", "h1_2", "r1", "h2"),
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest,
+                         testing::Values("g1_23dof", "h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(HumanoidSlotsTest, H1LeavesSlotNineToTheArmWeight) {
@@ -103,6 +104,15 @@ TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
   EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_pitch_joint");
   EXPECT_EQ(JointInSlot(robot, 12), "torso_joint");
   EXPECT_EQ(JointInSlot(robot, 26), "right_wrist_yaw_joint");
+}
+
+TEST(HumanoidSlotsTest, AG1OfTwentyThreeMotorsLeavesTheSlotsOfMissingJointsEmpty) {
+  const RobotSpec small = Robot("g1_23dof");
+  const RobotSpec large = Robot("g1");
+  for (int slot = 0; slot < 35; ++slot) {
+    const bool empty = slot == 13 || slot == 14 || slot == 20 || slot == 21 || slot >= 27;
+    EXPECT_EQ(JointInSlot(small, slot), empty ? "none" : JointInSlot(large, slot)) << slot;
+  }
 }
 
 TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {

@@ -75,6 +75,7 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRevision) {
       EXPECT_EQ(config.robot.revision, revision);
       const std::string printed = PrintConfig(config, false);
       EXPECT_EQ(Again(robot, printed), printed) << robot << " " << revision;
+      EXPECT_EQ(Again(Write("robot.yaml", printed), "{}"), printed) << robot << " " << revision;
     }
   }
 }

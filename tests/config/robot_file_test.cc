@@ -216,6 +216,13 @@ TEST_F(LockedJointsTest, MustHaveHadAMotor) {
             "mean 'a'? (valid: a, b)");
 }
 
+TEST_F(LockedJointsTest, MayHaveBeenLeftOutByTheFileThatListsAllMotors) {
+  const Config config = LoadText(
+      "robot:\n  motors: [{joint: b, slot: 1, torque_limit: 1}]\n  locked_joints: [a]\n"
+      "  lying: {q: [0]}\n  standing: {q: [0]}\n  hanging: {q: [0]}\n");
+  EXPECT_EQ(config.robot.motors.size(), 1U);
+}
+
 TEST_F(LockedJointsTest, LeaveAtLeastOneMotor) {
   EXPECT_THAT(SetError("robot.locked_joints=[a, b]"), testing::HasSubstr("at least one motor"));
 }

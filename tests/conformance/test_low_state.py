@@ -7,7 +7,7 @@ of 35,998 messages of a 29-joint G1. The Go2's 500 Hz is the vendor's control lo
 
 import pytest
 
-TICK_STEP_MS = {"go2": "2", "g1": "1"}
+TICK_STEP_MS = {"go2": "2", "g1": "1", "g1_23dof": "1"}
 
 
 @pytest.fixture(scope="module", params=sorted(TICK_STEP_MS))
@@ -37,7 +37,7 @@ def test_joint_acceleration_stays_0_as_on_real_robots(low_state):
 
 
 def test_slots_without_a_motor_are_empty(low_state):
-    assert low_state["motors"]["unused_slots"] == {"go2": 8, "g1": 6}[low_state["robot"]]
+    assert low_state["motors"]["unused_slots"] == {"go2": 8, "g1": 6, "g1_23dof": 12}[low_state["robot"]]
     assert low_state["motors"]["unused_slots_empty"]
 
 
@@ -71,3 +71,24 @@ def test_a_g1_fills_its_header_and_motors_as_a_real_one_does(low_state):
     assert low_state["message"]["mode_pr"] == 0
     assert low_state["message"]["version"] == [0, 0]
     assert 40.0 < low_state["motors"]["vol"] < 55.0  # 45.5 to 49.5 V were seen
+
+
+@pytest.mark.parametrize(("robot", "revision", "mode_machine"), [
+    ("g1_23dof", None, 4), ("g1_23dof", "1", 1), ("g1_23dof", "10", 10), ("g1", "2", 2), ("g1", "6", 6),
+    ("g1", "13", 13), ("g1", "16", 16),
+])
+def test_a_g1_announces_the_mode_machine_of_its_revision(rehearse, robot, revision, mode_machine):
+    options = ("--revision", revision) if revision else ()
+    run = rehearse(robot, "lowstate_watch.py", robot, "0.5", "--json", options=options)
+
+    assert run.report["message"]["mode_machine"] == mode_machine
+    assert run.report["crc_errors"] == 0
+
+
+def test_a_locked_waist_leaves_its_two_slots_empty(rehearse):
+    free = rehearse("g1", "lowstate_watch.py", "g1", "0.5", "--json")
+    locked = rehearse("g1", "lowstate_watch.py", "g1", "0.5", "--json", options=("--revision", "6"))
+
+    assert free.report["motors"]["modes"] == [1]
+    assert locked.report["motors"]["modes"] == [0, 1]
+    assert locked.report["motors"]["q"]["13"] == locked.report["motors"]["q"]["14"] == 0

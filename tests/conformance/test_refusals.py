@@ -2,11 +2,12 @@
 
 import pytest
 
-ROBOTS = ["go2", "g1"]
+ROBOTS = ["go2", "g1", "g1_23dof"]
 FAULTS = [
     *[("go2", kind) for kind in ("crc", "head", "motor_mode", "not_finite", "gain")],
     *[("g1", kind)
       for kind in ("crc", "mode_machine", "mode_pr", "motor_mode", "not_finite", "gain")],
+    ("g1_23dof", "mode_machine"),
 ]
 
 

@@ -57,7 +57,10 @@ class HumanoidTest : public ModelTest, public testing::WithParamInterface<const 
   DataPtr data_;
 
  private:
-  static std::string File() { return kModels + GetParam() + "/" + GetParam() + ".xml"; }
+  static std::string File() {
+    const std::string robot = GetParam();
+    return kModels + (robot == "g1_23dof" ? "g1" : robot) + "/" + robot + ".xml";
+  }
   void Load(const std::vector<std::string>& files, const std::string& extra) {
     model_ = LoadTogether(files, extra);
     ASSERT_TRUE(model_ != nullptr);
@@ -160,7 +163,8 @@ TEST_P(HumanoidTest, SlumpsToTheGroundWhenItsMotorsOnlyBrake) {
   EXPECT_NEAR(data_->qpos[2], height, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::Values("h1", "h1_2", "r1", "h2"),
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest,
+                         testing::Values("g1_23dof", "h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

@@ -266,7 +266,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest, testing::Values("g1", "h2"),
+INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest, testing::Values("g1", "g1_23dof", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace

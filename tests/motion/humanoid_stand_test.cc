@@ -52,6 +52,25 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
   EXPECT_TRUE(rig.standing());
 }
 
+class G1SquatTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  const int squat = rig.spec().motion.humanoid.balanced_squat;
+  rig.Stand();
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(Balanced(rig)), MotionVerdict::kTaken);
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  rig.Run(4);
+  EXPECT_LT(rig.height(), 0.7 * rig.spec().standing.height);
+  EXPECT_LT(rig.world().tilt(), 0.4);
+  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  rig.Run(4);
+  EXPECT_EQ(rig.id(), Balanced(rig));
+  EXPECT_TRUE(rig.standing());
+}
+
 // "g1 13" stands on the revision 13; gtest wants a name of letters.
 std::string Name(std::string robot) {
   std::replace(robot.begin(), robot.end(), ' ', '_');
@@ -63,9 +82,14 @@ INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
                                          "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
-INSTANTIATE_TEST_SUITE_P(Revisions, HumanoidStandTest,
-                         testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
-                                         "g1 15", "g1 16", "g1_23dof 1", "g1_23dof 10"),
+const auto kRevisions = testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
+                                        "g1 15", "g1 16", "g1_23dof 1", "g1_23dof 10");
+
+INSTANTIATE_TEST_SUITE_P(Revisions, HumanoidStandTest, kRevisions,
+                         [](const auto& test) { return Name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Revisions, G1SquatTest, kRevisions,
+                         [](const auto& test) { return Name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, G1SquatTest, testing::Values("g1", "g1_23dof"),
                          [](const auto& test) { return Name(test.param); });
 
 class HumanoidLastsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};

@@ -54,6 +54,33 @@ def test_robots_lists_one_robot_a_line(understudy):
     assert [line.split()[0] for line in lines] == sorted(file.stem for file in ROBOTS.iterdir())
 
 
+def test_robots_lists_the_hardware_revisions_and_which_is_played(understudy):
+    robots = {robot["name"]: robot for robot in json.loads(understudy("robots", "--json").stdout)}
+
+    assert robots["g1"]["revisions"] == ["2", "3", "5", "6", "11", "12", "13", "14", "15", "16"]
+    assert robots["g1"]["revision"] == "5"
+    assert robots["g1_23dof"]["revisions"] == ["1", "4", "10"]
+    assert robots["go2"]["revisions"] == []
+
+
+def test_a_revision_of_another_robot_names_that_robot(understudy):
+    done = understudy("run", "g1", "--revision", "10")
+
+    assert done.returncode == 3
+    assert "it has 2, 3, 5, 6, 11, 12, 13, 14, 15, 16" in done.stderr
+    assert "understudy run g1_23dof --revision 10" in done.stderr
+
+
+def test_check_reads_every_revision_against_the_model(understudy, tmp_path):
+    robot = tmp_path / "heavy.yaml"
+    robot.write_text("extends: g1\nrobot:\n  revisions:\n    x: {bodies: [{name: torso, mass: 9}]}\n")
+    done = understudy("check", robot)
+
+    assert done.returncode == 4
+    assert "revision x: " in done.stdout
+    assert "no body 'torso'" in done.stdout
+
+
 def test_version_as_json_names_ours_and_mujocos(understudy):
     version = json.loads(understudy("version", "--json").stdout)
 

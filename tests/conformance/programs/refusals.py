@@ -30,6 +30,7 @@ WATCHED = {
     **dict.fromkeys(("go2", "go2w", "b2", "b2w"), HIP),
     "h1": (16, -0.3, 0.0),  # left shoulder pitch
     "g1": (19, 0.3, 0.6),  # left wrist roll
+    "g1_23dof": (19, 0.3, 0.6),  # left wrist roll
     "h1_2": (17, 0.3, 0.6),  # left wrist roll
     "h2": (19, 0.3, 0.6),  # left wrist roll
     "r1": (19, 0.3, 0.6),  # left wrist roll

@@ -44,6 +44,7 @@ GO_SLOTS = {
 }
 HG_SLOTS = {
     "g1": range(29),
+    "g1_23dof": [slot for slot in range(29) if slot not in (13, 14, 20, 21, 27, 28)],
     "h1_2": range(27),
     "h2": range(31),
     "r1": [slot for slot in range(31) if slot not in (14, 20, 21, 27, 28)],
