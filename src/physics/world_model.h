@@ -31,12 +31,12 @@ struct LoadNotes {
 
 // Compiles the robot in the scene at the given time step [s], where the spec differs from the file
 // as the spec has it (physics/mjcf_revise.h), with gyro and accelerometer at the sites the spec
-// names and, where the base has a free joint, an inactive weld of the base to the world. Joints have
-// the figures that spec.dynamics asks for (physics/joint_dynamics.h). MuJoCo's own actuators are
-// switched off: the motors are ours. A robot file that brings ground of its own (a plane or height
-// field of the world) is compiled without the scene, which is noted. Before MuJoCo 3 a file written
-// for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h), and what is only to be looked at is left
-// out (physics/mjcf_looks.h). `notes` may be null.
+// names and, where the base has a free joint, an inactive weld of the base to the world. Joints
+// have the figures that spec.dynamics asks for (physics/joint_dynamics.h). MuJoCo's own actuators
+// are switched off: the motors are ours. A robot file that brings ground of its own (a plane or
+// height field of the world) is compiled without the scene, which is noted. Before MuJoCo 3 a file
+// written for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h), and what is only to be looked
+// at is left out (physics/mjcf_looks.h). `notes` may be null.
 //
 // Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
 // cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the

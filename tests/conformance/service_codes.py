@@ -4,7 +4,8 @@ The robot lies or hangs damped at every motion call. Codes are those of the SDK'
 quadruped 4201, 4205; of a humanoid 7301; arm 7402, 7404; motion_switcher 7001, 7004; robot_state
 5203; vui, voice and video 100; any 3204), 4206 that of the vendor's Go2 page. That 4201 answers what
 a state forbids, 4205, 7301 and 5203 what is not played, and 3204 arguments of a wrong type is assumed
-(docs/services.md). No row is written from what was answered.
+(docs/services.md), and so is that a humanoid answers 0 to heights, balance modes and arm tasks that its
+state ignores, as a real G1 does to other such requests.
 """
 
 OK = 0

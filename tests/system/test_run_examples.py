@@ -2,6 +2,7 @@
 
 import importlib.machinery
 import importlib.util
+import os
 import pathlib
 import re
 import subprocess
@@ -62,7 +63,7 @@ def test_a_program_that_runs_until_ctrl_c_has_run_to_its_end(tool):
     assert list(tool.faults(row, 124, said, tool.Watch("understudy", "nobody"))) == []
 
 
-@pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (3, 1, "no: exit code 3")])
+@pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (42, 1, "no: exit code 42")])
 def test_a_program_runs_beside_its_robot(tmp_path, code, exit_code, result):
     program = tmp_path / "test_jsonize"
     program.write_text(f'#!/bin/sh\n"$UNDERSTUDY" ctl status > /dev/null && exit {code}\n')
@@ -71,6 +72,15 @@ def test_a_program_runs_beside_its_robot(tmp_path, code, exit_code, result):
                           capture_output=True, text=True, timeout=60)
     assert done.returncode == exit_code
     assert result in done.stdout
+
+
+def test_without_an_understudy_it_says_how_to_get_one(tmp_path):
+    done = subprocess.run([sys.executable, REPO / "tools/run_examples", "cpp", tmp_path],
+                          capture_output=True, text=True, timeout=60,
+                          env={**os.environ, "UNDERSTUDY": str(tmp_path / "none")})
+    assert done.returncode == 1
+    assert done.stderr == (f"{tmp_path}/none: not there; build it with tools/up, or name another in "
+                           "UNDERSTUDY\n")
 
 
 def test_a_program_that_is_not_there_is_named(tmp_path):
