@@ -27,7 +27,7 @@ void DescribeMotor(Archive& a, MotorSpec& m) {
   a.Key({"hold_kp", "N·m/rad", kNotNegative, "Gain that holds a start pose"}, &m.hold_kp);
   a.Key({"hold_kd", "N·m·s/rad", kNotNegative, "Damping that holds a start pose"}, &m.hold_kd);
   a.Key({"armature", "kg·m²", kNotNegative,
-         "Inertia of its rotor at the joint; 0 leaves that of the model"},
+         "Inertia of its rotor at the joint, over any other; 0 leaves that of dynamics and model"},
         &m.armature);
   a.Key({"strength", "", {0, 100}, "Torque that it gives over the torque meant, limit included"},
         &m.strength);

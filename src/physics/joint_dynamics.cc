@@ -19,7 +19,7 @@ void UseFittedDynamics(const RobotSpec& spec, mjModel* model) {
     const int dof = model->jnt_dofadr[mj_name2id(model, mjOBJ_JOINT, motor.joint.c_str())];
     for (const FittedDynamicsSpec& fit : spec.dynamics.fitted) {
       if (std::ranges::find(fit.slots, motor.slot) == fit.slots.end()) continue;
-      SetIfGiven(fit.armature, model->dof_armature + dof);
+      if (motor.armature == 0) SetIfGiven(fit.armature, model->dof_armature + dof);
       SetIfGiven(fit.damping, model->dof_damping + dof);
       SetIfGiven(fit.frictionloss, model->dof_frictionloss + dof);
     }

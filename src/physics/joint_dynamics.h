@@ -9,8 +9,9 @@
 namespace understudy {
 
 // Gives the motors' joints the figures of spec.dynamics.fitted where spec.dynamics.use asks for
-// them; else, and where those say nothing, the model keeps its own. What MuJoCo derives from them
-// is derived anew. The model has the joints that `spec` names.
+// them; else, and where those say nothing, the model keeps its own. A motor's own armature stands
+// over a fitted one. What MuJoCo derives from them is derived anew. The model has the joints that
+// `spec` names.
 void UseFittedDynamics(const RobotSpec& spec, mjModel* model);
 
 }  // namespace understudy

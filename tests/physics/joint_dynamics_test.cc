@@ -31,8 +31,12 @@ class JointDynamicsTest : public MujocoTest {
  protected:
   // The model of one of our robots, with the figures asked for or, for "", its own choice.
   static ModelHandle Load(const std::string& robot, const std::string& use) {
-    Layers layers{.robot = robot};
-    if (!use.empty()) layers.sets = {"robot.dynamics=" + use};
+    return LoadWith(
+        {.robot = robot,
+         .sets = use.empty() ? std::vector<std::string>{} : std::vector{"robot.dynamics=" + use}});
+  }
+
+  static ModelHandle LoadWith(const Layers& layers) {
     const RobotSpec spec = LoadConfig(layers, kSource).robot;
     return LoadWorldModel(spec, kSource / "models" / spec.model, kSource / "models/scene/flat.xml",
                           0.001);
@@ -50,6 +54,13 @@ TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
           << leg << joint;
     }
   }
+}
+
+TEST_F(JointDynamicsTest, LeavesAMotorTheArmatureThatIsItsOwn) {
+  const ModelHandle model =
+      LoadWith({.robot = "go2", .sets = {"robot.motors.FR_calf_joint.armature=0.07"}});
+  EXPECT_EQ(JointOf(*model, "FR_calf_joint"), (Joint{0.07, 0.34, 0.645}));
+  EXPECT_EQ(JointOf(*model, "FL_calf_joint"), (Joint{0.043, 0.34, 0.645}));
 }
 
 TEST_F(JointDynamicsTest, LeavesTheModelItsOwnFiguresUnderCatalogue) {
