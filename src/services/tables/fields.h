@@ -1,9 +1,12 @@
-// Short words for the schemas of the tables. Private to services/.
+// Short words for the rows of the tables. Private to services/.
 #ifndef UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
 #define UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
 
-#include <cmath>
+#include <cstdint>
+#include <limits>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "services/api_row.h"
 
@@ -37,6 +40,17 @@ inline Field Path(std::string_view key, int count) {
 inline Field Optional(Field field) {
   field.optional = true;
   return field;
+}
+
+// What the robot could do and nothing here can.
+inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view source,
+                        std::vector<Field> schema = {}) {
+  return {.id = id,
+          .name = name,
+          .fields = std::move(schema),
+          .effect = NoController{},
+          .does = "not played",
+          .source = source};
 }
 
 }  // namespace understudy::fields

@@ -155,16 +155,6 @@ ApiRow SetTask(const Loco& l, std::int64_t id, ServiceReply (*answer)(const Serv
                         : "[sdk] loco: tasks, 8304; that they are the arm service's is assumed"};
 }
 
-ApiRow Without(std::int64_t id, std::string_view name, std::vector<Field> schema,
-               std::string_view source) {
-  return {.id = id,
-          .name = name,
-          .fields = std::move(schema),
-          .effect = NoController{},
-          .does = "not played",
-          .source = source};
-}
-
 ServiceReply LeaveToUser(const ServiceCall& call) {
   call.owner->SetUserControl(true);
   return {};
@@ -255,7 +245,7 @@ ServiceTable H2SportTable() {
   table.rows.push_back(
       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
   table.rows.push_back(SetSpeedMode(l));
-  table.rows.push_back(Without(7108, "SetPunch", {Numbers("data", 0)}, l.source));
+  table.rows.push_back(NotPlayed(7108, "SetPunch", l.source, {Numbers("data", 0)}));
   table.rows.push_back(
       {7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "kept", l.source});
   return table;
@@ -293,8 +283,8 @@ ServiceTable H1LocoTable() {
   table.rows.push_back(
       {8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "kept", l.source});
   table.rows.push_back(SetTask(l, 8107, &SetH1Task, "0 wave, 1 handshake, 2 end of it"));
-  table.rows.push_back(Without(8201, "EnableOdom", {}, l.source));
-  table.rows.push_back(Without(8202, "DisableOdom", {}, l.source));
+  table.rows.push_back(NotPlayed(8201, "EnableOdom", l.source));
+  table.rows.push_back(NotPlayed(8202, "DisableOdom", l.source));
   for (ApiRow& row : table.rows) {
     if (row.id == 8201 || row.id == 8202) row.unable_code = 8303;
   }
@@ -304,9 +294,8 @@ ServiceTable H1LocoTable() {
                         Special{&GiveNoOdometry, true},
                         "8303 and zeros: the service's own odometry is not played",
                         "[sdk] h1/loco; [seen] H1-2: zeros"});
-  table.rows.push_back(Without(8204, "SetTargetPosition",
-                               {Number("x"), Number("y"), Number("yaw"), Bool("relative")},
-                               l.source));
+  table.rows.push_back(NotPlayed(8204, "SetTargetPosition", l.source,
+                                 {Number("x"), Number("y"), Number("yaw"), Bool("relative")}));
   return table;
 }
 

@@ -30,16 +30,6 @@ ServiceReply GiveA2State(const ServiceCall& call) {
   return {.data = reply.dump()};
 }
 
-ApiRow Without(std::int64_t id, std::string_view name, std::string_view source,
-               std::vector<Field> schema = {}) {
-  return {.id = id,
-          .name = name,
-          .fields = std::move(schema),
-          .effect = NoController{},
-          .does = "not played",
-          .source = source};
-}
-
 // What A2 and AS2 have in common.
 std::vector<ApiRow> CommonRows(std::string_view source) {
   return {
@@ -61,8 +51,9 @@ std::vector<ApiRow> CommonRows(std::string_view source) {
        AskGoal{.action = kMove, .then = {1.0}},
        "velocity, m/s and rad/s, for 1 s (assumed, as a Go2); no range is published",
        source},
-      Without(1009, "BodyPosition", source, {Number("x"), Number("y"), Number("z"), Number("yaw")}),
-      Without(1011, "SwitchGait", source, {Int()}),
+      NotPlayed(1009, "BodyPosition", source,
+                {Number("x"), Number("y"), Number("z"), Number("yaw")}),
+      NotPlayed(1011, "SwitchGait", source, {Int()}),
       {1013,
        "BodyHeight",
        {Number()},
@@ -70,12 +61,12 @@ std::vector<ApiRow> CommonRows(std::string_view source) {
        "m over the own standing height; no range is published",
        source},
       {1015, "SpeedLevel", {Int()}, KeepSetting{"speed_level"}, "kept; read by GetState", source},
-      Without(1016, "LeftSideGait", source, {Int()}),
-      Without(1017, "RightSideGait", source, {Int()}),
-      Without(1018, "HandStand", source, {Int()}),
-      Without(1019, "BipedStand", source, {Int()}),
-      Without(1020, "FrontFlip", source),
-      Without(1021, "BackFlip", source),
+      NotPlayed(1016, "LeftSideGait", source, {Int()}),
+      NotPlayed(1017, "RightSideGait", source, {Int()}),
+      NotPlayed(1018, "HandStand", source, {Int()}),
+      NotPlayed(1019, "BipedStand", source, {Int()}),
+      NotPlayed(1020, "FrontFlip", source),
+      NotPlayed(1021, "BackFlip", source),
       {1034,
        "GetState",
        {},
@@ -110,10 +101,10 @@ ServiceTable Table(std::string_view title, std::vector<ApiRow> rows) {
 
 ServiceTable A2SportTable() {
   std::vector<ApiRow> rows = CommonRows(kA2);
-  rows.push_back(Without(1035, "Trajectory", kA2,
-                         {Path("path", 0), Int("feedback_mode"), Number("external_x"),
-                          Number("external_y"), Number("external_yaw")}));
-  rows.push_back(Without(1111, "ResetEstimator", kA2));
+  rows.push_back(NotPlayed(1035, "Trajectory", kA2,
+                           {Path("path", 0), Int("feedback_mode"), Number("external_x"),
+                            Number("external_y"), Number("external_yaw")}));
+  rows.push_back(NotPlayed(1111, "ResetEstimator", kA2));
   return Table("sport of A2", std::move(rows));
 }
 
@@ -129,7 +120,7 @@ ServiceTable As2SportTable() {
                                                                         {1030, "FrontJump"},
                                                                         {1031, "PushUp"},
                                                                         {1032, "UpJump"}}) {
-    rows.push_back(Without(id, name, kAs2));
+    rows.push_back(NotPlayed(id, name, kAs2));
   }
   rows.push_back({1028, "Stretch", {}, AskGoal{kStretch}, "stretches", kAs2});
   rows.push_back({.id = 1029,

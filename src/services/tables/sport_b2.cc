@@ -8,14 +8,6 @@ using namespace fields;  // NOLINT(google-build-using-namespace): the words a ta
 
 ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kSdk = "[sdk] b2/sport";
-  const auto without = [&](std::int64_t id, std::string_view name, std::vector<Field> schema) {
-    return ApiRow{.id = id,
-                  .name = name,
-                  .fields = std::move(schema),
-                  .effect = NoController{},
-                  .does = "not played",
-                  .source = kSdk};
-  };
   return {
       .name = "sport",
       .title = title,
@@ -38,7 +30,7 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
                "velocity, m/s and rad/s; clients want no reply",
                "[sdk] b2/sport; 0.5 s hold of B2-W: [sdk] b2w_sport_client example; 1 s of B2 "
                "assumed; no range is published"},
-              without(1011, "SwitchGait", {Int()}),
+              NotPlayed(1011, "SwitchGait", kSdk, {Int()}),
               {1013,
                "BodyHeight",
                {Number()},
@@ -58,19 +50,19 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
                .does = "not played; clients want no reply",
                .source = "[sdk] b2/sport: 30 points, 4101 for another number",
                .parameter_code = 4101},
-              without(1019, "ContinuousGait", {Flag()}),
-              without(1036, "MoveToPos", {Number("x"), Number("y"), Number("yaw")}),
-              without(1038, "SwitchMoveMode", {Flag()}),
-              without(1039, "HandStand", {Flag()}),
+              NotPlayed(1019, "ContinuousGait", kSdk, {Flag()}),
+              NotPlayed(1036, "MoveToPos", kSdk, {Number("x"), Number("y"), Number("yaw")}),
+              NotPlayed(1038, "SwitchMoveMode", kSdk, {Flag()}),
+              NotPlayed(1039, "HandStand", kSdk, {Flag()}),
               {1040,
                "AutoRecoverySet",
                {Flag()},
                AskGoal{.action = kAutoRecovery, .keep = "auto_recovery"},
                "whether a fallen robot gets up by itself",
                kSdk},
-              without(1045, "FreeWalk", {Optional(Flag())}),
-              without(1049, "ClassicWalk", {Flag()}),
-              without(1050, "FastWalk", {Flag()}),
+              NotPlayed(1045, "FreeWalk", kSdk, {Optional(Flag())}),
+              NotPlayed(1049, "ClassicWalk", kSdk, {Flag()}),
+              NotPlayed(1050, "FastWalk", kSdk, {Flag()}),
               {.id = 1051,
                .name = "FreeEuler",
                .fields = {Optional(Flag()), Optional(Number("x")), Optional(Number("y")),
@@ -78,9 +70,9 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
                .effect = NoController{},
                .does = "not played",
                .source = "[py] a flag; [sdk] b2/sport: Euler, three angles"},
-              without(1052, "FreeHeight", {Flag()}),
-              without(1053, "GaitHeight", {Flag()}),
-              without(1101, "VisionWalk", {Flag()}),
+              NotPlayed(1052, "FreeHeight", kSdk, {Flag()}),
+              NotPlayed(1053, "GaitHeight", kSdk, {Flag()}),
+              NotPlayed(1101, "VisionWalk", kSdk, {Flag()}),
           },
       .settings = {{"speed_level", "0"}, {"auto_recovery", "false"}},
       .note =
