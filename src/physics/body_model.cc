@@ -161,10 +161,10 @@ void BodyModel::ReadPlaces() {
   const auto in_base = [&](const mjtNum* p) -> Eigen::Vector3d {
     return R_WB.transpose() * (Vector(p) - p_WB);
   };
-  for (int body = model_.nbody - 1; body > 0; --body) {
+  for (auto body = static_cast<int>(model_.nbody) - 1; body > 0; --body) {
     carried_com_[static_cast<std::size_t>(body)].setZero();
   }
-  for (int body = model_.nbody - 1; body >= base_body_; --body) {
+  for (auto body = static_cast<int>(model_.nbody) - 1; body >= base_body_; --body) {
     const auto b = static_cast<std::size_t>(body);
     carried_com_[b] += model_.body_mass[body] * in_base(data_->xipos + 3 * body);
     if (body > base_body_) {

@@ -187,6 +187,10 @@ ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
   imu.R_WI = Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]);
   imu.w_WI_I = Vector(data_->sensordata + address.gyro);
   imu.f_WI_I = Vector(data_->sensordata + address.accel);
+  // MuJoCo 3 has the accelerometer of a body that cannot move at 0.
+  if (model_->body_weldid[model_->site_bodyid[address.site]] == 0) {
+    imu.f_WI_I = imu.R_WI.conjugate() * -Vector(model_->opt.gravity);
+  }
   return imu;
 }
 

@@ -95,7 +95,7 @@ TEST_F(Dex3Test, FingersBearTheDampingThatProgramsSend) {
   }
 }
 
-TEST_F(Dex3Test, FingersAreStillUnderTheGainsOfTheExample) { EXPECT_LT(FastestFinger(), 0.02); }
+TEST_F(Dex3Test, FingersAreStillUnderTheGainsOfTheExample) { EXPECT_LT(FastestFinger(), 0.05); }
 
 // The trap of the vendor's file: why ours has an armature.
 TEST_F(Dex3Test, FingersWithoutArmatureWouldChatterUnderTheGainsOfTheExample) {

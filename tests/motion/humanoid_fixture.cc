@@ -69,7 +69,7 @@ void HumanoidRig::Hang() {
 }
 
 void HumanoidRig::Sense() {
-  // As in the tick: positions and rates of now, accelerations and forces of a step ago.
+  // As in the tick, all of the step before. Forces are not to be had between BeginStep and EndStep.
   if (noisy) sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = noisy ? state_.motors[i].q : world_.q()[i];
@@ -83,10 +83,10 @@ void HumanoidRig::Sense() {
 bool HumanoidRig::Run(double seconds) {
   const auto steps = static_cast<int>(std::lround(seconds / world_.timestep()));
   for (int i = 0; i < steps; ++i) {
-    world_.BeginStep();
     Sense();
     motion_->Step(input_, world_.timestep(), &command_);
     if (change_command) change_command(command_);
+    world_.BeginStep();
     motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
     for (std::size_t m = 0; m < torque_.size(); ++m) {
       torque_change = std::max(torque_change, std::abs(motors_.torque()[m] - torque_[m]));

@@ -114,7 +114,7 @@ TEST_P(BodyModelTest, FindsHowFastTheCentreOfMassPassesTheSoles) {
 }
 
 TEST_P(BodyModelTest, CarriesWhatHangsFromEachJoint) {
-  mju_zero(data_->qvel, world_.model().nv);
+  mju_zero(data_->qvel, static_cast<int>(world_.model().nv));
   mj_forward(&world_.model(), data_.get());
   for (std::size_t i = 0; i < dof_.size(); ++i) {
     EXPECT_NEAR(body_.GravityTorque(i), data_->qfrc_bias[dof_[i]], 1e-9) << spec_.motors[i].joint;

@@ -38,7 +38,7 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
     mj_step(model.get(), whole.get());
     world.BeginStep();
     ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
-    const auto size = [](int n) { return sizeof(mjtNum) * static_cast<std::size_t>(n); };
+    const auto size = [](auto n) { return sizeof(mjtNum) * static_cast<std::size_t>(n); };
     ASSERT_EQ(std::memcmp(whole->qpos, world.data().qpos, size(model->nq)), 0) << step;
     ASSERT_EQ(std::memcmp(whole->qvel, world.data().qvel, size(model->nv)), 0) << step;
     contacts += whole->ncon;

@@ -3,8 +3,10 @@
 #define UNDERSTUDY_TESTS_PHYSICS_TERRAIN_FIXTURE_H_
 
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
 #include <string>
+#include <type_traits>
 
 #include <gmock/gmock.h>
 
@@ -16,6 +18,20 @@
 #include "tests/support/temporary_folder.h"
 
 namespace understudy {
+
+// How far [m] a ray goes until it meets the model, below 0 when it does not. `cast` is mj_ray,
+// which later versions of MuJoCo ask where to put the normal, too.
+template <typename Cast>
+mjtNum CastRay(Cast cast, const mjModel* model, const mjData* data, const mjtNum* from,
+               const mjtNum* along) {
+  int geom = -1;
+  if constexpr (std::is_invocable_v<Cast, const mjModel*, const mjData*, const mjtNum*,
+                                    const mjtNum*, std::nullptr_t, int, int, int*>) {
+    return cast(model, data, from, along, nullptr, 1, -1, &geom);
+  } else {
+    return cast(model, data, from, along, nullptr, 1, -1, &geom, nullptr);
+  }
+}
 
 class TerrainTest : public MujocoTest {
  protected:
@@ -36,8 +52,7 @@ class TerrainTest : public MujocoTest {
   double Height(double x, double y) const {
     constexpr double kAbove = 30;
     const mjtNum from[3] = {x, y, kAbove}, down[3] = {0, 0, -1};
-    int geom = -1;
-    return kAbove - mj_ray(model_.get(), data_.get(), from, down, nullptr, 1, -1, &geom);
+    return kAbove - CastRay(mj_ray, model_.get(), data_.get(), from, down);
   }
 
   // How far [m] the ground of the patch lies from z = 0 on average.

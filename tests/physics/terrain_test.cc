@@ -101,8 +101,7 @@ TEST_F(TerrainTest, FloatingStairsAreOpenBetweenTheTreads) {
   spec_.difficulty = 1;  // rise 0.23 m, treads 0.04 m thick
   Load("floating_stairs");
   const mjtNum from[3] = {0, 0, 0.1}, ahead[3] = {1, 0, 0};
-  int geom = -1;
-  EXPECT_GT(mj_ray(model_.get(), data_.get(), from, ahead, nullptr, 1, -1, &geom), 4);
+  EXPECT_GT(CastRay(mj_ray, model_.get(), data_.get(), from, ahead), 4);
 }
 
 TEST_F(TerrainTest, GapsHaveTheWidthOfTheirDifficulty) {

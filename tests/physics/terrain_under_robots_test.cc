@@ -123,10 +123,12 @@ TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {
     return bytes;
   };
   const std::filesystem::path here = Write(GetParam().kind, "here");
-  std::filesystem::copy(here, folder_.path() / "there", std::filesystem::copy_options::recursive);
+  const std::filesystem::path there = folder_.path() / "there";
+  std::filesystem::copy(here, there, std::filesystem::copy_options::recursive);
   const std::string bytes = save(here);
   std::filesystem::remove_all(here);
-  EXPECT_TRUE(bytes == save(folder_.path() / "there"));
+  std::filesystem::rename(there, here);  // MuJoCo 3 keeps the names of files in the model
+  EXPECT_TRUE(bytes == save(here));
 }
 
 std::vector<Ground> Grounds() {
