@@ -5,6 +5,9 @@ if(NOT UNDERSTUDY_MUJOCO_DIR)
   return()
 endif()
 
+# The renderer's functions differ from version to version of MuJoCo 3; what looks at a robot is written for Debian's.
+set(UNDERSTUDY_VIEWER OFF)
+
 file(GLOB UNDERSTUDY_MUJOCO_LIBRARY ${UNDERSTUDY_MUJOCO_DIR}/libmujoco.so*)
 list(LENGTH UNDERSTUDY_MUJOCO_LIBRARY count)
 if(NOT count EQUAL 1 OR NOT EXISTS ${UNDERSTUDY_MUJOCO_DIR}/include/mujoco/mujoco.h)

@@ -27,11 +27,18 @@ understudy_package(cyclonedds HEADER dds/dds.h LIBRARIES ddsc DEBIAN cyclonedds-
 understudy_package(eigen HEADER Eigen/Core SUFFIX eigen3 DEBIAN libeigen3-dev)
 understudy_package(yaml HEADER yaml-cpp/yaml.h LIBRARIES yaml-cpp DEBIAN libyaml-cpp-dev)
 understudy_package(png HEADER png.h LIBRARIES png DEBIAN libpng-dev)
+understudy_package(zlib HEADER zlib.h LIBRARIES z DEBIAN zlib1g-dev)
+understudy_package(zstd HEADER zstd.h LIBRARIES zstd DEBIAN libzstd-dev)
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)
 understudy_package(cli11 HEADER CLI/CLI.hpp DEBIAN libcli11-dev)
 understudy_package(boost HEADER boost/beast.hpp DEBIAN libboost-dev)
 understudy_package(json HEADER nlohmann/json.hpp DEBIAN nlohmann-json3-dev)
+if(UNDERSTUDY_VIEWER)
+  understudy_package(glfw HEADER GLFW/glfw3.h LIBRARIES glfw DEBIAN libglfw3-dev)
+  # Its header alone: the library is loaded where it is wanted (viewer/headless_gl.h).
+  understudy_package(egl HEADER EGL/egl.h DEBIAN libegl-dev)
+endif()
 if(UNDERSTUDY_BUILD_TESTS)
   understudy_package(gtest HEADER gmock/gmock.h LIBRARIES gmock gtest gtest_main DEBIAN "libgtest-dev libgmock-dev")
   target_link_libraries(gtest INTERFACE Threads::Threads)

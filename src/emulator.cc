@@ -26,6 +26,13 @@ std::size_t DelaySteps(const Config& config) {
       std::llround(config.robot.dynamics.delay / config.physics.timestep));
 }
 
+// Validated, so it is one.
+StartPose StartPoseOf(const Config& config) {
+  const std::string& word =
+      config.start.pose.empty() ? config.robot.default_start : config.start.pose;
+  return FindStartPose(word).value_or(StartPose::kLying);
+}
+
 // Cut to what there is room for, with a zero at the end.
 template <std::size_t kRoom>
 void Copy(std::string_view text, std::array<char, kRoom>* to) {
@@ -36,16 +43,17 @@ void Copy(std::string_view text, std::array<char, kRoom>* to) {
 
 Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, Inbox* inbox)
     : config_(config),
-      start_(StartOf(config_)),
+      start_pose_(StartPoseOf(config_)),
+      starts_(StartsOf(config_)),
       world_(std::move(world)),
       port_(port),
       inbox_(inbox),
-      delay_(DelaySteps(config_), start_.command),
+      delay_(DelaySteps(config_), start().command),
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
       crane_(config_.crane),
-      router_(config_.robot, config_.gate, config_.motion, start_.command,
+      router_(config_.robot, config_.gate, config_.motion, start().command,
               MakeMotion(config_.robot, world_, config_.gate.damping_kd)),
       crane_body_(world_.Body(config_.robot.crane_body)),
       crane_point_(config_.robot.crane_point.data()),
@@ -55,23 +63,25 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       hand_every_(Every(config_.robot.rates.hand_hz)),
       lf_every_(Every(config_.robot.rates.lf_hz)),
       service_every_(Every(config_.robot.rates.service_hz)),
-      offered_(start_.command),
+      pace_{.speed = config_.time.speed},
+      command_(&start().command),
+      offered_(start().command),
       foot_force_(config_.robot.feet.size()) {
-  pushes_.reserve(kMostPushes);
   for (const HandSpec& hand : config_.robot.hands) hands_.emplace_back(hand, config_.gate.lenient);
   state_.hands.resize(hands_.size());
-  ToStart();
+  To(start());
 }
 
 StepHealth Emulator::Tick() {
   const double t = time();
-  TakeOrders(t);
+  FollowScript(t);
+  TakeOrders();
   TakeCommands(t);
   TakeHandCommands(t);
-  const RobotCommand& command = delay_.Pass(Decide(t));
+  command_ = &delay_.Pass(Decide(t));
 
   world_.BeginStep();
-  motors_.Step(command, world_.q(), world_.dq(), world_.timestep());
+  motors_.Step(*command_, world_.q(), world_.dq(), world_.timestep());
   MoveHands(t);
   PushAndPull(t);
   const StepHealth health = world_.EndStep(motors_.torque());
@@ -79,15 +89,16 @@ StepHealth Emulator::Tick() {
 
   if (health == StepHealth::kDiverged) {
     ++divergences_;
-    if (config_.physics.on_divergence == DivergenceAction::kReset) ToStart();
+    if (config_.physics.on_divergence == DivergenceAction::kReset) To(start());
   } else if (const Due due = DueNow(); due.any()) {
-    Sample(command, t);
+    Sample(t);
     if (!silenced_) {
       port_->Publish(state_, due);
       if (due.lowstate) ++published_;
     }
   }
   ++step_;
+  if (pace_.steps_left > 0) --pace_.steps_left;
   return health;
 }
 
@@ -98,14 +109,17 @@ void Emulator::TakeCommands(double t) {
   while (port_->TakeUserCommand(&offered_)) router_.OfferUser(offered_, t);
   for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
     const Refusal refusal = router_.Offer(offered_, wire, t);
-    if (refusal != Refusal::kNone) last_refusal_ = refusal;
+    if (refusal == Refusal::kNone) continue;
+    last_refusal_ = refusal;
+    refusals_.Add(-1, refusal, t);
   }
 }
 
 void Emulator::TakeHandCommands(double t) {
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     for (Refusal wire = Refusal::kNone; port_->TakeHandCommand(i, &offered_hand_, &wire);) {
-      hands_[i].Offer(offered_hand_, wire, t);
+      const Refusal refusal = hands_[i].Offer(offered_hand_, wire, t);
+      if (refusal != Refusal::kNone) refusals_.Add(static_cast<int>(i), refusal, t);
     }
   }
 }
@@ -131,6 +145,9 @@ Status Emulator::status() const {
   status.silenced = silenced_;
   status.time = time();
   status.steps = step_;
+  status.speed = pace_.speed;
+  status.paused = pace_.paused;
+  status.steps_left = pace_.steps_left;
   status.gate = router_.gate().state();
   Copy(router_.owner().active(), &status.motion_service);
   status.motion = router_.owner().state();
@@ -160,31 +177,29 @@ Status Emulator::status() const {
   return status;
 }
 
-Emulator::Start Emulator::StartOf(const Config& config) {
+std::vector<Emulator::Start> Emulator::StartsOf(const Config& config) {
   const RobotSpec& robot = config.robot;
-  const std::string& name = config.start.pose.empty() ? robot.default_start : config.start.pose;
   const RobotCommand damping = DampingCommand(robot.motors.size(), config.gate.damping_kd);
-  if (name == "standing") {
-    return {.command = HoldCommand(robot, robot.standing.q), .pose = robot.standing};
-  }
-  if (name == "hanging") return {.command = damping, .pose = robot.hanging, .on_crane = true};
-  if (name == "clamped") return {.command = damping, .pose = robot.hanging, .clamped = true};
-  return {.command = damping, .pose = robot.lying};
+  return {{.command = damping, .pose = robot.lying},
+          {.command = HoldCommand(robot, robot.standing.q), .pose = robot.standing},
+          {.command = damping, .pose = robot.hanging, .on_crane = true},
+          {.command = damping, .pose = robot.hanging, .clamped = true}};
 }
 
 std::int64_t Emulator::Every(double hz) const {
   return std::llround(1e9 / (hz * static_cast<double>(step_ns_)));
 }
 
-void Emulator::ToStart() {
-  router_.Restart();
-  delay_.Restart();
+void Emulator::To(const Start& start) {
+  router_.Restart(start.command);
+  delay_.Restart(start.command);
   for (Hand& hand : hands_) hand.Restart();
-  pushes_.clear();
-  world_.Reset(start_.pose);
+  pushes_.Clear();
+  drags_.Clear();
+  world_.Reset(start.pose);
   crane_.Release();
-  if (start_.on_crane) HangFromCrane();
-  world_.Clamp(start_.clamped);
+  if (start.on_crane) HangFromCrane();
+  world_.Clamp(start.clamped);
 }
 
 Due Emulator::DueNow() const {
@@ -200,8 +215,8 @@ void Emulator::MoveHands(double t) {
   }
 }
 
-void Emulator::Sample(const RobotCommand& command, double t) {
-  sensors_.Sample(world_, motors_, command, battery_, step_ * step_ns_ / 1'000'000, &state_);
+void Emulator::Sample(double t) {
+  sensors_.Sample(world_, motors_, *command_, battery_, step_ * step_ns_ / 1'000'000, &state_);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     hands_[i].Sample(world_.hand_q(i), world_.hand_dq(i), &state_.hands[i]);
   }
@@ -210,10 +225,8 @@ void Emulator::Sample(const RobotCommand& command, double t) {
 }
 
 void Emulator::PushAndPull(double t) {
-  for (const Push& push : pushes_) {
-    world_.AddForce(push.body, world_.CenterOfMass(push.body), push.force_W);
-  }
-  std::erase_if(pushes_, [t](const Push& push) { return t >= push.until; });
+  pushes_.Act(t, &world_);
+  drags_.Act(t, &world_);
   if (!crane_.attached()) return;
   const PointReading hook = world_.Point(crane_body_, crane_point_);
   world_.AddForce(crane_body_, hook.p_WP, crane_.Step(hook, world_.timestep()));

@@ -4,11 +4,14 @@
 #define UNDERSTUDY_EMULATOR_H_
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "config/config.h"
+#include "control/frame.h"
 #include "control/inbox.h"
+#include "control/refusal_log.h"
 #include "control/status.h"
 #include "motion/command_router.h"
 #include "physics/world.h"
@@ -16,9 +19,11 @@
 #include "robot/motor.h"
 #include "sim/battery.h"
 #include "sim/crane.h"
+#include "sim/forces.h"
 #include "sim/hand.h"
 #include "sim/remote.h"
 #include "sim/sensors.h"
+#include "time/pace.h"
 #include "wire/robot_port.h"
 
 namespace understudy {
@@ -43,6 +48,13 @@ class Emulator {
   // on.
   StepHealth Tick();
 
+  // Carries out the orders that wait, but none of the script: between ticks, so that people are
+  // answered however far away the next one is.
+  void TakeOrders();
+
+  // How orders have it that Tick be called. Keeping to it is up to who calls it.
+  const Pace& pace() const { return pace_; }
+
   // Stops or resumes sending; the robot goes on moving.
   void Silence(bool on) { silenced_ = on; }
 
@@ -51,9 +63,22 @@ class Emulator {
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
-  // Everything of Status but what only the run loop knows: ready and pace.
+  // Everything of Status but what only the run loop knows: ready and its punctuality.
   Status status() const;
+
+  // What the robot is, for whoever looks on; valid as long as the emulator, changed by its calls.
   const PhysicsWorld& world() const { return world_; }
+  // At the joints in the last step, in motor order [N·m].
+  std::span<const double> torque() const { return motors_.torque(); }
+  const RobotCommand& command() const { return *command_; }  // that the motors followed last
+  std::span<const AppliedForce> pushes() const { return pushes_.forces(); }  // of the last step
+  std::span<const AppliedForce> drags() const { return drags_.forces(); }
+
+  // A frame with room for all that Show fills in.
+  Frame MakeFrame() const;
+  // Fills in those parts that frame->parts names, of the last tick, but for the bytes of
+  // wireless_remote. Between ticks; allocates nothing.
+  void Show(Frame* frame) const;
 
  private:
   struct Start {
@@ -62,31 +87,29 @@ class Emulator {
     bool on_crane = false;
     bool clamped = false;
   };
-  struct Push {
-    int body;
-    Eigen::Vector3d force_W;
-    double until;  // s
-  };
 
-  static constexpr std::size_t kMostPushes = 16;  // at a time
-
-  static Start StartOf(const Config& config);
+  static std::vector<Start> StartsOf(const Config& config);
   std::int64_t Every(double hz) const;
-  void ToStart();
+  const Start& start() const { return starts_[static_cast<std::size_t>(start_pose_)]; }
+  void To(const Start& start);
   Due DueNow() const;
-  void TakeOrders(double t);
+  void FollowScript(double t);
   void TakeCommands(double t);
   void TakeHandCommands(double t);
   const RobotCommand& Decide(double t);
   void MoveHands(double t);
   void PushAndPull(double t);
-  void Sample(const RobotCommand& command, double t);
+  void Sample(double t);
   void HangFromCrane();
   Answer CarryOut(const Order& order);
   Answer BeginPush(const PushBody& push);
+  Answer Drag(const DragBody& drag);
+  Answer EndDrag(const ReleaseDrag& release);
+  Answer MakeSteps(const StepRun& step);
 
   Config config_;
-  Start start_;
+  StartPose start_pose_;
+  std::vector<Start> starts_;  // by StartPose
   PhysicsWorld world_;
   RobotPort* port_;
   Inbox* inbox_;
@@ -108,7 +131,10 @@ class Emulator {
   std::size_t script_next_ = 0;
   std::size_t script_refused_ = 0;
   std::string script_refusal_;
-  std::vector<Push> pushes_;
+  Pace pace_;
+  Pushes pushes_;
+  Drags drags_;
+  const RobotCommand* command_;
   RobotCommand offered_;
   HandCommand offered_hand_;
   MotionInput input_;
@@ -116,6 +142,7 @@ class Emulator {
   RobotState state_;
   bool silenced_ = false;
   Refusal last_refusal_ = Refusal::kNone;
+  RefusalLog refusals_;
   std::uint64_t published_ = 0;
   std::uint64_t divergences_ = 0;
 };

@@ -14,6 +14,7 @@ enum class ExitCode {
   kNeighbour = 6,  // another robot is on this network
   kDiverged = 7,   // the physics diverged and physics.on_divergence is stop
   kSocket = 8,     // the robot's name or its control socket: in use, or not to be had
+  kRecord = 9,     // a recording: not to be written, or not to be read
 };
 
 }  // namespace understudy

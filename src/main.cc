@@ -1,28 +1,29 @@
-// Command line -> configuration -> run. The only place that catches, and that picks the exit code.
+// Command line -> configuration -> run.
 #include <cstdio>
-#include <exception>
 #include <functional>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
-#include <fcntl.h>
-#include <unistd.h>
 
+#include "catch_errors.h"
+#include "commands/companion.h"
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
 #include "commands/log.h"
 #include "commands/missing_command.h"
+#include "commands/play_command.h"
+#include "commands/plot_command.h"
+#include "commands/recording_command.h"
 #include "commands/run_command.h"
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
 #include "config/robot_file.h"
-#include "control/control_error.h"
 #include "control/ctl_command.h"
-#include "exec/command.h"
 #include "exit_code.h"
-#include "robot/errors.h"
+#include "remote/arguments.h"
 #include "services/robot_services.h"
 #include "version.h"
+#include "viewer/arguments.h"
 
 namespace understudy {
 namespace {
@@ -32,10 +33,13 @@ constexpr char kFooter[] =
     "  understudy run go2                      play a Go2 on lo, domain 0\n"
     "  understudy exec go2 -- python3 prog.py  play one for the time of a program\n"
     "  understudy ctl status --watch           look at it from another terminal\n"
+    "  understudy view                         look at it in a window\n"
+    "  understudy remote                       hold its remote controller\n"
     "`understudy COMMAND --help` tells more.\n"
     "Exit codes: 0 done; 1 a bug, or an order refused; 2 command line; 3 configuration; 4 model;\n"
     "5 network; 6 another robot is on the network; 7 the physics diverged;\n"
-    "8 the robot's name is in use, or its control socket not to be had; exec: the command's own.";
+    "8 the robot's name is in use, or its control socket not to be had; 9 a recording that cannot\n"
+    "be written or read; exec: the command's own.";
 
 int Main(int argc, char** argv) {
   CLI::App app(
@@ -60,7 +64,41 @@ int Main(int argc, char** argv) {
     chosen = [&] { return TerrainCommand(terrain_arguments); };
   });
 
+  ViewArguments view;
+  SnapshotArguments snapshot;
+  FilmArguments film;
+  RemoteArguments remote;
+  constexpr char kView[] = "understudy-view";
+  const Companion companions[] = {
+      {AddViewCommand(&app, &view), kView, kViewerMissing},
+      {AddSnapshotCommand(&app, &snapshot), kView, kViewerMissing},
+      {AddFilmCommand(&app, &film), kView, kViewerMissing},
+      {AddRemoteCommand(&app, &remote), "understudy-remote", kRemoteMissing},
+  };
+
+  PlayArguments play_arguments;
+  AddPlayCommand(&app, &play_arguments)->callback([&] {
+    chosen = [&] { return PlayCommand(play_arguments); };
+  });
+  PlotArguments plot_arguments;
+  AddPlotCommand(&app, &plot_arguments)->callback([&] {
+    chosen = [&] { return PlotCommand(plot_arguments); };
+  });
+
   bool json = false;
+  std::string recording_file;
+  CLI::App* recording = app.add_subcommand("recording", "Say what a recording holds");
+  recording->add_option("file", recording_file, "The recording, MCAP")
+      ->required()
+      ->type_name("FILE");
+  recording->add_flag("--json", json, "As a JSON object");
+  recording->footer(
+      "Examples:\n"
+      "  understudy recording walk.mcap         topics, counts, duration, robot\n"
+      "  understudy recording walk.mcap --json\n"
+      "A recording is made by understudy run ROBOT --record FILE.mcap.");
+  recording->callback([&] { chosen = [&] { return RecordingCommand(recording_file, json); }; });
+
   CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
   robots->add_flag("--json", json, "As a JSON array");
   robots->footer(
@@ -125,51 +163,20 @@ int Main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }
+  for (const Companion& companion : companions) {
+    if (companion.command->parsed()) BecomeCompanion(companion, argv);
+  }
   if (!ctl.chosen()) return chosen();
   ctl.Run();
   return 0;
-}
-
-// A standard stream that our caller closed would give its number to the next socket, and the log
-// would be written into that.
-void OpenClosedStreams() {
-  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest free number is this stream's, as those below it are open by now.
-    if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
-  }
-}
-
-int Fail(const std::exception& error, ExitCode code) {
-  std::fprintf(stderr, "understudy: %s\n", error.what());
-  return static_cast<int>(code);
 }
 
 }  // namespace
 }  // namespace understudy
 
 int main(int argc, char** argv) {
-  using understudy::ExitCode;
-  using understudy::Fail;
   understudy::OpenClosedStreams();
-  int code = 0;
-  try {
-    code = understudy::Main(argc, argv);
-  } catch (const understudy::ConfigError& error) {
-    code = Fail(error, ExitCode::kConfig);
-  } catch (const understudy::ModelError& error) {
-    code = Fail(error, ExitCode::kModel);
-  } catch (const understudy::BusError& error) {
-    code = Fail(error, ExitCode::kBus);
-  } catch (const understudy::NeighbourError& error) {
-    code = Fail(error, ExitCode::kNeighbour);
-  } catch (const understudy::SocketError& error) {
-    code = Fail(error, ExitCode::kSocket);
-  } catch (const understudy::CommandError& error) {
-    std::fprintf(stderr, "understudy: %s\n", error.what());
-    code = error.exit_code();
-  } catch (const std::exception& error) {
-    code = Fail(error, ExitCode::kInternal);
-  }
+  const int code = understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
   understudy::StopLog();
   return code;
 }

@@ -87,4 +87,10 @@ MadeWorld MakeWorld(Config* config) {
   return {.world = {std::move(model), config->robot}, .draws = dice.draws()};
 }
 
+ModelHandle MakeSightModel(const Config& config) {
+  const SceneFile scene(config.scene, config.terrain);
+  return LoadSightModel(config.robot, ModelFile(config.robot), scene.path(),
+                        config.physics.timestep);
+}
+
 }  // namespace understudy

@@ -3,6 +3,7 @@
 #define UNDERSTUDY_MAKE_WORLD_H_
 
 #include "config/config.h"
+#include "physics/mujoco_handles.h"
 #include "physics/world.h"
 #include "robot/randomization.h"
 
@@ -17,6 +18,10 @@ struct MadeWorld {
 // `config` becomes that of the run: it takes the names of a model that calls things otherwise, and
 // the time step, delay and motors that were drawn. Throws ModelError.
 MadeWorld MakeWorld(Config* config);
+
+// The same world for whoever looks on (LoadSightModel), from the configuration that MakeWorld left.
+// Takes some tens of ms, meshes of another hand longer. Throws ModelError.
+ModelHandle MakeSightModel(const Config& config);
 
 }  // namespace understudy
 

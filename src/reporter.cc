@@ -4,6 +4,8 @@
 
 #include <spdlog/spdlog.h>
 
+#include "robot/refusal_text.h"
+
 namespace understudy {
 namespace {
 
@@ -36,40 +38,6 @@ Reporter::Reporter(double expected_hz, bool status_line)
 
 Reporter::~Reporter() {
   if (line_drawn_) std::fputs("\r\033[K", stderr);
-}
-
-std::string Reporter::Explain(Refusal refusal) {
-  switch (refusal) {
-    case Refusal::kCrc:
-      return "its crc does not fit its content; fill crc last, over everything before it";
-    case Refusal::kHead:
-      return "head must be FE EF and level_flag FF";
-    case Refusal::kModeMachine:
-      return "mode_machine must repeat the one in LowState";
-    case Refusal::kModePr:
-      return "mode_pr must be 0 (PR) or 1 (AB)";
-    case Refusal::kMotorMode:
-      return "a motor's mode byte is none that this robot knows";
-    case Refusal::kMotorCount:
-      return "motor_cmd holds other than one entry per motor";
-    case Refusal::kNotFinite:
-      return "a motor's q, dq, tau, kp or kd is not a finite number";
-    case Refusal::kGain:
-      return "a motor's kp or kd is negative";
-    case Refusal::kMotionService:
-      return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
-             "ReleaseMode), or start with --released";
-    case Refusal::kNone:
-    case Refusal::kCount:
-      break;
-  }
-  return {};
-}
-
-std::string Reporter::ExplainForHand(Refusal refusal) {
-  if (refusal != Refusal::kMotorMode) return Explain(refusal);
-  return "mode of motor_cmd[i] must be i + 16 to follow or i to lock, and 128 more to have the "
-         "motor lock by itself when commands stop";
 }
 
 void Reporter::Update(const Status& status, WallTime now) {
@@ -135,8 +103,18 @@ void Reporter::Update(const Status& status, WallTime now) {
   if (status.script_refused != last_.script_refused && MaySpeak(kScript, now)) {
     spdlog::warn("script: {}", status.script_refusal.data());
   }
+  if (last_.ready) SpeakOfPace(status);
   if (status_line_) DrawStatusLine(status, now);
   last_ = status;
+}
+
+void Reporter::SpeakOfPace(const Status& status) const {
+  if (status.paused != last_.paused) {
+    spdlog::info("{} at {:.3f} s", status.paused ? "paused" : "resumed", status.time);
+  }
+  if (status.speed == last_.speed) return;
+  spdlog::info("speed {}",
+               status.speed == 0 ? "as fast as possible" : fmt::format("{:g}", status.speed));
 }
 
 void Reporter::SpeakOfHand(std::size_t hand, const Status& status, WallTime now) {
@@ -167,30 +145,27 @@ bool Reporter::MaySpeak(std::size_t cause, WallTime now) {
 }
 
 void Reporter::DrawStatusLine(const Status& status, WallTime now) {
-  if (status.pace.real_time_factor == 0) {  // until a second has passed there are no rates
-    drawn_at_ = now;
-    drawn_published_ = status.published;
-    drawn_accepted_ = status.commands.accepted;
-    return;
+  const bool started = line_drawn_ || status.pace.real_time_factor > 0;
+  if (started && now - drawn_at_ < milliseconds(500)) return;
+  if (started) {
+    const double wall = std::chrono::duration<double>(now - drawn_at_).count();
+    const auto rate = [wall](std::uint64_t to, std::uint64_t from) {
+      return static_cast<double>(to - from) / wall;
+    };
+    const double factor = (status.time - drawn_.time) / wall;
+    const std::string refusal = status.last_refusal == Refusal::kNone
+                                    ? ""
+                                    : "  last refusal " + std::string(Name(status.last_refusal));
+    std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s%s",
+                 status.time, factor, rate(status.published, drawn_.published),
+                 expected_hz_ * factor, rate(status.commands.accepted, drawn_.commands.accepted),
+                 Name(status.gate).data(), status.paused ? "  PAUSED" : "",
+                 status.silenced ? "  SILENCED" : "", refusal.c_str());
+    std::fflush(stderr);
+    line_drawn_ = true;
   }
-  if (now - drawn_at_ < milliseconds(500)) return;
-  const double wall = std::chrono::duration<double>(now - drawn_at_).count();
-  const auto rate = [wall](std::uint64_t to, std::uint64_t from) {
-    return static_cast<double>(to - from) / wall;
-  };
-  const std::string refusal = status.last_refusal == Refusal::kNone
-                                  ? ""
-                                  : "  last refusal " + std::string(Name(status.last_refusal));
-  std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s",
-               status.time, status.pace.real_time_factor, rate(status.published, drawn_published_),
-               expected_hz_ * status.pace.real_time_factor,
-               rate(status.commands.accepted, drawn_accepted_), Name(status.gate).data(),
-               status.silenced ? "  SILENCED" : "", refusal.c_str());
-  std::fflush(stderr);
-  line_drawn_ = true;
   drawn_at_ = now;
-  drawn_published_ = status.published;
-  drawn_accepted_ = status.commands.accepted;
+  drawn_ = status;
 }
 
 }  // namespace understudy

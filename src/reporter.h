@@ -26,14 +26,10 @@ class Reporter {
   // `now` only has to grow.
   void Update(const Status& status, WallTime now);
 
-  // One line for a refusal reason: what it means and what to do about it.
-  static std::string Explain(Refusal refusal);
-  // The same for a command to a hand.
-  static std::string ExplainForHand(Refusal refusal);
-
  private:
   // True at most once a second for each cause.
   bool MaySpeak(std::size_t cause, WallTime now);
+  void SpeakOfPace(const Status& status) const;
   void SpeakOfHand(std::size_t hand, const Status& status, WallTime now);
   void DrawStatusLine(const Status& status, WallTime now);
 
@@ -48,8 +44,7 @@ class Reporter {
   std::array<std::array<std::uint64_t, kRefusals>, kMostHands> said_hand_refused_{};
   std::uint64_t said_overruns_ = 0;
   double said_shifted_ = 0;
-  std::uint64_t drawn_published_ = 0;
-  std::uint64_t drawn_accepted_ = 0;
+  Status drawn_;
   WallTime drawn_at_{};
 };
 

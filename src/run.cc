@@ -11,18 +11,21 @@
 
 #include <spdlog/spdlog.h>
 
+#include "alone.h"
 #include "bus/participant.h"
+#include "config/data_dir.h"
 #include "control/server.h"
 #include "emulator.h"
 #include "make_world.h"
+#include "physics/scene_reader.h"
 #include "physics/world_model.h"
 #include "reporter.h"
-#include "robot/errors.h"
 #include "services/robot_services.h"
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
 #include "wire/open_port.h"
+#include "wire/remote_codec.h"
 #include "wire/strangers.h"
 
 namespace understudy {
@@ -33,46 +36,9 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
-
-// Returns when nobody else is a robot here, or only may be one and the configuration allows that.
-// `since`: when the watch was set. Who has a writer is given the same time again to speak.
-void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Participant& participant,
-                         const GuardConfig& guard, Clock* clock) {
-  const double seconds =
-      participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
-  const auto listen =
-      std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(seconds));
-  const std::string where =
-      participant.interface() + ", domain " + std::to_string(participant.domain()) + ": ";
-  Clock::Time until = since + listen;
-  bool alone = true;
-  while (true) {
-    const StrangerWatch::News news = watch->Poll();
-    if (!news.spoke.empty()) {
-      throw NeighbourError("a robot is already on " + where + Describe(news.spoke) +
-                           " sends rt/lowstate; nothing was sent. Use another --domain or "
-                           "--interface, or `understudy exec`");
-    }
-    const Clock::Time now = clock->Now();
-    if (alone && !news.appeared.empty()) {
-      alone = false;
-      until = std::max(until, now + listen);
-    }
-    if (now >= until) break;
-    clock->SleepUntil(std::min(until, now + milliseconds(10)));
-  }
-  const std::vector<Neighbour> silent = watch->silent();
-  if (silent.empty()) return;
-  const std::string what = Describe(silent) + " can send rt/lowstate and has not done so yet";
-  if (guard.on_stranger == StrangerAction::kWarn) {
-    spdlog::warn("{}; we start all the same (guard.on_stranger: warn)", what);
-    return;
-  }
-  throw NeighbourError(
-      "a robot may already be on " + where + what +
-      "; nothing was sent. Is it a program of yours, as some clients in C++ are? Then start the "
-      "robot before it, or use `understudy exec`, or allow it by --set guard.on_stranger=warn");
-}
+// Orders and services wait no longer than this for a step that is not due, or for a robot that
+// stands still.
+constexpr milliseconds kGlance(2);
 
 // Watches the network and talks to the log and the terminal, beside the loop.
 class Housekeeper {
@@ -128,6 +94,15 @@ class Housekeeper {
   std::jthread thread_;  // last: it uses all of the above
 };
 
+// Fills in the frame that somebody asks for, if somebody does.
+void ShowFrame(const Emulator& robot, FrameBoard* frames) {
+  Frame* frame = frames->Wanted();
+  if (frame == nullptr) return;
+  robot.Show(frame);
+  frame->wireless_remote = EncodeRemote(frame->remote);
+  frames->Show();
+}
+
 }  // namespace
 
 ExitCode RunRobot(const Config& asked, const RunOptions& options) {
@@ -155,8 +130,19 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
   StatusBoard board;
   Emulator robot(config, std::move(made.world), port.get(), &inbox);
   robot.Play(options.script);
-  const ControlServer control(options.control_socket, config.robot.name, &board, &inbox,
-                              ServerLimits{}, std::move(made.draws));
+  Recording recording(options.recording, participant, config, made.draws, options.script, robot);
+  FrameBoard frames(robot.MakeFrame());
+  SceneReader scene([&config] { return MakeSightModel(config); });
+  const ControlServer control(
+      options.control_socket,
+      {.identity = {.robot = config.robot.name, .draws = std::move(made.draws)},
+       .board = &board,
+       .inbox = &inbox,
+       .frames = &frames,
+       .scene = SceneFiles(&scene, &config.robot),
+       .files = StaticFiles(PanelDir()),
+       .openapi = OpenApiFile()},
+      ServerLimits{}, options.panel);
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
   if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
@@ -164,27 +150,42 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
 
   ExitCode code = ExitCode::kOk;
   bool ready = false;
+  Histogram ticks;
   while (true) {
-    pacer.WaitFor(robot.step());
-    const StepHealth health = robot.Tick();
-    host.Poll(&robot.owner(), clock.Now());
+    StepHealth health = StepHealth::kFine;
+    const bool due = pacer.Follow(robot.pace(), robot.step(), kGlance);
+    if (due) {
+      health = robot.Tick();
+    } else {
+      robot.TakeOrders();
+    }
+    const Clock::Time now = clock.Now();
+    if (due) ticks.Add(std::chrono::duration<double>(now - pacer.reached()).count());
+    host.Poll(&robot.owner(), now);
+    ShowFrame(robot, &frames);
+    if (due) recording.Offer(robot, pacer);
 
     if (!ready) {
       ready = true;
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
                    config.network.interface, config.network.domain, control.socket().string());
+      if (!control.url().empty()) spdlog::info("panel: {}", control.url());
       if (options.on_ready) options.on_ready();
-      pacer.Resume(robot.step(), config.time.speed);
+      pacer.Resume(robot.step(), robot.pace().speed);
     }
     const bool diverged =
         health == StepHealth::kDiverged && config.physics.on_divergence == DivergenceAction::kStop;
-    if (robot.step() % kStepsPerPost != 0 && !diverged) continue;
+    if (due && robot.step() % kStepsPerPost != 0 && !diverged) continue;
 
     Status status = robot.status();
     status.ready = true;
     status.command_writers = port->command_writers();
-    status.speed = config.time.speed;
     status.pace = pacer.reading();
+    status.ticks = ticks;
+    status.services = {.requests = host.requests(),
+                       .refused = host.refused(),
+                       .lost_replies = host.lost_replies()};
+    status.recording = recording.status();
     board.Post(status);
     robot.Silence(housekeeper.must_silence());
     if (diverged) {

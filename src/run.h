@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "config/config.h"
+#include "control/panel_socket.h"
 #include "exit_code.h"
+#include "recording.h"
 #include "sim/order.h"
 
 namespace understudy {
@@ -15,7 +17,9 @@ namespace understudy {
 struct RunOptions {
   std::filesystem::path control_socket;  // where `ctl` finds the robot; see MakeControlFolder
   std::vector<ScriptEvent> script;       // what happens when; may be empty
-  bool status_line = false;              // redraw a line on the terminal
+  RecordingOptions recording;
+  const PanelSocket* panel = nullptr;  // where a browser finds it; null: nowhere
+  bool status_line = false;            // redraw a line on the terminal
   // Called once in the loop's thread when the first LowState is out. May be empty.
   std::function<void()> on_ready;
   // Asked every 10 steps; true ends the run.

@@ -5,7 +5,8 @@
 namespace understudy {
 
 // From now on SIGINT and SIGTERM only raise the flag, once; a second one ends the process the
-// ordinary way. SIGPIPE is ignored.
+// ordinary way. SIGPIPE and SIGXFSZ are ignored: who writes learns of
+// it by itself.
 void CatchStopSignals();
 
 // The signal that asked us to stop, 0 for none yet.

@@ -11,23 +11,36 @@ build_packages=(
   "cyclonedds-tools:idlc, which compiles the robot's message types"
   "libeigen3-dev:vectors and rotations"
   "libpng-dev:pictures as ground, ground as pictures"
+  "libzstd-dev:compresses recordings"
+  "zlib1g-dev:checksums of recordings"
   "libyaml-cpp-dev:reads robot descriptions"
   "libspdlog-dev:log"
   "libfmt-dev:formats the log"
   "libcli11-dev:command line"
   "nlohmann-json3-dev:JSON of services and status"
+  "libglfw3-dev:window onto a robot"
+  "libegl-dev:pictures without a display"
+  "libsdl2-dev:gamepads of understudy remote"
   "libboost-dev:local HTTP of the control socket (Beast)"
+  "libjs-three:3-D in the browser panel (three.js)"
+  "libjs-dygraphs:plots in the browser panel"
 )
 
 test_packages=(
   "libgtest-dev:unit tests"
   "libgmock-dev:unit tests"
+  "gnuplot-nox:pictures of recordings"
   "python3-venv:a Python environment for the vendor's SDKs"
   "python3-dev:compiles the SDK's DDS binding"
   "iproute2:puts two hosts on a virtual cable"
   "zsh:completions are tried in their shells"
   "fish:completions are tried in their shells"
+  "xvfb:a screen without a monitor for the window"
+  "xdotool:hands for the window"
+  "libosmesa6:pictures are tried with it, too"
+  "ffmpeg:makes and measures films"
   "util-linux:private network namespaces for tests"
+  "chromium:looks at the browser panel"
 )
 
 lint_packages=(

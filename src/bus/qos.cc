@@ -8,7 +8,8 @@ namespace {
 QosPtr CommonQos(int depth) {
   QosPtr qos(dds_create_qos());
   dds_qset_durability(qos.get(), DDS_DURABILITY_VOLATILE);
-  dds_qset_history(qos.get(), DDS_HISTORY_KEEP_LAST, depth);
+  dds_qset_history(qos.get(), depth == kKeepAll ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST,
+                   depth);
   constexpr std::array<dds_data_representation_id_t, 2> kRepresentations = {
       DDS_DATA_REPRESENTATION_XCDR1, DDS_DATA_REPRESENTATION_XCDR2};  // a writer uses the first
   dds_qset_data_representation(qos.get(), kRepresentations.size(), kRepresentations.data());

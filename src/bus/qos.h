@@ -20,7 +20,7 @@ using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 // where the vendor's may for 100 ms.
 QosPtr WriterQos();
 
-// Takes what C++, Python and ROS 2 writers offer: VOLATILE, KEEP_LAST, XCDR1 and XCDR2.
+// Takes what C++, Python and ROS 2 writers offer: VOLATILE, XCDR1 and XCDR2.
 QosPtr ReaderQos(const ReaderOptions& options);
 
 }  // namespace understudy

@@ -2,7 +2,9 @@
 #ifndef UNDERSTUDY_BUS_WRITER_H_
 #define UNDERSTUDY_BUS_WRITER_H_
 
+#include <atomic>
 #include <cstdint>
+#include <memory>
 
 #include "bus/participant.h"
 #include "bus/topic.h"
@@ -16,8 +18,14 @@ class WriterCore {
   WriterCore(const Participant& participant, const char* topic,
              const dds_topic_descriptor& descriptor, std::size_t message_size);
 
+  WriterCore(WriterCore&& other) = default;
+
   // Readers matched now, of any participant, ours included. Does not allocate.
   int matched_readers() const;
+
+  // Whether there is one: what nobody reads need not be made. A load; may trail matched_readers()
+  // by the moment that Cyclone's thread takes to tell.
+  bool has_readers() const { return readers_->load(std::memory_order_relaxed) > 0; }
 
   // Whether a reader of that participant is matched, so that what is written now reaches it.
   // Allocates: for services, not for the tick.
@@ -30,6 +38,8 @@ class WriterCore {
   bool WriteMessage(const void* message) noexcept;
 
  private:
+  std::unique_ptr<std::atomic<std::uint32_t>>
+      readers_;  // set by Cyclone's threads; outlives writer_
   Entity topic_;
   Entity writer_;
   std::uint64_t failures_ = 0;

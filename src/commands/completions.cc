@@ -3,6 +3,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "sim/start_pose.h"
+
 namespace understudy {
 namespace {
 
@@ -21,6 +23,9 @@ void Collect(const CLI::App& app, const std::string& path, const std::vector<std
     for (const std::string& name : option->get_lnames()) branch.words.push_back("--" + name);
     if (option->get_name() == "robot") {
       branch.words.insert(branch.words.end(), robots.begin(), robots.end());
+    }
+    if (option->get_name() == "POSE") {
+      branch.words.insert(branch.words.end(), kStartPoses.begin(), kStartPoses.end());
     }
   }
   branches->push_back(branch);

@@ -1,6 +1,7 @@
 #include "commands/run_command.h"
 
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -8,17 +9,22 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "commands/companion_process.h"
 #include "commands/log.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
 #include "config/script.h"
+#include "control/control_error.h"
 #include "control/control_folder.h"
+#include "control/panel_socket.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
+#include "remote/arguments.h"
 #include "robot/errors.h"
 #include "run.h"
 #include "signals.h"
+#include "viewer/arguments.h"
 
 namespace understudy {
 namespace {
@@ -56,11 +62,22 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                                std::string("motion.service=") + kNoService);
       },
       "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
+  app->add_flag_callback(
+      "--no-panel",
+      [arguments] { arguments->sets.insert(arguments->sets.begin(), "control.panel=false"); },
+      "Serve nothing on TCP; `understudy ctl` finds the robot all the same");
   app->add_option(
          "--script", arguments->script,
          "YAML file of what happens to the robot and when: remote controller, crane, pushes")
       ->type_name("FILE");
+  CLI::Option* record =
+      app->add_option("--record", arguments->record,
+                      "Record all topics, the simulation's truth and events to this MCAP file")
+          ->type_name("FILE.mcap");
+  app->add_flag("--overwrite", arguments->overwrite, "Replace the recording that is there")
+      ->needs(record);
   AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
+  app->add_flag("--view", arguments->view, "Open a window onto it, as `understudy view` does");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")
@@ -81,6 +98,43 @@ std::vector<ScriptEvent> LoadEvents(const RunArguments& arguments) {
   return arguments.script.empty() ? std::vector<ScriptEvent>() : LoadScript(arguments.script);
 }
 
+// Whoever asks for a certain address gets that or an error; the panel that nobody asked for is no
+// reason to fail: `missing` says why there is none.
+std::unique_ptr<PanelSocket> MakePanelSocket(const ControlConfig& config, std::string* missing) {
+  if (!config.panel) return nullptr;
+  try {
+    return std::make_unique<PanelSocket>(config.address, config.port);
+  } catch (const SocketError& error) {
+    if (config.port != 0 || config.address != ControlConfig{}.address) throw;
+    *missing = error.what();
+    return nullptr;
+  }
+}
+
+void SayWhatIsMissing(const std::string& panel) {
+  if (!panel.empty()) spdlog::info("no panel: {}", panel);
+}
+
+RecordingOptions RecordingOf(const RunArguments& arguments) {
+  return {.file = arguments.record, .overwrite = arguments.overwrite};
+}
+
+// Forked here, before any thread exists; they start at Release().
+std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
+                                          const std::string& socket) {
+  std::deque<CompanionProcess> companions;
+  if (arguments.view) {
+    companions.emplace_back("the window", "understudy-view", kViewerMissing,
+                            std::vector<std::string>{"view", "--socket", socket});
+  }
+  if (arguments.gamepad) {
+    companions.emplace_back(
+        "the gamepad's program", "understudy-remote", kRemoteMissing,
+        std::vector<std::string>{"remote", "--no-keyboard", "--socket", socket});
+  }
+  return companions;
+}
+
 std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
   MakeControlFolder(ControlFolder());
   return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
@@ -91,6 +145,8 @@ std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Con
 CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
   CLI::App* run = app->add_subcommand("run", "Play a robot on the network until Ctrl-C");
   AddRunOptions(run, arguments);
+  run->add_flag("--gamepad", arguments->gamepad,
+                "Play with a gamepad, as `understudy remote --no-keyboard` beside it");
   run->footer(
       "Examples:\n"
       "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
@@ -98,7 +154,10 @@ CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
       "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
       "  understudy run go2 --released             for programs that do not release it themselves\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
+      "  understudy run go2 --view                 with a window to look at it and push it\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
+      "  understudy run go2 --record walk.mcap     all topics, truth and events: "
+      "docs/recording.md\n"
       "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
       "In another terminal: understudy ctl status --watch");
   return run;
@@ -137,13 +196,25 @@ int RunCommand(const RunArguments& arguments) {
   }
   RunOptions options;
   options.script = LoadEvents(arguments);
+  options.recording = RecordingOf(arguments);
   options.control_socket = MakeControlSocket(arguments, config);
+  std::string missing;
+  const auto panel = MakePanelSocket(config.control, &missing);
+  options.panel = panel.get();
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
+  std::deque<CompanionProcess> companions = CompanionsOf(arguments, options.control_socket);
   StartLog({.level = arguments.log_level.empty() ? "info" : arguments.log_level,
             .json = arguments.json,
             .status_line = options.status_line});
-  options.should_stop = [] { return StopSignal() != 0; };
+  SayWhatIsMissing(missing);
   CatchStopSignals();
+  options.on_ready = [&companions] {
+    for (CompanionProcess& companion : companions) companion.Release();
+  };
+  options.should_stop = [&companions] {
+    for (CompanionProcess& companion : companions) companion.Watch();
+    return StopSignal() != 0;
+  };
   return static_cast<int>(RunRobot(config, options));
 }
 
@@ -152,22 +223,32 @@ int ExecCommand(const RunArguments& arguments) {
   const Config config = Load(arguments);
   RunOptions options;
   options.script = LoadEvents(arguments);
+  // In the machine's network, where the browser is.
+  std::string missing;
+  const auto panel = MakePanelSocket(config.control, &missing);
+  options.panel = panel.get();
+  options.recording = RecordingOf(arguments);
   if (arguments.network == "private") EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
   const std::filesystem::path control = MakeControlSocket(arguments, config);
   ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
-
+  std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
             .status_line = false});
+  SayWhatIsMissing(missing);
   CatchStopSignals();
   constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
   bool terminating = false;
   options.control_socket = control;
-  options.on_ready = [&child] { child.Release(); };
+  options.on_ready = [&] {
+    child.Release();
+    for (CompanionProcess& companion : companions) companion.Release();
+  };
   options.should_stop = [&] {
+    for (CompanionProcess& companion : companions) companion.Watch();
     if (StopSignal() != 0 && !terminating) {
       terminating = true;
       child.Terminate(kGrace);  // the robot goes on until the command has ended

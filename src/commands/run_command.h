@@ -16,10 +16,15 @@ struct RunArguments : SetArguments {
   std::string robot;
   std::string name;
   std::string script;
+  bool view = false;
+  std::string record;
+  bool overwrite = false;
   bool print_config = false;
   bool help_config = false;
   bool json = false;
   std::string log_level;
+  // run only
+  bool gamepad = false;
   // exec only
   std::string network = "private";
   std::vector<std::string> command;

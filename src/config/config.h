@@ -37,6 +37,13 @@ struct TimeConfig {
   bool realtime = true;  // ask for SCHED_FIFO and locked memory
 };
 
+// Where a robot is reached by what speaks TCP, a browser above all.
+struct ControlConfig {
+  bool panel = true;
+  std::string address = "127.0.0.1";
+  int port = 0;  // 0: the first that is free from 7707 on
+};
+
 enum class DivergenceAction { kStop, kReset };
 
 struct PhysicsConfig {
@@ -51,6 +58,7 @@ struct StartConfig {
 struct Config {
   NetworkConfig network;
   GuardConfig guard;
+  ControlConfig control;
   TimeConfig time;
   PhysicsConfig physics;
   SensorConfig sensors;

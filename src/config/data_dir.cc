@@ -13,6 +13,18 @@ bool Holds(const std::filesystem::path& directory) {
   return std::filesystem::is_directory(directory / "config" / "robots", error);
 }
 
+// What a robot serves, which is elsewhere in the source tree.
+std::filesystem::path Served(const char* name, const char* source) {
+  const char* variable = std::getenv("UNDERSTUDY_DATA_DIR");
+  if (variable != nullptr && *variable != '\0') return std::filesystem::path(variable) / name;
+  std::error_code error;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  std::filesystem::path installed =
+      program.parent_path().parent_path() / "share" / "understudy" / name;
+  if (std::filesystem::exists(installed, error)) return installed;
+  return std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / source;
+}
+
 }  // namespace
 
 std::filesystem::path DataDir() {
@@ -34,5 +46,9 @@ std::filesystem::path FindDataDir(const char* variable, const std::filesystem::p
   throw ConfigError("no robot files: neither " + installed.string() + " nor " + source.string() +
                     " holds config/robots; set UNDERSTUDY_DATA_DIR");
 }
+
+std::filesystem::path PanelDir() { return Served("panel", "src/panel/web"); }
+
+std::filesystem::path OpenApiFile() { return Served("openapi.yaml", "docs/openapi.yaml"); }
 
 }  // namespace understudy

@@ -15,6 +15,12 @@ std::filesystem::path DataDir();
 std::filesystem::path FindDataDir(const char* variable, const std::filesystem::path& program,
                                   const std::filesystem::path& source);
 
+// The folder of the panel's files, and the document of the control plane's routes: panel/ and
+// openapi.yaml in $UNDERSTUDY_DATA_DIR where that is set, else in share/understudy beside the
+// program's bin, else in the source tree. They need not exist.
+std::filesystem::path PanelDir();
+std::filesystem::path OpenApiFile();
+
 }  // namespace understudy
 
 #endif  // UNDERSTUDY_CONFIG_DATA_DIR_H_

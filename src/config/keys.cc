@@ -28,6 +28,19 @@ void DescribeGuard(Archive& a, GuardConfig& c) {
            {"silence", "warn", "stop"}, &c.on_stranger);
 }
 
+void DescribeControl(Archive& a, ControlConfig& c) {
+  a.Key({"panel", "Serve the panel and all that ctl can do over TCP, for a browser"}, &c.panel);
+  a.Key({"address",
+         "IP address to serve it on; others than this machine's own can reach the robot "
+         "on any but 127.0.0.1 and ::1"},
+        &c.address);
+  a.Key({"port",
+         "",
+         {0, 65535},
+         "TCP port; 0 is the first that is free from 7707 on (which is assumed)"},
+        &c.port);
+}
+
 void DescribeTime(Archive& a, TimeConfig& c) {
   a.Key({"speed", "s/s", {0, 1000}, "Simulated time per wall time; 0 is as fast as possible"},
         &c.speed);
@@ -108,6 +121,7 @@ void Describe(Archive& a, Config& c) {
   DescribeScene(a, c);
   a.Section({"network", "Where to speak"}, [&] { DescribeNetwork(a, c.network); });
   a.Section({"guard", "Care for other robots on the network"}, [&] { DescribeGuard(a, c.guard); });
+  a.Section({"control", "The panel's address"}, [&] { DescribeControl(a, c.control); });
   a.Section({"time", "How time passes"}, [&] { DescribeTime(a, c.time); });
   a.Section({"physics", "How physics is computed"}, [&] { DescribePhysics(a, c.physics); });
   a.Section({"sensors", "How readings differ from the truth"},

@@ -189,21 +189,10 @@ std::vector<YamlValue> ChosenRevision(const RobotFile& file, const std::vector<Y
                                    : "; it has " + Listed(names) + WhoHas(asked->text, data_dir)));
 }
 
-// A fault in a revision is told whichever is played.
-void CheckOtherRevisions(const RobotFile& file) {
-  for (const RobotRevision& revision : file.revisions) {
-    std::vector<YamlValue> trees = file.trees;
-    trees.insert(trees.end(), revision.trees.begin(), revision.trees.end());
-    Places places;
-    const Config config = ReadLayers(trees, &places);
-    Validate(config, places);
-  }
-}
-
 }  // namespace
 
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  RobotFile file = ReadRobotFile(layers.robot, data_dir);
+  const RobotFile file = ReadRobotFile(layers.robot, data_dir);
   std::vector<YamlValue> trees = file.trees;
   AddTrees(layers, &trees);
   const std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
@@ -212,10 +201,10 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
                chosen.end());
   Places places;
   Config config = ReadLayers(trees, &places);
-  if (LeavesJointsToAnotherModel(trees, own))
+  if (LeavesJointsToAnotherModel(trees, own)) {
     config.robot.dynamics.use = DynamicsSource::kCatalogue;
+  }
   Validate(config, places);
-  CheckOtherRevisions(file);
   return config;
 }
 

@@ -22,10 +22,10 @@ struct Layers {
 // The effective configuration, validated. A robot file is a layer like the others: its `robot`
 // section says what the robot is, its other keys are that robot's run defaults. It may extend
 // another and have revisions (config/robot_file.h), of which the last `robot.revision` of all
-// layers is laid over it, below the other layers; the rest are read for their faults. A relative
-// `robot.model` that is a file beside the YAML that names it becomes absolute. A `scene` that is a
-// YAML file is a layer below all of them; the configuration then has the scene it names, or row.
-// Throws ConfigError.
+// layers is laid over it, below the other layers; faults in the rest are for `understudy check` to
+// find. A relative `robot.model` that is a file beside the YAML that names it becomes absolute. A
+// `scene` that is a YAML file is a layer below all of them; the configuration then has the scene it
+// names, or row. Throws ConfigError.
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);
 
 // The same without a robot, for its `scene` and `terrain`: layers.robot is left out and only these

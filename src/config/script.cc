@@ -11,6 +11,7 @@
 #include "robot/errors.h"
 #include "robot/nearest_word.h"
 #include "robot/remote_keys.h"
+#include "time/pace.h"
 
 namespace understudy {
 namespace {
@@ -125,6 +126,21 @@ Order ReadPress(const YamlValue& value, double seconds) {
   return press;
 }
 
+Order ReadReset(const YamlValue& value, double) {
+  const bool word = value.kind == YamlValue::Kind::kScalar;
+  if (word && (value.text == "true" || value.text == "on")) return ResetRobot{};
+  const auto pose = word ? FindStartPose(value.text) : std::nullopt;
+  if (!pose) Refuse(value, "reset", "true, lying, standing, hanging or clamped");
+  return ResetRobot{.pose = pose};
+}
+
+Order ReadSpeed(const YamlValue& value, double) {
+  if (value.kind == YamlValue::Kind::kScalar && value.text == "max") return SetSpeed{.speed = 0};
+  const double speed = Number(value, "speed", 0, kMostSpeed, kSpeedRange);
+  if (!IsSpeed(speed)) Refuse(value, "speed", kSpeedRange);
+  return SetSpeed{.speed = speed};
+}
+
 struct Event {
   const char* key;
   bool takes_time;  // whether `for` may stand beside it
@@ -144,11 +160,8 @@ constexpr Event kEvents[] = {
     {"clamp", false,
      [](const YamlValue& v, double) -> Order { return ClampBase{OnOff(v, "clamp")}; }},
     {"push", true, ReadPush},
-    {"reset", false,
-     [](const YamlValue& v, double) -> Order {
-       if (!OnOff(v, "reset")) Refuse(v, "reset", "true");
-       return ResetRobot{};
-     }},
+    {"reset", false, ReadReset},
+    {"speed", false, ReadSpeed},
 };
 
 ScriptEvent ReadEvent(const YamlValue& value) {

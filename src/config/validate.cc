@@ -1,200 +1,21 @@
 #include "config/validate.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstddef>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "config/archive.h"
+#include "config/checker.h"
 #include "config/keys.h"
 #include "config/randomization_keys.h"
-#include "motion/chord.h"
+#include "config/validate_robot.h"
 #include "motion/onboard.h"
-#include "robot/errors.h"
-#include "robot/firmware.h"
 #include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {
-
-// Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
-constexpr int kGoSlots = 20;
-constexpr int kHgSlots = 35;
-constexpr std::size_t kHandMotors = 16;  // that the mode byte of a hand tells apart
-
-class Checker {
- public:
-  explicit Checker(const Places& places) : places_(places) {}
-
-  void Check(bool fits, const std::string& key, const std::string& what) const {
-    if (fits) return;
-    const auto place = places_.find(key);
-    throw ConfigError((place == places_.end() ? "" : place->second + ": ") + key + ": " + what);
-  }
-
- private:
-  const Places& places_;
-};
-
-// `key`: of the motor, with a dot behind. `joints`: those that have a motor already.
-void CheckMotor(const MotorSpec& m, const std::string& key, std::set<std::string>* joints,
-                const Checker& checker) {
-  checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
-  checker.Check(joints->insert(m.joint).second, key + "joint",
-                "'" + m.joint + "' has a motor already");
-  checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
-  checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
-                "expected less than no_load_speed " + NumberText(m.no_load_speed) + " rad/s, got " +
-                    NumberText(m.knee_speed));
-}
-
-void CheckMotors(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
-  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
-  int last = -1;
-  checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
-  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-    const int slot = robot.motors[i].slot;
-    const std::string key = "robot.motors." + std::to_string(i) + ".";
-    checker.Check(slot >= 0 && slot < slots, key + "slot",
-                  "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
-                      std::to_string(slot));
-    checker.Check(slot > last, key + "slot",
-                  "expected more than " + std::to_string(last) +
-                      ", as slots ascend and no two are alike, got " + std::to_string(slot));
-    last = slot;
-    CheckMotor(robot.motors[i], key, joints, checker);
-  }
-}
-
-// A part of a topic's name that DDS takes: words between slashes.
-bool IsTopic(const std::string& topic) {
-  const auto fits = [](char c) {
-    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
-  };
-  return !topic.empty() && topic.front() != '/' && topic.back() != '/' &&
-         topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
-}
-
-void CheckHand(const HandSpec& hand, const std::string& key, std::set<std::string>* joints,
-               const Checker& checker) {
-  checker.Check(!hand.name.empty(), key + "name", "expected a name");
-  checker.Check(IsTopic(hand.topic), key + "topic",
-                "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
-                    hand.topic + "'");
-  checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
-                "expected 1 to " + std::to_string(kHandMotors) + ", got " +
-                    std::to_string(hand.motors.size()));
-  for (std::size_t i = 0; i < hand.motors.size(); ++i) {
-    CheckMotor(hand.motors[i], key + "motors." + std::to_string(i) + ".", joints, checker);
-  }
-  for (std::size_t i = 0; i < hand.pads.size(); ++i) {
-    const std::vector<double>& taxels = hand.pads[i].taxels;
-    const bool whole = std::all_of(taxels.begin(), taxels.end(),
-                                   [](double taxel) { return taxel == std::floor(taxel); });
-    checker.Check(whole, key + "pads." + std::to_string(i) + ".taxels", "expected whole numbers");
-  }
-}
-
-void CheckHands(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
-  checker.Check(robot.hands.empty() || robot.family == WireFamily::kHg, "robot.hands",
-                "the go family has no messages for them");
-  checker.Check(robot.hands.size() <= kMostHands, "robot.hands",
-                "expected at most " + std::to_string(kMostHands) + ", got " +
-                    std::to_string(robot.hands.size()));
-  std::set<std::string> topics;
-  for (std::size_t i = 0; i < robot.hands.size(); ++i) {
-    const HandSpec& hand = robot.hands[i];
-    const std::string key = "robot.hands." + std::to_string(i) + ".";
-    CheckHand(hand, key, joints, checker);
-    checker.Check(topics.insert(hand.topic).second, key + "topic",
-                  "another hand has '" + hand.topic + "' already");
-  }
-}
-
-void CheckParallel(const RobotSpec& robot, const Checker& checker) {
-  const int motors = static_cast<int>(robot.motors.size());
-  std::set<int> taken;
-  for (std::size_t i = 0; i < robot.parallel.size(); ++i) {
-    const std::string pair = "robot.parallel." + std::to_string(i);
-    const auto check = [&](int index, const std::string& key) {
-      checker.Check(index >= 0 && index < motors, key,
-                    "expected 0 to " + std::to_string(motors - 1) + ", as there are " +
-                        std::to_string(motors) + " motors, got " + std::to_string(index));
-      checker.Check(taken.insert(index).second, key,
-                    "motor " + std::to_string(index) + " is in a pair already");
-    };
-    check(robot.parallel[i].pitch, pair + ".pitch");
-    check(robot.parallel[i].roll, pair + ".roll");
-    checker.Check(robot.parallel[i].roll_ratio > 0, pair + ".roll_ratio", "expected more than 0");
-  }
-}
-
-void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
-  const DynamicsSpec& dynamics = robot.dynamics;
-  if (dynamics.use != DynamicsSource::kFitted) return;
-  checker.Check(!dynamics.fitted.empty(), "robot.dynamics.use",
-                "robot '" + robot.name + "' has no fitted figures; choose catalogue");
-  std::set<double> taken;
-  for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
-    const std::string key = "robot.dynamics.fitted." + std::to_string(i) + ".slots";
-    const std::vector<double>& slots = dynamics.fitted[i].slots;
-    // Some may be empty: a robot's next of kin has fewer motors.
-    checker.Check(std::any_of(robot.motors.begin(), robot.motors.end(),
-                              [&slots](const MotorSpec& motor) {
-                                return std::find(slots.begin(), slots.end(), motor.slot) !=
-                                       slots.end();
-                              }),
-                  key, "expected slots of motors; none of these has one");
-    for (const double slot : slots) {
-      checker.Check(taken.insert(slot).second, key,
-                    "slot " + NumberText(slot) + " has figures already");
-    }
-  }
-}
-
-void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors,
-               const Checker& checker) {
-  checker.Check(pose.q.size() == motors, "robot." + name + ".q",
-                "expected one angle per motor, " + std::to_string(motors) + ", got " +
-                    std::to_string(pose.q.size()));
-  double norm = 0;
-  for (const double x : pose.quat) norm += x * x;
-  checker.Check(pose.quat.size() == 4 && std::abs(norm - 1) < 1e-3, "robot." + name + ".quat",
-                "expected four numbers w, x, y, z of length 1");
-}
-
-void CheckHumanoid(const RobotSpec& robot, const Checker& checker) {
-  const HumanoidMotionSpec& humanoid = robot.motion.humanoid;
-  const std::string section = "robot.motion.humanoid.";
-  const auto check_ids = [&](const std::vector<double>& ids, const std::string& key) {
-    for (const double id : ids) {
-      checker.Check(id == std::floor(id), section + key,
-                    "expected whole numbers, got " + NumberText(id));
-    }
-  };
-  check_ids(humanoid.balance, "balance");
-  check_ids(humanoid.unplayed, "unplayed");
-  const auto check_pose = [&](const std::vector<double>& q, bool needed, const std::string& key,
-                              const std::string& state) {
-    checker.Check(q.size() == robot.motors.size() || (q.empty() && !needed), section + key,
-                  "expected one angle per motor, " + std::to_string(robot.motors.size()) +
-                      (needed ? ", as there is a " + state : "") + ", got " +
-                      std::to_string(q.size()));
-  };
-  check_pose(humanoid.squat_q, humanoid.squat >= 0 || humanoid.balanced_squat >= 0, "squat_q",
-             "squat");
-  check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
-}
-
-void CheckFeet(const RobotSpec& robot, const Checker& checker) {
-  for (std::size_t i = 0; i < robot.feet.size(); ++i) {
-    checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
-                  "expected three numbers");
-  }
-}
 
 void CheckRandomization(const Config& config, const Checker& checker) {
   const RandomizationSpec& spec = config.randomization;
@@ -220,28 +41,6 @@ bool IsWhole(double ratio) {
   return whole >= 1 && std::abs(ratio - whole) < 1e-9 * whole;
 }
 
-// What a robot says of its model's bodies: whole vectors or none.
-void CheckBodies(const RobotSpec& robot, const Checker& checker) {
-  for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    const BodySpec& body = robot.bodies[i];
-    const std::string key = "robot.bodies." + std::to_string(i) + ".";
-    const auto check = [&](const std::vector<double>& values, std::size_t length,
-                           const std::string& name) {
-      checker.Check(values.empty() || values.size() == length, key + name,
-                    "expected " + std::to_string(length) + " numbers or none, got " +
-                        std::to_string(values.size()));
-    };
-    checker.Check(!body.name.empty(), key + "name", "expected the name of a body");
-    check(body.pos, 3, "pos");
-    check(body.com, 3, "com");
-    check(body.inertia, 6, "inertia");
-  }
-  for (std::size_t i = 0; i < robot.sites.size(); ++i) {
-    checker.Check(!robot.sites[i].name.empty(), "robot.sites." + std::to_string(i) + ".name",
-                  "expected the name of a site");
-  }
-}
-
 void CheckRates(const Config& config, const Checker& checker) {
   const RateSpec& rates = config.robot.rates;
   const double steps = 1 / config.physics.timestep;
@@ -262,22 +61,6 @@ void CheckRates(const Config& config, const Checker& checker) {
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }
 
-void CheckFirmware(const RobotSpec& robot, const Checker& checker) {
-  const auto check = [&](const std::string& version, const std::string& key) {
-    checker.Check(version.empty() || IsFirmware(version), key,
-                  "expected numbers between dots, as in 1.1.6, got '" + version + "'");
-  };
-  check(robot.firmware, "robot.firmware");
-  check(robot.state_id_since, "robot.state_id_since");
-  for (std::size_t i = 0; i < robot.services.size(); ++i) {
-    const ServiceSpec& service = robot.services[i];
-    const std::string key = "robot.services." + std::to_string(i) + ".";
-    checker.Check(!service.name.empty(), key + "name", "expected a name");
-    check(service.since, key + "since");
-    check(service.before, key + "before");
-  }
-}
-
 void CheckMotionService(const Config& config, const Checker& checker) {
   const std::string& wanted = config.motion.service;
   std::vector<std::string> words = MotionServices(config.robot);
@@ -286,27 +69,6 @@ void CheckMotionService(const Config& config, const Checker& checker) {
   checker.Check(known, "motion.service",
                 "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
                     DidYouMean(wanted, words));
-}
-
-void CheckArmSdk(const RobotSpec& robot, const Checker& checker) {
-  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
-  const ArmSdkSpec& arms = robot.arm_sdk;
-  for (std::size_t i = 0; i < arms.slots.size(); ++i) {
-    const double slot = arms.slots[i];
-    const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
-                                 [&](const MotorSpec& motor) { return motor.slot == slot; });
-    checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + NumberText(slot));
-  }
-  checker.Check(arms.weight_slot < slots, "robot.arm_sdk.weight_slot",
-                "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
-                    std::to_string(arms.weight_slot));
-  checker.Check(robot.remote.speed.size() == 3, "robot.remote.speed", "expected three numbers");
-}
-
-void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker) {
-  const std::vector<std::string>& poses = StartPoses();
-  checker.Check(std::find(poses.begin(), poses.end(), pose) != poses.end(), key,
-                "no pose '" + pose + "'" + DidYouMean(pose, poses));
 }
 
 }  // namespace
@@ -331,45 +93,11 @@ void ValidateTerrain(const Config& config, const Places& places) {
 void Validate(const Config& config, const Places& places) {
   ValidateTerrain(config, places);
   const Checker checker(places);
-  const RobotSpec& robot = config.robot;
-  checker.Check(!robot.name.empty(), "robot.name", "expected a name");
-  checker.Check(!robot.model.empty(), "robot.model", "expected a model file");
-  checker.Check(!robot.base_body.empty(), "robot.base_body", "expected the name of a body");
-  checker.Check(!robot.imu.site.empty(), "robot.imu.site", "expected the name of a site");
-  checker.Check(!robot.crane_body.empty(), "robot.crane_body", "expected the name of a body");
-  std::set<std::string> joints;
-  CheckMotors(robot, &joints, checker);
-  CheckHands(robot, &joints, checker);
-  CheckParallel(robot, checker);
-  CheckDynamics(robot, checker);
-  CheckFeet(robot, checker);
-  CheckBodies(robot, checker);
-  CheckPose(robot.lying, "lying", robot.motors.size(), checker);
-  CheckPose(robot.standing, "standing", robot.motors.size(), checker);
-  CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
-  CheckHumanoid(robot, checker);
+  ValidateRobot(config.robot, checker);
   CheckRates(config, checker);
   CheckRandomization(config, checker);
-  CheckFirmware(robot, checker);
   CheckMotionService(config, checker);
-  CheckArmSdk(robot, checker);
-  for (std::size_t i = 0; i < robot.remote.chords.size(); ++i) {
-    const std::string key = "robot.remote.chords." + std::to_string(i);
-    const auto place = places.find(key + ".keys");
-    MakeChord(robot.remote.chords[i], (place == places.end() ? "" : place->second + ": ") + key);
-  }
-  const std::vector<double>& height_range = robot.motion.quadruped.height_range;
-  checker.Check(height_range[0] <= height_range[1], "robot.motion.quadruped.height_range",
-                "expected least before most");
-  checker.Check(robot.battery.cell_empty_v < robot.battery.cell_full_v,
-                "robot.battery.cell_empty_v", "expected less than cell_full_v");
-  checker.Check(robot.battery.cells > 0, "robot.battery.cells", "expected at least one cell");
-  checker.Check(robot.battery.capacity_ah > 0, "robot.battery.capacity_ah",
-                "expected more than 0 A·h");
-  CheckStartPose(robot.default_start, "robot.default_start", checker);
   if (!config.start.pose.empty()) CheckStartPose(config.start.pose, "start.pose", checker);
-  checker.Check(robot.mode_machine >= 0 && robot.mode_machine <= 255, "robot.mode_machine",
-                "expected 0 to 255");
   checker.Check(config.network.domain >= 0 && config.network.domain <= 232, "network.domain",
                 "expected 0 to 232");
 }

@@ -7,10 +7,10 @@
 
 namespace understudy {
 
-// Throws ConfigError at the first thing that does not fit: a robot without name, model or motors;
-// slots that are not ascending or that the message family lacks; speeds, poses, parallel pairs and
-// battery voltages that contradict each other; rates that are no whole number of physics steps, or
-// that rt/lowstate's rate is no multiple of. `places` tells where each key was set.
+// Throws ConfigError at the first thing that does not fit: what ValidateTerrain and ValidateRobot
+// refuse; rates that are no whole number of physics steps, or that rt/lowstate's rate is no
+// multiple of; a motion service or a pose that the robot has not. `places` tells where each key was
+// set.
 void Validate(const Config& config, const Places& places = {});
 
 // The part of it about scene and terrain: row without patches, patches that nothing asks for, sizes

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -27,8 +28,28 @@ struct ControlReply {
   std::string body;
 };
 
-// One request on a connection of its own, all of it within `timeout`. A reply of any status is a
-// reply. Throws ControlError when nobody listens at `socket` or no HTTP comes back in time.
+// A connection to a robot for requests one after another. A robot hangs up on who asks nothing for
+// ServerLimits::idle.
+class Connection {
+ public:
+  // Throws ControlError when nobody listens at `socket`.
+  Connection(const std::filesystem::path& socket, std::chrono::milliseconds timeout);
+  ~Connection();
+  Connection(const Connection&) = delete;
+  Connection& operator=(const Connection&) = delete;
+
+  // A reply of any status is a reply. Throws ControlError when no HTTP comes back within `timeout`;
+  // the connection is of no use any more then, nor after `last`, which tells the robot so.
+  ControlReply Ask(const std::string& method, const std::string& path, const std::string& body,
+                   std::chrono::milliseconds timeout, bool last = false);
+
+ private:
+  struct Stream;
+  std::filesystem::path socket_;
+  std::unique_ptr<Stream> stream_;
+};
+
+// One request on a connection of its own, connecting and asking within `timeout` each.
 ControlReply Call(const std::filesystem::path& socket, const std::string& method,
                   const std::string& path, const std::string& body,
                   std::chrono::milliseconds timeout);

@@ -2,17 +2,16 @@
 #ifndef UNDERSTUDY_CONTROL_CTL_COMMAND_H_
 #define UNDERSTUDY_CONTROL_CTL_COMMAND_H_
 
-#include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
-#include "control/client.h"
+#include "control/robot_choice.h"
 
 namespace CLI {
 class App;
@@ -22,12 +21,15 @@ namespace understudy {
 
 // Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
 //
-//   status [--json] [--watch]   wait [--timeout S]   list [--json]
-//   crane lower M | raise M | attach | release   clamp on | off   reset
-//   push BODY FX FY FZ [--for S]   remote press | hold | release KEYS, stick AXIS=VALUE, on, off
+//   status [--watch]   wait   list   frame   refusals   timings   panel
+//   pause   resume   step [N]   speed X   reset [POSE]
+//   crane lower M | raise M | attach | release   clamp on | off
+//   push BODY FX FY FZ   drag BODY X Y Z | --release
+//   remote press | hold | release KEYS, stick AXIS=VALUE, on, off
 //
-// each with --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket path), else
-// the only robot that runs. What cannot be understood makes App::parse throw CLI::ParseError.
+// each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
+// path), else the only robot that runs. What cannot be understood makes App::parse throw
+// CLI::ParseError.
 class CtlCommand {
  public:
   // Both pointers must outlive this object, which must outlive the parsing.
@@ -43,36 +45,46 @@ class CtlCommand {
   void Run() { action_(); }
 
  private:
-  // Where the robot is that the options mean, or why there is none yet.
-  struct Target {
-    std::optional<std::filesystem::path> socket;
-    std::string why;
-  };
+  // What makes text for a person of a reply's JSON.
+  using Teller = std::string (*)(const nlohmann::ordered_json& reply);
 
   CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
                       std::function<void()> action);
+  void AddReading(CLI::App* ctl);
+  void AddPace(CLI::App* ctl);
+  void AddReset(CLI::App* ctl);
   void AddCrane(CLI::App* ctl);
+  void AddClamp(CLI::App* ctl);
   void AddPush(CLI::App* ctl);
+  void AddDrag(CLI::App* ctl);
   void AddRemote(CLI::App* ctl);
 
-  Target FindTarget() const;
-  std::filesystem::path TargetSocket() const;
   void ShowStatus() const;
+  void WatchStatus(const std::filesystem::path& socket) const;
   void AwaitReady() const;
   void ShowRobots() const;
+  // The reply to GET `path`: as it is with --json, else what `tell` makes of it.
+  void Show(const std::string& path, Teller tell) const;
+
   void GiveOrder(const std::string& path, const nlohmann::json& body) const;
+  void MakeSteps() const;
+  void Drag() const;
+  void MoveSticks() const;
 
   std::ostream* out_;
   std::function<void()> action_;
-  std::string name_;
-  std::string socket_;
+  RobotChoice robot_;
   bool json_ = false;
   bool watch_ = false;
+  bool release_ = false;
   double timeout_ = 30;  // s
+  double every_ = 1;     // s
   double metres_ = 0;
   double seconds_ = 0;
-  std::string body_, keys_;
-  std::vector<double> force_;
+  double speed_ = 1;
+  std::int64_t steps_ = 1;
+  std::string body_, keys_, pose_, parts_;
+  std::vector<double> vector_, at_;
   std::vector<std::string> axes_;
 };
 

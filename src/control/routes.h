@@ -5,34 +5,44 @@
 #include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
+#include "control/http.h"
 #include "control/inbox.h"
-#include "control/status_json.h"
+#include "control/plane.h"
 
 namespace understudy {
 
-struct HttpRequest {
-  std::string_view method;
-  std::string_view target;  // path and perhaps a query, which is left aside
-  std::string_view body;
+// A reply that is made of a frame.
+struct FromFrame {
+  FrameParts parts = 0;
+  HttpReply (*reply)(const Frame& frame, FrameParts parts, Plane& plane) = nullptr;
 };
 
-struct HttpReply {
-  unsigned status = 200;
-  std::string body;   // JSON
-  std::string allow;  // the method that the path does take; only beside status 405
+// A WebSocket on which frames are sent, at most `hz` a second.
+struct WatchFrames {
+  FrameParts parts = 0;
+  double hz = 60;
 };
 
-// {"error": why}, whatever bytes `why` holds.
-HttpReply ErrorReply(unsigned status, std::string_view why);
+// A WebSocket on which orders come.
+struct TakeOrders {};
+
+// A reply at once, an order that has to be carried out before one is known, or another beginning.
+using Routed = std::variant<HttpReply, Order, FromFrame, WatchFrames, TakeOrders>;
 
 // What an order came to: {"ok": true}, or 409 with the reason.
 HttpReply AnswerReply(const Answer& answer);
 
-// A reply at once, or an order that has to be carried out before one is known. Never throws on what
-// a client sent.
-std::variant<HttpReply, Order> Route(const HttpRequest& request, const RobotIdentity& identity,
-                                     const StatusBoard& board);
+// Never throws on what a client sent.
+Routed Route(const HttpRequest& request, Plane& plane);
+
+// One route as documents name it: "GET", "/scene/mesh/{index}".
+struct RouteName {
+  std::string_view method;
+  std::string_view path;
+};
+std::vector<RouteName> AllRoutes();
 
 }  // namespace understudy
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <mutex>
+#include <string_view>
 
 #include "robot/command_gate.h"
 #include "robot/port_counts.h"
@@ -21,13 +22,39 @@ struct HandStatus {
   Refusal last_refusal = Refusal::kNone;
 };
 
+// Of all services, since start.
+struct ServiceCounts {
+  std::uint64_t requests = 0;
+  std::uint64_t refused = 0;  // answered by a code other than 0
+  std::uint64_t lost_replies = 0;
+};
+
+enum class RecordingState : std::uint8_t { kOff, kOn, kFailed };
+
+// The word that the control plane uses.
+constexpr std::string_view Name(RecordingState state) {
+  constexpr std::array<std::string_view, 3> kNames = {"off", "on", "failed"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+struct RecordingStatus {
+  RecordingState state = RecordingState::kOff;
+  std::uint64_t messages = 0;
+  std::uint64_t bytes = 0;    // in the file
+  std::uint64_t dropped = 0;  // moments that are not in it, since its thread was too far behind
+};
+
 struct Status {
   bool ready = false;     // the first LowState is out
   bool silenced = false;  // another robot appeared and we stopped sending
   double time = 0;        // simulated s
   std::int64_t steps = 0;
   double speed = 1;  // wanted; 0 = as fast as possible
+  bool paused = false;
+  std::int64_t steps_left = 0;  // to be made although paused
   PaceReading pace;
+  Histogram ticks;  // wall time of each, since start
+  ServiceCounts services;
   GateState gate = GateState::kStart;
   std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
   MotionState motion;                     // of that service
@@ -50,6 +77,7 @@ struct Status {
   bool clamped = false;
   double base_height = 0;  // m
   double tilt = 0;         // rad between the base's up and the world's
+  RecordingStatus recording;
 };
 
 // One writer, the tick, which never waits: a post that finds the board being read is left out. Any

@@ -56,6 +56,8 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
       {"time", status.time},
       {"steps", status.steps},
       {"speed", status.speed},
+      {"paused", status.paused},
+      {"steps_left", status.steps_left},
       {"pace",
        {{"real_time_factor", status.pace.real_time_factor},
         {"overruns", status.pace.overruns},
@@ -99,6 +101,11 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"tension", status.crane_tension}}},
       {"clamped", status.clamped},
       {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
+      {"recording",
+       {{"state", Name(status.recording.state)},
+        {"messages", status.recording.messages},
+        {"bytes", status.recording.bytes},
+        {"dropped", status.recording.dropped}}},
       {"randomization", DrawsJson(identity.draws)},
   };
 }

@@ -13,8 +13,8 @@ namespace understudy {
 
 // Who answers: the same for the whole run.
 struct RobotIdentity {
-  std::string robot;    // the description's name, as in `understudy run <robot>`
-  std::string version;  // of this program
+  std::string robot{};    // the description's name, as in `understudy run <robot>`
+  std::string version{};  // of this program
   int pid = 0;
   Draws draws{};  // what the run left to chance
 };

@@ -8,7 +8,8 @@
 
 namespace understudy {
 
-// Owns one descriptor, or none (-1). Closing errors are ignored: nothing written here is a file.
+// Owns one descriptor, or none (-1). Closing errors are ignored: whoever writes a file learns
+// of its errors from write().
 class UniqueFd {
  public:
   UniqueFd() = default;

@@ -21,22 +21,22 @@ std::vector<Chord> ChordsOf(const RobotSpec& spec) {
 }  // namespace
 
 CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
-                             const MotionConfig& config, RobotCommand start,
+                             const MotionConfig& config, const RobotCommand& start,
                              std::unique_ptr<Motion> motion)
     : fight_(config.fight),
       stick_speed_(spec.remote.speed),
       gate_(gate, start),
-      user_gate_(gate, std::move(start)),
+      user_gate_(gate, start),
       owner_(OnboardServices(spec, StartService(spec, config)), spec.form, std::move(motion)),
       arms_(spec),
       chords_(ChordsOf(spec)),
       own_(DampingCommand(spec.motors.size(), gate.damping_kd)),
       mixed_(own_) {
-  Restart();
+  Restart(start);
 }
 
-void CommandRouter::Restart() {
-  gate_.Restart();
+void CommandRouter::Restart(const RobotCommand& start) {
+  gate_.Restart(start);
   owner_.Restart();
   arms_.Clear();
   fought_ = fresh_lowcmd_ = false;

@@ -24,10 +24,11 @@ class CommandRouter {
   // `spec` and `config` have been validated. `start` is what the motors do when no service is on
   // and nobody has commanded.
   CommandRouter(const RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
-                RobotCommand start, std::unique_ptr<Motion> motion);
+                const RobotCommand& start, std::unique_ptr<Motion> motion);
 
-  // The robot is back where it started; whoever moves the motors begins anew.
-  void Restart();
+  // The robot is back in a pose that it can start in, `start` is what its motors do there; whoever
+  // moves them begins anew.
+  void Restart(const RobotCommand& start);
 
   // A command of rt/lowcmd at time t [s]; `wire` as for CommandGate::Offer, and so is the answer.
   Refusal Offer(const RobotCommand& command, Refusal wire, double t);

@@ -24,11 +24,15 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
 
 QuadrupedReading QuadrupedBody::Read(const MotionInput& input) const {
   QuadrupedReading reading;
+  Vector3d moment = trunk_.mass * trunk_.com;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
     reading.q[leg] = Vector3d(input.q[3 * leg], input.q[3 * leg + 1], input.q[3 * leg + 2]);
     reading.dq[leg] = Vector3d(input.dq[3 * leg], input.dq[3 * leg + 1], input.dq[3 * leg + 2]);
-    reading.feet[leg] = legs_[leg].Foot(reading.q[leg]);
+    reading.places[leg] = legs_[leg].Place(reading.q[leg]);
+    reading.feet[leg] = reading.places[leg].foot;
+    moment += legs_[leg].MassMoment(reading.places[leg]);
   }
+  reading.com = moment / mass_;
   const Matrix3d R_WB = (input.imu.R_WI * R_IB_).normalized().toRotationMatrix();
   const double yaw = std::atan2(R_WB(1, 0), R_WB(0, 0));
   reading.R_TB = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()).toRotationMatrix() * R_WB;
@@ -42,12 +46,6 @@ bool QuadrupedBody::Reach(const PerLeg& feet, PerLeg* q) const {
     all = legs_[leg].Reach(feet[leg], &(*q)[leg]) && all;
   }
   return all;
-}
-
-Vector3d QuadrupedBody::Com(const PerLeg& q) const {
-  Vector3d moment = trunk_.mass * trunk_.com;
-  for (std::size_t leg = 0; leg < legs_.size(); ++leg) moment += legs_[leg].MassMoment(q[leg]);
-  return moment / mass_;
 }
 
 double QuadrupedBody::Height(const QuadrupedReading& reading) const {
@@ -69,13 +67,12 @@ double QuadrupedBody::Depth(const Vector3d& up) const {
 // diagonal matrix W of loads, s = W A' (A W A')^-1 b has the least sum of squares over load.
 std::array<double, 4> QuadrupedBody::FootForces(const QuadrupedReading& reading,
                                                 const std::array<double, 4>& load) const {
-  const Vector3d com = Com(reading.q);
   const Vector3d side = reading.up.cross(Vector3d::UnitX()).normalized();
   const Vector3d ahead = side.cross(reading.up);
   Eigen::Matrix<double, 3, 4> a;
   Eigen::Matrix<double, 4, 3> wat;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-    const Vector3d arm = reading.feet[leg] - com;
+    const Vector3d arm = reading.feet[leg] - reading.com;
     const auto column = static_cast<Eigen::Index>(leg);
     a.col(column) << 1, arm.dot(ahead), arm.dot(side);
     wat.row(column) = load[leg] * a.col(column).transpose();
@@ -94,9 +91,8 @@ PerLeg QuadrupedBody::SupportTorque(const QuadrupedReading& reading,
   const std::array<double, 4> force = FootForces(reading, load);
   PerLeg torque;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-    torque[leg] =
-        legs_[leg].HoldingTorque(reading.q[leg], reading.up, gravity_) -
-        share * force[leg] * legs_[leg].FootJacobian(reading.q[leg]).transpose() * reading.up;
+    torque[leg] = legs_[leg].HoldingTorque(reading.places[leg], reading.up, gravity_) -
+                  share * force[leg] * FootJacobian(reading.places[leg]).transpose() * reading.up;
   }
   return torque;
 }

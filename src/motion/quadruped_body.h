@@ -21,8 +21,10 @@ using PerLeg = std::array<Eigen::Vector3d, 4>;
 
 // One instant of the sensors. T is the base's frame without its roll and pitch: z up.
 struct QuadrupedReading {
-  PerLeg q, dq;          // rad, rad/s
+  PerLeg q, dq;  // rad, rad/s
+  std::array<LegPlaces, 4> places;
   PerLeg feet;           // centres of the feet in the base, m
+  Eigen::Vector3d com;   // of the whole robot in the base, m
   Eigen::Matrix3d R_TB;  // from the inertial unit
   Eigen::Vector3d up;    // the world's up in the base
 };
@@ -37,9 +39,6 @@ class QuadrupedBody {
   // Joint angles that bring every foot to its point in the base [m]; false where one does not get
   // there.
   bool Reach(const PerLeg& feet, PerLeg* q) const;
-
-  // The whole robot's centre of mass in the base, m.
-  Eigen::Vector3d Com(const PerLeg& q) const;
 
   // m, of the base over the mean of the ground under the feet.
   double Height(const QuadrupedReading& reading) const;

@@ -9,7 +9,6 @@
 namespace understudy {
 namespace {
 
-using Eigen::AngleAxisd;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
@@ -22,6 +21,14 @@ double IntoRange(double angle, double low, double high) {
   return std::remainder(angle - middle, kTurn) + middle;
 }
 
+// R times a turn by `angle` about y.
+Matrix3d Swung(const Matrix3d& R, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Matrix3d swung;
+  swung << c * R.col(0) - s * R.col(2), R.col(1), s * R.col(0) + c * R.col(2);
+  return swung;
+}
+
 }  // namespace
 
 QuadrupedLeg::QuadrupedLeg(const LegFigures& figures)
@@ -32,52 +39,50 @@ QuadrupedLeg::QuadrupedLeg(const LegFigures& figures)
       calf_length_(std::hypot(figures.foot.x(), figures.foot.z())),
       calf_angle_(std::atan2(-figures.foot.x(), -figures.foot.z())) {}
 
-QuadrupedLeg::Chain QuadrupedLeg::Place(const Vector3d& q) const {
-  Chain chain;
-  chain.R_hip = AngleAxisd(q[0], Vector3d::UnitX()).toRotationMatrix();
-  chain.R_thigh = chain.R_hip * AngleAxisd(q[1], Vector3d::UnitY()).toRotationMatrix();
-  chain.R_calf = chain.R_thigh * AngleAxisd(q[2], Vector3d::UnitY()).toRotationMatrix();
-  chain.hip = figures_.hip;
-  chain.thigh = chain.hip + chain.R_hip * figures_.thigh;
-  chain.calf = chain.thigh + chain.R_thigh * figures_.calf;
-  chain.foot = chain.calf + chain.R_calf * figures_.foot;
-  return chain;
+LegPlaces QuadrupedLeg::Place(const Vector3d& q) const {
+  LegPlaces places;
+  places.R_hip << 1, 0, 0, 0, std::cos(q[0]), -std::sin(q[0]), 0, std::sin(q[0]), std::cos(q[0]);
+  // Thigh and calf turn about the same axis, the hip's y.
+  places.R_thigh = Swung(places.R_hip, q[1]);
+  places.R_calf = Swung(places.R_hip, q[1] + q[2]);
+  places.hip = figures_.hip;
+  places.thigh = places.hip + places.R_hip * figures_.thigh;
+  places.calf = places.thigh + places.R_thigh * figures_.calf;
+  places.foot = places.calf + places.R_calf * figures_.foot;
+  return places;
 }
 
-Vector3d QuadrupedLeg::Foot(const Vector3d& q) const { return Place(q).foot; }
-
-Matrix3d QuadrupedLeg::FootJacobian(const Vector3d& q) const {
-  const Chain chain = Place(q);
-  const Vector3d swing = chain.R_hip.col(1);  // the axis of thigh and calf
+Matrix3d FootJacobian(const LegPlaces& places) {
+  const Vector3d swing = places.R_hip.col(1);  // the axis of thigh and calf
   Matrix3d jacobian;
-  jacobian << Vector3d::UnitX().cross(chain.foot - chain.hip),
-      swing.cross(chain.foot - chain.thigh), swing.cross(chain.foot - chain.calf);
+  jacobian << Vector3d::UnitX().cross(places.foot - places.hip),
+      swing.cross(places.foot - places.thigh), swing.cross(places.foot - places.calf);
   return jacobian;
 }
 
-Vector3d QuadrupedLeg::MassMoment(const Vector3d& q) const {
-  const Chain chain = Place(q);
+Vector3d QuadrupedLeg::MassMoment(const LegPlaces& places) const {
   const auto& links = figures_.links;
-  return links[0].mass * (chain.hip + chain.R_hip * links[0].com) +
-         links[1].mass * (chain.thigh + chain.R_thigh * links[1].com) +
-         links[2].mass * (chain.calf + chain.R_calf * links[2].com);
+  return links[0].mass * (places.hip + places.R_hip * links[0].com) +
+         links[1].mass * (places.thigh + places.R_thigh * links[1].com) +
+         links[2].mass * (places.calf + places.R_calf * links[2].com);
 }
 
-Vector3d QuadrupedLeg::HoldingTorque(const Vector3d& q, const Vector3d& up, double gravity) const {
-  const Chain chain = Place(q);
+Vector3d QuadrupedLeg::HoldingTorque(const LegPlaces& places, const Vector3d& up,
+                                     double gravity) const {
   const auto& links = figures_.links;
   // What hangs on each joint: mass and mass times place.
-  const Vector3d on_calf = links[2].mass * (chain.calf + chain.R_calf * links[2].com);
-  const Vector3d on_thigh = on_calf + links[1].mass * (chain.thigh + chain.R_thigh * links[1].com);
-  const Vector3d on_hip = on_thigh + links[0].mass * (chain.hip + chain.R_hip * links[0].com);
+  const Vector3d on_calf = links[2].mass * (places.calf + places.R_calf * links[2].com);
+  const Vector3d on_thigh =
+      on_calf + links[1].mass * (places.thigh + places.R_thigh * links[1].com);
+  const Vector3d on_hip = on_thigh + links[0].mass * (places.hip + places.R_hip * links[0].com);
   const double calf_mass = links[2].mass;
   const double thigh_mass = calf_mass + links[1].mass;
   const double hip_mass = thigh_mass + links[0].mass;
-  const Vector3d swing = chain.R_hip.col(1);
+  const Vector3d swing = places.R_hip.col(1);
   const Vector3d lift = gravity * up;
-  return {Vector3d::UnitX().cross(on_hip - hip_mass * chain.hip).dot(lift),
-          swing.cross(on_thigh - thigh_mass * chain.thigh).dot(lift),
-          swing.cross(on_calf - calf_mass * chain.calf).dot(lift)};
+  return {Vector3d::UnitX().cross(on_hip - hip_mass * places.hip).dot(lift),
+          swing.cross(on_thigh - thigh_mass * places.thigh).dot(lift),
+          swing.cross(on_calf - calf_mass * places.calf).dot(lift)};
 }
 
 bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
@@ -102,7 +107,7 @@ bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
     const double low = figures_.low[at], high = figures_.high[at];
     (*q)[i] = std::clamp(IntoRange(exact[i], low, high), low, high);
   }
-  return (Foot(*q) - foot).norm() < kReached;
+  return (Place(*q).foot - foot).norm() < kReached;
 }
 
 double QuadrupedLeg::mass() const {

@@ -8,26 +8,31 @@
 
 namespace understudy {
 
+// Where the links of a leg are at some angles: the origins of hip, thigh, calf and foot [m] and the
+// rotations of the first three, all in the base's frame.
+struct LegPlaces {
+  Eigen::Matrix3d R_hip, R_thigh, R_calf;
+  Eigen::Vector3d hip, thigh, calf, foot;
+};
+
+// How the foot moves per angle, m/rad, a column per joint.
+Eigen::Matrix3d FootJacobian(const LegPlaces& places);
+
 // Angles are hip, thigh, calf [rad]; points are in the base's frame [m]. The foot is the centre of
 // its ball or tyre.
 class QuadrupedLeg {
  public:
   explicit QuadrupedLeg(const LegFigures& figures);
 
-  Eigen::Vector3d Foot(const Eigen::Vector3d& q) const;
-
-  // The knee: the calf's axis.
-  Eigen::Vector3d Knee(const Eigen::Vector3d& q) const { return Place(q).calf; }
-
-  // How the foot moves per angle, m/rad, a column per joint.
-  Eigen::Matrix3d FootJacobian(const Eigen::Vector3d& q) const;
+  // What the functions below take, so that a controller works it out once a step.
+  LegPlaces Place(const Eigen::Vector3d& q) const;
 
   // The sum of mass times place of its links, kg·m.
-  Eigen::Vector3d MassMoment(const Eigen::Vector3d& q) const;
+  Eigen::Vector3d MassMoment(const LegPlaces& places) const;
 
   // Torques [N·m] that hold the leg's own links where gravity pulls along -`up` with `gravity`
   // m/s².
-  Eigen::Vector3d HoldingTorque(const Eigen::Vector3d& q, const Eigen::Vector3d& up,
+  Eigen::Vector3d HoldingTorque(const LegPlaces& places, const Eigen::Vector3d& up,
                                 double gravity) const;
 
   // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
@@ -40,13 +45,6 @@ class QuadrupedLeg {
   const LegFigures& figures() const { return figures_; }
 
  private:
-  // Origins of hip, thigh, calf and foot, and the axes of the joints.
-  struct Chain {
-    Eigen::Matrix3d R_hip, R_thigh, R_calf;
-    Eigen::Vector3d hip, thigh, calf, foot;
-  };
-  Chain Place(const Eigen::Vector3d& q) const;
-
   LegFigures figures_;
   double side_;  // m, how far the foot is beside the hip's axis
   // Length and angle at zero of thigh and calf in the plane of the leg.

@@ -57,7 +57,7 @@ void Stance::Begin(const QuadrupedReading& reading) {
   for (std::size_t leg = 0; leg < feet.size(); ++leg) {
     footprints_[leg] = R_FT * (feet[leg] - middle) + body_.radius() * Vector3d::UnitZ();
   }
-  com_ = com_at_begin_ = body_.Com(reading.q);
+  com_ = com_at_begin_ = reading.com;
   trim_height_ = 0;
   trim_rotation_.setZero();
   Measure(reading, 1);
@@ -112,7 +112,7 @@ bool Stance::CanHold(const StancePose& pose) const {
   if (pose.place.z() < body_.Depth(up) + kTrunkClear * body_.leg_length()) return false;
   for (std::size_t leg = 0; leg < q.size(); ++leg) {
     const double hip = pose.place.z() + up.dot(body_.leg(leg).figures().hip);
-    const double knee = pose.place.z() + up.dot(body_.leg(leg).Knee(q[leg]));
+    const double knee = pose.place.z() + up.dot(body_.leg(leg).Place(q[leg]).calf);
     if (hip < kHipClear * body_.leg_length() || knee < kKneeClear * body_.leg_length())
       return false;
   }
@@ -172,7 +172,7 @@ void Stance::Lead(double dt) {
 StanceCommand Stance::Step(const QuadrupedReading& reading, double dt) {
   Lead(dt);
   StancePose pose = held_;
-  com_ = body_.Com(reading.q);
+  com_ = reading.com;
   Measure(reading, pose.paw_load);
 
   const Matrix3d R_wanted = Rotation(pose.rpy);

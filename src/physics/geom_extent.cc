@@ -9,38 +9,38 @@ bool Collides(const mjModel& model, int geom) {
   return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
 }
 
-double LowestPoint(const mjModel& model, const mjData& data, int geom) {
+double Reach(const mjModel& model, int geom, const mjtNum direction[3]) {
   const mjtNum* size = model.geom_size + 3 * geom;
-  const mjtNum* up = data.geom_xmat + 9 * geom + 6;  // the world's up in the geom's frame
-  double below = 0;
+  const mjtNum* d = direction;
   switch (model.geom_type[geom]) {
     case mjGEOM_SPHERE:
-      below = size[0];
-      break;
+      return size[0];
     case mjGEOM_CAPSULE:
-      below = size[0] + std::abs(up[2]) * size[1];
-      break;
+      return size[0] + std::abs(d[2]) * size[1];
     case mjGEOM_CYLINDER:
-      below = std::hypot(up[0], up[1]) * size[0] + std::abs(up[2]) * size[1];
-      break;
+      return std::hypot(d[0], d[1]) * size[0] + std::abs(d[2]) * size[1];
     case mjGEOM_BOX:
-      below = std::abs(up[0]) * size[0] + std::abs(up[1]) * size[1] + std::abs(up[2]) * size[2];
-      break;
+      return std::abs(d[0]) * size[0] + std::abs(d[1]) * size[1] + std::abs(d[2]) * size[2];
     case mjGEOM_ELLIPSOID:
-      below = std::hypot(up[0] * size[0], up[1] * size[1], up[2] * size[2]);
-      break;
+      return std::hypot(d[0] * size[0], d[1] * size[1], d[2] * size[2]);
     case mjGEOM_MESH: {
+      double reach = 0;
       const int mesh = model.geom_dataid[geom];
       const float* v = model.mesh_vert + 3 * model.mesh_vertadr[mesh];
       for (int i = 0; i < model.mesh_vertnum[mesh]; ++i, v += 3) {
-        below = std::max(below, -(up[0] * v[0] + up[1] * v[1] + up[2] * v[2]));
+        reach = std::max(reach, d[0] * v[0] + d[1] * v[1] + d[2] * v[2]);
       }
-      break;
+      return reach;
     }
     default:  // no other shape can move
-      break;
+      return 0;
   }
-  return data.geom_xpos[3 * geom + 2] - below;
+}
+
+double LowestPoint(const mjModel& model, const mjData& data, int geom) {
+  const mjtNum* up = data.geom_xmat + 9 * geom + 6;  // the world's up in the geom's frame
+  const mjtNum down[3] = {-up[0], -up[1], -up[2]};
+  return data.geom_xpos[3 * geom + 2] - Reach(model, geom, down);
 }
 
 }  // namespace understudy

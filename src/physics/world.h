@@ -81,7 +81,8 @@ class PhysicsWorld {
   void FootForces(std::span<double> force) const;
 
   double timestep() const { return model_->opt.timestep; }
-  double weight() const;  // N, of the robot
+  double weight() const;                                                         // N, of the robot
+  double SubtreeMass(int body) const { return model_->body_subtreemass[body]; }  // kg
   // For a test or a viewer to copy from; never to write.
   const mjModel& model() const { return *model_; }
   const mjData& data() const { return *data_; }

@@ -207,13 +207,16 @@ void NoteFeet(const mjModel& model, const RobotSpec& spec, LoadNotes* notes) {
   }
 }
 
-MjcfElement Read(const std::filesystem::path& file, LoadNotes* notes) {
+// Whether what is only looked at is compiled too.
+enum class Looks { kLeftOut, kKept };
+
+MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks kept, LoadNotes* notes) {
   LoadNotes unread;
   if (notes == nullptr) notes = &unread;
   MjcfElement root = ReadMjcf(file);
 #if mjVERSION_HEADER < 300
   // MuJoCo 2.2.2 also takes its time over what nobody sees.
-  const LeftOutLooks looks = LeaveOutLooks(&root);
+  const LeftOutLooks looks = kept == Looks::kLeftOut ? LeaveOutLooks(&root) : LeftOutLooks();
   if (!looks.text().empty()) notes->looks.push_back(file.string() + ": " + looks.text());
   for (const std::string& missing : looks.missing) {
     notes->warnings.push_back(missing + "; it was only looked at and is left out");
@@ -231,9 +234,10 @@ struct LoadedRobot {
   ModelHandle model;
 };
 
-LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, LoadNotes* notes) {
+LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, Looks looks,
+                      LoadNotes* notes) {
   InstallMujocoHooks();
-  MjcfElement tree = Read(file, notes);
+  MjcfElement tree = Read(file, looks, notes);
   Revise(spec, &tree);
   ModelHandle model = CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
@@ -241,7 +245,8 @@ LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, 
 
 ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
                     const std::filesystem::path& robot_file,
-                    const std::filesystem::path& scene_file, double timestep, LoadNotes* notes) {
+                    const std::filesystem::path& scene_file, double timestep, Looks looks,
+                    LoadNotes* notes) {
   RequireWhatSpecNames(*robot.model, spec, NameCheck(*robot.model, robot_file));
   MjcfElement& world = robot.tree;
   const int base = mj_name2id(robot.model.get(), mjOBJ_BODY, spec.base_body.c_str());
@@ -254,7 +259,7 @@ ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
       notes->warnings.push_back(place + " brings its own ground; the run's scene is left out");
     }
   } else {
-    MjcfElement scene = Read(scene_file, notes);
+    MjcfElement scene = Read(scene_file, looks, notes);
     CompileMjcf(scene);
     std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
     place += " in " + scene_file.string();
@@ -293,7 +298,7 @@ std::optional<std::string> TakeMujocoWarning() {
 
 ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
-  const MjcfElement root = Read(file, notes);
+  const MjcfElement root = Read(file, Looks::kLeftOut, notes);
   try {
     return CompileMjcf(root);
   } catch (const ModelError&) {
@@ -305,18 +310,32 @@ ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
 ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                            const std::filesystem::path& scene_file, double timestep,
                            LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
   RequireFeet(spec, NameCheck(*robot.model, robot_file));
-  return Compose(std::move(robot), spec, robot_file, scene_file, timestep, notes);
+  return Compose(std::move(robot), spec, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
+}
+
+ModelHandle LoadSightModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                           const std::filesystem::path& scene_file, double timestep) {
+  const auto load = [&](Looks looks) {
+    return Compose(LoadRobot(spec, robot_file, looks, nullptr), spec, robot_file, scene_file,
+                   timestep, looks, nullptr);
+  };
+  try {
+    return load(Looks::kKept);
+  } catch (const ModelError&) {  // a file of looks is missing, or MuJoCo cannot read it
+    return load(Looks::kLeftOut);
+  }
 }
 
 FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,
                             LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(spec, robot_file, notes);
+  LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
   RobotSpec fitted = FitNames(spec, *robot.model, &notes->warnings);
   NoteFeet(*robot.model, fitted, notes);
-  ModelHandle model = Compose(std::move(robot), fitted, robot_file, scene_file, timestep, notes);
+  ModelHandle model =
+      Compose(std::move(robot), fitted, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
   return {std::move(fitted), std::move(model)};
 }
 

@@ -47,6 +47,12 @@ ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& r
                            const std::filesystem::path& scene_file, double timestep,
                            LoadNotes* notes = nullptr);
 
+// The same world for whoever looks on: with what is only to be looked at, where all of that can be
+// read. Bodies, joints and positions are those of the world, geoms are not. `spec` is the one that
+// the world was loaded with, or fitted to. Throws as above.
+ModelHandle LoadSightModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+                           const std::filesystem::path& scene_file, double timestep);
+
 struct FittedModel {
   RobotSpec spec;  // with the names of the model
   ModelHandle model;

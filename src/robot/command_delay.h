@@ -16,7 +16,7 @@ class CommandDelay {
  public:
   // `start`: what motors follow until the first command has got through.
   CommandDelay(std::size_t steps, const RobotCommand& start)
-      : start_(start), out_(start), waiting_(steps, start) {}
+      : out_(start), waiting_(steps, start) {}
 
   // The command of `steps` calls ago for that of now. Valid until the next call.
   const RobotCommand& Pass(const RobotCommand& command) {
@@ -27,11 +27,10 @@ class CommandDelay {
     return out_;
   }
 
-  // Forgets what waits.
-  void Restart() { std::ranges::fill(waiting_, start_); }
+  // Forgets what waits; `start` as at the beginning.
+  void Restart(const RobotCommand& start) { std::ranges::fill(waiting_, start); }
 
  private:
-  RobotCommand start_;
   RobotCommand out_;
   std::vector<RobotCommand> waiting_;  // a ring; the oldest is at next_
   std::size_t next_ = 0;

@@ -73,4 +73,9 @@ const RobotCommand& CommandGate::Current(double t) {
 
 void CommandGate::Restart() { state_ = GateState::kStart; }
 
+void CommandGate::Restart(const RobotCommand& start) {
+  start_ = start;
+  Restart();
+}
+
 }  // namespace understudy

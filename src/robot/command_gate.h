@@ -59,8 +59,9 @@ class CommandGate {
   // What the motors follow at time t [s], not before the last call's t.
   const RobotCommand& Current(double t);
 
-  // Back to the start command and open, counters kept.
+  // Back to the start command, or to another one, and open; counters kept.
   void Restart();
+  void Restart(const RobotCommand& start);
 
   // The motion service takes the motors; Current means nothing until it lets go.
   void Close() { state_ = GateState::kClosed; }

@@ -38,6 +38,12 @@ class NeighbourError : public SetupError {
   using SetupError::SetupError;
 };
 
+// A recording: not to be written, or not to be read.
+class RecordError : public SetupError {
+ public:
+  using SetupError::SetupError;
+};
+
 }  // namespace understudy
 
 #endif  // UNDERSTUDY_ROBOT_ERRORS_H_

@@ -53,11 +53,18 @@ struct Field {
 
 using Settings = std::map<std::string, nlohmann::json, std::less<>>;
 
+// A text of config that was set or, without content, forgotten.
+struct ConfigChange {
+  std::string name;
+  std::string content{};
+};
+
 struct ServiceReply {
   std::int32_t code = kRpcOk;
   std::string data{};  // JSON, or "" where the vendor's clients ignore it
   // Sent only when the arm action under way has ended or is held, as a G1 does.
   bool after_arm_action = false;
+  std::optional<ConfigChange> change{};  // to be told on rt/config_change_status
 };
 
 // What a special function gets of one call. `parameter` is decoded and within its row's schema.

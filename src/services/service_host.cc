@@ -40,6 +40,11 @@ ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTabl
     channels_.push_back(std::make_unique<Channel>(participant, name, service, false));
     channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
     if (name == "uwbswitch") switches_.emplace(participant, service);
+    if (name == "config") {
+      config_changes_.emplace(participant, Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
+                                               "rt/config_change_status",
+                                               &unitree_go_msg_dds__ConfigChangeStatus__desc});
+    }
   }
 }
 
@@ -107,7 +112,9 @@ void ServiceHost::Serve(Channel* channel, const Request& request, MotorOwner* ow
                             .parameter_bytes = request.parameter_bytes,
                             .binary_bytes = request.binary_bytes},
                            owner, now, &notice);
+  if (reply.code != 0) ++refused_;
   if (!notice.empty()) Tell(service, request.api_id, notice, now);
+  if (reply.change) Announce(std::move(*reply.change));
   if (request.noreply || !request.client) return;
   if (channel->pending.size() >= kMostPending) {
     channel->pending.pop_front();
@@ -123,6 +130,11 @@ void ServiceHost::Serve(Channel* channel, const Request& request, MotorOwner* ow
                               .data = std::move(reply.data),
                               .after_arm_action = reply.after_arm_action,
                               .give_up = now + patience});
+}
+
+void ServiceHost::Announce(ConfigChange change) {
+  if (!config_changes_) return;
+  config_changes_->Write({.name = change.name.data(), .content = change.content.data()});
 }
 
 void ServiceHost::SendPending(Channel* channel, const MotorOwner& owner, WallTime now) {

@@ -17,6 +17,7 @@
 #include "bus/reader.h"
 #include "bus/writer.h"
 #include "idl/unitree_api.h"
+#include "idl/unitree_go.h"
 #include "services/service.h"
 #include "services/switch_topics.h"
 
@@ -50,6 +51,7 @@ class ServiceHost {
   void Poll(MotorOwner* owner, WallTime now) noexcept;
 
   std::uint64_t requests() const { return requests_; }
+  std::uint64_t refused() const { return refused_; }  // answered by a code other than 0
   std::uint64_t lost_replies() const { return lost_replies_; }
 
  private:
@@ -81,15 +83,18 @@ class ServiceHost {
 
   void Receive(Channel* channel);
   void Serve(Channel* channel, const Request& request, MotorOwner* owner, WallTime now);
+  void Announce(ConfigChange change);
   void SendPending(Channel* channel, const MotorOwner& owner, WallTime now);
   void Tell(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // of robots with uwbswitch
+  std::optional<Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
   std::uint64_t requests_ = 0;
+  std::uint64_t refused_ = 0;
   std::uint64_t lost_replies_ = 0;
 };
 

@@ -41,6 +41,8 @@ class Crane {
   bool attached() const { return attached_; }
   double length() const { return length_; }    // m, unloaded
   double tension() const { return tension_; }  // N, of the last step; 0 when not attached
+  // m, world; means nothing before the first Attach.
+  const Eigen::Vector3d& anchor() const { return p_WA_; }
 
  private:
   CraneConfig config_;

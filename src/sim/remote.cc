@@ -42,6 +42,19 @@ void Remote::Move(const MoveSticks& order, double t) {
   }
 }
 
+void Remote::Set(const SetRemote& order, double t) {
+  reading_.there = true;
+  const RemoteReading& to = order.reading;
+  const double until = t + order.seconds;
+  for (std::size_t key = 0; key < down_until_.size(); ++key) {
+    down_until_[key] = Has(to.keys, key) ? until : 0;
+  }
+  const double values[] = {to.lx, to.ly, to.rx, to.ry};
+  for (std::size_t i = 0; i < sticks_.size(); ++i) {
+    sticks_[i] = {.value = std::clamp(values[i], -1.0, 1.0), .until = until};
+  }
+}
+
 void Remote::Switch(const SwitchRemote& order) {
   if (!order.on) *this = Remote();
   reading_.there = order.on;

@@ -16,6 +16,7 @@ class Remote {
   void Hold(const HoldRemote& order);
   void Release(const ReleaseRemote& order);
   void Move(const MoveSticks& order, double t);
+  void Set(const SetRemote& order, double t);
   void Switch(const SwitchRemote& order);
 
   // What it sends at time t [s].

@@ -13,17 +13,22 @@ double Seconds(Clock::Time t) { return std::chrono::duration<double>(t).count();
 Pacer::Pacer(Clock* clock, Clock::Time period, double speed)
     : clock_(clock), period_(period), speed_(speed), start_(clock->Now()), window_start_(start_) {}
 
-void Pacer::WaitFor(std::int64_t step) {
+bool Pacer::WaitFor(std::int64_t step, Clock::Time most) {
   Clock::Time now = clock_->Now();
   if (speed_ > 0) {
     const double wall = static_cast<double>((step - start_step_) * period_.count()) / speed_;
     const Clock::Time deadline = start_ + Clock::Time(std::llround(wall));
+    if (deadline - now > most) {
+      clock_->SleepUntil(now + most);
+      return false;
+    }
     if (now < deadline) {
       clock_->SleepUntil(deadline);
       now = clock_->Now();
     }
     const Clock::Time late = std::max(Clock::Time(0), now - deadline);
     reading_.lateness = Seconds(late);
+    reading_.latenesses.Add(reading_.lateness);
     reading_.worst_lateness = std::max(reading_.worst_lateness, reading_.lateness);
     if (reading_.lateness > Seconds(period_) / speed_) ++reading_.overruns;
     if (late > kMostMadeUp) {
@@ -32,16 +37,32 @@ void Pacer::WaitFor(std::int64_t step) {
       reading_.shifted += Seconds(late);
     }
   }
+  reached_ = now;
   Measure(step, now);
+  return true;
+}
+
+bool Pacer::Follow(const Pace& pace, std::int64_t step, Clock::Time most) {
+  if (pace.stands_still()) {
+    still_ = true;
+    reading_.lateness = 0;
+    reading_.real_time_factor = 0;
+    clock_->SleepUntil(clock_->Now() + most);
+    return false;
+  }
+  if (still_ || pace.speed != speed_) Resume(step, pace.speed);
+  return WaitFor(step, most);
 }
 
 void Pacer::Resume(std::int64_t step, double speed) {
   speed_ = speed;
+  still_ = false;
   start_ = clock_->Now();
   start_step_ = step;
   window_start_ = start_;
   window_step_ = step;
   reading_.lateness = 0;
+  reading_.real_time_factor = 0;
 }
 
 void Pacer::Measure(std::int64_t step, Clock::Time now) {

@@ -41,19 +41,21 @@ bool GoPort::TakeArmCommand(RobotCommand* command, double* weight) {
 bool GoPort::TakeUserCommand(RobotCommand*) { return false; }
 
 void GoPort::Publish(const RobotState& state, const Due& due) {
-  if (due.lowstate || due.lf) Encode(state, spec_, &lowstate_message_);
-  if (due.motion || due.lf) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
-  if (due.lowstate) lowstate_.Write(lowstate_message_);
-  if (due.motion) {
-    motion_.Write(motion_message_);
-    if (state.remote.there) {
-      EncodeRemote(state.remote, &remote_message_);
-      remote_.Write(remote_message_);
-    }
-  }
-  if (due.lf) {
-    lf_lowstate_.Write(lowstate_message_);
-    lf_motion_.Write(motion_message_);
+  const bool lowstate = due.lowstate && lowstate_.has_readers();
+  const bool lf_lowstate = due.lf && lf_lowstate_.has_readers();
+  if (lowstate || lf_lowstate) Encode(state, spec_, &lowstate_message_);
+  if (lowstate) lowstate_.Write(lowstate_message_);
+  if (lf_lowstate) lf_lowstate_.Write(lowstate_message_);
+
+  const bool motion = due.motion && motion_.has_readers();
+  const bool lf_motion = due.lf && lf_motion_.has_readers();
+  if (motion || lf_motion) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
+  if (motion) motion_.Write(motion_message_);
+  if (lf_motion) lf_motion_.Write(motion_message_);
+
+  if (due.motion && state.remote.there && remote_.has_readers()) {
+    EncodeRemote(state.remote, &remote_message_);
+    remote_.Write(remote_message_);
   }
 }
 

@@ -47,10 +47,11 @@ bool HandPort::Take(HandCommand* command, Refusal* wire) {
 }
 
 void HandPort::Publish(const HandReading& reading, const Due& due) {
-  if (!due.hands && !due.lf) return;
-  message_.Encode(reading);
-  if (due.hands) state_.Write(message_.message());
-  if (due.lf) lf_state_.Write(message_.message());
+  const bool hands = due.hands && state_.has_readers();
+  const bool lf = due.lf && lf_state_.has_readers();
+  if (hands || lf) message_.Encode(reading);
+  if (hands) state_.Write(message_.message());
+  if (lf) lf_state_.Write(message_.message());
 }
 
 }  // namespace understudy

@@ -73,39 +73,47 @@ bool HgPort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wi
 }
 
 void HgPort::Publish(const RobotState& state, const Due& due) {
-  if (due.lowstate || due.lf) {
-    Encode(state, spec_, &lowstate_message_);
-    if (secondary_) EncodeImu(state.secondary_imu, &secondary_->message);
+  const bool lowstate = due.lowstate && lowstate_.has_readers();
+  const bool lf_lowstate = due.lf && lf_lowstate_.has_readers();
+  if (lowstate || lf_lowstate) Encode(state, spec_, &lowstate_message_);
+  if (lowstate) lowstate_.Write(lowstate_message_);
+  if (lf_lowstate) lf_lowstate_.Write(lowstate_message_);
+
+  const bool motion = due.motion && motion_.has_readers();
+  const bool lf_motion = due.lf && lf_motion_.has_readers();
+  if (motion || lf_motion) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
+  if (motion) motion_.Write(motion_message_);
+  if (lf_motion) lf_motion_.Write(motion_message_);
+
+  if (secondary_) PublishSecondaryImu(state.secondary_imu, due);
+  if (due.motion && state.remote.there && remote_.has_readers()) {
+    EncodeRemote(state.remote, &remote_message_);
+    remote_.Write(remote_message_);
   }
-  if (due.motion || due.lf) EncodeMotion(state, spec_, motion_fields_, &motion_message_);
-  if (due.lowstate) {
-    lowstate_.Write(lowstate_message_);
-    if (secondary_) secondary_->imu.Write(secondary_->message);
-  }
-  if (due.motion) {
-    motion_.Write(motion_message_);
-    if (state.remote.there) {
-      EncodeRemote(state.remote, &remote_message_);
-      remote_.Write(remote_message_);
-    }
-  }
-  if (due.lf) {
+  if (due.lf && lf_bms_.has_readers()) {
     EncodeBms(state, spec_, &bms_message_);
-    lf_lowstate_.Write(lowstate_message_);
-    lf_motion_.Write(motion_message_);
     lf_bms_.Write(bms_message_);
-    lf_board_.Write(unitree_hg_msg_dds__MainBoardState_{});
-    if (secondary_) secondary_->lf_imu.Write(secondary_->message);
   }
+  if (due.lf) lf_board_.Write(unitree_hg_msg_dds__MainBoardState_{});
   for (std::size_t i = 0; i < hands_.size(); ++i) hands_[i].Publish(state.hands[i], due);
   if (state.motion) PublishService(state, due);
 }
 
+void HgPort::PublishSecondaryImu(const ImuReading& reading, const Due& due) {
+  const bool imu = due.lowstate && secondary_->imu.has_readers();
+  const bool lf_imu = due.lf && secondary_->lf_imu.has_readers();
+  if (imu || lf_imu) EncodeImu(reading, &secondary_->message);
+  if (imu) secondary_->imu.Write(secondary_->message);
+  if (lf_imu) secondary_->lf_imu.Write(secondary_->message);
+}
+
 void HgPort::PublishService(const RobotState& state, const Due& due) {
-  if (fsm_ && (due.motion || due.lf)) {
-    EncodeFsm(state, &fsm_->message);
-    if (due.motion) fsm_->state.Write(fsm_->message);
-    if (due.lf) fsm_->lf_state.Write(fsm_->message);
+  if (fsm_) {
+    const bool fsm = due.motion && fsm_->state.has_readers();
+    const bool lf_fsm = due.lf && fsm_->lf_state.has_readers();
+    if (fsm || lf_fsm) EncodeFsm(state, &fsm_->message);
+    if (fsm) fsm_->state.Write(fsm_->message);
+    if (lf_fsm) fsm_->lf_state.Write(fsm_->message);
   }
   if (arm_action_ && due.lf) {
     std::array<char, 96> text = ArmActionText(*state.motion);

@@ -53,6 +53,7 @@ class HgPort final : public RobotPort {
     unitree_hg_msg_dds__SportModeState_ message{};
   };
 
+  void PublishSecondaryImu(const ImuReading& reading, const Due& due);
   void PublishService(const RobotState& state, const Due& due);
 
   const RobotSpec& spec_;

@@ -1,6 +1,8 @@
+#include <atomic>
 #include <csignal>
 #include <cstdint>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <gmock/gmock.h>
@@ -79,6 +81,27 @@ TEST(ReaderTest, VisitsAtMostSixteenAtOnce) {
   EXPECT_EQ(TakeIds(&reader, 100).size(), 4);
 }
 
+// Each message is sent once the one before has been seen: one that came unnoticed would end it.
+TEST(ReaderTest, MissesNoMessageThatComesWhileItLooks) {
+  constexpr std::int64_t kMessages = 5000;
+  const Participant ours("lo", 125);
+  Reader<Hello> reader(ours, kTopic);
+  const Stranger stranger(125);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+  std::atomic<std::int64_t> seen{0};
+  const std::jthread sender([&](const std::stop_token& stop) {
+    for (std::int64_t id = 1; id <= kMessages && !stop.stop_requested(); ++id) {
+      Send(writer, id);
+      while (seen < id && !stop.stop_requested()) std::this_thread::yield();
+    }
+  });
+  EXPECT_TRUE(Eventually([&] {
+    for (const std::int64_t id : TakeIds(&reader, 1)) seen = id;
+    return seen == kMessages;
+  }));
+}
+
 TEST(ReaderTest, AcceptsReliableAndBestEffortWritersOfBothRepresentations) {
   const Participant ours("lo", 115);
   Reader<Hello> reader(ours, kTopic);
@@ -139,6 +162,7 @@ TEST(WriterTest, WritesWithoutAReader) {
   const Participant ours("lo", 120);
   Writer<Hello> writer(ours, kTopic);
   EXPECT_EQ(writer.matched_readers(), 0);
+  EXPECT_FALSE(writer.has_readers());
   EXPECT_TRUE(writer.Write(Greeting(1)));
   EXPECT_EQ(writer.failures(), 0);
 }
@@ -149,6 +173,17 @@ TEST(WriterTest, SatisfiesReliableReadersOfXcdr1) {
   const Stranger stranger(121);
   const Entity reader = stranger.Reads(kTopic.name);
   EXPECT_TRUE(Eventually([&] { return writer.matched_readers() == 1; }));
+}
+
+TEST(WriterTest, KnowsWhileSomebodyReads) {
+  const Participant ours("lo", 126);
+  Writer<Hello> writer(ours, kTopic);
+  const Stranger stranger(126);
+  {
+    const Entity reader = stranger.Reads(kTopic.name);
+    EXPECT_TRUE(Eventually([&] { return writer.has_readers(); }));
+  }
+  EXPECT_TRUE(Eventually([&] { return !writer.has_readers(); }));
 }
 
 TEST(WriterTest, ReachesAParticipantOnceItsReaderIsMatched) {

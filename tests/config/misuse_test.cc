@@ -17,7 +17,7 @@ TEST_F(ConfigMisuseTest, NamesAnUnknownKeyAndTheNearestOne) {
 TEST_F(ConfigMisuseTest, NamesAnUnknownSection) {
   EXPECT_EQ(FileError("gait: lenient\n"),
             "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: scene, terrain, "
-            "network, guard, time, physics, sensors, gate, "
+            "network, guard, control, time, physics, sensors, gate, "
             "motion, crane, start, randomization, robot)");
 }
 

@@ -150,11 +150,16 @@ TEST_F(RobotFileTest, NamesTheRobotThatHasTheRevision) {
   EXPECT_THAT(ErrorOf(load), HasSubstr("it has x; long has: understudy run long --revision stiff"));
 }
 
-TEST_F(RobotFileTest, TellsAFaultInARevisionThatIsNotPlayed) {
-  EXPECT_THAT(ErrorOfLong("  revisions:\n    old: {}\n    new: {moters: 3}\n"),
+TEST_F(RobotFileTest, TellsAFaultInTheRevisionThatIsPlayed) {
+  const std::vector<std::string> sets{"robot.revision=new"};
+  EXPECT_THAT(ErrorOfLong("  revisions:\n    old: {}\n    new: {moters: 3}\n", sets),
               HasSubstr("long.yaml:6: key 'robot.moters': unknown; did you mean 'motors'?"));
-  EXPECT_THAT(ErrorOfLong("  revisions:\n    new: {locked_joints: [c]}\n"),
+  EXPECT_THAT(ErrorOfLong("  revisions:\n    new: {locked_joints: [c]}\n", sets),
               HasSubstr("long.yaml:5: robot.locked_joints: no motor has a joint 'c'"));
+}
+
+TEST_F(RobotFileTest, ReadsNoRevisionThatIsNotPlayed) {
+  EXPECT_EQ(LoadLong("  revisions:\n    new: {moters: 3}\n").robot.name, "long");
 }
 
 TEST_F(RobotFileTest, RefusesRevisionsThatAreNoMapping) {

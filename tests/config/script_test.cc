@@ -26,7 +26,10 @@ TEST(ScriptTest, ReadsEveryEvent) {
   EXPECT_EQ(One<LowerCrane>("{at: 1, crane: {lower: 0.2}}").by, 0.2);
   EXPECT_EQ(One<LowerCrane>("{at: 1, crane: {raise: 0.2}}").by, -0.2);
   EXPECT_TRUE(One<ClampBase>("{at: 1, clamp: on}").on);
-  One<ResetRobot>("{at: 1, reset: true}");
+  EXPECT_EQ(One<ResetRobot>("{at: 1, reset: true}").pose, std::nullopt);
+  EXPECT_EQ(One<ResetRobot>("{at: 1, reset: standing}").pose, StartPose::kStanding);
+  EXPECT_EQ(One<SetSpeed>("{at: 1, speed: 0.5}").speed, 0.5);
+  EXPECT_EQ(One<SetSpeed>("{at: 1, speed: max}").speed, 0);
 }
 
 TEST(ScriptTest, ReadsAPushByForceOrImpulse) {
@@ -65,6 +68,11 @@ TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
   EXPECT_EQ(ErrorIn("{at: 1, sticks: {ly: 2}}"),
             "s:2: sticks.ly: expected a number from -1 to 1, got '2'");
   EXPECT_EQ(ErrorIn("{at: 1, clamp: maybe}"), "s:2: clamp: expected on or off, got 'maybe'");
+  EXPECT_EQ(ErrorIn("{at: 1, reset: sitting}"),
+            "s:2: reset: expected true, lying, standing, hanging or clamped, got 'sitting'");
+  EXPECT_EQ(ErrorIn("{at: 1, speed: 0.0001}"),
+            "s:2: speed: expected 0 (as fast as possible) or 0.001 to 1000, got '0.0001'");
+  EXPECT_EQ(ErrorIn("{at: 1, pause: on}").substr(0, 29), "s:2: unknown key 'pause'; did");
   EXPECT_EQ(ErrorIn("5"), "s:2: script: expected an event, as in {at: 1.5, press: L2+B}, got '5'");
 }
 

@@ -1,6 +1,7 @@
 #include "control/client.h"
 
 #include <fstream>
+#include <memory>
 #include <thread>
 
 #include <sys/stat.h>
@@ -8,6 +9,7 @@
 
 #include "control/control_error.h"
 #include "control/listening_socket.h"
+#include "control/server.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "support.h"
@@ -88,6 +90,33 @@ TEST_F(ClientTest, SaysWhenWhatComesBackIsNoHttp) {
   EXPECT_THAT([&] { Call(path_, "GET", "/status", "", test::kBound); },
               ThrowsMessage<ControlError>(HasSubstr("broke off")));
   other.join();
+}
+
+TEST_F(ClientTest, AsksAgainAndAgainOnOneConnection) {
+  StatusBoard board;
+  Inbox inbox;
+  int drained = 0;
+  const test::Ticking robot(&inbox, [&](const Order&) { return ++drained < 3 ? "" : "enough"; });
+  const ControlServer server(path_, {.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox},
+                             {.connections = 1});
+  Connection connection(path_, test::kBound);
+  EXPECT_EQ(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound).status, 200u);
+  EXPECT_EQ(connection.Ask("POST", "/clamp", "{", test::kBound).status, 400u);
+  EXPECT_EQ(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound).status, 200u);
+  EXPECT_THAT(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound, true).body,
+              HasSubstr("enough"));
+}
+
+TEST_F(ClientTest, SaysWhenTheRobotWentMeanwhile) {
+  StatusBoard board;
+  Inbox inbox;
+  auto server = std::make_unique<ControlServer>(
+      path_, Plane{.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox});
+  Connection connection(path_, test::kBound);
+  EXPECT_EQ(connection.Ask("GET", "/status", "", test::kBound).status, 200u);
+  server.reset();
+  EXPECT_THAT([&] { connection.Ask("GET", "/status", "", test::kBound); },
+              ThrowsMessage<ControlError>(HasSubstr("broke off")));
 }
 
 TEST_F(ClientTest, RefusesAPathTooLong) {

@@ -1,5 +1,6 @@
 #include "control/ctl_command.h"
 
+#include <cstdio>
 #include <sstream>
 #include <thread>
 
@@ -33,9 +34,14 @@ class FakeRobot {
       : ticking_(&inbox_,
                  [this, answer = std::move(answer)](const Order& order) {
                    last_ = order;
+                   if (const auto* step = std::get_if<StepRun>(&order); step && answer.empty()) {
+                     Status status = board_.Read();
+                     status.steps += step->steps;
+                     board_.Post(status);
+                   }
                    return answer;
                  }),
-        server_(socket, "g1", &board_, &inbox_) {}
+        server_(socket, {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_}) {}
 
   StatusBoard* board() { return &board_; }
   // Only after an order was answered.
@@ -51,6 +57,9 @@ class FakeRobot {
 
 class CtlCommandTest : public ::testing::Test {
  protected:
+  // Nobody is to be asked, from wherever the tests are run.
+  CtlCommandTest() { EXPECT_NE(std::freopen("/dev/null", "r", stdin), nullptr); }
+
   std::filesystem::path Socket(const std::string& name) const {
     return temp_.path() / (name + ".sock");
   }
@@ -117,6 +126,64 @@ TEST_F(CtlCommandTest, GivesEveryOrder) {
   EXPECT_FALSE(std::get<ClampBase>(robot.last()).on);
   EXPECT_EQ(Run("ctl reset"), "");
   EXPECT_TRUE(std::holds_alternative<ResetRobot>(robot.last()));
+}
+
+TEST_F(CtlCommandTest, PausesResumesAndSetsTheSpeed) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl pause");
+  EXPECT_TRUE(std::get<PauseRun>(robot.last()).on);
+  Run("ctl resume");
+  EXPECT_FALSE(std::get<PauseRun>(robot.last()).on);
+  Run("ctl speed 0.5");
+  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0.5);
+  Run("ctl speed max");
+  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0);
+}
+
+TEST_F(CtlCommandTest, StepReturnsWhenTheStepsAreMade) {
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  EXPECT_EQ(Run("ctl step"), "");
+  EXPECT_EQ(robot.board()->Read().steps, 6);
+  EXPECT_EQ(Run("ctl step 250 --json"), "{\"ok\":true}\n");
+  EXPECT_EQ(robot.board()->Read().steps, 256);
+}
+
+TEST_F(CtlCommandTest, ResetsToThePoseThatIsNamed) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl reset hanging");
+  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, StartPose::kHanging);
+  Run("ctl reset");
+  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, std::nullopt);
+}
+
+TEST_F(CtlCommandTest, DragsABodyAndLetsItGo) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl drag trunk 0.1 -0.2 0.6 --at 0 0 -0.05 --for 5");
+  const auto drag = std::get<DragBody>(robot.last());
+  EXPECT_EQ(drag.body, "trunk");
+  EXPECT_EQ(drag.p_WT, Eigen::Vector3d(0.1, -0.2, 0.6));
+  EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0, -0.05));
+  EXPECT_EQ(drag.seconds, 5);
+  Run("ctl drag trunk --release");
+  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "trunk");
+  Run("ctl drag --release");
+  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "");
+}
+
+TEST_F(CtlCommandTest, PushesABody) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl push trunk -40 0 1.5 --for 0.5");
+  const auto push = std::get<PushBody>(robot.last());
+  EXPECT_EQ(push.force, Eigen::Vector3d(-40, 0, 1.5));
+  EXPECT_EQ(push.seconds, 0.5);
+}
+
+TEST_F(CtlCommandTest, AnOrderPrintsTheReplyOnlyAsJson) {
+  const FakeRobot robot(Socket("one"));
+  EXPECT_EQ(Run("ctl pause"), "");
+  EXPECT_EQ(Run("ctl pause --json"), "{\"ok\":true}\n");
+  EXPECT_EQ(Run("ctl crane attach --json"), "{\"ok\":true}\n");
 }
 
 TEST_F(CtlCommandTest, ARefusalIsAnErrorWithTheRobotsReason) {
@@ -216,6 +283,42 @@ TEST_F(CtlCommandTest, RefusesNoSubcommand) { EXPECT_THROW(Run("ctl"), CLI::Pars
 
 TEST_F(CtlCommandTest, RefusesAnUnknownSubcommand) {
   EXPECT_THROW(Run("ctl dance"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesStepsThatAreNone) {
+  EXPECT_THROW(Run("ctl step 0"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl step 1.5"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl step 1000001"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesASpeedOutOfRange) {
+  EXPECT_THROW(Run("ctl speed"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed fast"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed -1"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed 0.0001"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesAPoseThatIsNoneWithTheNearest) {
+  EXPECT_THAT([] { Run("ctl reset standin"); },
+              ThrowsMessage<CLI::ParseError>(HasSubstr("did you mean 'standing'?")));
+}
+
+TEST_F(CtlCommandTest, RefusesADragThatSaysTooLittleOrTooMuch) {
+  EXPECT_THROW(Run("ctl drag"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 x"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --for 61"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --at 0 0"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --release"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesPartsThatAreNoWords) {
+  EXPECT_THROW(Run("ctl frame --parts qpos&x=1"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesToWatchTooOften) {
+  EXPECT_THROW(Run("ctl status --watch --every 0"), CLI::ParseError);
 }
 
 TEST_F(CtlCommandTest, RefusesACraneOrderWithoutLength) {

@@ -26,6 +26,7 @@ state              ready
 simulated time     12.500  s
 steps              0
 speed wanted       1.000   x real time
+paused             no
 speed              0.000   x real time
 lateness           0.000   ms
 worst lateness     0.250   ms
@@ -91,6 +92,23 @@ TEST(CtlTextTest, ANullIsADash) {
 
 TEST(CtlTextTest, AStatusOfAnotherShapeThrows) {
   EXPECT_THROW(StatusText({{"robot", "g1"}}), nlohmann::json::exception);
+}
+
+TEST(CtlTextTest, FieldsAreLinesAndListsOfObjectsTables) {
+  const auto object = nlohmann::ordered_json::parse(
+      R"({"total": 3, "late": {"worst": 0.25, "ever": true, "at": null}, "bins": [1, 2],
+          "refusals": [{"topic": "rt/lowcmd", "count": 2}, {"topic": "rt/x"}], "none": []})");
+  EXPECT_EQ(FieldsText(object),
+            "total       3\n"
+            "late.worst  0.25\n"
+            "late.ever   yes\n"
+            "late.at     -\n"
+            "bins        [1,2]\n"
+            "none        []\n"
+            "\n"
+            "TOPIC      COUNT\n"
+            "rt/lowcmd  2\n"
+            "rt/x       -\n");
 }
 
 TEST(CtlTextTest, RobotsAreATable) {

@@ -72,7 +72,40 @@ TEST(OrderJsonTest, RefusesKeysAndSticksThatAreNone) {
   EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"sticks": {"ly": 2}})")),
             R"("ly": expected a number from -1 to 1, got 2)");
   EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"press": "A", "hold": "B"})")),
-            R"(expected exactly one of "press", "hold", "release", "sticks", "on", got 2)");
+            R"(expected exactly one of "press", "hold", "release", "sticks", "set", "on", got 2)");
+}
+
+TEST(OrderJsonTest, ReadsTheWholeRemoteAtOnce) {
+  const auto set = std::get<SetRemote>(std::get<Order>(
+      ReadRemoteOrder(R"({"set": {"keys": "L2+B", "lx": -0.5, "ry": 1}, "seconds": 0.5})")));
+  EXPECT_EQ(set.reading.keys, 0x220);
+  EXPECT_EQ(set.reading.lx, -0.5);
+  EXPECT_EQ(set.reading.ly, 0);
+  EXPECT_EQ(set.reading.ry, 1);
+  EXPECT_EQ(set.seconds, 0.5);
+}
+
+TEST(OrderJsonTest, ReadsARemoteOnWhichNothingIsHeld) {
+  for (const char* body :
+       {R"({"set": {}, "seconds": 1})", R"({"set": {"keys": ""}, "seconds": 1})"}) {
+    EXPECT_EQ(std::get<SetRemote>(std::get<Order>(ReadRemoteOrder(body))).reading.keys, 0);
+  }
+}
+
+TEST(OrderJsonTest, RefusesAWholeRemoteThatNobodyWouldLetGo) {
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"set": {"keys": "A"}})")),
+            R"("seconds": expected after how long without another order all is let go)");
+}
+
+TEST(OrderJsonTest, RefusesAWholeRemoteWithWhatIsNone) {
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"set": {"keys": "L3"}, "seconds": 1})")),
+            R"("keys": expected keys of the remote controller, as in "L2+B", or "", got "L3")");
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"set": {"lz": 0}, "seconds": 1})")),
+            R"(unknown key "lz"; did you mean 'lx'? (valid: keys, lx, ly, rx, ry))");
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"set": {"lx": 1.5}, "seconds": 1})")),
+            R"("lx": expected a number from -1 to 1, got 1.5)");
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"set": "A", "seconds": 1})")),
+            R"("set": expected an object of keys, lx, ly, rx, ry, got "A")");
 }
 
 TEST(OrderJsonTest, ResetTakesAnEmptyObjectOrNothing) {
@@ -80,9 +113,122 @@ TEST(OrderJsonTest, ResetTakesAnEmptyObjectOrNothing) {
   EXPECT_TRUE(Is<ResetRobot>(ReadResetOrder("")));
 }
 
-TEST(OrderJsonTest, ResetRefusesAKey) {
-  EXPECT_EQ(Refusal(ReadResetOrder(R"({"hard": true})")),
-            R"(unknown key "hard": a reset takes none)");
+TEST(OrderJsonTest, ResetTakesThePosesThatARobotCanStartIn) {
+  const auto pose = [](const char* body) {
+    return std::get<ResetRobot>(std::get<Order>(ReadResetOrder(body))).pose;
+  };
+  EXPECT_EQ(pose(R"({"pose": "lying"})"), StartPose::kLying);
+  EXPECT_EQ(pose(R"({"pose": "damped"})"), StartPose::kLying);
+  EXPECT_EQ(pose(R"({"pose": "standing"})"), StartPose::kStanding);
+  EXPECT_EQ(pose(R"({"pose": "hanging"})"), StartPose::kHanging);
+  EXPECT_EQ(pose(R"({"pose": "clamped"})"), StartPose::kClamped);
+  EXPECT_EQ(pose("{}"), std::nullopt);
+}
+
+TEST(OrderJsonTest, ResetRefusesAPoseThatIsNone) {
+  EXPECT_EQ(Refusal(ReadResetOrder(R"({"pose": "standin"})")),
+            "\"pose\": no pose \"standin\"; did you mean 'standing'? (valid: lying, standing, "
+            "hanging, clamped)");
+  EXPECT_EQ(Refusal(ReadResetOrder(R"({"pose": 1})")),
+            R"("pose": expected one of "lying", "standing", "hanging", "clamped", got 1)");
+}
+
+TEST(OrderJsonTest, ResetRefusesAnotherKey) {
+  EXPECT_EQ(Refusal(ReadResetOrder(R"({"hard": true})")), R"(unknown key "hard"; valid: pose)");
+}
+
+TEST(OrderJsonTest, ReadsADrag) {
+  const auto drag = std::get<DragBody>(std::get<Order>(
+      ReadDragOrder(R"({"body": "trunk", "at": [0, 0.1, 0], "to": [1, 2, 3], "seconds": 2})")));
+  EXPECT_EQ(drag.body, "trunk");
+  EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0.1, 0));
+  EXPECT_EQ(drag.p_WT, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(drag.seconds, 2);
+}
+
+TEST(OrderJsonTest, ADragHoldsTheBodysOriginForHalfASecondUnlessToldOtherwise) {
+  const auto drag =
+      std::get<DragBody>(std::get<Order>(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 3]})")));
+  EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(drag.seconds, 0.5);
+}
+
+TEST(OrderJsonTest, ReadsTheReleaseOfOneBodyAndOfAll) {
+  const auto body = [](const char* text) {
+    return std::get<ReleaseDrag>(std::get<Order>(ReadDragOrder(text))).body;
+  };
+  EXPECT_EQ(body(R"({"body": "trunk", "release": true})"), "trunk");
+  EXPECT_EQ(body(R"({"release": true})"), "");
+}
+
+TEST(OrderJsonTest, RefusesADragThatIsNone) {
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"to": [1, 2, 3]})")),
+            R"("body": expected the name of a body)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": 3, "to": [1, 2, 3]})")),
+            R"("body": expected the name of a body, got 3)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk"})")), R"("to": expected three numbers)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 1e7]})")),
+            R"("to": expected three numbers in m, at most 1e6, got 10000000.0)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk", "at": [11, 0, 0], "to": [1, 2, 3]})")),
+            R"("at": expected three numbers in m, at most 10, got 11)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 3], "seconds": 61})")),
+            R"("seconds": expected more than 0 and at most 60, got 61)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 3], "seconds": 0})")),
+            R"("seconds": expected more than 0 and at most 60, got 0)");
+}
+
+TEST(OrderJsonTest, RefusesAReleaseOfADragThatSaysMore) {
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"release": false})")),
+            R"("release": expected true, got false)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"release": true, "to": [1, 2, 3]})")),
+            R"("release" takes nothing but "body" beside it)");
+  EXPECT_EQ(Refusal(ReadDragOrder(R"({"body": "trunk", "release": true, "seconds": 1})")),
+            R"("release" takes nothing but "body" beside it)");
+}
+
+TEST(OrderJsonTest, ReadsBothPauseOrders) {
+  EXPECT_TRUE(std::get<PauseRun>(std::get<Order>(ReadPauseOrder(R"({"on": true})"))).on);
+  EXPECT_FALSE(std::get<PauseRun>(std::get<Order>(ReadPauseOrder(R"({"on": false})"))).on);
+}
+
+TEST(OrderJsonTest, RefusesAPauseThatIsNeitherOnNorOff) {
+  EXPECT_EQ(Refusal(ReadPauseOrder("{}")), R"("on": expected true or false, got null)");
+  EXPECT_EQ(Refusal(ReadPauseOrder(R"({"on": "yes"})")),
+            R"("on": expected true or false, got "yes")");
+}
+
+TEST(OrderJsonTest, ReadsSteps) {
+  const auto steps = [](const char* body) {
+    return std::get<StepRun>(std::get<Order>(ReadStepOrder(body))).steps;
+  };
+  EXPECT_EQ(steps(R"({"steps": 250})"), 250);
+  EXPECT_EQ(steps("{}"), 1);
+}
+
+TEST(OrderJsonTest, RefusesStepsThatAreNoNumberOfSteps) {
+  for (const char* steps : {"0", "-1", "1.5", "1000001", "\"10\"", "1e300"}) {
+    EXPECT_TRUE(Refusal(ReadStepOrder("{\"steps\": " + std::string(steps) + "}"))
+                    .starts_with("\"steps\": expected a whole number from 1 to 1000000, got "))
+        << steps;
+  }
+}
+
+TEST(OrderJsonTest, ReadsASpeed) {
+  const auto speed = [](const char* body) {
+    return std::get<SetSpeed>(std::get<Order>(ReadSpeedOrder(body))).speed;
+  };
+  EXPECT_EQ(speed(R"({"speed": 0})"), 0);
+  EXPECT_EQ(speed(R"({"speed": 0.001})"), 0.001);
+  EXPECT_EQ(speed(R"({"speed": 1000})"), 1000);
+}
+
+TEST(OrderJsonTest, RefusesASpeedOutOfRange) {
+  for (const char* speed : {"-1", "0.0009", "1001", "true", "null"}) {
+    EXPECT_TRUE(Refusal(ReadSpeedOrder("{\"speed\": " + std::string(speed) + "}"))
+                    .starts_with("\"speed\": expected 0 (as fast as possible) or 0.001 to 1000"))
+        << speed;
+  }
+  EXPECT_NE(Refusal(ReadSpeedOrder("{}")), "");
 }
 
 TEST(OrderJsonTest, NamesTheNearestOfAnUnknownKey) {

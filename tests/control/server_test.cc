@@ -26,9 +26,8 @@ std::string Post(const std::string& path, const std::string& body) {
 
 class ControlServerTest : public ::testing::Test {
  protected:
-  void Start(const ServerLimits& limits = {}) {
-    dut_.emplace(path_, "g1", &board_, &inbox_, limits);
-  }
+  void Start(const ServerLimits& limits = {}) { dut_.emplace(path_, ThePlane(), limits); }
+  Plane ThePlane() { return {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_}; }
   ControlReply Ask(const std::string& method, const std::string& path,
                    const std::string& body = "") const {
     return Call(path_, method, path, body, test::kBound);
@@ -75,7 +74,7 @@ TEST_F(ControlServerTest, ItsSocketGoesWithIt) {
 
 TEST_F(ControlServerTest, ANameInUseIsAnError) {
   Start();
-  EXPECT_THROW(ControlServer(path_, "go2", &board_, &inbox_), ControlError);
+  EXPECT_THROW(ControlServer(path_, ThePlane()), ControlError);
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
 }
 

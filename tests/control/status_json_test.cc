@@ -16,9 +16,12 @@ Status EveryFieldSet() {
   status.time = 12.5;
   status.steps = 12500;
   status.speed = 0.5;
+  status.paused = true;
+  status.steps_left = 9;
   status.pace = {.overruns = 3,
                  .lateness = 0.25,
                  .worst_lateness = 0.75,
+                 .latenesses = {},
                  .shifts = 2,
                  .shifted = 1.5,
                  .real_time_factor = 0.9375};
@@ -48,6 +51,7 @@ Status EveryFieldSet() {
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
+  status.recording = {.state = RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
   return status;
 }
 
@@ -55,7 +59,8 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
-      R"("steps":12500,"speed":0.5,"pace":{"real_time_factor":0.9375,"overruns":3,)"
+      R"("steps":12500,"speed":0.5,"paused":true,"steps_left":9,)"
+      R"("pace":{"real_time_factor":0.9375,"overruns":3,)"
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
       R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18},"last_refusal":"mode_pr","unused_slots":6,)"
@@ -67,7 +72,8 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
       R"("script":{"done":3,"refused":1,"refusal":"no"},)"
       R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
-      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},"randomization":null})");
+      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
+      R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {

@@ -8,17 +8,20 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
 #include <thread>
 
+#include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/time.h>
 #include <sys/un.h>
 #include <unistd.h>
 
+#include "control/frame_board.h"
 #include "control/inbox.h"
 
 namespace understudy::test {
@@ -67,10 +70,10 @@ class TempFolder {
   std::filesystem::path path_;
 };
 
-// A Unix stream socket without any manners.
+// A stream socket, of Unix or TCP on this machine, without any manners.
 class RawSocket {
  public:
-  RawSocket() : fd_(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
+  explicit RawSocket(int family = AF_UNIX) : fd_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
     const timeval bound{.tv_sec = kBound.count(), .tv_usec = 0};
     ::setsockopt(fd_, SOL_SOCKET, SO_RCVTIMEO, &bound, sizeof bound);
     ::setsockopt(fd_, SOL_SOCKET, SO_SNDTIMEO, &bound, sizeof bound);
@@ -80,6 +83,17 @@ class RawSocket {
     if (::connect(fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
       throw std::runtime_error("connect");
     }
+  }
+  static std::unique_ptr<RawSocket> ToPort(int port) {
+    auto socket = std::make_unique<RawSocket>(AF_INET);
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(static_cast<std::uint16_t>(port));
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    if (::connect(socket->fd_, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+      throw std::runtime_error("connect");
+    }
+    return socket;
   }
   ~RawSocket() { Close(); }
   RawSocket(const RawSocket&) = delete;
@@ -115,7 +129,7 @@ class RawSocket {
     return text;
   }
   // Until the other side hangs up.
-  std::string ReceiveAll() const { return Receive(std::string_view{"\0", 1}); }
+  std::string ReceiveAll() const { return Receive("\x01nobody says this\x02"); }
 
  private:
   static sockaddr_un AddressOf(const std::filesystem::path& path) {
@@ -150,6 +164,30 @@ class Ticking {
   }
   Ticking(const Ticking&) = delete;
   Ticking& operator=(const Ticking&) = delete;
+
+ private:
+  std::atomic<bool> stop_ = false;
+  std::thread thread_;
+};
+
+// Shows the frame that is wanted about every millisecond, as a robot does.
+class Showing {
+ public:
+  explicit Showing(FrameBoard* frames)
+      : thread_([this, frames] {
+          for (; !stop_; std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
+            Frame* frame = frames->Wanted();
+            if (frame == nullptr) continue;
+            ++frame->step;
+            frames->Show();
+          }
+        }) {}
+  ~Showing() {
+    stop_ = true;
+    thread_.join();
+  }
+  Showing(const Showing&) = delete;
+  Showing& operator=(const Showing&) = delete;
 
  private:
   std::atomic<bool> stop_ = false;

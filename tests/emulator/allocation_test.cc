@@ -140,8 +140,8 @@ TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
   }
 }
 
-// A motion service with arms mixed over it, a remote controller that is used, refused commands and
-// pushes.
+// A motion service with arms mixed over it, a remote controller that is used, refused commands,
+// a push, a drag, another speed and another pose.
 TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
   config_.robot.arm_sdk.slots = {6, 7};
@@ -151,11 +151,13 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   StartAs("hanging");
   port_.SendEveryTick(Torque(1));
   port_.SendArms(Torque(2), 0.5);
-  emulator_->Play(
-      {{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
-       {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
-       {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
-       {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""}});
+  emulator_->Play({{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
+                   {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
+                   {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
+                   {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""},
+                   {.at = 0.5, .order = DragBody{.body = "base", .p_WT = {0, 0, 2}}, .where = ""},
+                   {.at = 0.6, .order = SetSpeed{.speed = 2}, .where = ""},
+                   {.at = 0.8, .order = ResetRobot{.pose = StartPose::kStanding}, .where = ""}});
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
   EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
@@ -210,6 +212,22 @@ TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   const Status status = emulator_->status();
   EXPECT_EQ(allocations - before, 0);
   EXPECT_EQ(status.steps, 10);
+}
+
+TEST_F(AllocationTest, DoesNotHappenForAFrame) {
+  StartAs("standing");
+  Order(PushBody{.force = {1, 0, 0}, .seconds = 1});
+  RobotCommand command = Torque(1);
+  command.motors[2].tau = NAN;
+  port_.SendEveryTick(command);
+  CountIn(10);
+  Frame frame = emulator_->MakeFrame();
+  frame.parts = kAllFrameParts | kPartRefusals;
+  const std::int64_t before = allocations;
+  for (int i = 0; i < 10; ++i) emulator_->Show(&frame);
+  EXPECT_EQ(allocations - before, 0);
+  EXPECT_FALSE(frame.contacts.empty());
+  EXPECT_FALSE(frame.refusals.empty());
 }
 
 }  // namespace

@@ -19,7 +19,8 @@ TEST_F(OrdersTest, AreAnswered) {
   StartAs("hanging");
   for (const understudy::Order& order : std::initializer_list<understudy::Order>{
            LowerCrane{.by = 0.1}, ReleaseCrane{}, AttachCrane{}, ClampBase{.on = true},
-           ClampBase{.on = false}, ResetRobot{}}) {
+           ClampBase{.on = false}, ResetRobot{}, DragBody{.body = "base"}, ReleaseDrag{},
+           PauseRun{}, StepRun{}, SetSpeed{.speed = 2}, PauseRun{.on = false}}) {
     EXPECT_EQ(Ask(order), "") << order.index();
   }
 }
@@ -97,6 +98,114 @@ TEST_F(OrdersTest, ResetTheRobotWhileTimeGoesOn) {
   EXPECT_EQ(emulator_->status().commands.accepted, 1U);
   EXPECT_EQ(emulator_->step(), 301);
   EXPECT_EQ(port_.last().state.tick_ms, 300);
+}
+
+TEST_F(OrdersTest, ResetTheRobotToTheirPoseAndToTheStartPoseWithoutOne) {
+  StartAs("standing");
+  Tick();
+  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kHanging}), "");
+  EXPECT_NEAR(Height(), 1, 1e-3);
+  EXPECT_TRUE(emulator_->status().crane_attached);
+  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kClamped}), "");
+  EXPECT_FALSE(emulator_->status().crane_attached);
+  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kLying}), "");
+  EXPECT_NEAR(Height(), 0.06, 0.01);
+  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_EQ(Ask(ResetRobot{}), "");
+  EXPECT_NEAR(Height(), 0.3, 0.01);
+}
+
+// A robot that began limp is held up as one that began standing, by command too where commands
+// come late.
+TEST_F(OrdersTest, ResetToStandingKeepsTheRobotStanding) {
+  config_.robot.dynamics.delay = 0.005;
+  StartAs("damped");
+  Tick(10);
+  Order(ResetRobot{.pose = StartPose::kStanding});
+  Tick(1000);
+  EXPECT_NEAR(Height(), 0.3, 0.02);
+  EXPECT_EQ(emulator_->command().motors[0].kp, config_.robot.motors[0].hold_kp);
+  Order(ResetRobot{});
+  Tick(1000);
+  EXPECT_LT(Height(), 0.1);
+}
+
+TEST_F(OrdersTest, SetThePaceThatWhoeverTicksKeepsTo) {
+  Start();
+  EXPECT_FALSE(emulator_->pace().stands_still());
+  Order(PauseRun{});
+  emulator_->TakeOrders();
+  EXPECT_TRUE(emulator_->pace().stands_still());
+  EXPECT_TRUE(emulator_->status().paused);
+  EXPECT_EQ(emulator_->step(), 0);
+
+  Order(StepRun{.steps = 2});
+  emulator_->TakeOrders();
+  for (int left = 2; left > 0; --left) {
+    EXPECT_EQ(emulator_->status().steps_left, left);
+    EXPECT_FALSE(emulator_->pace().stands_still());
+    Tick();
+  }
+  EXPECT_TRUE(emulator_->pace().stands_still());
+
+  Order(SetSpeed{.speed = 0.5});
+  Order(PauseRun{.on = false});
+  emulator_->TakeOrders();
+  EXPECT_FALSE(emulator_->pace().stands_still());
+  EXPECT_EQ(emulator_->status().speed, 0.5);
+}
+
+TEST_F(OrdersTest, StepOnlyAPausedRobotAndForgetStepsWithThePause) {
+  Start();
+  EXPECT_EQ(Ask(StepRun{}), "the robot is not paused");
+  Order(PauseRun{});
+  Order(StepRun{.steps = 10});
+  Order(PauseRun{});
+  Tick();
+  EXPECT_TRUE(emulator_->pace().stands_still());
+}
+
+TEST_F(OrdersTest, BetweenTicksActInTheNext) {
+  StartAs("hanging");
+  Order(ReleaseCrane{});
+  emulator_->TakeOrders();
+  EXPECT_FALSE(emulator_->status().crane_attached);
+  EXPECT_TRUE(port_.samples().empty());
+}
+
+TEST_F(OrdersTest, ShowWhatActsOnTheRobot) {
+  StartAs("clamped");
+  Tick();
+  EXPECT_TRUE(emulator_->pushes().empty());
+  EXPECT_TRUE(emulator_->drags().empty());
+  Order(PushBody{.force = {1, 2, 3}, .seconds = 0.002});
+  Order(DragBody{.body = "base", .p_BP = {0, 0, 0.1}, .p_WT = {0, 0, 1.2}, .seconds = 0.001});
+  Tick();
+  ASSERT_EQ(emulator_->pushes().size(), 1U);
+  EXPECT_EQ(emulator_->pushes()[0].force_W, Eigen::Vector3d(1, 2, 3));
+  ASSERT_EQ(emulator_->drags().size(), 1U);
+  EXPECT_NEAR(emulator_->drags()[0].p_WP.z(), 1.1, 1e-3);
+  EXPECT_NEAR(emulator_->drags()[0].force_W.z(), 60, 1);  // 6 kg · 100 1/s² · 0.1 m
+  Tick(2);
+  EXPECT_TRUE(emulator_->pushes().empty());
+  EXPECT_TRUE(emulator_->drags().empty());
+}
+
+TEST_F(OrdersTest, OfADragAreRefusedForWhatCannotBeDragged) {
+  Start();
+  EXPECT_EQ(Ask(DragBody{.body = "tail"}), "the model has no body 'tail'");
+  EXPECT_EQ(Ask(DragBody{.body = "bass"}), "the model has no body 'bass'; did you mean 'base'?");
+  EXPECT_EQ(Ask(DragBody{.body = "world"}), "'world' does not move");
+  EXPECT_EQ(Ask(ReleaseDrag{.body = "tail"}), "the model has no body 'tail'");
+}
+
+TEST_F(OrdersTest, ADragEndsWithAReset) {
+  StartAs("clamped");
+  Order(DragBody{.body = "base", .p_WT = {5, 0, 1}, .seconds = 100});
+  Order(ResetRobot{});
+  Tick();
+  EXPECT_TRUE(emulator_->drags().empty());
 }
 
 }  // namespace

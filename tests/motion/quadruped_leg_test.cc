@@ -36,7 +36,8 @@ TEST_P(QuadrupedLegTest, PutsTheFootWhereTheModelHasIt) {
       const mjModel& model = rig_.world().model();
       const int geom = mj_name2id(&model, mjOBJ_GEOM, rig_.spec().feet[leg].geoms[0].c_str());
       const Vector3d there(rig_.world().data().geom_xpos + 3 * geom);
-      const Vector3d foot = QuadrupedLeg(figures_.legs[leg]).Foot(q) + rig_.world().base().p_WB;
+      const Vector3d foot =
+          QuadrupedLeg(figures_.legs[leg]).Place(q).foot + rig_.world().base().p_WB;
       EXPECT_LT((foot - there).norm(), 1e-6) << "leg " << leg;
     }
   }
@@ -47,7 +48,7 @@ TEST_P(QuadrupedLegTest, ReachesEveryPlaceItsFootCanBe) {
     const QuadrupedLeg leg(figures);
     for (const Vector3d& q : kAngles) {
       Vector3d found;
-      EXPECT_TRUE(leg.Reach(leg.Foot(q), &found));
+      EXPECT_TRUE(leg.Reach(leg.Place(q).foot, &found));
       EXPECT_LT((found - q).norm(), 1e-6) << found.transpose() << " for " << q.transpose();
     }
   }
@@ -61,7 +62,7 @@ TEST_P(QuadrupedLegTest, StretchesTowardsWhatIsOutOfReach) {
     EXPECT_GE(q[static_cast<Eigen::Index>(i)], figures_.legs[0].low[i]);
     EXPECT_LE(q[static_cast<Eigen::Index>(i)], figures_.legs[0].high[i]);
   }
-  EXPECT_LT(leg.Foot(q).z(), -0.8 * leg.length());
+  EXPECT_LT(leg.Place(q).foot.z(), -0.8 * leg.length());
 }
 
 TEST_P(QuadrupedLegTest, JacobianIsTheFootsRate) {
@@ -69,10 +70,10 @@ TEST_P(QuadrupedLegTest, JacobianIsTheFootsRate) {
   for (const LegFigures& figures : figures_.legs) {
     const QuadrupedLeg leg(figures);
     for (const Vector3d& q : kAngles) {
-      const Matrix3d jacobian = leg.FootJacobian(q);
+      const Matrix3d jacobian = FootJacobian(leg.Place(q));
       for (int i = 0; i < 3; ++i) {
         const Vector3d step = kStep * Vector3d::Unit(i);
-        const Vector3d rate = (leg.Foot(q + step) - leg.Foot(q - step)) / (2 * kStep);
+        const Vector3d rate = (leg.Place(q + step).foot - leg.Place(q - step).foot) / (2 * kStep);
         EXPECT_LT((rate - jacobian.col(i)).norm(), 1e-6);
       }
     }
@@ -86,10 +87,11 @@ TEST_P(QuadrupedLegTest, HoldsItsOwnWeight) {
   for (const LegFigures& figures : figures_.legs) {
     const QuadrupedLeg leg(figures);
     for (const Vector3d& q : kAngles) {
-      const Vector3d torque = leg.HoldingTorque(q, up, 10);
+      const Vector3d torque = leg.HoldingTorque(leg.Place(q), up, 10);
       for (int i = 0; i < 3; ++i) {
         const Vector3d step = kStep * Vector3d::Unit(i);
-        const double rise = (leg.MassMoment(q + step) - leg.MassMoment(q - step)).dot(up);
+        const double rise =
+            (leg.MassMoment(leg.Place(q + step)) - leg.MassMoment(leg.Place(q - step))).dot(up);
         EXPECT_NEAR(torque[i], 10 * rise / (2 * kStep), 1e-6);
       }
     }
@@ -103,16 +105,16 @@ TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {
   EXPECT_NEAR(mass * 9.81, rig_.world().weight(), 0.01);
 }
 
-// Standing still, the joints carry what the model's dynamics say they must.
 TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   const QuadrupedBody body(figures_);
   PoseSpec pose = rig_.spec().standing;
   rig_.world().Reset(pose);
-  PerLeg q;
-  for (std::size_t i = 0; i < 12; ++i) q[i / 3][static_cast<Eigen::Index>(i % 3)] = pose.q[i];
+  const PhysicsWorld& world = rig_.world();
+  const QuadrupedReading reading = body.Read(
+      {.q = world.q(), .dq = world.dq(), .imu = world.Imu(), .base = {}, .foot_force = {}});
   const int base = rig_.world().Body(rig_.spec().base_body);
   const Vector3d com(rig_.world().data().subtree_com + 3 * base);
-  EXPECT_LT((body.Com(q) + rig_.world().base().p_WB - com).norm(), 1e-6);
+  EXPECT_LT((reading.com + rig_.world().base().p_WB - com).norm(), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest,

@@ -70,6 +70,29 @@ TEST_F(WorldModelTest, PutsTheRobotInTheScene) {
   EXPECT_EQ(model->opt.timestep, 0.002);
 }
 
+constexpr char kDecal[] =
+    R"(<joint name="knee_joint"/><geom size=".2" mass="0" contype="0" conaffinity="0"/>)";
+
+TEST_F(WorldModelTest, KeepsForTheEyeWhatIsOnlyLookedAt) {
+  UseRobot(Robot(kDecal));
+  const ModelHandle world = Load();
+  const ModelHandle sight = LoadSightModel(spec_, robot_, scene_, 0.002);
+  EXPECT_EQ(sight->ngeom, 4);
+  EXPECT_EQ(sight->nq, world->nq);
+  EXPECT_EQ(sight->nbody, world->nbody);
+}
+
+TEST_F(WorldModelTest, ShowsAWorldWhoseLooksAreMissingWithoutThem) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>
+                    <geom type="mesh" mesh="shell" mass="0" contype="0" conaffinity="0"/>)",
+                 R"(<asset><mesh name="shell" file="lost.stl"/></asset>)"));
+#if mjVERSION_HEADER < 300
+  EXPECT_EQ(LoadSightModel(spec_, robot_, scene_, 0.002)->ngeom, 3);
+#else
+  EXPECT_THROW(LoadSightModel(spec_, robot_, scene_, 0.002), ModelError);
+#endif
+}
+
 #if mjVERSION_HEADER < 300
 TEST_F(WorldModelTest, HasRoomForManyContactsWhateverTheFilesSay) {
   UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<size nconmax="20" njmax="50"/>)"));

@@ -30,7 +30,7 @@ TEST(CommandDelayTest, CarriesTheJointSpaceOfACommandWithIt) {
 TEST(CommandDelayTest, ForgetsWhatWaitsWhenTheRobotStartsAnew) {
   CommandDelay delay(2, Torque(9));
   for (const double tau : {1, 2, 3}) delay.Pass(Torque(tau));
-  delay.Restart();
+  delay.Restart(Torque(9));
   EXPECT_EQ(delay.Pass(Torque(4)).motors[0].tau, 9);
   EXPECT_EQ(delay.Pass(Torque(5)).motors[0].tau, 9);
   EXPECT_EQ(delay.Pass(Torque(6)).motors[0].tau, 4);

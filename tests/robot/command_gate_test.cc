@@ -228,6 +228,13 @@ TEST_F(CommandGateTest, RestartsAtTheStartCommandAndKeepsItsCounts) {
   EXPECT_EQ(gate_.counts().timeouts, 0U);
 }
 
+TEST_F(CommandGateTest, RestartsAtAnotherStartCommandAndKeepsToIt) {
+  gate_.Restart(Torques(7, 8));
+  EXPECT_EQ(gate_.Current(0).motors, Torques(7, 8).motors);
+  gate_.Restart();
+  EXPECT_EQ(gate_.Current(0).motors, Torques(7, 8).motors);
+}
+
 TEST(DampingCommandTest, BrakesEveryMotorAndHoldsNone) {
   const RobotCommand command = DampingCommand(3, 2);
   ASSERT_EQ(command.motors.size(), 3U);

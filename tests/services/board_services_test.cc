@@ -120,6 +120,18 @@ TEST(ConfigServiceTest, KeepsForgetsAndDescribesTexts) {
   EXPECT_EQ(caller.Ask(1003, R"({"name":"a"})").code, 8202);
 }
 
+TEST(ConfigServiceTest, TellsWhatChanged) {
+  Caller caller(TableOf("go2", "config"));
+  EXPECT_FALSE(caller.Ask(1003, R"({"name":"a"})").change);
+  const auto set = caller.Ask(1001, R"({"name":"a","content":"b"})").change;
+  ASSERT_TRUE(set);
+  EXPECT_EQ(set->name + "=" + set->content, "a=b");
+  EXPECT_FALSE(caller.Ask(1002, R"({"name":"a"})").change);
+  const auto deleted = caller.Ask(1003, R"({"name":"a"})").change;
+  ASSERT_TRUE(deleted);
+  EXPECT_EQ(deleted->name + "=" + deleted->content, "a=");
+}
+
 TEST(ConfigServiceTest, BoundsNamesAndNumber) {
   Caller caller(TableOf("go2", "config"));
   EXPECT_EQ(caller.Ask(1001, R"({"name":"","content":""})").code, 8203);

@@ -278,6 +278,23 @@ TEST_F(ServiceHostTest, GivesItsLeaseToOneClient) {
   EXPECT_EQ(codes_[3], 0);
 }
 
+TEST_F(ServiceHostTest, AnnouncesAChangeOfConfig) {
+  ServiceHost host(participant_, {TableOf("go2", "config")}, [](auto&) {});
+  Writer<Request> client(participant_,
+                         {"rt/api/config/request", &unitree_api_msg_dds__Request__desc});
+  Reader<unitree_go_msg_dds__ConfigChangeStatus_> changes(
+      participant_, {"rt/config_change_status", &unitree_go_msg_dds__ConfigChangeStatus__desc});
+  Send(1, 1001, R"({"name":"a","content":"b"})", {}, &client);
+  std::string told;
+  EXPECT_TRUE(Eventually([&] {
+    host.Poll(&robot_.owner, now_);
+    changes.Take([&](const unitree_go_msg_dds__ConfigChangeStatus_& change, WriterHandle) {
+      told = std::string(change.name) + "=" + change.content;
+    });
+    return told == "a=b";
+  }));
+}
+
 TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
   ServiceHost quiet(participant_, {[] {
                       ServiceTable table = EchoTable(true);

@@ -45,6 +45,30 @@ TEST(RemoteTest, MovesTheSticksThatAreNamed) {
   EXPECT_EQ(remote.Read(1e6).lx, 0.5);
 }
 
+TEST(RemoteTest, IsAsItWasSetAndNothingElse) {
+  Remote remote;
+  remote.Hold({.keys = kL2});
+  remote.Move({.rx = 1}, 0);
+  remote.Set({.reading = {.keys = kB, .lx = 2, .ly = -0.5}, .seconds = 0.5}, 1);
+  EXPECT_TRUE(remote.Read(1).there);
+  EXPECT_EQ(remote.Read(1).keys, kB);
+  EXPECT_EQ(remote.Read(1).lx, 1);
+  EXPECT_EQ(remote.Read(1).ly, -0.5);
+  EXPECT_EQ(remote.Read(1).rx, 0);
+}
+
+TEST(RemoteTest, IsLetGoByWhoeverDoesNotSayAgainThatItIsHeld) {
+  Remote remote;
+  const SetRemote held{.reading = {.keys = kL2, .ry = 1}, .seconds = 0.5};
+  remote.Set(held, 0);
+  remote.Set(held, 0.4);
+  EXPECT_EQ(remote.Read(0.8).keys, kL2);
+  EXPECT_EQ(remote.Read(0.8).ry, 1);
+  EXPECT_EQ(remote.Read(0.91).keys, 0);
+  EXPECT_EQ(remote.Read(0.91).ry, 0);
+  EXPECT_TRUE(remote.Read(0.91).there);
+}
+
 TEST(RemoteTest, ForgetsEverythingWhenItGoes) {
   Remote remote;
   remote.Hold({.keys = kL2});

@@ -9,6 +9,8 @@ namespace understudy {
 
 // Calls of operator new since the program's start.
 std::uint64_t Allocations();
+// Those of the thread that asks.
+std::uint64_t AllocationsOfThisThread();
 
 }  // namespace understudy
 

@@ -21,11 +21,11 @@ def options_of(settings):
     return [word for setting in settings for word in ("--set", setting)]
 
 
-def messages(robot, settings, topic, kind, until):
+def messages(robot, settings, topic, kind, until, speed=4):
     """The samples of a topic, from wherever discovery lets one in to the tick `until`."""
     with listener(topic, kind, domain=3) as ear:
         # A wait before the first word gives discovery its time: then no sample is missed.
-        played = Robot(robot, "--released", "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", 4,
+        played = Robot(robot, "--released", "--domain", 3, "--set", "guard.listen_loopback=0.3", "--speed", speed,
                        "--duration", until / 1000, *options_of(settings))
         try:
             played.exit_code()
@@ -66,17 +66,23 @@ def content(state):
 class Seen:
     """look(played robot), which is on the network, differs as the setting does."""
 
+    _before = {}  # what rows saw without their changed key, by what is played and looked at
+
     def __init__(self, changed, look, robot="go2", given=()):
         self._changed, self._look = changed, look
-        self._robot, self._given = robot, options_of(given)
+        self._robot, self._given = robot, tuple(options_of(given))
 
     def check(self, play):
-        looks = []
-        for settings in ([], [self._changed]):
-            played = play(self._robot, "--released", *self._given, *options_of(settings))
-            looks.append(self._look(played))
-            played.end()
-        assert looks[0] != looks[1]
+        alike = (self._look, self._robot, self._given)
+        if alike not in self._before:
+            self._before[alike] = self._seen(play)
+        assert self._before[alike] != self._seen(play, *options_of([self._changed]))
+
+    def _seen(self, play, *options):
+        played = play(self._robot, "--released", *self._given, *options)
+        look = self._look(played)
+        played.end()
+        return look
 
 
 class Counted:
@@ -86,7 +92,8 @@ class Counted:
         self._changed, self._topic, self._kind, self._robot = changed, topic, kind, robot
 
     def check(self, play):
-        counts = [len(messages(self._robot, settings, self._topic, self._kind, 1000)[0])
+        counts = [len(messages(self._robot, settings, self._topic, self._kind, 1000,
+                               speed=1)[0])  # slow enough for a busy machine to hear all
                   for settings in ([], [self._changed])]
         assert max(counts) > 1.5 * min(counts), counts
 

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-SUBCOMMANDS = ["run", "exec", "ctl", "robots", "check", "version", "completions"]
+SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "snapshot", "film", "robots", "check", "version", "completions"]
 ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
 MODELS = pathlib.Path(__file__).parents[2] / "models"
 
@@ -69,6 +69,15 @@ def test_a_revision_of_another_robot_names_that_robot(understudy):
     assert done.returncode == 3
     assert "it has 2, 3, 5, 6, 11, 12, 13, 14, 15, 16" in done.stderr
     assert "understudy run g1_23dof --revision 10" in done.stderr
+
+
+def test_check_reads_every_revision_strictly(understudy, tmp_path):
+    robot = tmp_path / "mine.yaml"
+    robot.write_text("extends: go2\nrobot:\n  revisions:\n    x: {moters: 3}\n")
+    done = understudy("check", robot)
+
+    assert done.returncode == 3
+    assert "mine.yaml:4: key 'robot.moters': unknown" in done.stdout
 
 
 def test_check_reads_every_revision_against_the_model(understudy, tmp_path):
@@ -238,6 +247,8 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy ctl crane l", ["lower"]),
     ("understudy ctl clamp o", ["off", "on"]),
     ("understudy ctl status --w", ["--watch"]),
+    ("understudy ctl reset st", ["standing"]),
+    ("understudy ctl re", ["refusals", "remote", "reset", "resume"]),
 ])
 def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
     file = tmp_path / f"completions.{shell}"

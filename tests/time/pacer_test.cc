@@ -230,5 +230,60 @@ TEST(PacerTest, MeasuresTheRealTimeFactorOfTheLastSecond) {
   EXPECT_NEAR(pacer.reading().real_time_factor, 5, 1e-12);
 }
 
+TEST(PacerTest, WaitsNoLongerThanItIsToldForAStepThatIsFarOff) {
+  ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 0.1);  // 100 ms a step
+  EXPECT_TRUE(pacer.WaitFor(0, 30ms));
+  for (const Clock::Time wall : {30ms, 60ms, 90ms}) {
+    EXPECT_FALSE(pacer.WaitFor(1, 30ms));
+    EXPECT_EQ(clock.Now(), wall);
+  }
+  EXPECT_TRUE(pacer.WaitFor(1, 30ms));
+  EXPECT_EQ(clock.Now(), 100ms);
+}
+
+// Steps while paused are made at the pace that is set, and what passed in between is no lateness.
+TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
+  ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 1);
+  Pace pace;
+  EXPECT_TRUE(pacer.Follow(pace, 0, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 1, 2s));
+  pace.paused = true;
+  EXPECT_FALSE(pacer.Follow(pace, 2, 2s));
+  EXPECT_FALSE(pacer.Follow(pace, 2, 2s));
+  EXPECT_EQ(clock.Now(), 4010ms);
+  EXPECT_EQ(pacer.reading().real_time_factor, 0);
+
+  pace.steps_left = 2;
+  EXPECT_TRUE(pacer.Follow(pace, 2, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 3, 2s));
+  EXPECT_EQ(clock.Now(), 4020ms);
+  pace.steps_left = 0;
+  EXPECT_FALSE(pacer.Follow(pace, 4, 2s));
+  pace.paused = false;
+  EXPECT_TRUE(pacer.Follow(pace, 4, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 5, 2s));
+  EXPECT_EQ(clock.Now(), 6030ms);
+  EXPECT_EQ(pacer.reading().overruns, 0U);
+  EXPECT_EQ(pacer.reading().shifts, 0U);
+  EXPECT_EQ(pacer.reading().worst_lateness, 0);
+}
+
+TEST(PacerTest, FollowsANewSpeedFromTheStepThatIsNext) {
+  ManualClock clock;
+  Pacer pacer(&clock, kPeriod, 1);
+  for (std::int64_t step = 0; step <= 10; ++step) pacer.Follow({.speed = 1}, step, 1s);
+  EXPECT_EQ(clock.Now(), 100ms);
+  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 11, 1s));
+  EXPECT_EQ(clock.Now(), 100ms);
+  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 12, 1s));
+  EXPECT_EQ(clock.Now(), 200ms);
+  EXPECT_TRUE(pacer.Follow({.speed = 0}, 13, 1s));
+  EXPECT_TRUE(pacer.Follow({.speed = 0}, 14, 1s));
+  EXPECT_EQ(clock.Now(), 200ms);
+  EXPECT_EQ(pacer.reading().overruns, 0U);
+}
+
 }  // namespace
 }  // namespace understudy

@@ -1,6 +1,8 @@
 #include "wire/hand_port.h"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include <gmock/gmock.h>
 
@@ -41,6 +43,19 @@ RobotState HandyState(const RobotSpec& spec) {
   return state;
 }
 
+// A robot on the wire, in a domain of its own, and what was taken from one of its hands.
+struct Played {
+  explicit Played(int domain, RobotSpec robot = Handy())
+      : participant("lo", domain), spec(std::move(robot)), port(participant, spec) {}
+  bool Take(std::size_t hand) { return port.TakeHandCommand(hand, &command, &wire); }
+
+  Participant participant;
+  RobotSpec spec;
+  HgPort port;
+  HandCommand command{.motors = std::vector<HandMotorCommand>(2)};
+  Refusal wire = Refusal::kNone;
+};
+
 // A command to two motors.
 struct Command {
   explicit Command(float q, std::uint32_t length = 2) {
@@ -69,101 +84,81 @@ std::pair<float, std::uint32_t> Heard(Reader<HandState>* reader) {
 }
 
 TEST(HandPortTest, HasNoCommandBeforeTheFirst) {
-  const Participant participant("lo", 190);
-  const RobotSpec spec = Handy();
-  HgPort port(participant, spec);
-  HandCommand command;
-  Refusal wire = Refusal::kNone;
-  EXPECT_FALSE(port.TakeHandCommand(0, &command, &wire));
-  EXPECT_FALSE(port.TakeHandCommand(1, &command, &wire));
+  Played robot(190);
+  EXPECT_FALSE(robot.Take(0));
+  EXPECT_FALSE(robot.Take(1));
 }
 
 TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
-  const Participant participant("lo", 191);
-  const RobotSpec spec = Handy();
-  HgPort port(participant, spec);
-  Writer<HandCmd> left(participant, kLeftCmd);
-  Writer<HandCmd> right(participant, kRightCmd);
+  Played robot(191);
+  Writer<HandCmd> left(robot.participant, kLeftCmd);
+  Writer<HandCmd> right(robot.participant, kRightCmd);
   ASSERT_TRUE(
       Eventually([&] { return left.matched_readers() == 1 && right.matched_readers() == 1; }));
   ASSERT_TRUE(right.Write(Command(1).message));
   ASSERT_TRUE(right.Write(Command(2).message));
-  HandCommand command;
-  Refusal wire = Refusal::kNone;
-  ASSERT_TRUE(Eventually([&] { return port.TakeHandCommand(1, &command, &wire); }));
-  EXPECT_EQ(wire, Refusal::kNone);
-  EXPECT_EQ(command.motors[1].motor.q, 1);
-  ASSERT_TRUE(port.TakeHandCommand(1, &command, &wire));
-  EXPECT_EQ(command.motors[1].motor.q, 2);
-  EXPECT_FALSE(port.TakeHandCommand(1, &command, &wire));
-  EXPECT_FALSE(port.TakeHandCommand(0, &command, &wire));
+  ASSERT_TRUE(Eventually([&] { return robot.Take(1); }));
+  EXPECT_EQ(robot.wire, Refusal::kNone);
+  EXPECT_EQ(robot.command.motors[1].motor.q, 1);
+  ASSERT_TRUE(robot.Take(1));
+  EXPECT_EQ(robot.command.motors[1].motor.q, 2);
+  EXPECT_FALSE(robot.Take(1));
+  EXPECT_FALSE(robot.Take(0));
 }
 
 TEST(HandPortTest, TellsACommandForAnotherNumberOfMotors) {
-  const Participant participant("lo", 192);
-  const RobotSpec spec = Handy();
-  HgPort port(participant, spec);
-  Writer<HandCmd> left(participant, kLeftCmd);
+  Played robot(192);
+  Writer<HandCmd> left(robot.participant, kLeftCmd);
   ASSERT_TRUE(Eventually([&] { return left.matched_readers() == 1; }));
-  HandCommand command;
-  Refusal wire = Refusal::kNone;
   for (const std::uint32_t length : {0U, 1U, 3U}) {
     ASSERT_TRUE(left.Write(Command(1, length).message));
-    ASSERT_TRUE(Eventually([&] { return port.TakeHandCommand(0, &command, &wire); }));
-    EXPECT_EQ(wire, Refusal::kMotorCount) << length;
+    ASSERT_TRUE(Eventually([&] { return robot.Take(0); }));
+    EXPECT_EQ(robot.wire, Refusal::kMotorCount) << length;
   }
 }
 
 TEST(HandPortTest, PublishesEachHandFastAndSlow) {
-  const Participant participant("lo", 193);
-  const RobotSpec spec = Handy();
-  HgPort port(participant, spec);
-  Reader<HandState> left(participant, State("rt/dex/left/state"));
-  Reader<HandState> right(participant, State("rt/dex/right/state"));
-  Reader<HandState> lf_left(participant, State("rt/lf/dex/left/state"));
-  Reader<HandState> lf_right(participant, State("rt/lf/dex/right/state"));
-  RobotState state = HandyState(spec);
+  Played robot(193);
+  Reader<HandState> left(robot.participant, State("rt/dex/left/state"));
+  Reader<HandState> right(robot.participant, State("rt/dex/right/state"));
+  Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
+  Reader<HandState> lf_right(robot.participant, State("rt/lf/dex/right/state"));
+  RobotState state = HandyState(robot.spec);
   state.hands[0].motors[0].q = 1;
   state.hands[1].motors[0].q = 2;
-  port.Publish(state, {.hands = true});
+  robot.port.Publish(state, {.hands = true});
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));
   const auto ignore = [](const auto&, WriterHandle) {};
   EXPECT_EQ(lf_left.Take(ignore), 0);
-  port.Publish(state, {.lf = true});
+  robot.port.Publish(state, {.lf = true});
   EXPECT_EQ(Heard(&lf_left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&lf_right), std::pair(2.0F, 1U));
-  port.Publish(state, {.lowstate = true, .motion = true});
+  robot.port.Publish(state, {.lowstate = true, .motion = true});
   EXPECT_EQ(left.Take(ignore), 0);
-  EXPECT_EQ(port.counts().write_failures, 0U);
+  EXPECT_EQ(robot.port.counts().write_failures, 0U);
 }
 
 TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
-  const Participant participant("lo", 194);
-  const RobotSpec spec = HgRobot();
-  HgPort port(participant, spec);
-  Writer<HandCmd> left(participant, kLeftCmd);
+  Played robot(194, HgRobot());
+  Writer<HandCmd> left(robot.participant, kLeftCmd);
   Reader<unitree_hg_msg_dds__LowState_> lowstate(
-      participant, {"rt/lowstate", &unitree_hg_msg_dds__LowState__desc});
+      robot.participant, {"rt/lowstate", &unitree_hg_msg_dds__LowState__desc});
   ASSERT_TRUE(Eventually([&] { return lowstate.matched_writers() == 1; }));
   EXPECT_EQ(left.matched_readers(), 0);
 }
 
 // Cyclone makes and frees a sequence's memory for each sample in its own C, which is not counted.
 TEST(HandPortTest, AllocatesNothingInATick) {
-  const Participant participant("lo", 195);
-  const RobotSpec spec = Handy();
-  HgPort port(participant, spec);
-  Writer<HandCmd> left(participant, kLeftCmd);
+  Played robot(195);
+  Writer<HandCmd> left(robot.participant, kLeftCmd);
   ASSERT_TRUE(Eventually([&] { return left.matched_readers() == 1; }));
-  const RobotState state = HandyState(spec);
+  const RobotState state = HandyState(robot.spec);
   const Command message(1);
-  HandCommand command{.motors = std::vector<HandMotorCommand>(2)};
-  Refusal wire = Refusal::kNone;
   const std::uint64_t before = Allocations();
   left.Write(message.message);
-  const bool taken = port.TakeHandCommand(0, &command, &wire);
-  port.Publish(state, {.hands = true, .lf = true});
+  const bool taken = robot.Take(0);
+  robot.port.Publish(state, {.hands = true, .lf = true});
   const std::uint64_t after = Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);

@@ -152,7 +152,7 @@ ServiceReply SetConfig(const ServiceCall& call) {
                             {"lastModified", date.data()},
                             {"size", content.get_ref<const std::string&>().size()},
                             {"epoch", seconds}};
-  return {};
+  return {.change = ConfigChange{.name = name, .content = content.get<std::string>()}};
 }
 
 // The kept entry of that name; null with the code in `reply` when there is none.
@@ -177,7 +177,9 @@ ServiceReply GetConfig(const ServiceCall& call) {
 ServiceReply DeleteConfig(const ServiceCall& call) {
   ServiceReply reply;
   if (const json* entry = FindConfig(call, &reply)) {
-    call.settings->erase(call.settings->find(entry->at("name").get<std::string>()));
+    const auto name = entry->at("name").get<std::string>();
+    call.settings->erase(call.settings->find(name));
+    reply.change = ConfigChange{.name = name};
   }
   return reply;
 }
@@ -296,7 +298,9 @@ ServiceTable ConfigTable() {
                    "name, lastModified, size, epoch (assumed: seconds since 1970)",
                    kSdk},
               },
-          .note = "rt/config_change_status is not written."};
+          .note =
+              "rt/config_change_status tells what was set, and with an empty content what was "
+              "deleted; the topic as seen on a G1, for the others and the content assumed."};
 }
 
 }  // namespace understudy

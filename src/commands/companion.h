@@ -1,0 +1,29 @@
+// Programs of their own behind some commands: what they link the daemon does without.
+#ifndef UNDERSTUDY_COMMANDS_COMPANION_H_
+#define UNDERSTUDY_COMMANDS_COMPANION_H_
+
+#include <filesystem>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace understudy {
+
+struct Companion {
+  const CLI::App* command;  // has the options, for --help, completions and a first check
+  const char* program;      // in libexec/understudy, beside the bin of this program
+  const char* missing;      // what to do where it is not there
+};
+
+// The file of that program, whether it is there or not.
+std::filesystem::path CompanionFile(const std::string& program);
+
+// Becomes the companion, which reads the same command line: its first argument is the command's
+// name. Throws SetupError when it is not there or cannot be run.
+[[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_COMPANION_H_

@@ -1,0 +1,52 @@
+#include "commands/companion_process.h"
+
+#include <utility>
+
+#include <spdlog/spdlog.h>
+
+#include "commands/companion.h"
+
+namespace understudy {
+
+CompanionProcess::CompanionProcess(std::string what, const char* program, const char* missing,
+                                   const std::vector<std::string>& words)
+    : what_(std::move(what)) {
+  const std::filesystem::path file = CompanionFile(program);
+  if (!std::filesystem::exists(file)) {
+    why_not_ = "there is no " + file.string() + "; " + missing;
+    return;
+  }
+  std::vector<std::string> command{file};
+  command.insert(command.end(), words.begin(), words.end());
+  try {
+    child_.emplace(command);
+  } catch (const CommandError& error) {
+    why_not_ = error.what();
+  }
+}
+
+void CompanionProcess::Release() {
+  if (child_) {
+    try {
+      child_->Release();
+    } catch (const CommandError& error) {
+      why_not_ = error.what();
+      child_.reset();
+    }
+  }
+  if (!why_not_.empty()) spdlog::warn("{} cannot be had: {}", what_, why_not_);
+}
+
+void CompanionProcess::Watch() {
+  if (!child_) return;
+  const std::optional<int> code = child_->Poll();
+  if (!code) return;
+  child_.reset();
+  if (*code == 0) {
+    spdlog::info("{} was closed; the robot goes on", what_);
+  } else {
+    spdlog::warn("{} ended with code {}; the robot goes on without", what_, *code);
+  }
+}
+
+}  // namespace understudy

@@ -1,0 +1,34 @@
+// A companion beside a run: the window of `run --view`, the gamepad of `run --gamepad`.
+#ifndef UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
+#define UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exec/child_process.h"
+
+namespace understudy {
+
+// Whatever becomes of it, the robot goes on.
+class CompanionProcess {
+ public:
+  // Before any thread exists; it starts at Release(). `what`: how the log calls it, "the window".
+  // `words`: of its command line after the program; `missing`: what to do where that is not there.
+  CompanionProcess(std::string what, const char* program, const char* missing,
+                   const std::vector<std::string>& words);
+
+  // Once the robot answers. Warns where it cannot be had.
+  void Release();
+  // Says once that it has ended.
+  void Watch();
+
+ private:
+  std::string what_;
+  std::optional<ChildProcess> child_;  // nothing where there is nothing to watch (any more)
+  std::string why_not_;                // it could not be started
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_

@@ -1,0 +1,214 @@
+#include "commands/play_command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include <spdlog/spdlog.h>
+#include <unistd.h>
+
+#include "alone.h"
+#include "bus/cdr_writer.h"
+#include "commands/log.h"
+#include "exit_code.h"
+#include "idl/type_table.h"
+#include "robot/errors.h"
+#include "signals.h"
+#include "time/clock.h"
+#include "wire/strangers.h"
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+
+// How long we wait for those who are to hear us; *assumed*, several times what discovery takes.
+constexpr milliseconds kMatchPatience(1000);
+// A reader that we know may not know us yet, and nothing on DDS says when it does; *assumed*, several
+// times the difference between the two ends of a discovery.
+constexpr milliseconds kMutual(200);
+constexpr milliseconds kDrawEvery(200);
+
+double SpeedOf(const std::string& text) { return text == "max" ? 0 : std::stod(text); }
+
+std::string CheckSpeed(const std::string& text) {
+  double speed = 0;
+  if (text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0)) return {};
+  return "expected a number above 0 or max, found '" + text + "'";
+}
+
+// The line that shows how far it has come; nothing where nobody looks.
+class Progress {
+ public:
+  Progress(bool shown, double to) : shown_(shown), to_(to) {}
+  ~Progress() {
+    if (drawn_) std::fputs("\r\033[K", stderr);
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void Update(double at, std::uint64_t messages, Clock::Time now) {
+    if (!shown_ || (drawn_ && now - drawn_at_ < kDrawEvery)) return;
+    std::fprintf(stderr, "\r\033[K%.1f of %.1f s  %llu messages", at, to_,
+                 static_cast<unsigned long long>(messages));
+    std::fflush(stderr);
+    drawn_ = true;
+    drawn_at_ = now;
+  }
+
+ private:
+  bool shown_;
+  double to_;
+  bool drawn_ = false;
+  Clock::Time drawn_at_{};
+};
+
+// A writer for every topic of the player's, by channel.
+class Wire {
+ public:
+  Wire(const Participant& participant, const Player& player) {
+    for (const auto& [channel, topic] : player.topics()) {
+      const MessageType* type = FindMessageType(topic.type);
+      if (type == nullptr) {
+        spdlog::warn("{} is left out: its type is none of the vendor's", topic.topic);
+        continue;
+      }
+      writers_.emplace(channel, CdrWriter(participant, topic.topic, *type->descriptor));
+    }
+  }
+
+  // Until somebody hears `all` topics, or any; those who come later miss the beginning.
+  void WaitForReaders(bool all, Clock* clock) const {
+    const Clock::Time end = clock->Now() + kMatchPatience;
+    const auto is_heard = [](const auto& writer) { return writer.second.matched_readers() > 0; };
+    while (clock->Now() < end && StopSignal() == 0 &&
+           !(all ? std::ranges::all_of(writers_, is_heard)
+                 : std::ranges::any_of(writers_, is_heard))) {
+      clock->SleepUntil(clock->Now() + milliseconds(10));
+    }
+    clock->SleepUntil(clock->Now() + kMutual);
+  }
+
+  void Write(const McapMessage& message) {
+    const auto writer = writers_.find(message.channel_id);
+    if (writer == writers_.end()) return;
+    if (writer->second.Write(message.data)) {
+      ++sent_;
+    } else {
+      ++damaged_;
+    }
+  }
+  std::uint64_t sent() const { return sent_; }
+  std::uint64_t damaged() const { return damaged_; }
+
+ private:
+  std::map<std::uint16_t, CdrWriter> writers_;
+  std::uint64_t sent_ = 0, damaged_ = 0;
+};
+
+// Somebody writes rt/lowstate, and has the time of the guard to be found.
+void WaitForRobot(StrangerWatch* watch, const Participant& participant, Clock* clock) {
+  const Clock::Time end = clock->Now() + kMatchPatience;
+  while (watch->Poll().spoke.empty() && watch->speaking().empty()) {
+    if (clock->Now() > end) {
+      throw BusError("no robot speaks on " + participant.interface() + ", domain " +
+                     std::to_string(participant.domain()) +
+                     "; start one (`understudy run`), then play the commands to it");
+    }
+    clock->SleepUntil(clock->Now() + milliseconds(10));
+  }
+}
+
+}  // namespace
+
+CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments) {
+  CLI::App* play = app->add_subcommand(
+      "play", "Say again what a recording's robot said, or what its clients commanded");
+  play->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
+  play->add_flag("--commands", arguments->commands,
+                 "The clients' commands and requests, to a robot that is there");
+  play->add_option("--speed", arguments->speed,
+                   "Recorded seconds per wall second; max = as fast as possible [1]")
+      ->type_name("X")
+      ->check(CheckSpeed);
+  play->add_flag("--loop", arguments->options.loop, "Again and again");
+  play->add_option("--from", arguments->options.from, "Seconds to begin after [0]")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  play->add_option("--to", arguments->options.to, "Seconds to end after [the recording's end]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  play->add_option("--topics", arguments->options.topics, "Only these [all]")
+      ->type_name("TOPIC,...")
+      ->delimiter(',');
+  play->add_option("--interface", arguments->network.interface,
+                   "Network interface to speak on [lo]")
+      ->type_name("NAME");
+  play->add_option("--domain", arguments->network.domain, "DDS domain [0]")->type_name("N");
+  play->add_flag("--json", arguments->json, "Log as one JSON object a line");
+  play->footer(
+      "What the robot said is never said beside a live robot.\n"
+      "Examples:\n"
+      "  understudy play walk.mcap                          programs hear the robot of that day\n"
+      "  understudy play walk.mcap --speed 0.2 --loop --topics rt/lowstate\n"
+      "  understudy play walk.mcap --commands --from 3      the same commands, to a robot of "
+      "today\n"
+      "What a recording holds: understudy recording FILE");
+  return play;
+}
+
+int PlayCommand(const PlayArguments& arguments) {
+  PlayOptions options = arguments.options;
+  options.side = arguments.commands ? PlayedSide::kClients : PlayedSide::kRobot;
+  options.speed = SpeedOf(arguments.speed);
+  const McapReader reader(arguments.file);
+  const double end = options.to > 0 ? options.to : Duration(reader.contents());
+  if (options.from >= end) {
+    throw RecordError(arguments.file + ": --from is past the end, " + std::to_string(end) + " s");
+  }
+  SteadyClock clock;
+  Player player(&reader, options, &clock);
+  const bool terminal = isatty(STDERR_FILENO) == 1 && !arguments.json;
+  StartLog({.level = "info", .json = arguments.json, .status_line = terminal});
+  CatchStopSignals();
+  if (!reader.contents().cut_short.empty()) {
+    spdlog::warn("the recording was cut short: {}", reader.contents().cut_short);
+  }
+
+  const Participant participant(arguments.network.interface, arguments.network.domain);
+  StrangerWatch watch(participant);
+  if (arguments.commands) {
+    WaitForRobot(&watch, participant, &clock);
+  } else {
+    RefuseToStartBeside(&watch, clock.Now(), participant, GuardConfig{}, &clock);
+  }
+  Wire wire(participant, player);
+  wire.WaitForReaders(arguments.commands, &clock);
+  spdlog::info("playing {} on {}, domain {}", arguments.file, participant.interface(),
+               participant.domain());
+
+  Progress progress(terminal, end);
+  ExitCode code = ExitCode::kOk;
+  player.Play([&](double at, const McapMessage* message) {
+    if (message != nullptr) wire.Write(*message);
+    progress.Update(at, wire.sent(), clock.Now());
+    if (StopSignal() != 0) return false;
+    if (const auto news = watch.Poll(); !arguments.commands && !news.spoke.empty()) {
+      spdlog::critical("another robot speaks on this network: {}; we stop", Describe(news.spoke));
+      code = ExitCode::kNeighbour;
+      return false;
+    }
+    return true;
+  });
+  if (wire.damaged() > 0) {
+    spdlog::warn("{} messages are not what their type says and were left out", wire.damaged());
+  }
+  spdlog::info("{} messages were played", wire.sent());
+  return static_cast<int>(code);
+}
+
+}  // namespace understudy

@@ -1,0 +1,32 @@
+// `understudy play`: a recording on the wire.
+#ifndef UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
+#define UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "config/config.h"
+#include "record/player.h"
+
+namespace understudy {
+
+// The command line, as typed.
+struct PlayArguments {
+  std::string file;
+  bool commands = false;
+  std::string speed = "1";
+  PlayOptions options;
+  NetworkConfig network;
+  bool json = false;
+};
+
+// Adds the subcommand. `arguments` is filled by parsing and must outlive the app.
+CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments);
+
+// Plays to the end or until Ctrl-C; returns the exit code. Throws SetupError.
+int PlayCommand(const PlayArguments& arguments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_

@@ -1,0 +1,76 @@
+#include "commands/plot_command.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace understudy {
+namespace {
+
+constexpr int kLeastPixels = 400;
+constexpr int kMostPixels = 10000;
+
+// "1600x900" into width and height; what is wrong with it otherwise.
+std::string ReadSize(const std::string& text, int* width, int* height) {
+  int end = 0;
+  const auto fits = [](int pixels) { return pixels >= kLeastPixels && pixels <= kMostPixels; };
+  // NOLINTNEXTLINE(cert-err34-c): its size is checked
+  if (std::sscanf(text.c_str(), "%5dx%5d%n", width, height, &end) == 2 &&
+      static_cast<std::size_t>(end) == text.size() && fits(*width) && fits(*height)) {
+    return {};
+  }
+  return "expected WIDTHxHEIGHT, each from 400 to 10000 pixels, found '" + text + "'";
+}
+
+}  // namespace
+
+CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
+  PlotOptions& options = arguments->options;
+  CLI::App* plot = app->add_subcommand("plot", "Draw the picture of a recording");
+  plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
+  plot->add_option("--out", arguments->out, "Picture to write, .png or .svg [FILE.png]")
+      ->type_name("PICTURE");
+  plot->add_option("--motors", options.motors,
+                   "Joints, or slots by number [of each kind the one that moves most]")
+      ->type_name("NAME,...")
+      ->delimiter(',');
+  plot->add_option("--fields", options.fields, "Of motors: q, dq, tau, temperature [q,tau]")
+      ->type_name("FIELD,...")
+      ->delimiter(',');
+  plot->add_option("--signals", options.signals, "Any other numbers, a panel each")
+      ->type_name("TOPIC:FIELD,...")
+      ->delimiter(',');
+  plot->add_option("--from", options.from, "Seconds to begin at [0]")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  plot->add_option("--to", options.to, "Seconds to end at [the recording's end]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  plot->add_option("--size", arguments->size, "Pixels [1600 wide, as high as its panels]")
+      ->type_name("WxH")
+      ->check([&options](const std::string& text) {
+        return ReadSize(text, &options.width, &options.height);
+      });
+  plot->footer(
+      "Height and attitude of the base, joint angles and torques (what was commanded dashed), and\n"
+      "what happened as marks. Drawn by gnuplot: apt-get install gnuplot-nox.\n"
+      "Examples:\n"
+      "  understudy plot walk.mcap\n"
+      "  understudy plot walk.mcap --out stand.svg --motors FR_thigh,FR_calf --from 1 --to 4\n"
+      "  understudy plot walk.mcap --fields q,dq --signals 'rt/lowstate:imu_state.gyroscope[2]'");
+  return plot;
+}
+
+int PlotCommand(const PlotArguments& arguments) {
+  const std::filesystem::path picture =
+      arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(".png")
+                            : std::filesystem::path(arguments.out);
+  const McapReader reader(arguments.file);
+  if (!reader.contents().cut_short.empty()) {
+    std::fprintf(stderr, "the recording was cut short: %s\n", reader.contents().cut_short.c_str());
+  }
+  DrawPage(MakePage(reader, arguments.options), picture);
+  std::printf("%s\n", picture.c_str());
+  return 0;
+}
+
+}  // namespace understudy

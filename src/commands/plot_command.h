@@ -1,0 +1,29 @@
+// `understudy plot`: the picture of a run.
+#ifndef UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
+#define UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
+
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "record/plot.h"
+
+namespace understudy {
+
+// The command line, as typed.
+struct PlotArguments {
+  std::string file;
+  std::string out;
+  std::string size;
+  PlotOptions options;
+};
+
+// Adds the subcommand. `arguments` is filled by parsing and must outlive the app.
+CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments);
+
+// Draws the picture and says where it is; returns the exit code. Throws SetupError.
+int PlotCommand(const PlotArguments& arguments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_

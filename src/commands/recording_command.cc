@@ -1,0 +1,85 @@
+#include "commands/recording_command.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "record/mcap_reader.h"
+#include "record/player.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json Describe(const McapReader& reader) {
+  const McapContents& contents = reader.contents();
+  ordered_json channels = ordered_json::array();
+  for (const auto& [id, channel] : contents.channels) {
+    const McapSchema* schema = reader.SchemaOf(channel);
+    const auto count = contents.counts.find(id);
+    const auto from = channel.metadata.find("from");
+    channels.push_back({{"topic", TopicOnWire(channel)},
+                        {"type", schema == nullptr ? "" : schema->name},
+                        {"from", from == channel.metadata.end() ? "" : from->second},
+                        {"messages", count == contents.counts.end() ? 0 : count->second}});
+  }
+  ordered_json attachments = ordered_json::array();
+  for (const McapAttachment& attachment : contents.attachments) {
+    attachments.push_back({{"name", attachment.name}, {"bytes", attachment.size}});
+  }
+  const auto about = contents.metadata.find("understudy");
+  return {{"file", reader.path().string()},
+          {"library", contents.library},
+          {"about", about == contents.metadata.end() ? StringMap() : about->second},
+          {"seconds", Duration(contents)},
+          {"messages", contents.messages},
+          {"cut_short", contents.cut_short},
+          {"channels", channels},
+          {"attachments", attachments}};
+}
+
+}  // namespace
+
+int RecordingCommand(const std::string& file, bool json) {
+  const McapReader reader(file);
+  const ordered_json told = Describe(reader);
+  if (json) {
+    std::puts(told.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
+    return 0;
+  }
+  const auto& about = told["about"];
+  const double seconds = told["seconds"];
+  std::printf("%s: %s, %.3f s, %llu messages\n", file.c_str(),
+              about.value("robot", told["library"].get<std::string>()).c_str(), seconds,
+              static_cast<unsigned long long>(reader.contents().messages));
+  if (about.contains("started")) {
+    std::printf(
+        "  begun %s by understudy %s%s\n", about["started"].get<std::string>().c_str(),
+        about.value("version", "").c_str(),
+        about.value("seed", "").empty() ? "" : (", seed " + about.value("seed", "")).c_str());
+  }
+  if (!reader.contents().cut_short.empty()) {
+    std::printf("  cut short: %s\n", reader.contents().cut_short.c_str());
+  }
+  std::size_t width = 0;
+  for (const auto& channel : told["channels"]) {
+    width = std::max(width, channel["topic"].get<std::string>().size());
+  }
+  for (const auto& channel : told["channels"]) {
+    const auto messages = channel["messages"].get<std::uint64_t>();
+    std::printf(
+        "  %-*s %9llu %7.1f Hz  %-10s %s\n", static_cast<int>(width),
+        channel["topic"].get<std::string>().c_str(), static_cast<unsigned long long>(messages),
+        seconds > 0 ? static_cast<double>(messages) / seconds : 0,
+        channel["from"].get<std::string>().c_str(), channel["type"].get<std::string>().c_str());
+  }
+  for (const McapAttachment& attachment : reader.contents().attachments) {
+    std::printf("  %s, %llu bytes\n", attachment.name.c_str(),
+                static_cast<unsigned long long>(attachment.size));
+  }
+  return 0;
+}
+
+}  // namespace understudy

@@ -1,0 +1,34 @@
+// A condition on a key, told with where the key was set.
+#ifndef UNDERSTUDY_CONFIG_CHECKER_H_
+#define UNDERSTUDY_CONFIG_CHECKER_H_
+
+#include <string>
+
+#include "config/reader.h"
+#include "robot/errors.h"
+
+namespace understudy {
+
+class Checker {
+ public:
+  // `places` must outlive the checker.
+  explicit Checker(const Places& places) : places_(places) {}
+
+  // Throws ConfigError, "file:line: key: what", unless it fits.
+  void Check(bool fits, const std::string& key, const std::string& what) const {
+    if (!fits) throw ConfigError(Where(key) + key + ": " + what);
+  }
+
+  // "file:line: ", "" where no file and no option set it.
+  std::string Where(const std::string& key) const {
+    const auto place = places_.find(key);
+    return place == places_.end() ? "" : place->second + ": ";
+  }
+
+ private:
+  const Places& places_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONFIG_CHECKER_H_

@@ -1,0 +1,22 @@
+// What has to fit together within a robot.
+#ifndef UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_
+#define UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_
+
+#include <string>
+
+#include "config/checker.h"
+#include "robot/robot_spec.h"
+
+namespace understudy {
+
+// Throws ConfigError at the first thing that does not fit: a robot without name, model or motors;
+// slots that are not ascending or that the message family lacks; speeds, poses, parallel pairs and
+// battery voltages that contradict each other.
+void ValidateRobot(const RobotSpec& robot, const Checker& checker);
+
+// `pose`, the value of `key`, is one to start in.
+void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_

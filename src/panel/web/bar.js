@@ -1,0 +1,79 @@
+// The bar at the top: what runs, how time goes, who moves the motors; pause, step, speed, reset.
+import { byId, element, number, setClass, setText } from "./dom.js";
+import { ownerOf } from "./events.js";
+
+const POSE_WORDS = { "": "start pose" };
+
+export class Bar {
+  // order(path, body) sends and reports a refusal.
+  constructor(order) {
+    this.paused = false;
+    byId("pause").addEventListener("click", () => order("/pause", { on: !this.paused }));
+    byId("step").addEventListener("click", (event) => {
+      order("/step", { steps: event.shiftKey ? 10 : 1 });
+    });
+    byId("speed").addEventListener("change", () => {
+      order("/speed", { speed: Number(byId("speed").value) });
+    });
+    byId("reset").addEventListener("click", () => {
+      const pose = byId("pose").value;
+      order("/reset", pose ? { pose } : {});
+    });
+  }
+
+  get speed() {
+    return this.frameSpeed ?? 1;
+  }
+
+  setScene(scene) {
+    setText(byId("robot"), scene.name ?? scene.robot);
+    document.title = `${scene.name ?? scene.robot} · Understudy`;
+    byId("pose").replaceChildren(...["", ...(scene.poses ?? [])].map((pose) =>
+      element("option", { value: pose, text: POSE_WORDS[pose] ?? pose })));
+  }
+
+  showFrame(frame) {
+    setText(byId("time"), `${number(frame.time, 2)} s`);
+    this.paused = frame.paused;
+    this.frameSpeed = frame.speed;
+    setText(byId("pause"), frame.paused ? "Resume" : "Pause");
+    byId("pause").setAttribute("aria-pressed", frame.paused);
+    byId("step").disabled = !frame.paused;
+    if (document.activeElement !== byId("speed")) this.chooseSpeed(frame.speed);
+  }
+
+  chooseSpeed(value) {
+    const speed = byId("speed");
+    if (Number(speed.value) === value) return;
+    if (![...speed.options].some((option) => Number(option.value) === value)) {
+      speed.append(element("option", { value: String(value), text: `${value}×` }));
+    }
+    speed.value = String(value);
+  }
+
+  showStatus(status) {
+    const { pace } = status;
+    setText(byId("factor"), this.paused ? "paused" : `${number(pace.real_time_factor, 2)}×`);
+    const behind = !this.paused && status.speed > 0 && pace.real_time_factor < 0.97 * status.speed;
+    setClass(byId("factor"), `num ${behind ? "warn" : ""}`);
+    setText(byId("late"), String(pace.overruns));
+    byId("late").title = `worst ${number(1000 * pace.worst_lateness, 2)} ms late`;
+    const owner = ownerOf(status);
+    setText(byId("owner"), owner.word);
+    setClass(byId("owner"), owner.level);
+    setText(byId("owner-text"), owner.text);
+  }
+
+  showBattery({ soc, voltage }) {
+    setText(byId("battery"), `${number(100 * soc, 0)} %`);
+    byId("battery").title = `${number(voltage, 2)} V`;
+    setClass(byId("battery"), `num ${soc < 0.2 ? "warn" : ""}`);
+  }
+
+  // state: live, silent or lost; or connecting, before anything is known.
+  showLine(state, why) {
+    setClass(byId("line"), state);
+    setText(byId("line"), { live: "live", silent: "silent", lost: "lost" }[state]);
+    byId("line").title = why ?? "";
+  }
+}

@@ -1,0 +1,56 @@
+// Pushing with the pointer: what is grabbed is drawn towards where the pointer is.
+const EVERY = 33; // ms between orders while the pointer moves
+const RENEW = 150; // ms, well within the half second after which the robot lets go
+
+export class DragTool {
+  // order(path, body) sends; wanted(event): whether this press is to push rather than to orbit.
+  constructor(view, order, wanted) {
+    this.view = view;
+    this.order = order;
+    this.wanted = wanted;
+    this.grip = null;
+    const { canvas } = view;
+    // Before OrbitControls, which listens to mouse and touch events, not to these.
+    canvas.addEventListener("pointerdown", (event) => this.begin(event));
+    canvas.addEventListener("pointermove", (event) => this.move(event));
+    for (const end of ["pointerup", "pointercancel", "lostpointercapture"]) {
+      canvas.addEventListener(end, (event) => this.end(event));
+    }
+    window.addEventListener("blur", () => this.end());
+  }
+
+  begin(event) {
+    if (this.grip || event.button !== 0 || !this.wanted(event)) return;
+    const hit = this.view.pick(event.offsetX, event.offsetY);
+    if (!hit?.body) return;
+    this.view.controls.enabled = false;
+    this.view.canvas.setPointerCapture(event.pointerId);
+    this.view.canvas.classList.add("dragging");
+    this.grip = { pointer: event.pointerId, body: hit.body, at: hit.local.toArray(),
+                  plane: hit.point.clone(), to: hit.point.toArray(), sent: 0 };
+    this.timer = setInterval(() => this.send(), RENEW);
+  }
+
+  move(event) {
+    if (this.grip?.pointer !== event.pointerId) return;
+    const to = this.view.onPlane(event.offsetX, event.offsetY, this.grip.plane);
+    if (!to) return;
+    this.grip.to = to.toArray();
+    if (performance.now() - this.grip.sent > EVERY) this.send();
+  }
+
+  send() {
+    const { body, at, to } = this.grip;
+    this.grip.sent = performance.now();
+    this.order("/drag", { body, at, to });
+  }
+
+  end(event) {
+    if (!this.grip || (event && event.pointerId !== this.grip.pointer)) return;
+    clearInterval(this.timer);
+    this.grip = null;
+    this.view.canvas.classList.remove("dragging");
+    this.view.controls.enabled = true;
+    this.order("/drag", { release: true });
+  }
+}

@@ -1,0 +1,194 @@
+// The line to the robot: what it is, its frames and status as they come, orders to it.
+const RETRIES = [500, 1000, 2000, 4000]; // ms between attempts to reach it
+const STATUS_EVERY = 250; // ms
+const SILENCE = 2000; // ms without a frame after which one says so
+const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command";
+const ORDER_PATIENCE = 5000; // ms; the robot itself answers within 2 s
+
+const pause = (ms) => new Promise((done) => setTimeout(done, ms));
+
+// The token of the URL (#token=...), kept for reloads of this tab and taken out of the address.
+export function takeToken() {
+  const found = /(?:^#|&)token=([0-9A-Za-z]+)/.exec(location.hash);
+  if (found) {
+    sessionStorage.setItem("token", found[1]);
+    history.replaceState(null, "", location.pathname);
+  }
+  return sessionStorage.getItem("token") ?? "";
+}
+
+export class Link {
+  // `on` has a function for each kind of news: scene(description), frame(frame), status(status),
+  // line(state, why) with state live | silent | lost, token(state) with state ok | none | stale.
+  constructor(token, on) {
+    this.token = token;
+    this.on = on;
+    this.pid = null;
+    this.described = false;
+    this.ordersOpen = false; // the robot knows the token
+    this.hz = 60;
+    this.frames = null;
+    this.orders = null;
+    this.waiting = new Map(); // id of an order -> what its answer goes to
+    this.next = 1;
+  }
+
+  async get(path) {
+    const reply = await fetch(path, { cache: "no-store" });
+    if (!reply.ok) throw new Error(`${path}: ${reply.status} ${reply.statusText}`);
+    return reply;
+  }
+
+  json(path) {
+    return this.get(path).then((reply) => reply.json());
+  }
+
+  bytes(path) {
+    return this.get(path).then((reply) => reply.arrayBuffer());
+  }
+
+  // Stays connected for as long as the page lives.
+  async run() {
+    for (let failures = 0; ; ) {
+      let why = "the robot hung up";
+      try {
+        const status = await this.json("/status");
+        // Another run on the same port: begin anew, with its scene and without this token.
+        if (this.pid !== null && this.pid !== status.pid) return location.reload();
+        this.pid = status.pid;
+        this.on.status(status);
+        await this.checkToken();
+        if (!this.described) await this.on.scene(await this.json("/scene"));
+        this.described = true; // another robot would be another process
+        failures = 0;
+        await this.follow();
+      } catch (error) {
+        why = error.message;
+      }
+      this.dropOrders(why);
+      this.on.line("lost", why);
+      await pause(RETRIES[Math.min(failures++, RETRIES.length - 1)]);
+    }
+  }
+
+  // Passes frames and status on until the line breaks.
+  async follow() {
+    this.openOrders();
+    let live = true;
+    const watch = async () => {
+      while (live) {
+        await pause(STATUS_EVERY);
+        if (document.hidden) continue;
+        try {
+          this.on.status(await this.json("/status"));
+        } catch {
+          // The frames' end says it.
+        }
+      }
+    };
+    watch();
+    try {
+      // Each turn is one socket; a page that goes out of sight asks for fewer frames by another.
+      while (await this.stream());
+    } finally {
+      live = false;
+    }
+  }
+
+  // Resolves true when the socket was closed to be opened anew at another rate.
+  stream() {
+    return new Promise((done) => {
+      const socket = new WebSocket(this.socketUrl(`/frames?hz=${this.hz}&parts=${PARTS}`));
+      this.frames = socket;
+      socket.again = false;
+      let heard = performance.now();
+      const watch = setInterval(() => {
+        const silent = performance.now() - heard > SILENCE;
+        if (silent && !document.hidden) this.on.line("silent", "no news for 2 s");
+      }, SILENCE / 4);
+      socket.onmessage = ({ data }) => {
+        heard = performance.now();
+        this.on.line("live");
+        this.on.frame(JSON.parse(data));
+      };
+      socket.onclose = () => {
+        clearInterval(watch);
+        done(socket.again);
+      };
+    });
+  }
+
+  setRate(hz) {
+    if (hz === this.hz) return;
+    this.hz = hz;
+    if (!this.frames) return;
+    this.frames.again = true;
+    this.frames.close();
+  }
+
+  socketUrl(path) {
+    return `ws://${location.host}${path}`;
+  }
+
+  // ---- orders
+
+  // The harmless order: whether the robot takes orders from this page.
+  async checkToken() {
+    if (!this.token) return this.on.token("none");
+    const { status } = await this.post("/drag", { release: true });
+    this.on.token(status === 401 || status === 403 ? "stale" : "ok");
+    this.ordersOpen = status !== 401 && status !== 403;
+  }
+
+  openOrders() {
+    if (!this.token || !this.ordersOpen) return;
+    const socket = new WebSocket(this.socketUrl(`/orders?token=${this.token}`));
+    socket.onmessage = ({ data }) => {
+      const answer = JSON.parse(data);
+      this.waiting.get(answer.id)?.(answer);
+      this.waiting.delete(answer.id);
+    };
+    socket.onclose = () => {
+      if (this.orders === socket) this.dropOrders("the line broke");
+    };
+    this.orders = socket;
+  }
+
+  dropOrders(why) {
+    const socket = this.orders;
+    this.orders = null;
+    socket?.close();
+    for (const answer of this.waiting.values()) answer({ status: 0, error: why });
+    this.waiting.clear();
+  }
+
+  // Promise of {status, error?}: 200 when done. In the order of the calls. Never rejects.
+  order(path, body) {
+    if (this.orders?.readyState !== WebSocket.OPEN) return this.post(path, body);
+    const id = this.next++;
+    return new Promise((done) => {
+      const late = setTimeout(() => {
+        if (this.waiting.delete(id)) done({ status: 0, error: "no answer within 5 s" });
+      }, ORDER_PATIENCE);
+      this.waiting.set(id, (answer) => {
+        clearTimeout(late);
+        done(answer);
+      });
+      this.orders.send(JSON.stringify({ path, body, id }));
+    });
+  }
+
+  async post(path, body) {
+    try {
+      const reply = await fetch(path, {
+        method: "POST",
+        headers: { Authorization: `Bearer ${this.token}`, "Content-Type": "application/json" },
+        body: JSON.stringify(body),
+      });
+      const { error } = await reply.json();
+      return { status: reply.status, error };
+    } catch (error) {
+      return { status: 0, error: error.message };
+    }
+  }
+}

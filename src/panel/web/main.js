@@ -1,0 +1,180 @@
+// The panel: brings the robot's news to what shows them, and what a person does to the robot.
+import { Bar } from "./bar.js";
+import { byId, focusWants, number, setText } from "./dom.js";
+import { DragTool } from "./drag.js";
+import { Events } from "./events.js";
+import { Link, takeToken } from "./link.js";
+import { MotorTable } from "./motor_table.js";
+import { Plots } from "./plots.js";
+import { Remote } from "./remote.js";
+import { Rig } from "./rig.js";
+import { SensorTable } from "./sensor_table.js";
+import { rollPitchYaw, shortName, signalsOf } from "./signals.js";
+import { makeTabs } from "./tabs.js";
+import { View } from "./view.js";
+
+const TABLE_EVERY = 100; // ms: nobody reads faster
+const HIDDEN_HZ = 5; // frames a second while the page is out of sight: histories go on
+
+const STALE = "Another run has this address now and does not know this page's token: looking only. " +
+  "Open the new URL, which the robot printed at its start and `understudy ctl panel` tells.";
+const NO_TOKEN = "Looking only: this address has no token. To give orders too, open the URL that " +
+  "the robot printed at its start and `understudy ctl panel` tells.";
+
+const dark = window.matchMedia("(prefers-color-scheme: dark)");
+const view = new View(byId("canvas"));
+let scene = null;
+let signalsKnown = false;
+let tableShown = 0;
+
+const link = new Link(takeToken(), { scene: setScene, frame: showFrame, status: showStatus,
+                                     line: showLine, token: showToken });
+
+// An order, and in plain words why the robot did not take it.
+async function order(path, body) {
+  const answer = await link.order(path, body);
+  if (answer.status === 200) return;
+  if (answer.status === 401 || answer.status === 403) showToken("stale");
+  say(answer.error ?? `${path}: ${answer.status}`);
+}
+
+// For what is sent many times a second: one complaint is enough.
+function stream(path, body) {
+  link.order(path, body).then(({ status, error }) => status !== 200 && say(error));
+}
+
+const bar = new Bar(order);
+const rig = new Rig(order);
+const remote = new Remote(stream, () => bar.speed);
+const events = new Events(() => link.json("/refusals"));
+const table = new MotorTable(plotMotor);
+const sensors = new SensorTable((names) => plots.showFirst(names));
+const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
+                          options: byId("signals"), seconds: byId("plots-seconds"),
+                          add: byId("plots-add") });
+const takesOrders = () => !document.body.classList.contains("looking");
+const pushing = () => byId("push-tool").getAttribute("aria-pressed") === "true";
+new DragTool(view, stream, (event) => takesOrders() && (event.ctrlKey || pushing()));
+
+function say(text) {
+  setText(byId("message"), text);
+  byId("message").hidden = false;
+  events.add(text, "bad", view.frame?.time);
+  clearTimeout(say.timer);
+  say.timer = setTimeout(() => (byId("message").hidden = true), 6000);
+}
+
+async function setScene(description) {
+  scene = description;
+  signalsKnown = false;
+  bar.setScene(scene);
+  rig.setScene(scene);
+  table.setMotors(scene.motors);
+  const bare = await view.setScene(scene, (path) => link.bytes(path));
+  byId("collisions").setAttribute("aria-pressed", bare);
+}
+
+function showFrame(frame) {
+  if (!signalsKnown) {
+    signalsKnown = true;
+    plots.setSignals(signalsOf(scene, frame), standardPlots());
+    sensors.setSensors(scene, frame);
+  }
+  view.show(frame);
+  plots.push(frame);
+  const now = performance.now();
+  if (now - tableShown < TABLE_EVERY) return;
+  tableShown = now;
+  bar.showFrame(frame);
+  bar.showBattery(frame.battery);
+  table.show(frame);
+  sensors.show(frame);
+  remote.show(frame.remote);
+  showReadings(frame);
+}
+
+function standardPlots() {
+  const torques = scene.motors.slice(0, 3).map((motor) => `${shortName(motor)} torque`);
+  return [torques, ["imu roll", "imu pitch"]];
+}
+
+function plotMotor(index) {
+  const name = shortName(scene.motors[index]);
+  plots.showFirst([`${name} position`, `${name} commanded position`]);
+}
+
+function showReadings(frame) {
+  const degrees = (radians) => `${number((radians * 180) / Math.PI, 1)}°`;
+  const [roll, pitch, yaw] = rollPitchYaw(frame.imus[0].quaternion).map(degrees);
+  setText(byId("attitude"), `${roll} ${pitch} ${yaw}`);
+  const [x, y, z] = frame.bodies[scene.base].map((value) => number(value, 2));
+  setText(byId("place"), `${x} ${y} ${z} m`);
+  const weight = frame.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
+  setText(byId("ground"), `${number(weight, 0)} N in ${frame.contacts.length}`);
+  const pull = frame.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
+  setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
+}
+
+function showStatus(status) {
+  bar.showStatus(status);
+  rig.show(status);
+  events.show(status);
+}
+
+function showLine(state, why) {
+  bar.showLine(state, why);
+  const text = { lost: `Connection lost (${why}). Trying again …`,
+                 silent: "The robot says nothing. Is its process stopped?" }[state];
+  setText(byId("lost"), text ?? "");
+  byId("lost").hidden = !text;
+  document.body.classList.toggle("away", state === "lost");
+}
+
+function showToken(state) {
+  const looking = state !== "ok";
+  document.body.classList.toggle("looking", looking);
+  remote.setEnabled(!looking);
+  for (const control of document.querySelectorAll(".orders")) control.disabled = looking;
+  setText(byId("token"), { stale: STALE, none: NO_TOKEN }[state] ?? "");
+  byId("token").hidden = !looking;
+}
+
+function toggle(id, apply) {
+  const button = byId(id);
+  button.addEventListener("click", () => {
+    const on = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", on);
+    apply(on);
+    view.invalidate();
+  });
+}
+
+toggle("follow", (on) => (view.following = on));
+toggle("contacts", (on) => (view.contacts.visible = on));
+toggle("com", (on) => (view.com.visible = on));
+toggle("collisions", (on) => view.showCollisions(on));
+toggle("push-tool", (on) => view.canvas.classList.toggle("pushing", on));
+byId("home").addEventListener("click", () => view.home());
+
+window.addEventListener("keydown", (event) => {
+  if (event.key !== " " || focusWants(event) || !takesOrders()) return;
+  event.preventDefault();
+  byId("pause").click();
+});
+document.addEventListener("visibilitychange", () => link.setRate(document.hidden ? HIDDEN_HZ : 60));
+// The URL of another run, opened in this tab, changes nothing but what is behind the #.
+window.addEventListener("hashchange", () => location.reload());
+
+function applyTheme() {
+  view.setTheme(dark.matches);
+  plots.setTheme(dark.matches ? "#2b323a" : "#dfe3e7");
+}
+dark.addEventListener("change", applyTheme);
+applyTheme();
+makeTabs(byId("tabs"), () => plots.resize());
+new ResizeObserver(() => plots.resize()).observe(byId("plot-list"));
+showToken(link.token ? "ok" : "none");
+link.run();
+
+// For tests and for the curious at the browser's console.
+window.panel = { view, link, plots };

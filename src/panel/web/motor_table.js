@@ -1,0 +1,105 @@
+// All motors at a glance: where they are in their range, how hard they pull, how warm they are.
+import { byId, element, number, setClass, setText } from "./dom.js";
+import { shortName } from "./signals.js";
+
+// °C at which the vendor's own programs stop (unitree_sdk2, terminations.hpp).
+const HOT = { casing: 85, winding: 120 };
+const WARM = 15; // °C before that; *assumed*
+const HEAVY = 0.8; // of the torque limit; *assumed*
+const FULL = 0.98;
+const EDGE = 0.03; // of the range, at either end; *assumed*
+
+export function temperatureLevel(value, hot) {
+  if (value >= hot) return "bad";
+  return value >= hot - WARM ? "warn" : "";
+}
+
+export function torqueLevel(tau, limit) {
+  const share = Math.abs(tau) / limit;
+  if (share >= FULL) return "bad";
+  return share >= HEAVY ? "warn" : "";
+}
+
+// `share`: 0 at the lower end of the range, 1 at the upper.
+export function positionLevel(share) {
+  if (share <= 0 || share >= 1) return "bad";
+  return share < EDGE || share > 1 - EDGE ? "warn" : "";
+}
+
+class Row {
+  constructor(motor, index, onPick) {
+    this.motor = motor;
+    const cell = (name) => element("td", { class: `num ${name}` });
+    const pick = element("button", { type: "button", class: "quiet name", text: shortName(motor),
+                                     title: `${motor.name}, slot ${motor.slot}: plot it` });
+    pick.addEventListener("click", () => onPick(index));
+    this.range = element("i");
+    this.effort = element("i");
+    this.cells = { q: cell(""), dq: cell(""), tau: cell(""), casing: cell(""), winding: cell("") };
+    this.state = element("td", { class: "state" });
+    this.node = element("tr", {}, element("th", { scope: "row" }, pick), this.cells.q,
+      element("td", { class: "gauge", "aria-hidden": "true" }, this.range), this.cells.dq,
+      this.cells.tau, element("td", { class: "gauge middle", "aria-hidden": "true" }, this.effort),
+      this.cells.casing, this.cells.winding, this.state);
+  }
+
+  show(reading) {
+    const { motor, cells } = this;
+    const bounded = motor.range && motor.range[1] > motor.range[0];
+    const share = bounded ? (reading.q - motor.range[0]) / (motor.range[1] - motor.range[0]) : 0.5;
+    const effort = motor.torque_limit > 0 ? reading.tau / motor.torque_limit : 0;
+    const levels = {
+      q: bounded ? positionLevel(share) : "",
+      tau: torqueLevel(reading.tau, motor.torque_limit || Infinity),
+      casing: temperatureLevel(reading.casing, HOT.casing),
+      winding: temperatureLevel(reading.winding, HOT.winding),
+      dq: "",
+    };
+    const digits = { q: 3, dq: 2, tau: 1, casing: 0, winding: 0 };
+    for (const [field, node] of Object.entries(cells)) {
+      setText(node, number(reading[field], digits[field]));
+      setClass(node, `num ${levels[field]}`);
+    }
+    this.range.style.setProperty("--at", bounded ? Math.max(0, Math.min(1, share)) : -1);
+    this.effort.style.setProperty("--at", Math.max(-1, Math.min(1, effort)));
+    setClass(this.range, levels.q);
+    setClass(this.effort, levels.tau);
+    this.showState(reading, levels);
+  }
+
+  // In words too: colour alone is not for everybody.
+  showState(reading, levels) {
+    const words = [];
+    if (reading.errors) words.push(`error 0x${reading.errors.toString(16)}`);
+    if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
+    if (levels.q === "bad") words.push("end of range");
+    if (levels.tau === "bad") words.push("torque limit");
+    const bad = words.length > 0;
+    if (!bad && (levels.casing || levels.winding)) words.push("warm");
+    if (!bad && levels.tau) words.push("heavy");
+    if (!reading.enabled) words.push("off");
+    setText(this.state, words.join(", ") || "on");
+    const level = words.length && reading.enabled ? "warn" : "muted";
+    setClass(this.state, `state ${bad ? "bad" : level}`);
+    setClass(this.node, reading.enabled ? "" : "off");
+  }
+}
+
+export class MotorTable {
+  // onPick(index): a motor was clicked.
+  constructor(onPick) {
+    this.onPick = onPick;
+    this.rows = [];
+  }
+
+  setMotors(motors) {
+    this.rows = motors.map((motor, i) => new Row(motor, i, this.onPick));
+    byId("motor-rows").replaceChildren(...this.rows.map(({ node }) => node));
+  }
+
+  show(frame) {
+    frame.motors.forEach((reading, i) => this.rows[i]?.show(reading));
+    const worst = frame.motors.reduce((most, { winding }) => Math.max(most, winding), -Infinity);
+    setText(byId("motor-note"), `warmest winding ${number(worst, 0)} °C`);
+  }
+}

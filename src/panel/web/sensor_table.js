@@ -1,0 +1,62 @@
+// What the robot senses besides its motors: inertial units, battery, feet.
+import { byId, element, number, setClass, setText } from "./dom.js";
+import { rollPitchYaw } from "./signals.js";
+
+// Of the charge, at which the vendor's own programs stop (unitree_sdk2, terminations.hpp).
+const LOW = 0.2;
+
+// Rows of {name, unit, digits, values(frame), plot: names of signals, level(values)}.
+function rowsOf(scene, frame) {
+  const rows = [];
+  frame.imus.forEach((_, i) => {
+    const name = i === 0 ? "imu" : (scene.imus?.[i] ?? `imu ${i + 1}`);
+    const xyz = (what) => ["x", "y", "z"].map((axis) => `${name} ${what} ${axis}`);
+    rows.push(
+      { name: `${name} rpy`, unit: "rad", digits: 3,
+        values: (f) => rollPitchYaw(f.imus[i].quaternion),
+        plot: ["roll", "pitch", "yaw"].map((axis) => `${name} ${axis}`) },
+      { name: `${name} gyro`, unit: "rad/s", digits: 3, values: (f) => f.imus[i].gyroscope,
+        plot: xyz("gyroscope") },
+      { name: `${name} acc`, unit: "m/s²", digits: 2, values: (f) => f.imus[i].accelerometer,
+        plot: xyz("accelerometer") });
+  });
+  if (frame.feet.length) {
+    rows.push({ name: "feet", unit: "N", digits: 0, values: (f) => f.feet,
+                plot: frame.feet.map((_, i) => `foot ${scene.feet?.[i] ?? i} force`) });
+  }
+  rows.push({ name: "battery", unit: "V A %", digits: 1,
+              plot: ["battery voltage", "battery current"],
+              values: ({ battery: { voltage, current, soc } }) => [voltage, current, 100 * soc],
+              level: ([, , soc]) => (soc < 100 * LOW ? "warn" : "") });
+  return rows;
+}
+
+export class SensorTable {
+  // onPick(names): the signals of a row are to be plotted.
+  constructor(onPick) {
+    this.onPick = onPick;
+    this.rows = [];
+  }
+
+  setSensors(scene, frame) {
+    const widest = Math.max(3, frame.feet.length);
+    this.rows = rowsOf(scene, frame).map((row) => {
+      const pick = element("button", { type: "button", class: "quiet name", text: row.name,
+                                       title: `plot ${row.plot.join(", ")}` });
+      pick.addEventListener("click", () => this.onPick(row.plot));
+      const cells = Array.from({ length: widest }, () => element("td", { class: "num" }));
+      const node = element("tr", {}, element("th", { scope: "row" }, pick), ...cells,
+                           element("td", { class: "muted", text: row.unit }));
+      return { ...row, cells, node };
+    });
+    byId("sensor-rows").replaceChildren(...this.rows.map(({ node }) => node));
+  }
+
+  show(frame) {
+    for (const { cells, digits, values, level } of this.rows) {
+      const now = values(frame);
+      now.forEach((value, i) => setText(cells[i], number(value, digits)));
+      if (level) cells.forEach((cell) => setClass(cell, `num ${level(now)}`));
+    }
+  }
+}

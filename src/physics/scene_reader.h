@@ -1,0 +1,108 @@
+// What a viewer reads once of a compiled world: what it is made of and looks like.
+#ifndef UNDERSTUDY_PHYSICS_SCENE_READER_H_
+#define UNDERSTUDY_PHYSICS_SCENE_READER_H_
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "physics/mujoco_handles.h"
+
+namespace understudy {
+
+struct SceneBody {
+  std::string name;
+  int parent = 0;
+  double mass = 0;  // kg
+};
+
+struct SceneGeom {
+  std::string name;
+  int body = 0;
+  std::string type;                        // MuJoCo's word: plane, hfield, sphere, capsule, ...
+  std::array<double, 3> size{};            // m, as MuJoCo has it for the type
+  std::array<double, 3> pos{};             // m, in the body's frame
+  std::array<double, 4> quat{1, 0, 0, 0};  // likewise
+  std::array<float, 4> rgba{};             // with its material's
+  int group = 0;
+  bool collides = false;
+  int mesh = -1;
+  int hfield = -1;
+};
+
+struct SceneMesh {
+  std::string name;
+  int vertices = 0;
+  int faces = 0;
+};
+
+struct SceneHeightField {
+  std::string name;
+  int rows = 0;
+  int columns = 0;
+  std::array<double, 4> size{};  // m: half of x, half of y, height of the data's 1, base below 0
+};
+
+struct SceneCamera {
+  std::string name;
+  int body = 0;
+  std::array<double, 3> pos{};
+  std::array<double, 4> quat{1, 0, 0, 0};
+  double fovy = 45;  // degrees
+};
+
+struct SceneJoint {
+  std::string name;
+  std::array<double, 2> range{};  // rad or m
+  bool limited = false;
+  int position = 0;  // where it is in qpos
+};
+
+// By MuJoCo's ids: body 3 is bodies[3].
+struct Scene {
+  std::string mujoco;  // version of the library
+  double timestep = 0;
+  std::array<double, 3> gravity{};
+  std::vector<SceneBody> bodies{};
+  std::vector<SceneGeom> geoms{};
+  std::vector<SceneMesh> meshes{};
+  std::vector<SceneHeightField> hfields{};
+  std::vector<SceneCamera> cameras{};
+  std::vector<SceneJoint> joints{};
+};
+
+// Reads from a model of its own, which is compiled when something is first asked for and then
+// stays: the robot's own thread knows nothing of it. Of one thread. Whatever is asked for throws as
+// the making does.
+class SceneReader {
+ public:
+  using MakeModel = std::function<ModelHandle()>;
+
+  explicit SceneReader(MakeModel make) : make_(std::move(make)) {}
+
+  Scene Describe() { return DescribeScene(model()); }
+  int meshes() { return model().nmesh; }
+  int hfields() { return model().nhfield; }
+  // Little endian: u32 vertices, u32 faces, then x, y, z of each vertex [m] as float32, then three
+  // u32 indices of each face. `mesh` < meshes().
+  std::string Mesh(int mesh);
+  // Little endian: u32 rows, u32 columns, then the heights row by row as float32, from 0 to 1 of
+  // size[2]. `hfield` < hfields().
+  std::string HeightField(int hfield);
+  // As mj_saveModel writes it: for the same version of MuJoCo only.
+  std::string Model();
+
+ private:
+  const mjModel& model();
+  static Scene DescribeScene(const mjModel& model);
+
+  MakeModel make_;
+  ModelHandle model_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_PHYSICS_SCENE_READER_H_

@@ -1,0 +1,40 @@
+// What a viewer reads of the state of a world, as plain values.
+#ifndef UNDERSTUDY_PHYSICS_WORLD_READING_H_
+#define UNDERSTUDY_PHYSICS_WORLD_READING_H_
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "physics/world.h"
+
+namespace understudy {
+
+// Where a body's frame is in the world: x, y, z [m], then the quaternion w, x, y, z.
+using BodyPose = std::array<double, 7>;
+
+struct ContactReading {
+  std::array<double, 3> at{};     // m, world
+  std::array<double, 3> force{};  // N, world, of the first geom on the second
+  std::array<int, 2> geoms{};
+  std::array<int, 2> bodies{};  // that those belong to
+};
+
+std::size_t PositionCount(const PhysicsWorld& world);  // of qpos
+// Of all bodies, by MuJoCo's id; the first is the world's own.
+std::vector<std::string> BodyNames(const PhysicsWorld& world);
+
+// Each fills as much as `to` holds and allocates nothing. Positions are those of the step to come;
+// the rest belongs to the instant t as PhysicsWorld says.
+void ReadPositions(const PhysicsWorld& world, std::span<double> to);
+void ReadBodies(const PhysicsWorld& world, std::span<BodyPose> to);
+// Returns how many it filled: the contacts that press.
+std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to);
+// Of all that is below `body`, itself included [m].
+std::array<double, 3> SubtreeCenterOfMass(const PhysicsWorld& world, int body);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_PHYSICS_WORLD_READING_H_

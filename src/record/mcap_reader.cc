@@ -1,0 +1,391 @@
+#include "record/mcap_reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <zstd.h>
+
+namespace understudy {
+namespace {
+
+// The most that a chunk may say it unpacks to, and that any other record may hold; *assumed*, many
+// times what writers make.
+constexpr std::uint64_t kMostUnpacked = 256 << 20;
+constexpr std::uint64_t kMostRecord = std::uint64_t{1} << 30;
+
+constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size();
+
+McapMessage TakeMessage(BytesIn* in) {
+  McapMessage message;
+  message.channel_id = in->Take<std::uint16_t>();
+  message.sequence = in->Take<std::uint32_t>();
+  message.log_time = in->Take<std::uint64_t>();
+  message.publish_time = in->Take<std::uint64_t>();
+  message.data = in->TakeRaw(in->remaining());
+  return message;
+}
+
+McapSchema TakeSchema(BytesIn* in) {
+  McapSchema schema;
+  schema.id = in->Take<std::uint16_t>();
+  schema.name = in->TakeString();
+  schema.encoding = in->TakeString();
+  schema.data = in->TakeString();
+  return schema;
+}
+
+McapChannel TakeChannel(BytesIn* in) {
+  McapChannel channel;
+  channel.id = in->Take<std::uint16_t>();
+  channel.schema_id = in->Take<std::uint16_t>();
+  channel.topic = in->TakeString();
+  channel.encoding = in->TakeString();
+  channel.metadata = in->TakeMap();
+  return channel;
+}
+
+}  // namespace
+
+McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
+  fd_ = UniqueFd(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status {};
+  if (!fd_.valid() || ::fstat(fd_.get(), &status) != 0) {
+    const std::string why = std::strerror(errno);  // NOLINT(concurrency-mt-unsafe)
+    throw RecordError(path_.string() + ": " + why);
+  }
+  if (!S_ISREG(status.st_mode)) throw RecordError(path_.string() + ": is not a file");
+  size_ = static_cast<std::uint64_t>(status.st_size);
+  const auto has_magic = [&](std::uint64_t offset) {
+    return std::ranges::equal(Read(offset, kMcapMagic.size()),
+                              std::as_bytes(std::span(kMcapMagic)));
+  };
+  if (size_ < kMcapMagic.size() || !has_magic(0)) {
+    throw RecordError(path_.string() + ": is no MCAP file: it does not begin as one");
+  }
+  if (size_ < kMcapMagic.size() + kMcapRecordHead) {
+    throw RecordError(path_.string() + ": ends before its header");
+  }
+  const Record header = ReadRecord(kMcapMagic.size());
+  if (header.op != McapOp::kHeader) Fail(header.offset, "expected the header");
+  Note(header, false);
+  const bool finished = size_ >= kTail + kMcapMagic.size() && has_magic(size_ - kMcapMagic.size());
+  if (finished && ReadSummary()) return;
+  Scan(kMcapMagic.size() + kMcapRecordHead + header.content.size());
+}
+
+const McapSchema* McapReader::SchemaOf(const McapChannel& channel) const {
+  const auto found = contents_.schemas.find(channel.schema_id);
+  return found == contents_.schemas.end() ? nullptr : &found->second;
+}
+
+// False where there is no summary, or one that does not tell where the messages are.
+bool McapReader::ReadSummary() {
+  const Record footer = ReadRecord(size_ - kTail);
+  if (footer.op != McapOp::kFooter) Fail(footer.offset, "expected the footer");
+  BytesIn in(footer.content);
+  const auto start = in.Take<std::uint64_t>();
+  in.Take<std::uint64_t>();
+  const auto crc = in.Take<std::uint32_t>();
+  if (start == 0) return false;
+  if (start < kMcapMagic.size() || start > footer.offset) {
+    Fail(footer.offset, "the summary is said to begin at " + std::to_string(start));
+  }
+  if (footer.offset - start > kMostRecord) Fail(start, "the summary is too long to be one");
+  const std::uint64_t checked = footer.offset + kMcapRecordHead + 8 + 8 - start;
+  if (crc != 0 && Crc32(Read(start, checked)) != crc) {
+    Fail(start, "the summary's checksum does not fit it");
+  }
+  bool counted = false;
+  for (std::uint64_t at = start; at < footer.offset;) {
+    const Record record = ReadRecord(at);
+    Note(record, true);
+    counted |= record.op == McapOp::kStatistics;
+    at += kMcapRecordHead + record.content.size();
+  }
+  if (counted && (contents_.messages == 0 || !chunks_.empty())) {
+    std::ranges::stable_sort(chunks_, {}, &Chunk::first_time);
+    return true;
+  }
+  contents_ = {.profile = contents_.profile, .library = contents_.library};
+  chunks_.clear();
+  return false;
+}
+
+void McapReader::Scan(std::uint64_t begin) {
+  contents_.cut_short = "its end is missing";
+  for (std::uint64_t at = begin; at < size_;) {
+    std::uint64_t size = 0;
+    bool over = false;
+    try {
+      const Record record = ReadRecord(at);
+      size = kMcapRecordHead + record.content.size();
+      over = record.op == McapOp::kDataEnd || record.op == McapOp::kFooter;
+      if (!over) Note(record, false);
+    } catch (const RecordError& error) {
+      // What a killed writer leaves. A fault further inside is none of that.
+      if (size_ - at >= kMcapRecordHead && size != 0) throw;
+      contents_.cut_short = error.what();
+      break;
+    }
+    if (over) {
+      contents_.cut_short.clear();
+      break;
+    }
+    at += size;
+  }
+  std::ranges::stable_sort(chunks_, {}, &Chunk::first_time);
+}
+
+void McapReader::Note(const Record& record, bool in_summary) {
+  BytesIn in(record.content);
+  try {
+    switch (record.op) {
+      case McapOp::kHeader:
+        contents_.profile = in.TakeString();
+        contents_.library = in.TakeString();
+        break;
+      case McapOp::kSchema: {
+        McapSchema schema = TakeSchema(&in);
+        contents_.schemas[schema.id] = std::move(schema);
+        break;
+      }
+      case McapOp::kChannel: {
+        McapChannel channel = TakeChannel(&in);
+        contents_.channels[channel.id] = std::move(channel);
+        break;
+      }
+      case McapOp::kStatistics: {
+        contents_.messages = in.Take<std::uint64_t>();
+        in.TakeRaw(2 + 4 * 4);
+        contents_.first_time = in.Take<std::uint64_t>();
+        contents_.last_time = in.Take<std::uint64_t>();
+        BytesIn counts(in.TakeRaw(in.Take<std::uint32_t>()));
+        while (counts.remaining() > 0) {
+          const auto id = counts.Take<std::uint16_t>();
+          contents_.counts[id] = counts.Take<std::uint64_t>();
+        }
+        break;
+      }
+      case McapOp::kChunkIndex: {
+        Chunk chunk;
+        chunk.first_time = in.Take<std::uint64_t>();
+        chunk.last_time = in.Take<std::uint64_t>();
+        chunk.offset = in.Take<std::uint64_t>();
+        chunks_.push_back(chunk);
+        break;
+      }
+      case McapOp::kChunk: {
+        if (in_summary) throw RecordError("a chunk in the summary");
+        Chunk chunk{.offset = record.offset};
+        NoteInChunk(record.offset, Unpack(record), &chunk);
+        chunks_.push_back(chunk);
+        break;
+      }
+      case McapOp::kMessage: {
+        Chunk bare{.offset = record.offset, .bare = true};
+        NoteMessage(TakeMessage(&in), &bare);
+        chunks_.push_back(bare);
+        break;
+      }
+      case McapOp::kAttachment: {
+        McapAttachment attachment{.offset = record.offset};
+        attachment.log_time = in.Take<std::uint64_t>();
+        in.Take<std::uint64_t>();
+        attachment.name = in.TakeString();
+        attachment.media_type = in.TakeString();
+        attachment.size = in.Take<std::uint64_t>();
+        contents_.attachments.push_back(std::move(attachment));
+        break;
+      }
+      case McapOp::kAttachmentIndex: {
+        McapAttachment attachment;
+        attachment.offset = in.Take<std::uint64_t>();
+        in.Take<std::uint64_t>();
+        attachment.log_time = in.Take<std::uint64_t>();
+        in.Take<std::uint64_t>();
+        attachment.size = in.Take<std::uint64_t>();
+        attachment.name = in.TakeString();
+        attachment.media_type = in.TakeString();
+        contents_.attachments.push_back(std::move(attachment));
+        break;
+      }
+      case McapOp::kMetadata: {
+        const std::string name = in.TakeString();
+        contents_.metadata[name] = in.TakeMap();
+        break;
+      }
+      case McapOp::kMetadataIndex: {
+        const auto offset = in.Take<std::uint64_t>();
+        const Record metadata = ReadRecord(offset);
+        if (metadata.op != McapOp::kMetadata) throw RecordError("an index names no metadata");
+        Note(metadata, in_summary);
+        break;
+      }
+      default:
+        break;  // of no interest to us, or of a later version of the format
+    }
+  } catch (const RecordError& error) {
+    Fail(record.offset, error.what());
+  }
+}
+
+void McapReader::NoteInChunk(std::uint64_t offset, const std::vector<std::byte>& records,
+                             Chunk* chunk) {
+  BytesIn in(records);
+  while (in.remaining() > 0) {
+    const auto op = static_cast<McapOp>(in.Take<std::uint8_t>());
+    BytesIn content(in.TakeRaw(in.Take<std::uint64_t>()));
+    if (op == McapOp::kMessage) {
+      NoteMessage(TakeMessage(&content), chunk);
+    } else if (op == McapOp::kSchema || op == McapOp::kChannel) {
+      const ByteSpan raw = content.TakeRaw(content.remaining());
+      Note({.op = op, .offset = offset, .content = {raw.begin(), raw.end()}}, false);
+    }
+  }
+}
+
+void McapReader::NoteMessage(const McapMessage& message, Chunk* chunk) {
+  const std::uint64_t time = message.log_time;
+  const auto extend = [time](bool first, std::uint64_t* from, std::uint64_t* to) {
+    *from = first ? time : std::min(*from, time);
+    *to = first ? time : std::max(*to, time);
+  };
+  extend(contents_.messages == 0, &contents_.first_time, &contents_.last_time);
+  extend(chunk->last_time == 0, &chunk->first_time, &chunk->last_time);
+  ++contents_.messages;
+  ++contents_.counts[message.channel_id];
+}
+
+void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const {
+  const auto tell = [&](std::uint64_t offset, BytesIn content) {
+    const McapMessage message = TakeMessage(&content);
+    if (message.log_time < from || message.log_time > to) return true;
+    const auto channel = contents_.channels.find(message.channel_id);
+    if (channel == contents_.channels.end()) {
+      Fail(offset, "a message of channel " + std::to_string(message.channel_id) +
+                       ", which the file does not describe");
+    }
+    return visit(channel->second, message);
+  };
+  for (const Chunk& chunk : chunks_) {
+    if (chunk.last_time < from || chunk.first_time > to) continue;
+    const Record record = ReadRecord(chunk.offset);
+    if (chunk.bare) {
+      if (!tell(chunk.offset, BytesIn(record.content))) return;
+      continue;
+    }
+    if (record.op != McapOp::kChunk) Fail(chunk.offset, "expected a chunk");
+    try {
+      const std::vector<std::byte> records = Unpack(record);
+      BytesIn in(records);
+      while (in.remaining() > 0) {
+        const auto op = static_cast<McapOp>(in.Take<std::uint8_t>());
+        const BytesIn content(in.TakeRaw(in.Take<std::uint64_t>()));
+        if (op == McapOp::kMessage && !tell(chunk.offset, content)) return;
+      }
+    } catch (const RecordError& error) {
+      if (std::string_view(error.what()).starts_with(path_.string())) throw;
+      Fail(chunk.offset, error.what());
+    }
+  }
+}
+
+std::vector<std::byte> McapReader::ReadAttachment(std::string_view name) const {
+  const auto found = std::ranges::find(contents_.attachments, name, &McapAttachment::name);
+  if (found == contents_.attachments.end()) {
+    throw RecordError(path_.string() + ": holds no attachment " + std::string(name));
+  }
+  const Record record = ReadRecord(found->offset);
+  if (record.op != McapOp::kAttachment) Fail(found->offset, "expected an attachment");
+  BytesIn in(record.content);
+  try {
+    in.TakeRaw(8 + 8);
+    in.TakeString();
+    in.TakeString();
+    const ByteSpan data = in.TakeRaw(in.Take<std::uint64_t>());
+    const std::size_t checked = in.position();
+    const auto crc = in.Take<std::uint32_t>();
+    if (crc != 0 && Crc32(ByteSpan(record.content).first(checked)) != crc) {
+      throw RecordError("the attachment's checksum does not fit it");
+    }
+    return {data.begin(), data.end()};
+  } catch (const RecordError& error) {
+    Fail(found->offset, error.what());
+  }
+}
+
+std::vector<std::byte> McapReader::Unpack(const Record& chunk) const {
+  BytesIn in(chunk.content);
+  in.TakeRaw(8 + 8);
+  const auto size = in.Take<std::uint64_t>();
+  const auto crc = in.Take<std::uint32_t>();
+  const std::string compression = in.TakeString();
+  const ByteSpan packed = in.TakeRaw(in.Take<std::uint64_t>());
+  if (size > kMostUnpacked) {
+    throw RecordError("a chunk of " + std::to_string(size) + " bytes; at most " +
+                      std::to_string(kMostUnpacked) + " are unpacked");
+  }
+  std::vector<std::byte> records;
+  if (compression.empty()) {
+    records.assign(packed.begin(), packed.end());
+  } else if (compression == "zstd") {
+    records.resize(static_cast<std::size_t>(size));
+    const std::size_t unpacked =
+        ZSTD_decompress(records.data(), records.size(), packed.data(), packed.size());
+    if (ZSTD_isError(unpacked) != 0) {
+      throw RecordError(std::string("a chunk does not unpack: ") + ZSTD_getErrorName(unpacked));
+    }
+    records.resize(unpacked);
+  } else {
+    throw RecordError("a chunk packed with " + compression +
+                      "; expected zstd or none (`mcap compress` of the MCAP project converts)");
+  }
+  if (records.size() != size) {
+    throw RecordError("a chunk unpacks to " + std::to_string(records.size()) + " bytes, not " +
+                      std::to_string(size));
+  }
+  if (crc != 0 && Crc32(records) != crc) throw RecordError("a chunk's checksum does not fit it");
+  return records;
+}
+
+McapReader::Record McapReader::ReadRecord(std::uint64_t offset) const {
+  if (offset > size_ || size_ - offset < kMcapRecordHead) {
+    Fail(offset, "the file ends where a record should begin");
+  }
+  const std::vector<std::byte> head = Read(offset, kMcapRecordHead);
+  BytesIn in(head);
+  const auto op = static_cast<McapOp>(in.Take<std::uint8_t>());
+  const auto size = in.Take<std::uint64_t>();
+  if (size > size_ - offset - kMcapRecordHead) {
+    Fail(offset, "a record of " + std::to_string(size) + " bytes, of which the file holds " +
+                     std::to_string(size_ - offset - kMcapRecordHead));
+  }
+  if (size > kMostRecord) {
+    Fail(offset, "a record of " + std::to_string(size) + " bytes; at most " +
+                     std::to_string(kMostRecord) + " are read");
+  }
+  return {.op = op, .offset = offset, .content = Read(offset + kMcapRecordHead, size)};
+}
+
+std::vector<std::byte> McapReader::Read(std::uint64_t offset, std::uint64_t size) const {
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  for (std::size_t done = 0; done < bytes.size();) {
+    const ssize_t got = ::pread(fd_.get(), bytes.data() + done, bytes.size() - done,
+                                static_cast<off_t>(offset + done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) Fail(offset, std::strerror(errno));  // NOLINT(concurrency-mt-unsafe)
+    if (got == 0) Fail(offset, "the file has become shorter");
+    done += static_cast<std::size_t>(got);
+  }
+  return bytes;
+}
+
+void McapReader::Fail(std::uint64_t offset, const std::string& what) const {
+  throw RecordError(path_.string() + ": at byte " + std::to_string(offset) + ": " + what);
+}
+
+}  // namespace understudy

@@ -1,0 +1,94 @@
+// Writes MCAP: chunked, compressed, indexed, checksummed.
+#ifndef UNDERSTUDY_RECORD_MCAP_WRITER_H_
+#define UNDERSTUDY_RECORD_MCAP_WRITER_H_
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "record/mcap_format.h"
+#include "record/output_file.h"
+
+struct ZSTD_CCtx_s;
+
+namespace understudy {
+
+struct McapWriterOptions {
+  std::size_t chunk_bytes = 4 << 20;  // of messages before compression; *assumed*
+  int zstd_level = 1;                 // the fastest that has any effect to speak of; *assumed*
+};
+
+// Messages gather in a chunk that goes to the file whole, together with its index: what is in the
+// file can be read whatever happens to this program. All functions throw RecordError when the file
+// cannot be written; nothing but the destructor may follow.
+class McapWriter {
+ public:
+  // Begins the file. `profile`: "ros2" for files that ROS 2 tools read as bags, else "".
+  McapWriter(OutputFile file, std::string_view profile, std::string_view library,
+             const McapWriterOptions& options = {});
+  ~McapWriter();
+  McapWriter(const McapWriter&) = delete;
+  McapWriter& operator=(const McapWriter&) = delete;
+
+  // Each returns the id that it gave, counting from 1. There is room for 65535 of each; more throw.
+  std::uint16_t AddSchema(std::string_view name, std::string_view encoding, std::string_view data);
+  std::uint16_t AddChannel(std::string_view topic, std::uint16_t schema_id,
+                           std::string_view encoding, const StringMap& metadata);
+
+  // Its sequence is filled in: the how manyth of its channel, from 0. `log_time` may go back.
+  void Write(std::uint16_t channel_id, std::uint64_t log_time, std::uint64_t publish_time,
+             ByteSpan data);
+  void Attach(std::string_view name, std::string_view media_type, std::uint64_t log_time,
+              ByteSpan data);
+  void AddMetadata(std::string_view name, const StringMap& metadata);
+
+  // Sends what has gathered to the file.
+  void Flush();
+  // Flushes and writes the summary. Nothing but questions may follow.
+  void Finish();
+
+  std::uint64_t messages() const { return messages_; }
+  std::uint64_t bytes() const { return file_.size(); }  // in the file
+  std::uint64_t messages_of(std::uint16_t channel_id) const {
+    return channels_[channel_id - 1U].messages;
+  }
+
+ private:
+  struct Channel {
+    BytesOut record;
+    std::uint64_t messages = 0;
+    BytesOut index;  // of the chunk: log time and offset of each message
+  };
+  struct Span {  // of times
+    std::uint64_t first = 0, last = 0;
+    bool empty = true;
+
+    void Add(std::uint64_t time);
+  };
+
+  void Send(ByteSpan bytes);
+  std::size_t Compress();  // chunk_ into the first bytes of compressed_, of which it tells how many
+
+  OutputFile file_;
+  McapWriterOptions options_;
+  std::unique_ptr<ZSTD_CCtx_s, std::size_t (*)(ZSTD_CCtx_s*)> zstd_;
+  std::uint32_t data_crc_ = 0;
+  std::vector<BytesOut> schemas_;
+  std::vector<Channel> channels_;
+  std::uint64_t messages_ = 0;
+  Span all_;
+  std::uint32_t attachments_ = 0, metadata_ = 0, chunks_ = 0;
+  BytesOut attachment_indexes_, metadata_indexes_, chunk_indexes_;  // records of the summary
+
+  BytesOut chunk_;  // records
+  Span chunk_span_;
+  std::vector<std::uint16_t> chunk_channels_;  // that have messages in it
+  std::vector<std::byte> compressed_;
+  BytesOut out_;  // a chunk and its indexes on their way to the file
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_RECORD_MCAP_WRITER_H_

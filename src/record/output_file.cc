@@ -1,0 +1,46 @@
+#include "record/output_file.h"
+
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/file.h>
+
+namespace understudy {
+namespace {
+
+std::string Why() { return std::strerror(errno); }  // NOLINT(concurrency-mt-unsafe)
+
+}  // namespace
+
+OutputFile::OutputFile(std::filesystem::path path, bool overwrite) : path_(std::move(path)) {
+  const int may_exist = overwrite ? 0 : O_EXCL;
+  fd_ = UniqueFd(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | may_exist, 0666));
+  if (!fd_.valid() && errno == EEXIST) {
+    throw RecordError(path_.string() +
+                      ": is there already; name another file, or replace it with --overwrite");
+  }
+  if (!fd_.valid()) throw RecordError(path_.string() + ": cannot be written: " + Why());
+  if (::flock(fd_.get(), LOCK_EX | LOCK_NB) != 0) {
+    throw RecordError(path_.string() + ": another run is writing it");
+  }
+  // Fails where it is no file but a device, which has nothing to be cut.
+  static_cast<void>(::ftruncate(fd_.get(), 0));
+}
+
+void OutputFile::Write(ByteSpan bytes) {
+  for (ByteSpan rest = bytes; !rest.empty();) {
+    const ssize_t written = ::write(fd_.get(), rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const std::string why = Why();
+      static_cast<void>(::ftruncate(fd_.get(), static_cast<off_t>(size_)));
+      throw RecordError(path_.string() + ": cannot be written: " + why);
+    }
+    rest = rest.subspan(static_cast<std::size_t>(written));
+  }
+  size_ += bytes.size();
+}
+
+}  // namespace understudy

@@ -1,0 +1,377 @@
+#include "record/plot.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <sstream>
+
+#include "record/cdr_field.h"
+#include "record/player.h"
+#include "record/ros2msg.h"
+#include "record/truth.h"
+#include "robot/nearest_word.h"
+
+namespace understudy {
+namespace {
+
+// Points of a line: two of each column of pixels, the least and the most in it; *assumed*.
+constexpr std::size_t kColumns = 1200;
+constexpr std::size_t kMotorsUnasked = 6;
+constexpr double kDegrees = 57.29577951308232;
+
+struct MotorField {
+  std::string name, label;
+  std::string state;    // of motor_state
+  std::string command;  // of motor_cmd; "" for none
+};
+const std::array<MotorField, 4>& MotorFields() {
+  static const std::array<MotorField, 4> fields = {
+      {{"q", "q [rad]", "q", "q"},
+       {"dq", "dq [rad/s]", "dq", "dq"},
+       {"tau", "tau [N·m]", "tau_est", ""},
+       {"temperature", "temperature [°C]", "temperature", ""}}};
+  return fields;
+}
+
+struct Motor {
+  std::string name;
+  int slot = 0;
+};
+
+std::vector<std::string> WordsOf(const std::string& text) {
+  std::istringstream in(text);
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+// -1, which is no motor's, for what is no number.
+int SlotOf(const std::string& word) {
+  int slot = -1;
+  std::from_chars(word.data(), word.data() + word.size(), slot);
+  return slot;
+}
+
+// A signal that is gathered while the recording is read.
+struct Gathered {
+  std::string topic;  // on the wire
+  CdrField field;
+  double scale = 1;
+  std::vector<std::pair<double, double>> points{};
+};
+
+// The least and the most of each column, in order.
+std::vector<std::pair<double, double>> Thinned(const std::vector<std::pair<double, double>>& all,
+                                               double from, double to) {
+  if (all.size() <= 2 * kColumns) return all;
+  std::vector<std::pair<double, double>> thin;
+  const double width = (to - from) / static_cast<double>(kColumns);
+  for (std::size_t begin = 0; begin < all.size();) {
+    const double column = std::floor((all[begin].first - from) / width);
+    std::size_t end = begin, least = begin, most = begin;
+    for (; end < all.size() && std::floor((all[end].first - from) / width) == column; ++end) {
+      if (all[end].second < all[least].second) least = end;
+      if (all[end].second > all[most].second) most = end;
+    }
+    thin.push_back(all[std::min(least, most)]);
+    if (least != most) thin.push_back(all[std::max(least, most)]);
+    begin = std::max(end, begin + 1);
+  }
+  return thin;
+}
+
+// "FR_calf" and "RL_calf" are of one kind, "left_knee" and "right_knee" of another.
+std::string KindOf(const std::string& motor) {
+  for (const std::string_view side : {"FR_", "FL_", "RR_", "RL_", "left_", "right_"}) {
+    if (motor.starts_with(side)) return motor.substr(side.size());
+  }
+  return motor;
+}
+
+double Range(const std::vector<std::pair<double, double>>& points) {
+  double least = 0, most = 0;
+  for (const auto& [at, value] : points) {
+    least = at == points.front().first ? value : std::min(least, value);
+    most = at == points.front().first ? value : std::max(most, value);
+  }
+  return most - least;
+}
+
+// Reads a recording once for all that a page needs.
+class PageMaker {
+ public:
+  PageMaker(const McapReader& reader, const PlotOptions& options)
+      : reader_(reader), options_(options) {
+    const McapContents& contents = reader.contents();
+    page_.from = options.from;
+    page_.to = options.to > 0 ? options.to : Duration(contents);
+    beginning_ = contents.first_time;
+    const auto about = contents.metadata.find("understudy");
+    if (about != contents.metadata.end()) about_ = about->second;
+    const std::string& start = about_["start_time_ns"];
+    std::from_chars(start.data(), start.data() + start.size(), beginning_);
+    if (page_.from >= page_.to) {
+      throw RecordError(reader.path().string() + ": there is nothing from " +
+                        std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
+    }
+    for (const auto& [id, channel] : contents.channels) {
+      if (const McapSchema* schema = reader.SchemaOf(channel); schema != nullptr) {
+        types_[TopicOnWire(channel)] = schema->name;
+      }
+    }
+  }
+
+  PlotPage Make() {
+    FindMotors();
+    AskForMotors();
+    AskForSignals();
+    Read();
+    AddBase();
+    AddMotors();
+    AddSignals();
+    if (page_.panels.empty()) {
+      throw RecordError(reader_.path().string() + ": holds nothing of a robot that can be drawn");
+    }
+    page_.title = reader_.path().filename().string();
+    if (about_.contains("robot")) page_.title = about_["robot"] + ", " + page_.title;
+    if (about_.contains("started")) page_.title += ", " + about_["started"];
+    page_.width = options_.width;
+    page_.height =
+        options_.height > 0 ? options_.height : 150 + 230 * static_cast<int>(page_.panels.size());
+    return std::move(page_);
+  }
+
+ private:
+  struct MotorLine {
+    std::size_t field, motor;  // indices
+    bool commanded;
+    std::size_t gathered;
+  };
+
+  void FindMotors() {
+    const auto type = types_.find("rt/lowstate");
+    if (type == types_.end()) return;
+    const std::vector<std::string> joints = WordsOf(about_["motors"]);
+    const std::vector<std::string> slots = WordsOf(about_["slots"]);
+    for (std::size_t i = 0; i < joints.size() && i < slots.size(); ++i) {
+      std::string name = joints[i];
+      if (name.ends_with("_joint")) name.erase(name.size() - 6);
+      known_.push_back({.name = name, .slot = SlotOf(slots[i])});
+    }
+    if (!known_.empty()) return;
+    // A recording of somebody else's: slots have no names.
+    const int count = type->second.starts_with("unitree_hg") ? 35 : 20;
+    for (int slot = 0; slot < count; ++slot) {
+      known_.push_back({.name = std::to_string(slot), .slot = slot});
+    }
+  }
+
+  void AskForMotors() {
+    std::vector<std::string> names;
+    for (const Motor& motor : known_) names.push_back(motor.name);
+    for (std::string wanted : options_.motors) {
+      if (wanted.ends_with("_joint")) wanted.erase(wanted.size() - 6);
+      const auto found = std::ranges::find_if(known_, [&](const Motor& motor) {
+        return motor.name == wanted || std::to_string(motor.slot) == wanted;
+      });
+      if (found == known_.end()) {
+        throw RecordError("--motors: no motor '" + wanted + "'" + DidYouMean(wanted, names));
+      }
+      motors_.push_back(*found);
+    }
+    if (motors_.empty()) motors_ = known_;
+    std::vector<std::string> valid;
+    for (const MotorField& field : MotorFields()) valid.push_back(field.name);
+    for (const std::string& wanted :
+         options_.fields.empty() ? std::vector<std::string>{"q", "tau"} : options_.fields) {
+      const auto found = std::ranges::find(MotorFields(), wanted, &MotorField::name);
+      if (found == MotorFields().end()) {
+        throw RecordError("--fields: no field '" + wanted + "'" + DidYouMean(wanted, valid));
+      }
+      fields_.push_back(*found);
+    }
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      for (std::size_t motor = 0; motor < motors_.size(); ++motor) {
+        const std::string slot = "[" + std::to_string(motors_[motor].slot) + "].";
+        Ask(field, motor, false, "rt/lowstate", "motor_state" + slot + fields_[field].state);
+        if (fields_[field].command.empty()) continue;
+        Ask(field, motor, true, "rt/lowcmd", "motor_cmd" + slot + fields_[field].command);
+      }
+    }
+  }
+
+  void Ask(std::size_t field, std::size_t motor, bool commanded, const std::string& topic,
+           std::string path) {
+    const auto type = types_.find(topic);
+    if (type == types_.end()) return;
+    if (path.ends_with("temperature") && type->second.starts_with("unitree_hg")) path += "[0]";
+    motor_lines_.push_back(
+        {.field = field, .motor = motor, .commanded = commanded, .gathered = gathered_.size()});
+    gathered_.push_back({.topic = topic, .field = FindField(type->second, path)});
+  }
+
+  void AskForSignals() {
+    std::vector<std::string> topics;
+    for (const auto& [topic, type] : types_) topics.push_back(topic);
+    first_signal_ = gathered_.size();
+    for (const std::string& signal : options_.signals) {
+      const std::size_t colon = signal.find(':');
+      if (colon == std::string::npos) {
+        throw RecordError("--signals: '" + signal +
+                          "': expected TOPIC:FIELD, such as rt/lowstate:imu_state.gyroscope[2]");
+      }
+      const std::string topic = signal.substr(0, colon);
+      const auto type = types_.find(topic);
+      if (type == types_.end()) {
+        throw RecordError("--signals: no topic '" + topic + "'" + DidYouMean(topic, topics));
+      }
+      gathered_.push_back(
+          {.topic = topic, .field = FindField(type->second, signal.substr(colon + 1))});
+    }
+  }
+
+  void Read() {
+    std::map<std::string, std::vector<Gathered*>> by_topic;
+    for (Gathered& one : gathered_) by_topic[one.topic].push_back(&one);
+    const auto from = beginning_ + static_cast<std::uint64_t>(page_.from * 1e9);
+    const auto to = beginning_ + static_cast<std::uint64_t>(page_.to * 1e9);
+    reader_.ReadMessages(from, to, [&](const McapChannel& channel, const McapMessage& message) {
+      const double at = static_cast<double>(message.log_time - beginning_) * 1e-9;
+      if (channel.topic == kTruthTopic) {
+        NoteTruth(at, DecodeTruth(message.data));
+      } else if (channel.topic == kEventTopic) {
+        NoteEvent(at, DecodeEvent(message.data));
+      } else if (const auto some = by_topic.find(TopicOnWire(channel)); some != by_topic.end()) {
+        for (Gathered* one : some->second) {
+          const std::optional<double> value = ReadField(one->field, message.data);
+          // What says "no command" is none that can be drawn (CONVENTIONS.md).
+          if (value && std::abs(*value) < 1e4) one->points.emplace_back(at, *value);
+        }
+      }
+      return true;
+    });
+  }
+
+  // A free joint stands first: its place and its attitude (w, x, y, z).
+  void NoteTruth(double at, const Truth& truth) {
+    if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
+    const double w = truth.qpos[3], x = truth.qpos[4], y = truth.qpos[5], z = truth.qpos[6];
+    height_.emplace_back(at, truth.qpos[2]);
+    rpy_[0].emplace_back(at, kDegrees * std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)));
+    rpy_[1].emplace_back(at, kDegrees * std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)));
+    rpy_[2].emplace_back(at, kDegrees * std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
+  }
+
+  // Those of one kind that follow closely are one mark.
+  void NoteEvent(double at, const Event& event) {
+    // Lateness is the machine's, and the states of motions are many.
+    if (event.kind == "overrun" || event.kind == "motion" || event.kind == "gate") return;
+    const double close = 0.02 * (page_.to - page_.from);
+    const auto [last, is_new] = last_of_.try_emplace(event.kind, at, page_.marks.size());
+    const bool follows = !is_new && at - last->second.first < close;
+    last->second.first = at;
+    if (follows) {
+      ++page_.marks[last->second.second].times;
+      return;
+    }
+    last->second.second = page_.marks.size();
+    page_.marks.push_back({.at = at, .kind = event.kind, .text = event.text});
+  }
+
+  PlotLine Line(std::string name, std::size_t color,
+                const std::vector<std::pair<double, double>>& points, bool dashed = false) const {
+    return {.name = std::move(name),
+            .color = static_cast<int>(color),
+            .dashed = dashed,
+            .points = Thinned(points, page_.from, page_.to)};
+  }
+
+  void AddBase() {
+    if (height_.empty()) return;
+    page_.panels.push_back({.label = "height [m]", .lines = {Line("base", 0, height_)}});
+    page_.panels.push_back(
+        {.label = "attitude [°]",
+         .lines = {Line("roll", 0, rpy_[0]), Line("pitch", 1, rpy_[1]), Line("yaw", 2, rpy_[2])}});
+  }
+
+  // Unasked, of each kind of joint the one that moves most, and of kinds those that move most.
+  std::set<std::size_t> Chosen() const {
+    std::map<std::string, std::pair<double, std::size_t>> most;  // by kind: range, motor
+    std::set<std::size_t> chosen;
+    for (const MotorLine& line : motor_lines_) {
+      if (!options_.motors.empty()) chosen.insert(line.motor);
+      if (line.field != 0 || line.commanded) continue;
+      const double range = Range(gathered_[line.gathered].points);
+      const auto [kind, is_new] =
+          most.try_emplace(KindOf(motors_[line.motor].name), range, line.motor);
+      if (range > kind->second.first) kind->second = {range, line.motor};
+    }
+    if (!chosen.empty()) return chosen;
+    std::vector<std::pair<double, std::size_t>> moves;
+    for (const auto& [kind, best] : most) moves.push_back(best);
+    std::ranges::sort(moves, std::greater<>());
+    for (std::size_t i = 0; i < std::min(moves.size(), kMotorsUnasked); ++i) {
+      chosen.insert(moves[i].second);
+    }
+    return chosen;
+  }
+
+  void AddMotors() {
+    const std::set<std::size_t> chosen = Chosen();
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      PlotPanel panel{.label = fields_[field].label};
+      for (const bool commanded : {true, false}) {
+        std::size_t color = 0;
+        for (const std::size_t motor : chosen) {
+          const auto line = std::ranges::find_if(motor_lines_, [&](const MotorLine& one) {
+            return one.field == field && one.motor == motor && one.commanded == commanded;
+          });
+          const std::size_t its_color = color++;
+          if (line == motor_lines_.end() || gathered_[line->gathered].points.empty()) continue;
+          panel.lines.push_back(Line(commanded ? "" : motors_[motor].name, its_color,
+                                     gathered_[line->gathered].points, commanded));
+        }
+      }
+      if (!panel.lines.empty()) page_.panels.push_back(std::move(panel));
+    }
+  }
+
+  void AddSignals() {
+    for (std::size_t i = 0; i < options_.signals.size(); ++i) {
+      const std::string& signal = options_.signals[i];
+      const std::string path = signal.substr(signal.find(':') + 1);
+      // The label of the axis is short: gnuplot leaves out what is longer than the axis.
+      page_.panels.push_back({.label = path.substr(path.rfind('.') + 1),
+                              .lines = {Line(path, 0, gathered_[first_signal_ + i].points)}});
+    }
+  }
+
+  const McapReader& reader_;
+  const PlotOptions& options_;
+  PlotPage page_;
+  StringMap about_;
+  std::uint64_t beginning_ = 0;
+  std::map<std::string, std::string> types_;  // by topic on the wire
+  std::vector<Motor> known_, motors_;
+  std::vector<MotorField> fields_;
+  std::vector<MotorLine> motor_lines_;
+  std::vector<Gathered> gathered_;
+  std::size_t first_signal_ = 0;
+  std::vector<std::pair<double, double>> height_;
+  std::array<std::vector<std::pair<double, double>>, 3> rpy_;
+  // The last event of a kind: when, and its mark.
+  std::map<std::string, std::pair<double, std::size_t>> last_of_;
+};
+
+}  // namespace
+
+PlotPage MakePage(const McapReader& reader, const PlotOptions& options) {
+  return PageMaker(reader, options).Make();
+}
+
+}  // namespace understudy

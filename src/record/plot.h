@@ -1,0 +1,66 @@
+// The picture of a run.
+#ifndef UNDERSTUDY_RECORD_PLOT_H_
+#define UNDERSTUDY_RECORD_PLOT_H_
+
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "record/mcap_reader.h"
+
+namespace understudy {
+
+struct PlotOptions {
+  std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
+                                       // kind the one that moves most, at most six
+  std::vector<std::string> fields{};   // of motors: q, dq, tau, temperature; empty: q, tau
+  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", each a panel more
+  double from = 0, to = 0;             // s; `to` 0: the recording's end
+  int width = 1600, height = 0;        // pixels; height 0: by the number of panels
+};
+
+struct PlotLine {
+  std::string name;
+  int color = 0;                                    // of the palette
+  bool dashed = false;                              // what was commanded
+  std::vector<std::pair<double, double>> points{};  // s, value; few enough to be drawn
+};
+
+struct PlotPanel {
+  std::string label;  // of its y axis
+  std::vector<PlotLine> lines{};
+};
+
+struct PlotMark {
+  double at = 0;  // s
+  std::string kind{};
+  std::string text{};
+  int times = 1;  // of the same, close together
+};
+
+// A page: panels below one another over the same time, and marks that go through all of them.
+struct PlotPage {
+  std::string title;
+  double from = 0, to = 0;  // s
+  int width = 0, height = 0;
+  std::vector<PlotPanel> panels{};
+  std::vector<PlotMark> marks{};
+};
+
+// Base height and attitude, the fields of the motors with what was commanded, the signals, and
+// events. Throws RecordError with the nearest word for a motor, field or signal that there is not,
+// and for a recording with nothing to be drawn.
+PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
+
+// What gnuplot is told for a page. Texts may be anybody's: they are only ever quoted words. `svg`
+// or PNG, to the file `picture`, beside which nothing is needed.
+std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture);
+
+// Draws the page with gnuplot into a .png or .svg. Throws RecordError: another ending, no gnuplot
+// (with the package that brings it), what gnuplot said, or a picture that cannot be written.
+void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_RECORD_PLOT_H_

@@ -1,0 +1,259 @@
+#include "record/recorder.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "idl/type_table.h"
+#include "record/ros2msg.h"
+#include "version.h"
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+
+// How often the thread looks; how long a message waits for the tick that it belongs to, of which
+// there is none in a pause; how long a message may be in memory only. All *assumed*.
+constexpr milliseconds kPollEvery(5);
+constexpr std::int64_t kPatience = 200'000'000;      // ns
+constexpr std::int64_t kFlushEvery = 1'000'000'000;  // ns
+
+// Of moments 8 s of a robot that sends at 1000 Hz, of marks as many steps; *assumed*.
+constexpr std::size_t kMoments = 8192;
+constexpr std::size_t kMarks = 1 << 16;
+
+// RELIABLE, VOLATILE, KEEP_LAST 1, as rosbag2 writes it down.
+constexpr char kQos[] =
+    "- history: 1\n  depth: 1\n  reliability: 1\n  durability: 2\n"
+    "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
+    "  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n"
+    "  liveliness: 1\n"
+    "  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n"
+    "  avoid_ros_namespace_conventions: false";
+
+std::int64_t Monotonic() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
+std::int64_t SinceEpoch() {
+  return std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+Recorder::Recorder(const Participant& participant, OutputFile file, const RecordingHead& head,
+                   const Moment& moment, std::chrono::nanoseconds timestep, Say say)
+    : participant_(participant),
+      ours_(participant.key()),
+      watch_(participant),
+      timestep_(timestep.count()),
+      start_(static_cast<std::uint64_t>(SinceEpoch())),
+      say_(std::move(say)),
+      writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
+      events_(head.script),
+      moments_(kMoments, moment),
+      marks_(kMarks),
+      last_take_(SinceEpoch()),
+      last_flush_(Monotonic()) {
+  Begin(head);
+  Subscribe();
+  thread_ = std::jthread([this](const std::stop_token& stop) { Run(stop); });
+}
+
+Recorder::~Recorder() {
+  thread_.request_stop();
+  wake_.notify_all();
+  thread_.join();
+}
+
+void Recorder::Mark(std::int64_t step) {
+  if (failed_.load(std::memory_order_relaxed)) return;
+  StepMark* mark = marks_.Claim();
+  if (mark == nullptr) return;
+  *mark = {.wall = Monotonic(), .epoch = SinceEpoch(), .step = step};
+  marks_.Commit();
+}
+
+Moment* Recorder::Claim() {
+  if (failed_.load(std::memory_order_relaxed)) return nullptr;
+  Moment* moment = moments_.Claim();
+  if (moment != nullptr) moment->wall = Monotonic();
+  return moment;
+}
+
+void Recorder::Commit() { moments_.Commit(); }
+
+bool Recorder::behind() const {
+  return !failed_.load(std::memory_order_relaxed) &&
+         (moments_.size() > kMoments / 2 || marks_.size() > kMarks / 2);
+}
+
+RecordingStatus Recorder::status() const {
+  return {.state = failed_ ? RecordingState::kFailed : RecordingState::kOn,
+          .messages = messages_,
+          .bytes = bytes_,
+          .dropped = moments_.dropped() + marks_.dropped()};
+}
+
+void Recorder::Begin(const RecordingHead& head) {
+  StringMap about = head.about;
+  about["start_time_ns"] = std::to_string(start_);
+  about["timestep_ns"] = std::to_string(timestep_);
+  writer_.AddMetadata("understudy", about);
+  writer_.Attach("config.yaml", "application/yaml", start_, AsBytes(head.config));
+  writer_.Attach("model.mjb", "application/octet-stream", start_, AsBytes(head.model));
+  const auto channel = [&](const char* topic, const char* type, const char* text) {
+    return writer_.AddChannel(topic, writer_.AddSchema(type, "ros2msg", text), "cdr",
+                              {{"from", "simulation"}, {"offered_qos_profiles", kQos}});
+  };
+  truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText);
+  event_channel_ = channel(kEventTopic, kEventType, kEventText);
+  writer_.Flush();
+  bytes_ = writer_.bytes();
+}
+
+void Recorder::Run(const std::stop_token& stop) {
+  try {
+    while (!stop.stop_requested()) {
+      Poll();
+      std::unique_lock lock(mutex_);
+      wake_.wait_for(lock, stop, kPollEvery, [] { return false; });
+    }
+    Take();
+    Merge(std::numeric_limits<Nanoseconds>::max(), true);
+    for (const Event& event : events_.Rest(marked_ + 1)) WriteEvent(event);
+    writer_.Finish();
+    messages_ = writer_.messages();
+    bytes_ = writer_.bytes();
+  } catch (const std::exception& error) {
+    failed_ = true;
+    waiting_.clear();
+    topics_.clear();
+    say_(std::string(error.what()) + ": nothing more is recorded; the robot goes on", true);
+  }
+}
+
+void Recorder::Poll() {
+  Subscribe();
+  const Nanoseconds now = Monotonic();
+  Take();
+  Merge(now, false);
+  if (now - last_flush_ > kFlushEvery) {
+    writer_.Flush();
+    last_flush_ = now;
+  }
+  messages_ = writer_.messages();
+  bytes_ = writer_.bytes();
+  const std::uint64_t dropped = moments_.dropped() + marks_.dropped();
+  if (dropped != told_dropped_) {
+    say_("the recording is behind: " + std::to_string(dropped - told_dropped_) +
+             " moments of the simulation are not in it",
+         true);
+    told_dropped_ = dropped;
+  }
+}
+
+void Recorder::Subscribe() {
+  for (TopicOnBus& found : watch_.Poll()) {
+    if (!seen_.insert(found).second) continue;
+    const MessageType* type = FindMessageType(found.type);
+    if (type == nullptr) {
+      say_("topic " + found.topic + " is not recorded: its type " + found.type +
+               " is none of the vendor's",
+           false);
+      continue;
+    }
+    auto reader = std::make_unique<CdrReader>(participant_, found.topic, *type->descriptor);
+    topics_.push_back({.name = std::move(found), .reader = std::move(reader)});
+  }
+}
+
+// What others wrote arrived since the last take began: a source time before that or in the future
+// is of another clock. Ours is of the clock that marks have, whatever that does.
+void Recorder::Take() {
+  const Nanoseconds since = std::exchange(last_take_, SinceEpoch());
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
+    Topic& topic = topics_[i];
+    topic.reader->Take([&](CdrSample sample) {
+      const auto [writer, is_new] = topic.ours.try_emplace(sample.writer(), false);
+      if (is_new) writer->second = topic.reader->ParticipantOf(sample.writer()) == ours_;
+      const Nanoseconds now = SinceEpoch();
+      const Nanoseconds when = writer->second
+                                   ? sample.source_time()
+                                   : std::clamp(sample.source_time(), std::min(since, now), now);
+      waiting_.push_back({.when = when,
+                          .taken = Monotonic(),
+                          .topic = i,
+                          .ours = writer->second,
+                          .sample = std::move(sample)});
+    });
+  }
+}
+
+// A message belongs to the first step whose end was marked at its time or later: in that step it
+// was sent, or was there to be taken. Marks later than `now` are left: a message of theirs may have
+// come too late for this take.
+void Recorder::Merge(Nanoseconds now, bool all) {
+  std::ranges::stable_sort(waiting_, {}, &Waiting::when);
+  auto next = waiting_.begin();
+  for (const StepMark* mark = marks_.Front(); mark != nullptr && mark->wall <= now;
+       mark = marks_.Front()) {
+    WriteMoments(mark->step, now);
+    for (; next != waiting_.end() && next->when <= mark->epoch; ++next) {
+      WriteSample(*next, mark->step);
+    }
+    marked_ = mark->step;
+    marks_.Pop();
+  }
+  WriteMoments(std::numeric_limits<std::int64_t>::max(), now);
+  for (; next != waiting_.end() && (all || now - next->taken > kPatience); ++next) {
+    WriteSample(*next, marked_ + 1);
+  }
+  waiting_.erase(waiting_.begin(), next);
+}
+
+void Recorder::WriteMoments(std::int64_t up_to_step, Nanoseconds up_to) {
+  for (const Moment* moment = moments_.Front();
+       moment != nullptr && moment->truth.step <= up_to_step && moment->wall <= up_to;
+       moment = moments_.Front()) {
+    WriteMoment(*moment);
+    moments_.Pop();
+  }
+}
+
+void Recorder::WriteMoment(const Moment& moment) {
+  const std::int64_t step = moment.truth.step;
+  EncodeTruth(moment.truth, &message_);
+  writer_.Write(truth_channel_, LogTime(step), LogTime(step), message_.span());
+  for (const Event& event : events_.Compare(moment.status, step)) WriteEvent(event);
+}
+
+void Recorder::WriteEvent(const Event& event) {
+  EncodeEvent(event, &message_);
+  writer_.Write(event_channel_, LogTime(event.step), LogTime(event.step), message_.span());
+}
+
+void Recorder::WriteSample(const Waiting& waiting, std::int64_t step) {
+  writer_.Write(ChannelOf(&topics_[waiting.topic], waiting.ours), LogTime(step),
+                static_cast<std::uint64_t>(waiting.sample.source_time()), waiting.sample.bytes());
+}
+
+std::uint16_t Recorder::ChannelOf(Topic* topic, bool ours) {
+  std::optional<std::uint16_t>& channel = topic->channels[ours ? 1 : 0];
+  if (channel) return *channel;
+  const std::string type = RosTypeName(topic->name.type);
+  auto schema = schemas_.find(type);
+  if (schema == schemas_.end()) {
+    const std::uint16_t id = writer_.AddSchema(type, "ros2msg", Ros2MsgText(type));
+    schema = schemas_.emplace(type, id).first;
+  }
+  channel = writer_.AddChannel(RosTopicName(topic->name.topic), schema->second, "cdr",
+                               {{"from", ours ? "robot" : "client"},
+                                {"dds_topic", topic->name.topic},
+                                {"dds_type", topic->name.type},
+                                {"offered_qos_profiles", kQos}});
+  return *channel;
+}
+
+std::uint64_t Recorder::LogTime(std::int64_t step) const {
+  return start_ + static_cast<std::uint64_t>(step * timestep_);
+}
+
+}  // namespace understudy

@@ -1,0 +1,40 @@
+// The vendor's message types as ROS 2 writes message types down.
+#ifndef UNDERSTUDY_RECORD_ROS2MSG_H_
+#define UNDERSTUDY_RECORD_ROS2MSG_H_
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace understudy {
+
+// One field of a message.
+struct MessageField {
+  std::string type;  // "float32" or another type's ROS name, "unitree_go/msg/MotorState"
+  std::string name;
+  int count = 1;             // elements; of an array, with is_array
+  bool is_array = false;     // of that fixed length
+  bool is_sequence = false;  // of any length
+};
+
+using MessageFields = std::vector<MessageField>;
+
+// All types of the 73 by their ROS names, read from idl/. HelloWorldData::Msg, which is in no ROS
+// package, is HelloWorldData/msg/Msg.
+const std::map<std::string, MessageFields, std::less<>>& RosMessages();
+
+// "unitree_go::msg::dds_::LowState_" -> "unitree_go/msg/LowState".
+std::string RosTypeName(std::string_view type_on_wire);
+// And back.
+std::string TypeOnWire(std::string_view ros_type_name);
+
+// "rt/lowstate" -> "/lowstate", as ROS 2 spells it; a topic without "rt/" stays as it is.
+std::string RosTopicName(std::string_view topic_on_wire);
+
+// The text of a ros2msg schema: the type's fields, then those of every type in it.
+std::string Ros2MsgText(std::string_view ros_type_name);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_RECORD_ROS2MSG_H_

@@ -1,0 +1,115 @@
+#include "record/truth.h"
+
+#include <array>
+#include <limits>
+
+namespace understudy {
+namespace {
+
+constexpr std::size_t kCdrHead = 4;
+constexpr std::array<std::byte, kCdrHead> kLittleEndian = {std::byte{0}, std::byte{1}, std::byte{0},
+                                                           std::byte{0}};
+
+template <typename Number>
+void PutNumber(Number number, BytesOut* out) {
+  out->Align(sizeof(number), kCdrHead);
+  out->Put(number);
+}
+
+void PutNumbers(const std::vector<double>& numbers, BytesOut* out) {
+  PutNumber(static_cast<std::uint32_t>(numbers.size()), out);
+  if (numbers.empty()) return;
+  out->Align(sizeof(double), kCdrHead);
+  out->PutRaw(std::as_bytes(std::span(numbers)));
+}
+
+// With the zero at its end.
+void PutText(const std::string& text, BytesOut* out) {
+  PutNumber(static_cast<std::uint32_t>(text.size() + 1), out);
+  out->PutRaw(AsBytes(text));
+  out->Put(std::uint8_t{0});
+}
+
+void Begin(BytesOut* out) {
+  out->clear();
+  out->PutRaw(kLittleEndian);
+}
+
+BytesIn Begin(ByteSpan bytes) {
+  BytesIn in(bytes);
+  const ByteSpan head = in.TakeRaw(kCdrHead);
+  if (head[0] != kLittleEndian[0] || head[1] != kLittleEndian[1]) {
+    throw RecordError("expected little-endian CDR");
+  }
+  return in;
+}
+
+template <typename Number>
+Number TakeNumber(BytesIn* in) {
+  in->Align(sizeof(Number), kCdrHead);
+  return in->Take<Number>();
+}
+
+std::vector<double> TakeNumbers(BytesIn* in) {
+  const auto count = TakeNumber<std::uint32_t>(in);
+  if (count == 0) return {};
+  in->Align(sizeof(double), kCdrHead);
+  const ByteSpan raw = in->TakeRaw(std::uint64_t{count} * sizeof(double));
+  std::vector<double> numbers(count);
+  std::memcpy(numbers.data(), raw.data(), raw.size());
+  return numbers;
+}
+
+std::string TakeText(BytesIn* in) {
+  const ByteSpan raw = in->TakeRaw(TakeNumber<std::uint32_t>(in));
+  if (raw.empty()) return {};
+  return {reinterpret_cast<const char*>(raw.data()), raw.size() - 1};
+}
+
+}  // namespace
+
+void EncodeTruth(const Truth& truth, BytesOut* out) {
+  Begin(out);
+  PutNumber(truth.step, out);
+  PutNumber(truth.time, out);
+  PutNumbers(truth.qpos, out);
+  PutNumbers(truth.qvel, out);
+  PutNumbers(truth.tau, out);
+  PutNumbers(truth.foot_force, out);
+  PutNumber(truth.crane_tension, out);
+}
+
+Truth DecodeTruth(ByteSpan bytes) {
+  BytesIn in = Begin(bytes);
+  Truth truth;
+  truth.step = TakeNumber<std::int64_t>(&in);
+  truth.time = TakeNumber<double>(&in);
+  truth.qpos = TakeNumbers(&in);
+  truth.qvel = TakeNumbers(&in);
+  truth.tau = TakeNumbers(&in);
+  truth.foot_force = TakeNumbers(&in);
+  truth.crane_tension = TakeNumber<double>(&in);
+  return truth;
+}
+
+void EncodeEvent(const Event& event, BytesOut* out) {
+  Begin(out);
+  PutNumber(event.step, out);
+  PutNumber(event.time, out);
+  PutText(event.kind, out);
+  PutText(event.text, out);
+  PutText(event.detail, out);
+}
+
+Event DecodeEvent(ByteSpan bytes) {
+  BytesIn in = Begin(bytes);
+  Event event;
+  event.step = TakeNumber<std::int64_t>(&in);
+  event.time = TakeNumber<double>(&in);
+  event.kind = TakeText(&in);
+  event.text = TakeText(&in);
+  event.detail = TakeText(&in);
+  return event;
+}
+
+}  // namespace understudy

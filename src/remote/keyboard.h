@@ -1,0 +1,90 @@
+// The keyboard of a terminal as a remote controller (docs/remote.md).
+#ifndef UNDERSTUDY_REMOTE_KEYBOARD_H_
+#define UNDERSTUDY_REMOTE_KEYBOARD_H_
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "remote/remote_bits.h"
+#include "remote/terminal_decoder.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// What a key does: a key of the remote, or moves an axis of a stick.
+struct KeyBinding {
+  char32_t key;
+  std::string_view shown;
+  std::uint16_t remote_key;  // 0: an axis
+  double RemoteReading::*axis = nullptr;
+  double to = 0;
+};
+
+// Letters are the keys of that name; the sticks lie under the fingers of either hand.
+inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
+    {U'q', "q", RemoteBit("L1")},
+    {U'w', "w", RemoteBit("L2")},
+    {U'p', "p", RemoteBit("R1")},
+    {U'o', "o", RemoteBit("R2")},
+    {U'a', "a", RemoteBit("A")},
+    {U'b', "b", RemoteBit("B")},
+    {U'x', "x", RemoteBit("X")},
+    {U'y', "y", RemoteBit("Y")},
+    {kUpKey, "up", RemoteBit("UP")},
+    {kDownKey, "down", RemoteBit("DOWN")},
+    {kLeftKey, "left", RemoteBit("LEFT")},
+    {kRightKey, "right", RemoteBit("RIGHT")},
+    {kEnterKey, "Enter", RemoteBit("START")},
+    {kTabKey, "Tab", RemoteBit("SELECT")},
+    {U'1', "1", RemoteBit("F1")},
+    {U'2', "2", RemoteBit("F2")},
+    {U'e', "e", 0, &RemoteReading::ly, 1},
+    {U'd', "d", 0, &RemoteReading::ly, -1},
+    {U's', "s", 0, &RemoteReading::lx, -1},
+    {U'f', "f", 0, &RemoteReading::lx, 1},
+    {U'i', "i", 0, &RemoteReading::ry, 1},
+    {U'k', "k", 0, &RemoteReading::ry, -1},
+    {U'j', "j", 0, &RemoteReading::rx, -1},
+    {U'l', "l", 0, &RemoteReading::rx, 1},
+}};
+
+// Where a terminal does not tell releases, a key is up when it has not been heard for so long [s]:
+// first longer than the delay before a held key repeats, then longer than the time between two
+// repeats; both *assumed*, above the usual 0.25 to 0.66 and 0.03 to 0.1.
+inline constexpr double kFirstHeard = 0.7;
+inline constexpr double kHeardAgain = 0.2;
+// Where it does, a key is down for so long at least [s]: press and release may come at once, over a
+// network; *assumed*, what every client sees.
+inline constexpr double kShortestPress = 0.05;
+
+// Times are of any steady clock [s].
+class Keyboard {
+ public:
+  void Take(const TerminalEvent& event, double t);
+  RemoteReading Read(double t) const;
+
+  bool reports_releases() const { return reports_releases_; }
+  bool keeps_next() const { return keep_next_; }
+  bool wants_to_quit() const { return wants_to_quit_; }  // Ctrl-C
+
+ private:
+  struct Key {
+    double pressed_at = 0;
+    double down_until = 0;
+    bool kept = false;  // down until told otherwise
+    bool half = false;  // with shift: a stick goes half the way
+  };
+
+  void Press(Key* key, const TerminalEvent& event, double t);
+  void Release();
+
+  std::array<Key, kKeyBindings.size()> keys_{};
+  bool reports_releases_ = false;
+  bool keep_next_ = false;
+  bool wants_to_quit_ = false;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_KEYBOARD_H_

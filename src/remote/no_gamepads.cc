@@ -1,0 +1,33 @@
+// Instead of gamepads.cc, where this was built without SDL.
+#include <utility>
+
+#include "remote/gamepads.h"
+#include "robot/errors.h"
+
+namespace understudy {
+namespace {
+
+constexpr char kMissing[] = "built without gamepads: apt-get install libsdl2-dev, and build again";
+
+}  // namespace
+
+class Gamepads::Sdl {
+ public:
+  std::vector<std::string> news{kMissing};
+};
+
+Gamepads::Gamepads(const GamepadChoice& choice) : sdl_(std::make_unique<Sdl>()) {
+  if (!choice.which.empty() || !choice.mapping_file.empty()) throw SetupError(kMissing);
+}
+
+Gamepads::~Gamepads() = default;
+
+std::optional<PadState> Gamepads::Poll() { return std::nullopt; }
+
+std::string Gamepads::in_use() const { return ""; }
+
+std::vector<std::string> Gamepads::TakeNews() { return std::exchange(sdl_->news, {}); }
+
+std::string Gamepads::List() const { return std::string(kMissing) + "\n"; }
+
+}  // namespace understudy

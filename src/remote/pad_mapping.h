@@ -1,0 +1,54 @@
+// Which part of a gamepad is which part of the remote controller (docs/remote.md).
+#ifndef UNDERSTUDY_REMOTE_PAD_MAPPING_H_
+#define UNDERSTUDY_REMOTE_PAD_MAPPING_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// Buttons by what is written on them, in SDL's order. On a pad with signs A, B, X, Y are cross,
+// circle, square, triangle.
+enum class PadButton : std::uint8_t {
+  kA,
+  kB,
+  kX,
+  kY,
+  kBack,
+  kGuide,
+  kStart,
+  kLeftStick,
+  kRightStick,
+  kLeftShoulder,
+  kRightShoulder,
+  kUp,
+  kDown,
+  kLeft,
+  kRight,
+};
+inline constexpr std::size_t kPadButtons = 15;
+
+struct PadState {
+  std::array<bool, kPadButtons> pressed{};
+  double left_x = 0, left_y = 0;               // -1..1, positive right and down
+  double right_x = 0, right_y = 0;             // the same
+  double left_trigger = 0, right_trigger = 0;  // 0..1
+};
+
+// A stick within this of its middle is in its middle; beyond, it begins at 0; *assumed*, what worn
+// sticks want.
+inline constexpr double kDeadZone = 0.1;
+// A trigger is a key that goes down above the one and up below the other, so that it does not
+// flicker between; *assumed*.
+inline constexpr double kTriggerDown = 0.5;
+inline constexpr double kTriggerUp = 0.4;
+
+// `before`: the keys of the reading before this one. `dead_zone` is 0 to below 1.
+RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_PAD_MAPPING_H_

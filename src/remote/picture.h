@@ -1,0 +1,25 @@
+// The remote controller drawn with characters.
+#ifndef UNDERSTUDY_REMOTE_PICTURE_H_
+#define UNDERSTUDY_REMOTE_PICTURE_H_
+
+#include <string>
+#include <vector>
+
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+struct RemotePicture {
+  RemoteReading reading{};
+  std::string title{};
+  std::vector<std::string> notes{};  // below
+};
+
+// Lines with their colours, from the top left of the screen, cut to `columns` and `rows`. What is
+// pressed is shown inverse. Text that is not ASCII letters, digits and signs is shown as '?': the
+// name of a gamepad is chosen by whoever made it.
+std::string Draw(const RemotePicture& picture, int columns, int rows);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_PICTURE_H_

@@ -1,0 +1,211 @@
+#include "remote/play_remote.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+#include <unistd.h>
+
+#include "control/client.h"
+#include "control/control_error.h"
+#include "remote/gamepads.h"
+#include "remote/keyboard.h"
+#include "remote/picture.h"
+#include "remote/raw_terminal.h"
+#include "remote/remote_sender.h"
+#include "signals.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+constexpr int kLoopMs = 10;
+// Longer than the robot's patience with its tick, so that it is the robot who says why.
+constexpr std::chrono::milliseconds kCallTimeout{5'000};
+constexpr double kStatusEvery = 1;     // s
+constexpr double kEscapePause = 0.05;  // s after which an escape is the key; *assumed*
+constexpr std::size_t kMostNotes = 4;
+
+double Now() {
+  const auto now = std::chrono::steady_clock::now().time_since_epoch();
+  return std::chrono::duration<double>(now).count();
+}
+
+// The robot at the other end.
+class Robot {
+ public:
+  explicit Robot(const std::filesystem::path& socket)
+      : connection_(socket, kCallTimeout), name_(socket.stem()) {
+    Update();
+  }
+
+  const std::string& name() const { return name_; }
+  // Simulated seconds per second, as far as it is known.
+  double speed() const { return speed_; }
+
+  // Asks how it is; which also keeps the connection and shows that the robot is there.
+  void Update() {
+    const json status = json::parse(Ask("GET", "/status", ""), nullptr, false);
+    const double wanted = NumberAt(status, "/speed");
+    const double reached = NumberAt(status, "/pace/real_time_factor");
+    speed_ = std::max({wanted, reached, kSlowest});
+  }
+
+  void Set(const SetRemote& order) {
+    const RemoteReading& to = order.reading;
+    const json body{{"set",
+                     {{"keys", RemoteKeyNames(to.keys)},
+                      {"lx", to.lx},
+                      {"ly", to.ly},
+                      {"rx", to.rx},
+                      {"ry", to.ry}}},
+                    {"seconds", order.seconds}};
+    Ask("POST", "/remote", body.dump());
+  }
+
+ private:
+  static constexpr double kSlowest = 0.01;
+
+  static double NumberAt(const json& status, const char* where) {
+    const json::json_pointer pointer(where);
+    if (!status.is_object() || !status.contains(pointer)) return 0;
+    const json& value = status.at(pointer);
+    return value.is_number() ? value.get<double>() : 0;
+  }
+
+  std::string Ask(const char* method, const char* path, const std::string& body) {
+    ControlReply reply = connection_.Ask(method, path, body, kCallTimeout);
+    if (reply.status != 200) throw ControlError(name_ + ": " + reply.body);
+    return std::move(reply.body);
+  }
+
+  Connection connection_;
+  std::string name_;
+  double speed_ = 1;
+};
+
+// Keys of both; of each axis what is further from the middle.
+RemoteReading Both(const RemoteReading& one, const RemoteReading& other) {
+  const auto further = [](double a, double b) { return std::abs(a) >= std::abs(b) ? a : b; };
+  return {.there = true,
+          .keys = static_cast<std::uint16_t>(one.keys | other.keys),
+          .lx = further(one.lx, other.lx),
+          .ly = further(one.ly, other.ly),
+          .rx = further(one.rx, other.rx),
+          .ry = further(one.ry, other.ry)};
+}
+
+// The terminal as keyboard and picture.
+class TerminalRemote {
+ public:
+  explicit TerminalRemote(std::string title) : title_(std::move(title)) {}
+
+  // Waits for kLoopMs at most. False: the terminal has gone.
+  bool Poll() {
+    std::string typed;
+    const bool there = terminal_.Read(kLoopMs, &typed);
+    const double now = Now();
+    if (!typed.empty()) {
+      heard_at_ = now;
+      Take(decoder_.Feed(typed), now);
+    } else if (decoder_.waits() && now - heard_at_ >= kEscapePause) {
+      Take(decoder_.Pause(), now);
+    }
+    return there;
+  }
+
+  const Keyboard& keyboard() const { return keyboard_; }
+
+  void AddNote(const std::string& note) {
+    notes_.push_back(note);
+    if (notes_.size() > kMostNotes) notes_.erase(notes_.begin());
+  }
+
+  // Where it differs from what is on the screen.
+  void Show(const RemoteReading& reading) {
+    RemotePicture picture{.reading = reading, .title = title_, .notes = {}};
+    picture.notes = {keyboard_.keeps_next() ? "Space: the next key is kept down"
+                                            : "Space keeps a key, Esc lets go, Ctrl-C ends",
+                     keyboard_.reports_releases()
+                         ? ""
+                         : "This terminal tells no releases: a key is up after a while"};
+    picture.notes.insert(picture.notes.end(), notes_.begin(), notes_.end());
+    std::string screen = Draw(picture, terminal_.columns(), terminal_.rows());
+    if (screen == shown_) return;
+    terminal_.Write(screen);
+    shown_ = std::move(screen);
+  }
+
+ private:
+  void Take(const std::vector<TerminalEvent>& events, double now) {
+    for (const TerminalEvent& event : events) keyboard_.Take(event, now);
+  }
+
+  RawTerminal terminal_;
+  TerminalDecoder decoder_;
+  Keyboard keyboard_;
+  std::string title_;
+  std::vector<std::string> notes_;
+  std::string shown_;
+  double heard_at_ = 0;
+};
+
+}  // namespace
+
+void PlayRemote(const RemoteArguments& arguments) {
+  Robot robot(ChosenSocket(arguments.robot));
+  CatchStopSignals();
+  // First the terminal, which forks, then SDL, which may start threads.
+  std::optional<TerminalRemote> terminal;
+  if (!arguments.no_keyboard && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
+    terminal.emplace("remote controller of " + robot.name());
+  }
+  Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
+  RemoteSender sender([&](const SetRemote& order) { robot.Set(order); });
+
+  RemoteReading pad;
+  double asked_at = Now();
+  while (StopSignal() == 0) {
+    if (terminal) {
+      if (!terminal->Poll() || terminal->keyboard().wants_to_quit()) break;
+    } else {
+      std::this_thread::sleep_for(std::chrono::milliseconds(kLoopMs));
+    }
+    const std::optional<PadState> state = gamepads.Poll();
+    pad = state ? ReadPad(*state, arguments.dead_zone, pad.keys) : RemoteReading{};
+    for (const std::string& line : gamepads.TakeNews()) {
+      if (terminal) {
+        terminal->AddNote(line);
+      } else {
+        std::fprintf(stderr, "understudy remote: %s\n", line.c_str());
+      }
+    }
+
+    const double now = Now();
+    if (now - asked_at >= kStatusEvery) {
+      robot.Update();
+      asked_at = now;
+    }
+    sender.set_speed(robot.speed());
+    const RemoteReading held = terminal ? Both(terminal->keyboard().Read(now), pad) : pad;
+    // Without a terminal and a gamepad there is no remote.
+    if (terminal || state) {
+      sender.Hold(held, now);
+    } else {
+      sender.LetGo(now);
+    }
+    if (terminal) terminal->Show(held);
+  }
+  sender.LetGo(Now());
+}
+
+}  // namespace understudy

@@ -1,0 +1,14 @@
+// `understudy remote`: from keyboard and gamepad to the robot, until Ctrl-C.
+#ifndef UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
+#define UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
+
+#include "remote/arguments.h"
+
+namespace understudy {
+
+// Throws SetupError: there is no such robot, it has gone, or there is nothing to hold.
+void PlayRemote(const RemoteArguments& arguments);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_PLAY_REMOTE_H_

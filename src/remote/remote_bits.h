@@ -1,0 +1,23 @@
+// The bit of a key of the remote controller, when the program is compiled.
+#ifndef UNDERSTUDY_REMOTE_REMOTE_BITS_H_
+#define UNDERSTUDY_REMOTE_REMOTE_BITS_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "robot/remote_keys.h"
+
+namespace understudy {
+
+// A name that is none does not compile.
+consteval std::uint16_t RemoteBit(std::string_view name) {
+  for (std::size_t bit = 0; bit < kRemoteKeys.size(); ++bit) {
+    if (kRemoteKeys[bit] == name) return static_cast<std::uint16_t>(1U << bit);
+  }
+  throw "no such key of the remote controller";
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_REMOTE_BITS_H_

@@ -1,0 +1,44 @@
+// When to tell the robot what is held.
+#ifndef UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
+#define UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
+
+#include <functional>
+
+#include "sim/order.h"
+
+namespace understudy {
+
+// What is held is let go by the robot when it has not heard of it for so long [s, wall clock];
+// *assumed*: short for a robot that walks, long for a program that was held up.
+inline constexpr double kLetGoAfter = 0.5;
+inline constexpr double kRenewEvery = 0.1;    // s; four may be lost
+inline constexpr double kLeastPeriod = 0.01;  // s: changes are told at 100 Hz at most
+
+// Tells changes, and again and again what is held; nothing while nothing is, so that others can
+// use the same remote. Times are of any steady clock [s].
+class RemoteSender {
+ public:
+  using Send = std::function<void(const SetRemote&)>;
+
+  explicit RemoteSender(Send send) : send_(std::move(send)) {}
+
+  // Simulated seconds per second: orders count in the former.
+  void set_speed(double speed) { speed_ = speed; }
+
+  // To be called more often than kLeastPeriod.
+  void Hold(const RemoteReading& reading, double t);
+  void LetGo(double t);
+
+ private:
+  void Tell(const RemoteReading& reading, double t);
+
+  Send send_;
+  double speed_ = 1;
+  RemoteReading told_;
+  double told_at_ = 0;
+  bool told_any_ = false;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_REMOTE_REMOTE_SENDER_H_

@@ -1,0 +1,39 @@
+#include "robot/refusal_text.h"
+
+namespace understudy {
+
+std::string_view Explain(Refusal refusal) {
+  switch (refusal) {
+    case Refusal::kCrc:
+      return "its crc does not fit its content; fill crc last, over everything before it";
+    case Refusal::kHead:
+      return "head must be FE EF and level_flag FF";
+    case Refusal::kModeMachine:
+      return "mode_machine must repeat the one in LowState";
+    case Refusal::kModePr:
+      return "mode_pr must be 0 (PR) or 1 (AB)";
+    case Refusal::kMotorMode:
+      return "a motor's mode byte is none that this robot knows";
+    case Refusal::kMotorCount:
+      return "motor_cmd holds other than one entry per motor";
+    case Refusal::kNotFinite:
+      return "a motor's q, dq, tau, kp or kd is not a finite number";
+    case Refusal::kGain:
+      return "a motor's kp or kd is negative";
+    case Refusal::kMotionService:
+      return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
+             "ReleaseMode), or start with --released";
+    case Refusal::kNone:
+    case Refusal::kCount:
+      break;
+  }
+  return {};
+}
+
+std::string_view ExplainForHand(Refusal refusal) {
+  if (refusal != Refusal::kMotorMode) return Explain(refusal);
+  return "mode of motor_cmd[i] must be i + 16 to follow or i to lock, and 128 more to have the "
+         "motor lock by itself when commands stop";
+}
+
+}  // namespace understudy

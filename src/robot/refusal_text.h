@@ -1,0 +1,18 @@
+// What a refusal means and what to do about it, in words.
+#ifndef UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_
+#define UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_
+
+#include <string_view>
+
+#include "robot/refusal.h"
+
+namespace understudy {
+
+// One line. "" for what is none.
+std::string_view Explain(Refusal refusal);
+// The same for a command to a hand.
+std::string_view ExplainForHand(Refusal refusal);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_

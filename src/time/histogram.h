@@ -1,0 +1,29 @@
+// How often something took how long, as a plain value.
+#ifndef UNDERSTUDY_TIME_HISTOGRAM_H_
+#define UNDERSTUDY_TIME_HISTOGRAM_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace understudy {
+
+// Upper bounds [s] of the buckets; the last has none.
+inline constexpr std::array<double, 13> kHistogramBounds = {
+    5e-6, 1e-5, 2e-5, 5e-5, 1e-4, 2e-4, 5e-4, 1e-3, 2e-3, 5e-3, 1e-2, 5e-2, 2e-1};
+
+struct Histogram {
+  std::array<std::uint64_t, kHistogramBounds.size() + 1> counts{};  // by bucket, not added up
+  double sum = 0;                                                   // s
+
+  void Add(double seconds) {
+    std::size_t bucket = 0;
+    while (bucket < kHistogramBounds.size() && seconds > kHistogramBounds[bucket]) ++bucket;
+    ++counts[bucket];
+    sum += seconds;
+  }
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TIME_HISTOGRAM_H_

@@ -1,0 +1,230 @@
+#include "viewer/arguments.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <filesystem>
+#include <sstream>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+
+#include "robot/nearest_word.h"
+
+namespace understudy {
+namespace {
+
+constexpr double kLongest = 86'400;  // s of film: a day
+constexpr double kLongestRun = 1e9;  // s; a recording says where it ends
+constexpr int kSmallest = 16;        // pixels
+constexpr int kLargest = 4096;       // drawn at twice that, within what every OpenGL here takes
+
+struct ShowWord {
+  const char* word;
+  bool ShowChoice::*flag;
+};
+constexpr std::array<ShowWord, 5> kShown = {{{"contacts", &ShowChoice::contacts},
+                                             {"forces", &ShowChoice::forces},
+                                             {"com", &ShowChoice::com},
+                                             {"joints", &ShowChoice::joints},
+                                             {"collision", &ShowChoice::collision}}};
+
+// A finite number from `least` to `most`; CLI::Range takes what is no number for one.
+CLI::Validator Within(double least, double most) {
+  return {[least, most](std::string& text) {
+            double value = 0;
+            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) {
+              return std::string();
+            }
+            std::ostringstream expected;
+            expected << "expected a number from " << least << " to " << most << ", got " << text;
+            return expected.str();
+          },
+          ""};
+}
+
+std::optional<PictureSize> ReadSize(const std::string& text) {
+  PictureSize size;
+  const char* end = text.data() + text.size();
+  const auto width = std::from_chars(text.data(), end, size.width);
+  if (width.ec != std::errc() || width.ptr == end || *width.ptr != 'x') return std::nullopt;
+  const auto height = std::from_chars(width.ptr + 1, end, size.height);
+  if (height.ec != std::errc() || height.ptr != end) return std::nullopt;
+  for (const int side : {size.width, size.height}) {
+    if (side < kSmallest || side > kLargest) return std::nullopt;
+  }
+  return size;
+}
+
+void AddSize(CLI::App* command, PictureSize* size, const char* what) {
+  command
+      ->add_option_function<std::string>(
+          "--size", [size](const std::string& text) { *size = *ReadSize(text); }, what)
+      ->type_name("WxH")
+      ->check([](const std::string& text) {
+        return ReadSize(text) ? std::string()
+                              : "expected WIDTHxHEIGHT in pixels, each from 16 to 4096, as in "
+                                "1280x720; got " +
+                                    text;
+      });
+}
+
+void AddCamera(CLI::App* command, CameraChoice* camera) {
+  CLI::Option* name =
+      command->add_option("--camera", camera->name, "A camera of the model, by name");
+  const auto add = [&](const char* option, std::optional<double>* value, const char* help,
+                       double least, double most) {
+    command->add_option(option, *value, help)
+        ->check(Within(least, most))
+        ->excludes(name)
+        ->type_name("X");
+  };
+  add("--azimuth", &camera->azimuth, "Degrees; 0 looks along x, 90 along y [135]", -3600, 3600);
+  add("--elevation", &camera->elevation, "Degrees; negative looks down [-18]", -90, 90);
+  add("--distance", &camera->distance, "m from what is looked at [so that the robot fills it]",
+      0.01, 1000);
+  CLI::Option* lookat =
+      command->add_option("--lookat", camera->lookat, "X Y Z: a point of the world to look at, m")
+          ->expected(3)
+          ->check(Within(-1e4, 1e4))
+          ->type_name("X")
+          ->excludes(name);
+  command->add_option("--track", camera->track, "A body to look at and follow [the robot]")
+      ->type_name("BODY")
+      ->excludes(name)
+      ->excludes(lookat);
+}
+
+// What is wrong with words joined by commas, "" for nothing; sets what they name where `show` is
+// not null.
+std::string ReadShow(const std::string& text, ShowChoice* show) {
+  std::istringstream words(text + ",");
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto row = std::find_if(kShown.begin(), kShown.end(),
+                                  [&](const ShowWord& shown) { return word == shown.word; });
+    if (row == kShown.end()) {
+      std::vector<std::string> known;
+      for (const ShowWord& shown : kShown) known.emplace_back(shown.word);
+      return "nothing called '" + word + "' can be shown" + DidYouMean(word, known);
+    }
+    if (show != nullptr) show->*row->flag = true;
+  }
+  return {};
+}
+
+void AddShow(CLI::App* command, ShowChoice* show) {
+  command
+      ->add_option_function<std::string>(
+          "--show", [show](const std::string& text) { ReadShow(text, show); },
+          "Any of contacts, forces, com, joints, collision, joined by commas")
+      ->type_name("WHAT")
+      ->check([](const std::string& text) { return ReadShow(text, nullptr); });
+}
+
+// A name that ends in `ending`.
+CLI::Validator Ending(const std::string& ending) {
+  return {[ending](std::string& text) {
+            std::string found = std::filesystem::path(text).extension().string();
+            for (char& c : found)
+              c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+            return found == ending ? std::string()
+                                   : "expected a name that ends in " + ending + ", got " + text;
+          },
+          ""};
+}
+
+void AddPicture(CLI::App* command, PictureArguments* picture, const std::string& ending) {
+  command->add_option("out", picture->out, "The file to write")
+      ->required()
+      ->type_name("OUT" + ending)
+      ->check(Ending(ending));
+  AddRobotChoice(command, &picture->robot);
+  command
+      ->add_option("--recording", picture->recording,
+                   "An MCAP file of `understudy run --record` instead of a running robot")
+      ->type_name("FILE")
+      ->excludes("--name")
+      ->excludes("--socket");
+  AddSize(command, &picture->size, "Pixels [1280x720]");
+  AddCamera(command, &picture->camera);
+  AddShow(command, &picture->show);
+  command->add_flag("--force", picture->force, "Write over a file that is there");
+  command
+      ->add_option("--gl", picture->gl,
+                   "Which OpenGL draws it: egl or osmesa [the first that works]")
+      ->check(CLI::IsMember({"egl", "osmesa"}))
+      ->type_name("WHICH");
+}
+
+}  // namespace
+
+CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments) {
+  CLI::App* view = app->add_subcommand("view", "Look at a running robot in a window, and push it");
+  AddRobotChoice(view, &arguments->robot);
+  AddSize(view, &arguments->size, "Size of the window [1280x720]");
+  AddCamera(view, &arguments->camera);
+  AddShow(view, &arguments->show);
+  view->footer(
+      "Examples:\n"
+      "  understudy view                         the only robot that runs\n"
+      "  understudy view --name left --show forces\n"
+      "  understudy run go2 --view               a robot and its window\n"
+      "F1 in the window lists its keys. Closing it leaves the robot on the wire.");
+  return view;
+}
+
+CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments) {
+  CLI::App* snapshot = app->add_subcommand(
+      "snapshot", "Draw a picture of a running robot, or of a recording; needs no display");
+  AddPicture(snapshot, &arguments->picture, ".png");
+  snapshot->add_option("--at", arguments->at, "Second of simulated time in the recording [its end]")
+      ->check(Within(0, kLongestRun))
+      ->type_name("S")
+      ->needs("--recording");
+  snapshot->footer(
+      "Examples:\n"
+      "  understudy snapshot go2.png\n"
+      "  understudy snapshot feet.png --track FR_calf --distance 0.6 --show contacts,forces\n"
+      "  understudy snapshot fall.png --recording run.mcap --at 12.5 --size 1920x1080");
+  return snapshot;
+}
+
+CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
+  CLI::App* film = app->add_subcommand(
+      "film", "Film a running robot, or a recording, through ffmpeg; needs no display");
+  AddPicture(film, &arguments->picture, ".mp4");
+  film->add_option("--seconds", arguments->seconds,
+                   "Simulated seconds of a running robot to film [10]")
+      ->check(Within(0.1, kLongest))
+      ->type_name("S")
+      ->excludes("--recording");
+  film->add_option("--from", arguments->from, "Second of the recording to begin at [its begin]")
+      ->check(Within(0, kLongestRun))
+      ->type_name("S")
+      ->needs("--recording");
+  film->add_option("--to", arguments->to, "Second of the recording to end at [its end]")
+      ->check(Within(0, kLongestRun))
+      ->type_name("S")
+      ->needs("--recording");
+  film->add_option("--fps", arguments->fps, "Frames per second of the film [30]")
+      ->check(Within(1, 120))
+      ->type_name("N");
+  film->add_option("--speed", arguments->speed,
+                   "Simulated seconds per second of the film; 0.25 is slow motion [1]")
+      ->check(Within(0.01, 100))
+      ->type_name("X");
+  film->add_option("--orbit", arguments->orbit,
+                   "Degrees per second that the camera goes round what it looks at [0]")
+      ->check(Within(-360, 360))
+      ->type_name("X")
+      ->excludes("--camera");
+  film->footer(
+      "Examples:\n"
+      "  understudy film go2.mp4 --seconds 5\n"
+      "  understudy film slow.mp4 --recording run.mcap --from 10 --to 12 --speed 0.1 --fps 60\n"
+      "Ctrl-C ends the film where it is; what was filmed can be played.");
+  return film;
+}
+
+}  // namespace understudy

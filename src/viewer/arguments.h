@@ -1,0 +1,89 @@
+// What `understudy view`, `snapshot` and `film` are told. Knows no OpenGL: the daemon's program
+// parses these too, for --help and completions.
+#ifndef UNDERSTUDY_VIEWER_ARGUMENTS_H_
+#define UNDERSTUDY_VIEWER_ARGUMENTS_H_
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "control/robot_choice.h"
+
+namespace CLI {
+class App;
+}
+
+namespace understudy {
+
+struct PictureSize {
+  int width = 1280;  // pixels
+  int height = 720;
+};
+
+// Where to look from. What is not given is chosen so that the robot fills the picture.
+struct CameraChoice {
+  std::string name;                 // a camera of the model; "" for a free one
+  std::optional<double> azimuth;    // degrees, as in MuJoCo's free camera: 0 looks along x
+  std::optional<double> elevation;  // degrees, negative from above
+  std::optional<double> distance;   // m
+  std::vector<double> lookat;       // m, world: a point that stands; empty follows the robot
+  std::string track;                // a body to follow; "" for the robot as a whole
+  bool fixed() const { return !name.empty(); }
+};
+
+// What to draw beside the robot, each by its word; see kShown.
+struct ShowChoice {
+  bool contacts = false;   // a disc at every contact
+  bool forces = false;     // contact forces, pushes and the crane's pull
+  bool com = false;        // the robot's centre of mass, and its foot point
+  bool joints = false;     // joint axes
+  bool collision = false;  // the collision shapes instead of the visible ones
+};
+
+struct ViewArguments {
+  RobotChoice robot;
+  PictureSize size;
+  CameraChoice camera;
+  ShowChoice show;
+};
+
+// Common to one picture and many.
+struct PictureArguments {
+  std::string out;
+  RobotChoice robot;
+  std::string recording;  // an MCAP file; "" for a running robot
+  PictureSize size;
+  CameraChoice camera;
+  ShowChoice show;
+  std::string gl;  // "egl" or "osmesa"; "" for the first that works
+  bool force = false;
+};
+
+struct SnapshotArguments {
+  PictureArguments picture;
+  std::optional<double> at;  // s of simulated time, in a recording; nullopt for its end
+};
+
+struct FilmArguments {
+  PictureArguments picture;
+  double seconds = 10;         // of a running robot, simulated
+  std::optional<double> from;  // s of simulated time, in a recording
+  std::optional<double> to;
+  int fps = 30;
+  double speed = 1;  // simulated seconds per second of film
+  double orbit = 0;  // degrees per second of film that the camera goes round
+};
+
+// Each adds the subcommand with its options, which must outlive the parsing.
+CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments);
+CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments);
+CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments);
+
+// What a build that has no understudy-view says.
+inline constexpr char kViewerMissing[] =
+    "build it: apt-get install libglfw3-dev libegl-dev (or run ./tools/up), and not with "
+    "-DUNDERSTUDY_VIEWER=OFF";
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_ARGUMENTS_H_

@@ -1,0 +1,66 @@
+#include "viewer/camera_operator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace understudy {
+namespace {
+
+// *Assumed*: what looks good.
+constexpr double kAzimuth = 135;     // degrees
+constexpr double kElevation = -18;   // degrees
+constexpr double kCloseness = 0.92;  // of the distance from which the whole ball is seen
+constexpr double kLateness = 0.15;   // s that the camera is behind what it follows
+constexpr double kJump = 0.5;        // m; further is a reset, not a movement
+
+double DistanceFor(double radius, double fovy, const PictureSize& size) {
+  const double half = fovy / 2 * std::numbers::pi / 180;
+  const double aspect = static_cast<double>(size.width) / size.height;
+  const double narrow = std::min(half, std::atan(aspect * std::tan(half)));
+  return kCloseness * radius / std::sin(narrow);
+}
+
+}  // namespace
+
+CameraOperator::CameraOperator(const Stage& stage, const CameraChoice& choice,
+                               const PictureSize& size) {
+  mjv_defaultCamera(&camera_);
+  if (choice.fixed()) {
+    camera_.type = mjCAMERA_FIXED;
+    camera_.fixedcamid = stage.Camera(choice.name);
+    return;
+  }
+  const int body = choice.track.empty() ? stage.root() : stage.Body(choice.track);
+  const Ball ball = stage.BodyBall(body);
+  camera_.azimuth = choice.azimuth.value_or(kAzimuth);
+  camera_.elevation = choice.elevation.value_or(kElevation);
+  camera_.distance =
+      choice.distance.value_or(DistanceFor(ball.radius, stage.model().vis.global.fovy, size));
+  if (!choice.lookat.empty()) {
+    std::copy_n(choice.lookat.begin(), 3, camera_.lookat);
+    return;
+  }
+  std::copy(ball.center.begin(), ball.center.end(), camera_.lookat);
+  Track(stage, body);
+}
+
+void CameraOperator::Track(const Stage& stage, int body) {
+  tracked_ = body;
+  if (body < 0) return;
+  for (std::size_t i = 0; i < 3; ++i) {
+    offset_[i] = camera_.lookat[i] - stage.data().xpos[3 * static_cast<std::size_t>(body) + i];
+  }
+}
+
+void CameraOperator::Follow(const Stage& stage, double seconds) {
+  if (tracked_ < 0) return;
+  const mjtNum* at = stage.data().xpos + 3 * static_cast<std::size_t>(tracked_);
+  mjtNum way[3] = {};
+  for (std::size_t i = 0; i < 3; ++i) way[i] = at[i] + offset_[i] - camera_.lookat[i];
+  const bool jumps = mju_norm3(way) > kJump;
+  const double share = jumps ? 1 : 1 - std::exp(-std::max(seconds, 0.0) / kLateness);
+  for (std::size_t i = 0; i < 3; ++i) camera_.lookat[i] += share * way[i];
+}
+
+}  // namespace understudy

@@ -1,0 +1,129 @@
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+
+#include "control/control_error.h"
+#include "viewer/commands.h"
+#include "viewer/film_maker.h"
+#include "viewer/headless_gl.h"
+#include "viewer/live_robot.h"
+#include "viewer/progress_bar.h"
+#include "viewer/recording.h"
+#include "viewer/video_file.h"
+
+namespace understudy {
+namespace {
+
+constexpr int kMostHz = 240;                         // that a robot sends frames at
+constexpr std::chrono::milliseconds kPatience{200};  // between looks at the stop flag
+constexpr std::chrono::seconds kStandstill{2};       // until it is said that time stands still
+
+// Where the pictures go: the file from the first on, so that nothing is there that is no film.
+class Output {
+ public:
+  explicit Output(const FilmArguments& arguments) : arguments_(arguments) {
+    const PictureSize& size = arguments.picture.size;
+    if (size.width % 2 != 0 || size.height % 2 != 0) {
+      throw SetupError("--size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                       ": a film is an even number of pixels wide and high");
+    }
+    file_.emplace(arguments.picture.out, size, arguments.fps);
+  }
+
+  void Add(const Image& image) {
+    file_->Add(image);
+    ++pictures_;
+  }
+
+  // Says what it came to. A film without a picture is none.
+  void Finish() {
+    if (pictures_ == 0) throw SetupError("nothing was filmed");
+    file_->Finish();
+    std::fprintf(stderr, "%s: %d pictures, %.1f s\n", arguments_.picture.out.c_str(), pictures_,
+                 static_cast<double>(pictures_) / arguments_.fps);
+  }
+
+ private:
+  const FilmArguments& arguments_;
+  std::optional<VideoFile> file_;
+  int pictures_ = 0;
+};
+
+FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage* stage,
+                        Output* output) {
+  const PictureArguments& picture = arguments.picture;
+  return {stage,
+          picture.camera,
+          picture.show,
+          picture.size,
+          {.fps = arguments.fps,
+           .speed = arguments.speed,
+           .orbit = arguments.orbit,
+           .seconds = simulated / arguments.speed},
+          [output](const Image& image) { output->Add(image); }};
+}
+
+void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
+  const std::filesystem::path socket = ChosenSocket(arguments.picture.robot);
+  Stage stage(FetchModel(socket));
+  const auto gl = MakeHeadlessGl(arguments.picture.gl);
+  Output output(arguments);
+  const double whole = arguments.seconds / arguments.speed;
+  FilmMaker maker = MakeFilmMaker(arguments, arguments.seconds, &stage, &output);
+  // Twice as many states as pictures: those in between are then hardly guessed.
+  const int hz = static_cast<int>(std::lround(2 * arguments.fps / arguments.speed));
+  LiveRobot robot(socket, std::clamp(hz, 1, kMostHz), stage.positions());
+  {
+    ProgressBar bar(std::filesystem::path(arguments.picture.out).filename().string());
+    auto moved = std::chrono::steady_clock::now();
+    double newest = -1;
+    for (bool more = true; more && !should_stop();) {
+      for (const SceneState& state : robot.Take(kPatience)) {
+        if (state.time != newest) moved = std::chrono::steady_clock::now();
+        newest = state.time;
+        more = maker.Add(state);
+        bar.Show(maker.seconds(), whole);
+        if (!more || should_stop()) break;
+      }
+      const bool stands = std::chrono::steady_clock::now() - moved > kStandstill;
+      bar.Show(maker.seconds(), whole, stands ? "waiting: its time stands still" : "");
+      if (const std::string why = robot.gone(); more && !why.empty()) {
+        std::fprintf(stderr, "understudy: the film ends early: %s\n", why.c_str());
+        break;
+      }
+    }
+  }
+  output.Finish();
+}
+
+void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
+  const Recording recording(arguments.picture.recording);
+  const Recording::Span span = recording.Cut(arguments.from, arguments.to);
+  Stage stage(recording.ReadModel());
+  const auto gl = MakeHeadlessGl(arguments.picture.gl);
+  Output output(arguments);
+  FilmMaker maker = MakeFilmMaker(arguments, span.to - span.from, &stage, &output);
+  {
+    ProgressBar bar(std::filesystem::path(arguments.picture.out).filename().string());
+    recording.Read(span, stage.positions(), [&](const SceneState& state) {
+      const bool more = maker.Add(state) && !should_stop();
+      bar.Show(maker.seconds(), (span.to - span.from) / arguments.speed);
+      return more;
+    });
+  }
+  output.Finish();
+}
+
+}  // namespace
+
+void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
+  CheckWritable(arguments.picture.out, arguments.picture.force);
+  if (arguments.picture.recording.empty()) {
+    FilmRobot(arguments, should_stop);
+  } else {
+    FilmRecording(arguments, should_stop);
+  }
+}
+
+}  // namespace understudy

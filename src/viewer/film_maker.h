@@ -1,0 +1,55 @@
+// From states as they come to pictures at even times.
+#ifndef UNDERSTUDY_VIEWER_FILM_MAKER_H_
+#define UNDERSTUDY_VIEWER_FILM_MAKER_H_
+
+#include <functional>
+#include <optional>
+
+#include "viewer/camera_operator.h"
+#include "viewer/canvas.h"
+
+namespace understudy {
+
+// The state between two, `share` of the way from a to b: positions in between, all else as in a.
+// Where the robot was put elsewhere in between (a reset) it is a.
+SceneState Between(const mjModel& model, const SceneState& a, const SceneState& b, double share);
+
+// Draws a picture for every 1 / fps seconds of film, whatever the rate of the states.
+class FilmMaker {
+ public:
+  struct Plan {
+    int fps = 30;
+    double speed = 1;    // simulated seconds per second of film
+    double orbit = 0;    // degrees per second of film
+    double seconds = 0;  // of film; what comes after is not drawn
+  };
+
+  // `stage` must outlive this. `out` gets the pictures in order.
+  FilmMaker(Stage* stage, const CameraChoice& camera, const ShowChoice& show,
+            const PictureSize& size, const Plan& plan, std::function<void(const Image&)> out);
+
+  // The next state; the first is where the film begins, one that is not later than the one before
+  // is left out. Needs a current OpenGL context. False once the film is as long as planned.
+  bool Add(const SceneState& state);
+
+  double seconds() const { return pictures_ / static_cast<double>(plan_.fps); }  // of film so far
+
+ private:
+  void Draw(const SceneState& state);
+
+  Stage* stage_;
+  CameraChoice choice_;
+  ShowChoice show_;
+  PictureSize size_;
+  Plan plan_;
+  std::function<void(const Image&)> out_;
+  std::optional<Canvas> canvas_;
+  std::optional<CameraOperator> camera_;
+  std::optional<SceneState> last_;
+  double begin_ = 0;  // simulated s
+  int pictures_ = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_FILM_MAKER_H_

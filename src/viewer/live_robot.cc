@@ -1,0 +1,75 @@
+#include "viewer/live_robot.h"
+
+#include <utility>
+
+#include "control/client.h"
+#include "control/control_error.h"
+#include "control/control_stream.h"
+
+namespace understudy {
+namespace {
+
+constexpr std::chrono::milliseconds kPatience{10'000};  // a robot under a debugger is soon gone
+constexpr std::size_t kSecondsKept = 60;
+
+const std::string kParts = "?parts=qpos,contacts,pushes,crane,remote";
+
+std::string Get(const std::filesystem::path& socket, const std::string& path) {
+  ControlReply reply = Call(socket, "GET", path, "", kPatience);
+  if (reply.status != 200) {
+    throw ControlError("the robot at " + socket.string() + " does not answer " + path +
+                       " (HTTP status " + std::to_string(reply.status) + ")");
+  }
+  return std::move(reply.body);
+}
+
+}  // namespace
+
+ModelHandle FetchModel(const std::filesystem::path& socket) {
+  return ReadBinaryModel(Get(socket, "/scene/model"), "the robot's model");
+}
+
+SceneState FetchState(const std::filesystem::path& socket, std::size_t nq) {
+  return ReadFrame(Get(socket, "/frame" + kParts), nq);
+}
+
+LiveRobot::LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,
+                     std::function<void()> on_news)
+    : hz_(hz),
+      nq_(nq),
+      on_news_(std::move(on_news)),
+      thread_([this, socket](const std::stop_token& stop) { Receive(stop, socket); }) {}
+
+void LiveRobot::Receive(const std::stop_token& stop, const std::filesystem::path& socket) {
+  try {
+    ControlStream stream(socket, "/frames" + kParts + "&hz=" + std::to_string(hz_), kPatience);
+    while (!stop.stop_requested()) {
+      SceneState state = ReadFrame(stream.Next(), nq_);
+      {
+        const std::lock_guard lock(mutex_);
+        states_.push_back(std::move(state));
+        if (states_.size() > kSecondsKept * static_cast<std::size_t>(hz_)) states_.pop_front();
+      }
+      news_.notify_one();
+      if (on_news_) on_news_();
+    }
+  } catch (const ControlError& error) {
+    const std::lock_guard lock(mutex_);
+    gone_ = error.what();
+  }
+  news_.notify_one();
+  if (on_news_) on_news_();
+}
+
+std::deque<SceneState> LiveRobot::Take(std::chrono::milliseconds patience) {
+  std::unique_lock lock(mutex_);
+  news_.wait_for(lock, patience, [this] { return !states_.empty() || !gone_.empty(); });
+  return std::exchange(states_, {});
+}
+
+std::string LiveRobot::gone() const {
+  const std::lock_guard lock(mutex_);
+  return states_.empty() ? gone_ : std::string();
+}
+
+}  // namespace understudy

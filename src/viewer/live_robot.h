@@ -1,0 +1,57 @@
+// A running robot, for those who look at it: a client of its control plane.
+#ifndef UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
+#define UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
+
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <mutex>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "viewer/scene_state.h"
+#include "viewer/stage.h"
+
+namespace understudy {
+
+// The robot's model, compiled with what is only looked at. Throws ControlError when it does not
+// answer, ModelError when it is of another MuJoCo.
+ModelHandle FetchModel(const std::filesystem::path& socket);
+
+// Its state now. Throws ControlError.
+SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
+
+// Its states, received in a thread of their own.
+class LiveRobot {
+ public:
+  // `hz`: states per second of wall time, at most; `nq`: of its model; `on_news` is called in that
+  // thread whenever there is something to take. Throws ControlError when nobody listens.
+  LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,
+            std::function<void()> on_news = {});
+
+  // What came since the last call, oldest first. Waits up to `patience` for the first. What is not
+  // taken for a minute is forgotten.
+  std::deque<SceneState> Take(std::chrono::milliseconds patience);
+
+  // Why no more will come; "" while there may.
+  std::string gone() const;
+
+ private:
+  void Receive(const std::stop_token& stop, const std::filesystem::path& socket);
+
+  int hz_;
+  std::size_t nq_;
+  std::function<void()> on_news_;
+  mutable std::mutex mutex_;
+  std::condition_variable news_;
+  std::deque<SceneState> states_;
+  std::string gone_;
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_LIVE_ROBOT_H_

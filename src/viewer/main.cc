@@ -1,0 +1,41 @@
+// understudy-view: the program behind `understudy view`, `snapshot` and `film`.
+#include <functional>
+
+#include <CLI/CLI.hpp>
+
+#include "catch_errors.h"
+#include "exit_code.h"
+#include "signals.h"
+#include "viewer/arguments.h"
+#include "viewer/commands.h"
+
+namespace understudy {
+namespace {
+
+int Main(int argc, char** argv) {
+  CLI::App app("What looks at a robot; started by `understudy view`, `snapshot` and `film`",
+               "understudy");
+  app.require_subcommand(1);
+  ViewArguments view;
+  SnapshotArguments snapshot;
+  FilmArguments film;
+  const auto should_stop = [] { return StopSignal() != 0; };
+  AddViewCommand(&app, &view)->final_callback([&] { View(view, should_stop); });
+  AddSnapshotCommand(&app, &snapshot)->final_callback([&] { Snapshot(snapshot); });
+  AddFilmCommand(&app, &film)->final_callback([&] { Film(film, should_stop); });
+  try {
+    CatchStopSignals();
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace understudy
+
+int main(int argc, char** argv) {
+  understudy::OpenClosedStreams();
+  return understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
+}

@@ -1,0 +1,98 @@
+#include "viewer/order_sender.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <utility>
+
+#include "control/client.h"
+#include "control/control_error.h"
+#include "control/control_stream.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::chrono::milliseconds kPatience{5'000};
+constexpr std::chrono::seconds kServicePeriod{1};
+
+}  // namespace
+
+OrderSender::OrderSender(const std::filesystem::path& socket)
+    : thread_([this, socket](const std::stop_token& stop) { Run(stop, socket); }) {}
+
+void OrderSender::Send(const std::string& path, const json& body) {
+  {
+    const std::lock_guard lock(mutex_);
+    // Only the newest place of a drag counts.
+    if (path == "/drag") {
+      std::erase_if(waiting_, [&](const Order& order) { return order.path == path; });
+    }
+    waiting_.push_back({path, body});
+  }
+  news_.notify_one();
+}
+
+std::string OrderSender::TakeRefusal() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(refusal_, {});
+}
+
+std::string OrderSender::service() const {
+  const std::lock_guard lock(mutex_);
+  return service_;
+}
+
+void OrderSender::Run(const std::stop_token& stop, const std::filesystem::path& socket) {
+  while (!stop.stop_requested()) {
+    try {
+      Serve(stop, socket);
+    } catch (const ControlError& error) {
+      std::unique_lock lock(mutex_);
+      if (!waiting_.empty()) refusal_ = error.what();
+      waiting_.clear();
+      news_.wait_for(lock, stop, kServicePeriod, [] { return false; });  // then once more
+    }
+  }
+}
+
+void OrderSender::Serve(const std::stop_token& stop, const std::filesystem::path& socket) {
+  ControlStream stream(socket, "/orders", kPatience);
+  auto ask_at = std::chrono::steady_clock::now();
+  while (!stop.stop_requested()) {
+    std::optional<Order> order;
+    {
+      std::unique_lock lock(mutex_);
+      news_.wait_until(lock, stop, ask_at, [this] { return !waiting_.empty(); });
+      if (!waiting_.empty()) {
+        order = std::move(waiting_.front());
+        waiting_.pop_front();
+      }
+    }
+    if (order) {
+      stream.Send(json{{"path", order->path}, {"body", order->body}}.dump());
+      const json answer = json::parse(stream.Next(), nullptr, false);
+      if (answer.is_object() && answer.contains("error") && answer["error"].is_string()) {
+        const std::lock_guard lock(mutex_);
+        refusal_ = answer["error"];
+      }
+    }
+    if (std::chrono::steady_clock::now() >= ask_at) {
+      AskService(socket);
+      ask_at = std::chrono::steady_clock::now() + kServicePeriod;
+    }
+  }
+}
+
+void OrderSender::AskService(const std::filesystem::path& socket) {
+  const json status =
+      json::parse(Call(socket, "GET", "/status", "", kPatience).body, nullptr, false);
+  const json motion = status.is_object() ? status.value("motion", json()) : json();
+  const json service = motion.is_object() ? motion.value("service", json()) : json();
+  if (!service.is_string()) return;
+  const std::lock_guard lock(mutex_);
+  service_ = service;
+}
+
+}  // namespace understudy

@@ -1,0 +1,45 @@
+#include "viewer/progress_bar.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include <unistd.h>
+
+namespace understudy {
+
+std::string ProgressText(const std::string& what, double done, double whole, double elapsed) {
+  constexpr int kWidth = 20;
+  const double share = whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
+  const auto filled = static_cast<std::size_t>(std::floor(share * kWidth));
+  char numbers[96];
+  std::snprintf(numbers, sizeof numbers, "] %3.0f %%  %.1f of %.1f s", 100 * share, done, whole);
+  std::string text =
+      what + " [" + std::string(filled, '#') + std::string(kWidth - filled, '-') + numbers;
+  if (share > 0 && elapsed > 1) {  // before that nobody can tell
+    std::snprintf(numbers, sizeof numbers, ", %.0f s to go", elapsed * (1 - share) / share);
+    text += numbers;
+  }
+  return text;
+}
+
+ProgressBar::ProgressBar(std::string what)
+    : what_(std::move(what)), terminal_(::isatty(STDERR_FILENO) == 1) {}
+
+ProgressBar::~ProgressBar() {
+  if (drawn_) std::fputc('\n', stderr);
+}
+
+void ProgressBar::Show(double done, double whole, const std::string& note) {
+  const Clock::time_point now = Clock::now();
+  if (!terminal_ || (now < next_ && done < whole)) return;
+  next_ = now + std::chrono::milliseconds(100);
+  drawn_ = true;
+  const double elapsed = std::chrono::duration<double>(now - begin_).count();
+  // Home, the text, and clear what is left of the line before.
+  std::fprintf(stderr, "\r%s%s%s\033[K", ProgressText(what_, done, whole, elapsed).c_str(),
+               note.empty() ? "" : "  ", note.c_str());
+}
+
+}  // namespace understudy

@@ -1,0 +1,37 @@
+// How far long work has come, on a terminal.
+#ifndef UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
+#define UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
+
+#include <chrono>
+#include <string>
+
+namespace understudy {
+
+// "go2.mp4 [##########----------]  50 %  5.0 of 10.0 s, 3 s to go". `elapsed`: wall seconds since
+// the begin.
+std::string ProgressText(const std::string& what, double done, double whole, double elapsed);
+
+// A line of standard error that is drawn anew; nothing where that is no terminal.
+class ProgressBar {
+ public:
+  explicit ProgressBar(std::string what);
+  ~ProgressBar();  // leaves the line
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  // Draws at most ten times a second.
+  void Show(double done, double whole, const std::string& note = "");
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::string what_;
+  bool terminal_;
+  bool drawn_ = false;
+  Clock::time_point begin_ = Clock::now();
+  Clock::time_point next_ = begin_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_PROGRESS_BAR_H_

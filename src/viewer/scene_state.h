@@ -1,0 +1,43 @@
+// What is drawn: one instant of a robot.
+#ifndef UNDERSTUDY_VIEWER_SCENE_STATE_H_
+#define UNDERSTUDY_VIEWER_SCENE_STATE_H_
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace understudy {
+
+using Point = std::array<double, 3>;  // m, or N; world frame unless said otherwise
+
+struct SceneState {
+  struct Force {
+    Point at{};
+    Point force{};  // N
+  };
+  struct Crane {
+    Point hook{};
+    Point top{};
+    double tension = 0;  // N
+  };
+
+  std::int64_t step = 0;
+  double time = 0;   // s, simulated
+  double speed = 1;  // that was asked for; 0 is as fast as possible
+  bool paused = false;
+  std::vector<double> qpos;  // as MuJoCo has it
+  std::vector<Force> contacts;
+  std::vector<Force> pushes;
+  std::optional<Crane> crane;
+  std::string keys;  // down on the remote controller, as in "L2+B"
+};
+
+// Reads a Frame of the control plane (docs/control.md), of which at least "step", "time" and `nq`
+// numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
+SceneState ReadFrame(const std::string& text, std::size_t nq);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_SCENE_STATE_H_

@@ -1,0 +1,71 @@
+#include "viewer/screen_text.h"
+
+#include <cstdio>
+
+namespace understudy {
+namespace {
+
+constexpr double kSpan = 1.0;  // s of wall time
+
+std::string Number(const char* format, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, format, value);
+  return text;
+}
+
+}  // namespace
+
+void TextBlock::Add(const std::string& name, const std::string& value) {
+  if (!left.empty()) {
+    left += '\n';
+    right += '\n';
+  }
+  left += name;
+  right += value;
+}
+
+void RealTimeFactor::Add(double simulated, double wall) {
+  if (!last_.empty() && simulated < last_.back().first) last_.clear();
+  last_.emplace_back(simulated, wall);
+  while (last_.size() > 2 && wall - last_[1].second > kSpan) last_.pop_front();
+}
+
+double RealTimeFactor::value() const {
+  if (last_.size() < 2) return 0;
+  const double wall = last_.back().second - last_.front().second;
+  return wall > 0 ? (last_.back().first - last_.front().first) / wall : 0;
+}
+
+TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& service) {
+  TextBlock text;
+  text.Add("time", Number("%.2f s", state.time) + (state.paused ? "  PAUSED" : ""));
+  text.Add("speed",
+           (state.speed > 0 ? Number("%.4g", state.speed) : std::string("as fast as possible")) +
+               Number("  (%.2f x real time)", real_time_factor));
+  if (!service.empty()) text.Add("motors", service == "none" ? "free for rt/lowcmd" : service);
+  if (!state.keys.empty()) text.Add("remote", state.keys);
+  return text;
+}
+
+TextBlock HelpText() {
+  TextBlock text;
+  text.Add("F1", "this help");
+  text.Add("Space", "pause, go on");
+  text.Add("Right", "a step while paused; with Shift 20");
+  text.Add("+ -", "faster, slower");
+  text.Add("Backspace", "back to the start pose");
+  text.Add("C F M J X", "contacts, forces, centre of mass, joints, collision shapes");
+  text.Add("T", "follow the robot, or the selected body");
+  text.Add("[ ]", "cameras of the model");
+  text.Add("V", "the first look again");
+  text.Add("R", "keyboard as the remote controller, Esc ends it");
+  text.Add("Esc Q", "close; the robot stays on the wire");
+  text.Add("left drag", "turn; with Shift about the vertical");
+  text.Add("right drag", "move; with Shift over the ground");
+  text.Add("wheel", "nearer, further");
+  text.Add("double click", "select a body; right: look there");
+  text.Add("Ctrl drag", "pull the selected body");
+  return text;
+}
+
+}  // namespace understudy

@@ -1,0 +1,45 @@
+// An MP4 that grows picture by picture, encoded by ffmpeg.
+#ifndef UNDERSTUDY_VIEWER_VIDEO_FILE_H_
+#define UNDERSTUDY_VIEWER_VIDEO_FILE_H_
+
+#include <filesystem>
+#include <string>
+
+#include <sys/types.h>
+
+#include "exec/unique_fd.h"
+#include "viewer/arguments.h"
+#include "viewer/image.h"
+
+namespace understudy {
+
+// H.264 in 4:2:0, which every player takes, so width and height have to be even. The file has
+// another name until Finish().
+class VideoFile {
+ public:
+  // Throws SetupError when there is no ffmpeg (with the package to install).
+  VideoFile(std::filesystem::path file, const PictureSize& size, int fps);
+  // Throws away what was not finished.
+  ~VideoFile();
+  VideoFile(const VideoFile&) = delete;
+  VideoFile& operator=(const VideoFile&) = delete;
+
+  // Waits while ffmpeg is behind. Throws SetupError with ffmpeg's words when it has given up.
+  void Add(const Image& image);
+  // The file is whole, under its name, when this returns. Throws as above.
+  void Finish();
+
+ private:
+  [[noreturn]] void Fail();
+  int Wait();
+
+  std::filesystem::path file_;
+  std::filesystem::path part_;
+  UniqueFd pictures_;  // ffmpeg's standard input
+  UniqueFd words_;     // a file without a name: its standard error
+  pid_t pid_ = -1;     // -1 once it was waited for
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_VIDEO_FILE_H_

@@ -1,0 +1,75 @@
+// A window onto a running robot: what it shows, and what its keys and mouse do.
+#ifndef UNDERSTUDY_VIEWER_VIEWER_H_
+#define UNDERSTUDY_VIEWER_VIEWER_H_
+
+#include <chrono>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "viewer/live_robot.h"
+#include "viewer/order_sender.h"
+#include "viewer/pointer.h"
+#include "viewer/remote_keyboard.h"
+#include "viewer/screen_text.h"
+#include "viewer/window.h"
+
+namespace understudy {
+
+class Viewer {
+ public:
+  Viewer(const std::filesystem::path& socket, const ViewArguments& arguments);
+  ~Viewer();
+  Viewer(const Viewer&) = delete;
+  Viewer& operator=(const Viewer&) = delete;
+
+  // Until the window is closed or `should_stop`.
+  void Run(const std::function<bool()>& should_stop);
+
+ private:
+  double Now() const;  // s of wall time since the window opened
+  void Take(const WindowEvent& event);
+  void Press(const WindowEvent& key);
+  bool PressShow(int key);
+  void ChangeSpeed(double factor);
+  void ChangeCamera(int by);
+  void FollowOrNot();
+  void TakeStates();
+  void Pull();
+  void Play(const WindowEvent& key);
+  void RenewRemote();
+  void SendRemote();
+  void Draw();
+  void DrawGrip();
+  void DrawText(const mjrRect& whole);
+
+  std::filesystem::path socket_;
+  ViewArguments arguments_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Window window_;
+  Stage stage_;
+  CameraOperator camera_;
+  mjrContext context_;
+  Pointer pointer_;
+  ShowChoice show_;
+  RealTimeFactor real_time_;
+  OrderSender orders_;
+  std::string notice_;       // of a refusal
+  double notice_until_ = 0;  // s
+  double drawing_ = 0;       // s spent on it in all
+  double drawn_at_ = 0;      // s
+  double pulled_at_ = -1;    // s
+  bool pulling_ = false;
+  RemoteKeyboard remote_;
+  bool playing_remote_ = false;
+  double played_at_ = -1;  // s
+  bool help_ = false;
+  bool close_ = false;
+  bool dirty_ = true;
+  LiveRobot robot_;  // last: its thread wakes the window
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_VIEWER_VIEWER_H_

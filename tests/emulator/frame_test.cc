@@ -1,0 +1,88 @@
+// What the emulator shows of itself.
+#include <cmath>
+
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy {
+namespace {
+
+class FrameTest : public EmulatorTest {
+ protected:
+  Frame Shown(FrameParts parts = kAllFrameParts | kPartRefusals) {
+    Frame frame = emulator_->MakeFrame();
+    frame.parts = parts;
+    emulator_->Show(&frame);
+    return frame;
+  }
+};
+
+TEST_F(FrameTest, IsThereBeforeTheFirstTick) {
+  StartAs("standing");
+  const Frame frame = Shown();
+  EXPECT_EQ(frame.step, 0);
+  EXPECT_EQ(frame.body_names.size(), frame.bodies.size());
+  EXPECT_EQ(frame.motor_names.size(), frame.motors.size());
+  EXPECT_DOUBLE_EQ(frame.bodies[1][2], Height());
+}
+
+TEST_F(FrameTest, HasTheRobotWhereItIs) {
+  StartAs("standing");
+  Tick(20);
+  const Frame frame = Shown();
+  EXPECT_EQ(frame.step, 20);
+  EXPECT_DOUBLE_EQ(frame.time, 0.02);
+  EXPECT_FALSE(frame.paused);
+  EXPECT_DOUBLE_EQ(frame.bodies[1][2], Height());
+  EXPECT_NEAR(frame.positions[2], Height(), 0.01);
+  ASSERT_EQ(frame.command.size(), 6u);
+  EXPECT_GT(frame.command[0].kp, 0);
+  ASSERT_FALSE(frame.contacts.empty());
+  double lift = 0;
+  for (const ContactReading& contact : frame.contacts) {
+    EXPECT_EQ(contact.bodies[0], 0);  // the ground's geom comes first
+    lift += contact.force[2];
+  }
+  EXPECT_GT(lift, 0);
+}
+
+TEST_F(FrameTest, HasTheCraneAndItsPull) {
+  StartAs("hanging");
+  Tick(20);
+  const Frame frame = Shown(kPartCrane);
+  EXPECT_TRUE(frame.crane.attached);
+  EXPECT_GT(frame.crane.tension, 0);
+  EXPECT_GT(frame.crane.top[2], frame.crane.hook[2]);
+}
+
+TEST_F(FrameTest, HasPushesWhileTheyLast) {
+  StartAs("standing");
+  Order(PushBody{.force = {0, 5, 0}, .seconds = 0.01});
+  Tick(2);
+  const Frame frame = Shown(kPartPushes);
+  ASSERT_EQ(frame.pushes.size(), 1u);
+  EXPECT_EQ(frame.pushes[0].force[1], 5);
+  Tick(20);
+  EXPECT_TRUE(Shown(kPartPushes).pushes.empty());
+}
+
+TEST_F(FrameTest, TellsThatItIsPaused) {
+  Start();
+  Tick();
+  Order(PauseRun{.on = true});
+  emulator_->TakeOrders();
+  EXPECT_TRUE(Shown(0).paused);
+}
+
+TEST_F(FrameTest, KeepsWhatWasRefused) {
+  StartAs("standing");
+  RobotCommand bad = Torque(NAN);
+  port_.SendEveryTick(bad);
+  Tick(3);
+  const Frame frame = Shown(kPartRefusals);
+  ASSERT_EQ(frame.refusals.size(), 1u);
+  EXPECT_EQ(frame.refusals[0].reason, Refusal::kNotFinite);
+  EXPECT_EQ(frame.refusals[0].count, 3u);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,207 @@
+#include <functional>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <zstd.h>
+
+#include "tests/record/mcap_files.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+class McapReaderTest : public McapFilesTest {
+ protected:
+  // What reading such a file to its end comes to: "" when all of it could be read.
+  std::string Reading(const std::string& text) const {
+    try {
+      const McapReader reader(Holding(text));
+      MessagesOf(reader);
+      for (const McapAttachment& attachment : reader.contents().attachments) {
+        reader.ReadAttachment(attachment.name);
+      }
+      return reader.contents().cut_short;
+    } catch (const RecordError& error) {
+      return error.what();
+    }
+  }
+  static std::string ChunkText(std::uint64_t size, std::uint32_t crc,
+                               const std::string& compression, const std::string& records) {
+    BytesOut chunk;
+    chunk.Put(std::uint64_t{1});
+    chunk.Put(std::uint64_t{2});
+    chunk.Put(size);
+    chunk.Put(crc);
+    chunk.PutString(compression);
+    chunk.Put(static_cast<std::uint64_t>(records.size()));
+    chunk.PutRaw(AsBytes(records));
+    return RecordText(McapOp::kChunk, chunk);
+  }
+  static std::string ChannelText() {
+    BytesOut channel;
+    channel.Put(std::uint16_t{1});
+    channel.Put(std::uint16_t{0});
+    channel.PutString("/a");
+    channel.PutString("cdr");
+    channel.PutMap({});
+    return RecordText(McapOp::kChannel, channel);
+  }
+  static std::string MessageText(std::uint16_t channel, std::uint64_t time,
+                                 const std::string& data = "data") {
+    BytesOut message;
+    message.Put(channel);
+    message.Put(std::uint32_t{0});
+    message.Put(time);
+    message.Put(time);
+    message.PutRaw(AsBytes(data));
+    return RecordText(McapOp::kMessage, message);
+  }
+  static std::string EndText() {
+    BytesOut end, footer;
+    end.Put(std::uint32_t{0});
+    footer.Put(std::uint64_t{0});
+    footer.Put(std::uint64_t{0});
+    footer.Put(std::uint32_t{0});
+    return RecordText(McapOp::kDataEnd, end) + RecordText(McapOp::kFooter, footer) + Magic();
+  }
+};
+
+TEST_F(McapReaderTest, ReadsMessagesThatAreInNoChunk) {
+  const McapReader reader(
+      Holding(HeaderText() + ChannelText() + MessageText(1, 7) + MessageText(1, 8) + EndText()));
+  EXPECT_EQ(reader.contents().cut_short, "");
+  EXPECT_THAT(MessagesOf(reader), SizeIs(2));
+  EXPECT_THAT(MessagesOf(reader, 8, 9), SizeIs(1));
+}
+
+TEST_F(McapReaderTest, ReadsChunksThatAreNotPacked) {
+  const std::string records = ChannelText() + MessageText(1, 7);
+  EXPECT_EQ(Reading(HeaderText() + ChunkText(records.size(), Crc32(AsBytes(records)), "", records) +
+                    EndText()),
+            "");
+}
+
+TEST_F(McapReaderTest, ReadsATimeOnly) {
+  const std::vector<Kept> some = MessagesOf(McapReader(Written()), 104, 106);
+  ASSERT_THAT(some, SizeIs(3));
+  EXPECT_EQ(some.front().log_time, 104U);
+  EXPECT_EQ(some.back().log_time, 106U);
+}
+
+TEST_F(McapReaderTest, StopsWhenTheVisitorHasEnough) {
+  int seen = 0;
+  McapReader(Written()).ReadMessages(
+      [&](const McapChannel&, const McapMessage&) { return ++seen < 4; });
+  EXPECT_EQ(seen, 4);
+}
+
+TEST_F(McapReaderTest, SaysThatAFileIsNotThere) {
+  EXPECT_THAT([&] { McapReader reader(File("none.mcap")); },
+              ThrowsMessage<RecordError>(HasSubstr("none.mcap: No such file")));
+  EXPECT_THAT([&] { McapReader reader(folder_.path()); },
+              ThrowsMessage<RecordError>(HasSubstr("is not a file")));
+}
+
+TEST_F(McapReaderTest, RefusesWhatIsNoMcap) {
+  EXPECT_THAT(Reading(""), HasSubstr("is no MCAP file"));
+  EXPECT_THAT(Reading("rosbag #2.0"), HasSubstr("is no MCAP file"));
+  EXPECT_THAT(Reading(Magic()), HasSubstr("ends before its header"));
+  EXPECT_THAT(Reading(Magic() + ChannelText()), HasSubstr("expected the header"));
+}
+
+TEST_F(McapReaderTest, RefusesAHeaderThatIsTooShort) {
+  BytesOut header;
+  header.Put(std::uint32_t{1000});
+  EXPECT_THAT(Reading(Magic() + RecordText(McapOp::kHeader, header)),
+              HasSubstr("at byte 8: expected 1000 bytes and found 0"));
+}
+
+TEST_F(McapReaderTest, EndsWhereARecordIsLongerThanTheFile) {
+  BytesOut head;
+  head.Put(static_cast<std::uint8_t>(McapOp::kMessage));
+  head.Put(~std::uint64_t{0});
+  EXPECT_THAT(Reading(HeaderText() + TextOf(head.span())),
+              HasSubstr("a record of 18446744073709551615 bytes, of which the file holds 0"));
+}
+
+TEST_F(McapReaderTest, RefusesAChunkThatIsTooLargeToUnpack) {
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(std::uint64_t{1} << 40, 0, "zstd", "x")),
+              HasSubstr("at most 268435456 are unpacked"));
+}
+
+TEST_F(McapReaderTest, RefusesAChunkThatUnpacksToMoreThanItSays) {
+  const std::string large(1 << 20, 'x');
+  std::string packed(ZSTD_compressBound(large.size()), '\0');
+  packed.resize(ZSTD_compress(packed.data(), packed.size(), large.data(), large.size(), 1));
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(100, 0, "zstd", packed)),
+              HasSubstr("a chunk does not unpack"));
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(large.size() + 1, 0, "zstd", packed)),
+              HasSubstr("unpacks to 1048576 bytes, not 1048577"));
+}
+
+TEST_F(McapReaderTest, RefusesAChunkThatIsDamaged) {
+  const std::string records = ChannelText() + MessageText(1, 7);
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(records.size(), 12345, "", records)),
+              HasSubstr("a chunk's checksum does not fit it"));
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(4, 0, "zstd", "junk")),
+              HasSubstr("a chunk does not unpack"));
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(4, 0, "", "junk")), HasSubstr("expected"));
+}
+
+TEST_F(McapReaderTest, NamesACompressionThatItDoesNotKnow) {
+  EXPECT_THAT(Reading(HeaderText() + ChunkText(4, 0, "lz4", "junk")),
+              HasSubstr("packed with lz4; expected zstd"));
+}
+
+TEST_F(McapReaderTest, RefusesAMessageOfNoChannel) {
+  EXPECT_THAT(Reading(HeaderText() + MessageText(3, 7) + EndText()),
+              HasSubstr("a message of channel 3, which the file does not describe"));
+}
+
+TEST_F(McapReaderTest, RefusesAMessageThatIsTooShort) {
+  BytesOut message;
+  message.Put(std::uint16_t{1});
+  EXPECT_THAT(Reading(HeaderText() + ChannelText() + RecordText(McapOp::kMessage, message)),
+              HasSubstr("expected 4 bytes and found 0"));
+}
+
+TEST_F(McapReaderTest, RefusesASummaryThatLies) {
+  const std::string whole = FileText(Written());
+  std::string wrong = whole;
+  wrong[whole.size() - 60] ^= 1;
+  EXPECT_THAT(Reading(wrong), HasSubstr("the summary's checksum does not fit it"));
+  wrong = whole;
+  const std::uint64_t beyond = whole.size() * 2;
+  std::memcpy(wrong.data() + whole.size() - 28, &beyond, 8);
+  EXPECT_THAT(Reading(wrong), HasSubstr("the summary is said to begin at"));
+}
+
+TEST_F(McapReaderTest, RefusesAnAttachmentThatIsDamaged) {
+  std::string wrong = FileText(Written());
+  wrong[wrong.find("words")] = 'W';
+  EXPECT_THAT(Reading(wrong), HasSubstr("the attachment's checksum does not fit it"));
+}
+
+// Any one byte wrong anywhere: read or refused, in words, and never more than that.
+TEST_F(McapReaderTest, SurvivesAnyWrongByte) {
+  const std::string whole = FileText(Written(true, 4));
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string text = whole;
+    text[at] = static_cast<char>(~text[at]);
+    ASSERT_EQ(Reading(text).find('\n'), std::string::npos);
+  }
+}
+
+TEST_F(McapReaderTest, KnowsNoAttachmentThatIsNotThere) {
+  const McapReader reader(Written());
+  EXPECT_THAT([&] { reader.ReadAttachment("model.mjb"); },
+              ThrowsMessage<RecordError>(HasSubstr("holds no attachment model.mjb")));
+}
+
+}  // namespace
+}  // namespace understudy

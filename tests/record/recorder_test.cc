@@ -1,0 +1,246 @@
+#include "record/recorder.h"
+
+#include <csignal>
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <sys/resource.h>
+
+#include "bus/writer.h"
+#include "idl/std_msgs.h"
+#include "tests/bus/stranger.h"
+#include "tests/record/mcap_files.h"
+#include "tests/support/allocations.h"
+#include "tests/support/eventually.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+constexpr Topic<Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
+
+class RecorderTest : public McapFilesTest {
+ protected:
+  std::unique_ptr<Recorder> Start(const Participant& participant,
+                                  const std::filesystem::path& file) {
+    const RecordingHead head{
+        .about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}, .script = {}};
+    const Moment moment{.truth = {.qpos = {0, 0}}, .status = {}};
+    return std::make_unique<Recorder>(participant, OutputFile(file, true), head, moment,
+                                      std::chrono::milliseconds(1),
+                                      [this](const std::string& line, bool) {
+                                        const std::lock_guard lock(mutex_);
+                                        said_.push_back(line);
+                                      });
+  }
+  std::vector<std::string> said() {
+    const std::lock_guard lock(mutex_);
+    return said_;
+  }
+  // The tick of one step, which sends a greeting with its number.
+  static void Tick(Recorder* recorder, Writer<Hello>* writer, std::int64_t step) {
+    std::string text = "hello";
+    ASSERT_TRUE(writer->Write({.userID = step, .message = text.data()}));
+    recorder->Mark(step);
+    if (Moment* moment = recorder->Claim(); moment != nullptr) {
+      moment->truth.step = step + 1;
+      moment->truth.time = static_cast<double>(step + 1) * 1e-3;
+      moment->status.time = moment->truth.time;
+      recorder->Commit();
+    }
+  }
+  // In ms since the start, by topic.
+  std::map<std::string, std::vector<std::uint64_t>> Times(const McapReader& reader) {
+    const std::uint64_t start =
+        std::stoull(reader.contents().metadata.at("understudy").at("start_time_ns"));
+    std::map<std::string, std::vector<std::uint64_t>> times;
+    for (const Kept& message : MessagesOf(reader)) {
+      times[message.topic].push_back((message.log_time - start) / 1'000'000);
+    }
+    return times;
+  }
+  static std::int64_t IdOf(const Kept& message) {
+    std::int64_t id = 0;
+    std::memcpy(&id, message.data.data() + 4, sizeof(id));
+    return id;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<std::string> said_;
+};
+
+TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
+  const Participant ours("lo", 201);
+  Writer<Hello> writer(ours, kHello);
+  auto recorder = Start(ours, File());
+  for (std::int64_t step = 0; step < 20'000; ++step) {
+    Tick(recorder.get(), &writer, step);
+    while (recorder->behind()) std::this_thread::yield();
+  }
+  EXPECT_EQ(recorder->status().dropped, 0U);
+  recorder.reset();
+  const McapReader reader(File());
+  EXPECT_EQ(reader.contents().cut_short, "");
+  std::int64_t expected = 0;
+  const std::uint64_t start =
+      std::stoull(reader.contents().metadata.at("understudy").at("start_time_ns"));
+  for (const Kept& message : MessagesOf(reader)) {
+    if (message.topic != "/hello") continue;
+    ASSERT_EQ(IdOf(message), expected);
+    ASSERT_EQ(message.log_time, start + static_cast<std::uint64_t>(expected) * 1'000'000);
+    ++expected;
+  }
+  EXPECT_EQ(expected, 20'000);
+  EXPECT_EQ(Times(reader).at("understudy/truth").size(), 20'000U);
+  EXPECT_THAT(said(), IsEmpty());
+}
+
+TEST_F(RecorderTest, IsInOrderOfTime) {
+  const Participant ours("lo", 202);
+  Writer<Hello> writer(ours, kHello);
+  auto recorder = Start(ours, File());
+  for (std::int64_t step = 0; step < 2000; ++step) Tick(recorder.get(), &writer, step);
+  recorder.reset();
+  std::uint64_t last = 0;
+  for (const Kept& message : MessagesOf(McapReader(File()))) {
+    EXPECT_GE(message.log_time, last);
+    last = message.log_time;
+  }
+}
+
+TEST_F(RecorderTest, TellsClientsFromTheRobot) {
+  const Participant ours("lo", 203);
+  Writer<Hello> writer(ours, kHello);
+  auto recorder = Start(ours, File());
+  const Stranger stranger(203);
+  const Entity theirs = stranger.Writes(kHello.name);
+  std::string text = "hello";
+  const Hello hello{.userID = -1, .message = text.data()};
+  ASSERT_EQ(dds_write(theirs.handle(), &hello), DDS_RETCODE_OK);
+  Tick(recorder.get(), &writer, 0);
+  recorder.reset();
+  const McapReader reader(File());
+  std::map<std::string, std::vector<std::int64_t>> by;
+  reader.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
+    if (channel.topic == "/hello") {
+      by[channel.metadata.at("from")].push_back(IdOf({.topic = "",
+                                                      .sequence = 0,
+                                                      .log_time = 0,
+                                                      .publish_time = 0,
+                                                      .data = TextOf(message.data)}));
+    }
+    return true;
+  });
+  EXPECT_THAT(by["robot"], ElementsAre(0));
+  EXPECT_THAT(by["client"], ElementsAre(-1));
+}
+
+TEST_F(RecorderTest, FindsTopicsThatComeLater) {
+  const Participant ours("lo", 204);
+  auto recorder = Start(ours, File());
+  const Stranger stranger(204);
+  const Entity theirs = stranger.Writes("rt/later");
+  std::string text = "hello";
+  const Hello hello{.userID = 5, .message = text.data()};
+  // Until it is found nobody hears it.
+  ASSERT_TRUE(Eventually([&] {
+    dds_write(theirs.handle(), &hello);
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return dds_get_matched_subscriptions(theirs.handle(), nullptr, 0) == 1;
+  }));
+  ASSERT_EQ(dds_write(theirs.handle(), &hello), DDS_RETCODE_OK);
+  recorder.reset();
+  EXPECT_FALSE(Times(McapReader(File()))["/later"].empty());
+}
+
+// Nothing ticks: what comes belongs to the step that is next.
+TEST_F(RecorderTest, GivesMessagesOfAPauseTheTimeOfThePause) {
+  const Participant ours("lo", 205);
+  Writer<Hello> writer(ours, kHello);
+  auto recorder = Start(ours, File());
+  for (std::int64_t step = 0; step < 3; ++step) Tick(recorder.get(), &writer, step);
+  const std::uint64_t before = recorder->status().messages;
+  std::string text = "hello";
+  ASSERT_TRUE(writer.Write({.userID = 3, .message = text.data()}));
+  ASSERT_TRUE(Eventually([&] { return recorder->status().messages >= before + 1; }));
+  recorder.reset();
+  EXPECT_THAT(Times(McapReader(File()))["/hello"], ElementsAre(0, 1, 2, 3));
+}
+
+TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
+  const Participant ours("lo", 206);
+  Writer<Hello> writer(ours, kHello);
+  EXPECT_THROW(Start(ours, "/dev/full"), RecordError);
+
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before{};
+  getrlimit(RLIMIT_FSIZE, &before);
+  const rlimit few{.rlim_cur = 10'000, .rlim_max = before.rlim_max};
+  setrlimit(RLIMIT_FSIZE, &few);
+  auto recorder = Start(ours, File());
+  std::int64_t step = 0;
+  EXPECT_TRUE(Eventually([&] {
+    if (!recorder->behind()) Tick(recorder.get(), &writer, step++);
+    return recorder->status().state == RecordingState::kFailed;
+  }));
+  setrlimit(RLIMIT_FSIZE, &before);
+  EXPECT_EQ(recorder->Claim(), nullptr);
+  EXPECT_FALSE(recorder->behind());
+  EXPECT_TRUE(Eventually([&] { return !said().empty(); }));
+  recorder.reset();
+  ASSERT_THAT(said(), SizeIs(1));
+  EXPECT_THAT(said()[0], HasSubstr("File too large: nothing more is recorded; the robot goes on"));
+  const McapReader reader(File());  // what is there can be read
+  EXPECT_EQ(reader.contents().metadata.at("understudy").at("robot"), "go2");
+}
+
+TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
+  const Participant ours("lo", 207);
+  auto recorder = Start(ours, File());
+  const dds_topic_descriptor& known = HelloWorldData_Msg_desc;
+  const dds_topic_descriptor unknown{.m_size = known.m_size,
+                                     .m_align = known.m_align,
+                                     .m_flagset = 0,
+                                     .m_nkeys = 0,
+                                     .m_typename = "somebody::Else",
+                                     .m_keys = nullptr,
+                                     .m_nops = known.m_nops,
+                                     .m_ops = known.m_ops,
+                                     .m_meta = "",
+                                     .type_information = {},
+                                     .type_mapping = {},
+                                     .restrict_data_representation = 0};
+  const Entity topic(dds_create_topic(ours.handle(), &unknown, "rt/else", nullptr, nullptr),
+                     "topic");
+  const Entity writer(dds_create_writer(ours.handle(), topic.handle(), nullptr, nullptr), "writer");
+  EXPECT_TRUE(Eventually([&] { return !said().empty(); }));
+  recorder.reset();
+  EXPECT_THAT(said(), ElementsAre("topic rt/else is not recorded: its type somebody::Else is none "
+                                  "of the vendor's"));
+}
+
+TEST_F(RecorderTest, AllocatesNothingInTheLoopsThread) {
+  const Participant ours("lo", 208);
+  auto recorder = Start(ours, "/dev/null");
+  std::uint64_t counted = 0;
+  for (std::int64_t step = 0; step < 1000; ++step) {
+    const std::uint64_t before = AllocationsOfThisThread();
+    recorder->Mark(step);
+    if (Moment* moment = recorder->Claim(); moment != nullptr) {
+      moment->truth.step = step + 1;
+      moment->truth.qpos.assign(2, 1.0);
+      recorder->Commit();
+    }
+    counted += AllocationsOfThisThread() - before;
+  }
+  EXPECT_EQ(counted, 0U);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,70 @@
+#include "remote/remote_sender.h"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace understudy {
+namespace {
+
+class RemoteSenderTest : public ::testing::Test {
+ protected:
+  // Every 5 ms from `from` to `to`.
+  void HoldFor(const RemoteReading& reading, double from, double to) {
+    for (double t = from; t < to; t += 0.005) sender_.Hold(reading, t);
+  }
+
+  std::vector<SetRemote> sent_;
+  RemoteSender sender_{[this](const SetRemote& order) { sent_.push_back(order); }};
+};
+
+constexpr RemoteReading kB{.keys = 0x200};
+
+TEST_F(RemoteSenderTest, SwitchesTheRemoteOnAndIsThenSilentWhileNothingIsHeld) {
+  HoldFor({}, 0, 60);
+  ASSERT_EQ(sent_.size(), 1u);
+  EXPECT_EQ(sent_[0].reading.keys, 0);
+}
+
+TEST_F(RemoteSenderTest, TellsAChangeAtOnce) {
+  HoldFor({}, 0, 1);
+  sender_.Hold(kB, 1);
+  ASSERT_EQ(sent_.size(), 2u);
+  EXPECT_EQ(sent_[1].reading.keys, 0x200);
+  sender_.Hold({}, 1.02);
+  ASSERT_EQ(sent_.size(), 3u);
+  EXPECT_EQ(sent_[2].reading.keys, 0);
+}
+
+TEST_F(RemoteSenderTest, SaysAgainWhatIsHeldLongBeforeItWouldBeLetGo) {
+  HoldFor(kB, 0, 1);
+  EXPECT_GE(sent_.size(), 9u);
+  EXPECT_LE(sent_.size(), 12u);
+  EXPECT_EQ(sent_[0].seconds, kLetGoAfter);
+  EXPECT_LT(4 * kRenewEvery, kLetGoAfter);
+}
+
+TEST_F(RemoteSenderTest, TellsNoMoreThanAHundredChangesASecond) {
+  for (int i = 0; i < 1000; ++i) sender_.Hold({.lx = i / 1000.0}, i / 1000.0);
+  EXPECT_LE(sent_.size(), 101u);
+  EXPECT_GE(sent_.size(), 90u);
+}
+
+TEST_F(RemoteSenderTest, CountsInTheRobotsTime) {
+  sender_.set_speed(20);
+  sender_.Hold(kB, 0);
+  EXPECT_EQ(sent_[0].seconds, 20 * kLetGoAfter);
+}
+
+TEST_F(RemoteSenderTest, LetsGoOnce) {
+  sender_.LetGo(0);
+  EXPECT_TRUE(sent_.empty());
+  sender_.Hold(kB, 0);
+  sender_.LetGo(0.001);
+  sender_.LetGo(0.002);
+  ASSERT_EQ(sent_.size(), 2u);
+  EXPECT_EQ(sent_[1].reading.keys, 0);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,363 @@
+"""The panel in a browser, as a person uses it: looked at, dragged, pressed, in Debian's Chromium."""
+
+import struct
+import tempfile
+
+import pytest
+
+from chromium import Chromium
+from peers import GoLowCmd, go_command, listener, speaker
+from robots import Robot, eventually
+
+DOMAIN = 7  # of the robot that tests share
+DESK = {"width": 1100, "height": 700}
+PHONE = {"width": 390, "height": 844, "touch": True}
+
+# A small copy of what the view shows now: [r, g, b, a, ...] of 48 x 32 points.
+PIXELS = """(() => {
+  const { view } = panel;
+  view.place(view.frame);
+  view.renderer.render(view.scene, view.camera);
+  const small = Object.assign(document.createElement("canvas"), { width: 48, height: 32 });
+  const context = small.getContext("2d");
+  context.drawImage(view.canvas, 0, 0, 48, 32);
+  return [...context.getImageData(0, 0, 48, 32).data];
+})()"""
+
+# Where the base is on the screen [px].
+BASE_ON_SCREEN = """(() => {
+  const { view } = panel;
+  const at = view.bodies[view.base].position.clone().project(view.camera);
+  const box = view.canvas.getBoundingClientRect();
+  return [box.x + (at.x + 1) / 2 * box.width, box.y + (1 - at.y) / 2 * box.height];
+})()"""
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with Chromium() as chromium:
+        yield chromium
+
+
+@pytest.fixture
+def visit(browser):
+    """visit(url, ...): a page of the panel that shows the robot. Its console has to stay silent."""
+    pages = []
+
+    def open_page(url, **how):
+        pages.append(shown(browser.page(url, **{**DESK, **how})))
+        return pages[-1]
+
+    yield open_page
+    for page in pages:
+        page.close()
+        assert page.errors == []
+
+
+@pytest.fixture(scope="module")
+def dog():
+    """A Go2 that stands, for all tests to which it does not matter what was done to it before; on a
+    domain of its own, beside those that other tests start."""
+    with tempfile.TemporaryDirectory(prefix="understudy-") as folder, \
+            pytest.MonkeyPatch.context() as patch:
+        patch.setenv("UNDERSTUDY_RUNTIME_DIR", folder)
+        robot = Robot("go2", "--domain", DOMAIN, "--released", "--start", "standing")
+        robot.wait_ready()
+        yield robot
+        robot.end()
+
+
+@pytest.fixture(scope="module")
+def dogs_page(browser, dog):
+    return shown(browser.page(url_of(dog), **DESK))
+
+
+@pytest.fixture
+def page(dogs_page):
+    """The panel of that Go2."""
+    yield dogs_page
+    assert dogs_page.errors == []
+
+
+def shown(page):
+    page.becomes("window.panel?.view.placed")
+    return page
+
+
+def url_of(robot):
+    """What the robot says at its start."""
+    return "http" + robot.heard("panel: http")["message"].split("panel: http")[1].split()[0]
+
+
+def show(page, tab):
+    page.evaluate(f"document.getElementById('tab-{tab}').click()")
+
+
+def differing(before, after):
+    """The share of points that are clearly not the same."""
+    changed = sum(any(abs(a - b) > 12 for a, b in zip(before[i:i + 3], after[i:i + 3]))
+                  for i in range(0, len(before), 4))
+    return changed / (len(before) / 4)
+
+
+def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
+    robot = play("go2", "--start", "hanging")
+    page = visit(url_of(robot))
+    before = page.evaluate(PIXELS)
+    colours = {tuple(before[i:i + 3]) for i in range(0, len(before), 4)}
+    assert len(colours) > 30
+
+    show(page, "rig")
+    page.click("#crane-hook")
+
+    robot.becomes(lambda now: not now["crane"]["attached"] and now["base"]["height"] < 0.4)
+    page.becomes("panel.view.frame.bodies[panel.view.base][2] < 0.4")
+    page.evaluate("panel.view.home()")
+    assert differing(before, page.evaluate(PIXELS)) > 0.02
+    host = url_of(robot).split("#")[0]
+    assert [url for url in page.requests if not url.startswith(host)] == []
+
+
+def test_a_drag_in_the_view_pulls_the_robot_until_it_is_let_go(page):
+    page.click("#push-tool")
+    x, y = page.evaluate(BASE_ON_SCREEN)
+    start = page.evaluate("panel.view.frame.bodies[panel.view.base]")
+
+    page.mouse("mousePressed", x, y)
+    for way in range(0, 160, 20):
+        page.mouse("mouseMoved", x + way, y)
+    page.becomes("panel.view.frame.pushes.length > 0")
+    page.becomes(f"Math.hypot(panel.view.frame.bodies[panel.view.base][0] - {start[0]},"
+                 f"panel.view.frame.bodies[panel.view.base][1] - {start[1]}) > 0.02")
+    page.mouse("mouseReleased", x + 140, y, held=False)
+
+    page.becomes("panel.view.frame.pushes.length === 0")
+
+
+def remote_bytes(samples):
+    """Keys, and sticks in hundredths, as a program reads them from LowState."""
+    def read(message):
+        data = bytes(message.wireless_remote)
+        sticks = [round(100 * struct.unpack_from("<f", data, at)[0]) for at in (4, 8, 12, 20)]
+        return struct.unpack_from("<H", data, 2)[0], dict(zip(("lx", "rx", "ry", "ly"), sticks))
+
+    return [read(sample) for sample in samples]
+
+
+def test_keys_of_the_keyboard_reach_wireless_remote(page):
+    with listener(domain=DOMAIN) as program:
+        page.key("keyDown", "KeyA", "a")
+        page.key("keyDown", "KeyE", "e")
+        eventually(lambda: any(keys == 1 << 8 and sticks["ly"] == 100
+                               for keys, sticks in remote_bytes(program.take())), what="A, forward")
+        page.key("keyUp", "KeyA", "a")
+        page.key("keyUp", "KeyE", "e")
+
+        eventually(lambda: any(keys == 0 and sticks["ly"] == 0
+                               for keys, sticks in remote_bytes(program.take())), what="let go")
+
+
+def test_a_gamepad_reaches_wireless_remote(page):
+    # As the browser shows one: L2 (button 6) and B (1) pressed, the right stick to the left.
+    page.evaluate("""navigator.getGamepads = () => [{ mapping: "standard", id: "pad",
+        buttons: Array.from({ length: 16 }, (_, i) => ({ pressed: i === 6 || i === 1 })),
+        axes: [0.01, 0, -1, 0] }], 0""")
+
+    with listener(domain=DOMAIN) as program:
+        eventually(lambda: any(
+            keys == (1 << 5 | 1 << 9) and sticks["rx"] == -100 and sticks["lx"] == 0
+            for keys, sticks in remote_bytes(program.take())), what="L2+B, left")
+    assert page.text("#gamepad") == "gamepad: pad"
+    page.evaluate("navigator.getGamepads = () => [], 0")
+
+
+def test_a_refused_command_is_an_event_with_its_reason(page):
+    said = "document.getElementById('event-list').textContent.includes('rt/lowcmd (crc): its crc')"
+
+    with speaker("rt/lowcmd", GoLowCmd, DOMAIN) as program:
+        program.speak_until(lambda: page.evaluate(said), go_command())
+
+
+def test_pause_stops_time_and_a_step_is_one_tick(page):
+    page.click("#pause")
+    page.becomes("panel.view.frame.paused && !document.getElementById('step').disabled")
+    step = page.evaluate("panel.view.frame.step")
+    page.click("#step")
+    page.becomes(f"panel.view.frame.step === {step + 1}")
+    page.click("#pause")
+
+    page.becomes(f"!panel.view.frame.paused && panel.view.frame.step > {step + 100}")
+
+
+def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
+    span = "(([from, to]) => to - from)(panel.plots.plots[0].dygraph.xAxisRange())"
+    page.becomes(f"panel.plots.plots[0].dygraph && {span} > 1")
+    before = page.evaluate(span)
+    x, y = page.middle(".chart")
+
+    page.mouse("mousePressed", x - 30, y)
+    page.mouse("mouseMoved", x + 30, y)
+    page.mouse("mouseReleased", x + 30, y, held=False)
+    page.becomes(f"panel.plots.held && {span} < {0.8 * before}")
+    for kind, held, count in (("mousePressed", True, 1), ("mouseReleased", False, 1),
+                              ("mousePressed", True, 2), ("mouseReleased", False, 2)):
+        page.mouse(kind, x, y, held, clickCount=count)
+
+    page.becomes("!panel.plots.held")
+
+
+def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
+    page.becomes("panel.plots.history.end - panel.plots.history.begin > 50")
+
+    page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
+                  "(document.querySelector('.plot input'))")
+
+    page.becomes("panel.plots.plots[0].names.includes('battery voltage') &&"
+                 "panel.plots.plots[0].dygraph.numRows() > 20")
+
+
+def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):
+    before = page.evaluate("panel.plots.history.end")
+
+    page.evaluate("panel.link.frames.close(), 0")
+
+    page.becomes("panel.link.frames.readyState === 1 && document.getElementById('lost').hidden")
+    page.becomes(f"panel.plots.history.end > {before} + 20")
+
+
+def test_speed_is_chosen_in_the_bar(page):
+    choose = ("(s => {{ s.value = '{}'; s.dispatchEvent(new Event('change')); }})"
+              "(document.getElementById('speed'))")
+
+    page.evaluate(choose.format("0.5"))
+    page.becomes("panel.view.frame.speed === 0.5")
+    page.evaluate(choose.format("1"))
+
+    page.becomes("panel.view.frame.speed === 1")
+
+
+def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
+    robot = play("g1")
+    page = visit(url_of(robot), **PHONE)
+    for tab in ("plots", "motors", "rig", "events", "remote"):
+        show(page, tab)
+        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
+        assert page.evaluate(
+            f"document.getElementById('{tab}').getBoundingClientRect().right <= innerWidth"), tab
+
+    # Two thumbs: a chord that a mouse could not press.
+    keys = [page.middle("[data-key=R2]"), page.middle("[data-key=X]")]
+    page.call("Input.dispatchTouchEvent", type="touchStart",
+              touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(keys)])
+    robot.becomes(lambda now: set(now["remote"]["keys"].split("+")) == {"R2", "X"})
+    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    robot.becomes(lambda now: now["remote"]["keys"] == "")
+
+
+CONTRAST = """(() => {
+  const style = getComputedStyle(document.documentElement);
+  const light = (name) => {
+    const probe = document.createElement("i");
+    probe.style.color = style.getPropertyValue(name);
+    document.body.append(probe);
+    const [r, g, b] = getComputedStyle(probe).color.match(/[0-9.]+/g).map((part) => part / 255)
+      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
+    probe.remove();
+    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
+  };
+  const against = (text, ground) => {
+    const [low, high] = [light(text), light(ground)].sort((a, b) => a - b);
+    return (high + 0.05) / (low + 0.05);
+  };
+  return { ground: light("--panel"),
+           least: Math.min(...["--text", "--muted", "--accent", "--good", "--warn", "--bad"]
+             .map((name) => against(name, "--panel"))) };
+})()"""
+
+
+def test_it_is_legible_in_light_and_in_dark(page):
+    light = page.evaluate(CONTRAST)
+    page.scheme("dark")
+    dark = page.evaluate(CONTRAST)
+    page.scheme("light")
+
+    assert light["ground"] > 0.8 and dark["ground"] < 0.05
+    assert min(light["least"], dark["least"]) >= 4.5  # WCAG 2 AA for text
+
+
+def test_every_control_can_be_reached_by_tab_and_has_a_name(page):
+    page.call("Accessibility.enable")
+
+    nodes = page.call("Accessibility.getFullAXTree")["nodes"]
+
+    roles = {"button", "combobox", "checkbox", "textbox", "searchbox", "spinbutton", "tab"}
+    controls = [node for node in nodes
+                if not node.get("ignored") and node["role"]["value"] in roles]
+    assert len(controls) > 40
+    assert [node for node in controls if not node["name"].get("value")] == []
+    # Of tabs the chosen one alone is in the row; arrow keys reach the others.
+    assert page.evaluate("""[...document.querySelectorAll("button, select, input")].filter((one) =>
+        one.tabIndex < 0 && !(one.role === "tab" && one.ariaSelected === "false")).length""") == 0
+
+
+def test_without_the_token_one_may_only_look(dog, visit):
+    page = visit(url_of(dog).split("#")[0])
+
+    assert "has no token" in page.text("#token")
+    assert page.evaluate("[...document.querySelectorAll('.orders')].every((one) => one.disabled)")
+    page.becomes("panel.view.frame.motors.length === 12")
+
+
+def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play, visit):
+    first = play("go2")
+    page = visit(url_of(first))
+    port = url_of(first).split(":")[2].split("/")[0]
+
+    first.end()
+    page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
+    second = play("go2", "--set", f"control.port={port}")
+    page.becomes("document.getElementById('token')?.textContent.includes('Open the new URL')")
+    assert page.evaluate("document.getElementById('lost').hidden")
+    page.call("Page.navigate", url=url_of(second))
+
+    page.becomes("document.body && !document.body.classList.contains('looking')")
+    page.errors.clear()  # the browser reports a server that is not there and a token refused
+
+
+def test_its_modules_do_what_they_say(page):
+    def module(name, expression):
+        return page.evaluate(f"import('/panel/{name}.js').then((m) => {expression})")
+
+    # A history forgets the oldest, keeps peaks when thinned and begins anew when time does.
+    assert module("history", """{
+        const history = new m.History(2, 100);
+        for (let i = 0; i < 150; ++i) history.push(i, (k) => (i === 77 ? 9 : k));
+        const rows = history.rows([0, 1], -Infinity, 20);
+        const all = { count: history.end - history.begin, oldest: history.oldest,
+                      rows: rows.length, peak: Math.max(...rows.map((row) => row[1])) };
+        history.push(3, () => 0);
+        return { ...all, anew: history.newest, left: history.end - history.begin };
+      }""") == {"count": 100, "oldest": 50, "rows": 20, "peak": 9, "anew": 3, "left": 1}
+    # Both ways at once is neither; of two hands the one that goes further counts.
+    assert module("remote_inputs", "m.orderOf(m.together([m.fromKeyboard(['w', 'b', 'e'], true),"
+                  "m.fromKeyboard(['s', 'f', 'j'])]))") == {
+                      "keys": "B+L2", "lx": 0, "ly": 0.5, "rx": -1, "ry": 0}
+    assert module("motor_table", "[84, 71, 60].map((c) => m.temperatureLevel(c + 1, 85))") == [
+        "bad", "warn", ""]
+    assert module("motor_table", "[0, 0.01, 0.5, 1].map(m.positionLevel)") == [
+        "bad", "warn", "", "bad"]
+    roll, pitch, yaw = module("signals", "m.rollPitchYaw([0.5, 0.5, 0.5, 0.5])")
+    assert (roll, pitch, yaw) == pytest.approx((1.5708, 0, 1.5708), abs=1e-4)
+    # A mesh and a height field as they come over the wire: the first row of heights is that of least y.
+    assert module("geoms", """{
+        const words = new Uint32Array([3, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2]);
+        new Float32Array(words.buffer, 8, 9).set([0, 0, 0, 1, 0, 0, 0, 2, 0]);
+        const mesh = m.meshGeometry(words.buffer);
+        const field = new Uint32Array([2, 3, 0, 0, 0, 0, 0, 0]);
+        new Float32Array(field.buffer, 8, 6).set([1, 0, 0, 0, 0, 0]);
+        const ground = m.heightFieldGeometry(field.buffer, [3, 2, 0.5, 0.1]).attributes.position;
+        const top = [...Array(6).keys()].find((i) => ground.getZ(i) > 0);
+        return { normal: [...mesh.attributes.normal.array.slice(0, 3)], faces: mesh.index.count / 3,
+                 top: [ground.getX(top), ground.getY(top), ground.getZ(top)] };
+      }""") == {"normal": [0, 0, 1], "faces": 1, "top": [-3, -2, 0.5]}

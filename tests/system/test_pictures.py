@@ -1,0 +1,199 @@
+"""Pictures and films without a display: `understudy snapshot` and `understudy film`."""
+
+import json
+import os
+import signal
+import struct
+import subprocess
+import time
+
+import pytest
+
+from robots import PATIENCE, eventually
+
+
+def without_display():
+    return {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+
+
+def size_of(png):
+    head = png.read_bytes()[:24]
+    assert head[:8] == b"\x89PNG\r\n\x1a\n"
+    return struct.unpack(">II", head[16:24])
+
+
+def colors_of(png):
+    """How many different pixels a picture has."""
+    raw = subprocess.run(["ffmpeg", "-loglevel", "error", "-i", png, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"],
+                         capture_output=True, check=True).stdout
+    return len({raw[i:i + 3] for i in range(0, len(raw), 3)})
+
+
+def probe(film):
+    """What ffprobe says of the pictures in a film."""
+    done = subprocess.run(["ffprobe", "-v", "error", "-count_frames", "-show_streams", "-of", "json", film],
+                          capture_output=True, check=True)
+    stream, = json.loads(done.stdout)["streams"]
+    return stream
+
+
+
+@pytest.mark.parametrize("gl", ["egl", "osmesa"])
+def test_a_snapshot_has_the_size_that_was_asked_for_and_something_in_it(play, understudy, tmp_path, gl):
+    robot = play("go2")
+    picture = tmp_path / "go2.png"
+    done = understudy("snapshot", picture, "--name", robot.name, "--size", "200x120", "--gl", gl,
+                      env=without_display())
+
+    assert done.returncode == 0, done.stderr
+    assert size_of(picture) == (200, 120)
+    assert colors_of(picture) > 100
+
+
+def test_a_snapshot_shows_what_is_asked_for(play, understudy, tmp_path):
+    robot = play("go2", "--start", "hanging")
+    plain, collision = tmp_path / "plain.png", tmp_path / "collision.png"
+    look = ("--name", robot.name, "--size", "160x120", "--track", "FR_calf", "--distance", 1)
+    assert understudy("snapshot", plain, *look).returncode == 0
+    assert understudy("snapshot", collision, *look, "--show", "collision,com,joints").returncode == 0
+    assert plain.read_bytes() != collision.read_bytes()
+
+
+def test_a_snapshot_is_refused_with_a_reason(play, understudy, tmp_path):
+    robot = play("go2")
+    there = tmp_path / "there.png"
+    there.write_bytes(b"mine")
+    here = ("--name", robot.name, "--size", "32x32")
+    for arguments, code, words in (
+            ((there, *here), 1, ["there.png", "--force"]),
+            ((tmp_path / "no" / "a.png", *here), 1, ["no folder"]),
+            ((tmp_path / "a.png", *here, "--camera", "front"), 4, ["front"]),
+            ((tmp_path / "a.png", *here, "--track", "FR_caf"), 4, ["FR_caf", "FR_calf"]),
+            ((tmp_path / "a.jpg", *here), 2, [".png"]),
+            ((tmp_path / "a.png", "--name", robot.name, "--size", "0x9"), 2, ["WIDTHxHEIGHT"]),
+            ((tmp_path / "a.png", "--name", "nobody"), 1, ["nobody"])):
+        done = understudy("snapshot", *arguments)
+        assert done.returncode == code, (arguments, done.stderr)
+        for word in words:
+            assert word in done.stderr + done.stdout
+    assert there.read_bytes() == b"mine"
+    assert understudy("snapshot", there, *here, "--force").returncode == 0
+    assert size_of(there) == (32, 32)
+
+
+def test_a_film_is_as_long_as_was_asked_for(play, understudy, tmp_path):
+    robot = play("go2")
+    film = tmp_path / "go2.mp4"
+    done = understudy("film", film, "--name", robot.name, "--seconds", 1, "--fps", 10, "--size", "160x90",
+                      "--orbit", 40, env=without_display())
+
+    assert done.returncode == 0, done.stderr
+    stream = probe(film)
+    assert (stream["width"], stream["height"]) == (160, 90)
+    assert stream["codec_name"] == "h264"
+    assert int(stream["nb_read_frames"]) == 10
+    assert float(stream["duration"]) == pytest.approx(1)
+    assert list(tmp_path.iterdir()) == [film]
+
+
+def test_ctrl_c_ends_a_film_that_can_be_played(play, tmp_path):
+    robot = play("go2")
+    film = tmp_path / "go2.mp4"
+    process = subprocess.Popen([os.environ["UNDERSTUDY"], "film", film, "--name", robot.name, "--seconds", "600",
+                                "--fps", "10", "--size", "160x90"], stderr=subprocess.PIPE, text=True)
+    eventually(lambda: list(tmp_path.glob("*.part")))
+    time.sleep(2)
+    process.send_signal(signal.SIGINT)
+    _, said = process.communicate(timeout=PATIENCE)
+
+    assert process.returncode == 0, said
+    assert 1 <= int(probe(film)["nb_read_frames"]) < 100
+    assert list(tmp_path.iterdir()) == [film]
+
+
+def test_a_film_of_a_robot_that_ends_is_whole(play, tmp_path):
+    robot = play("go2")
+    film = tmp_path / "go2.mp4"
+    process = subprocess.Popen([os.environ["UNDERSTUDY"], "film", film, "--name", robot.name, "--seconds", "600",
+                                "--fps", "10", "--size", "160x90"], stderr=subprocess.PIPE, text=True)
+    eventually(lambda: list(tmp_path.glob("*.part")))
+    time.sleep(1)
+    robot.end()
+    _, said = process.communicate(timeout=PATIENCE)
+
+    assert process.returncode == 0, said
+    assert "ends early" in said
+    assert int(probe(film)["nb_read_frames"]) >= 1
+
+
+def test_a_film_is_refused_with_a_reason(play, understudy, tmp_path):
+    robot = play("go2")
+    there = tmp_path / "there.mp4"
+    there.write_bytes(b"mine")
+    here = ("--name", robot.name, "--size", "32x32", "--seconds", 0.2)
+    for arguments, code, word in (
+            ((there, *here), 1, "--force"),
+            ((tmp_path / "a.avi", *here), 2, ".mp4"),
+            ((tmp_path / "a.mp4", "--name", robot.name, "--size", "33x32"), 1, "even"),
+            ((tmp_path / "a.mp4", *here, "--fps", 0), 2, "--fps")):
+        done = understudy("film", *arguments)
+        assert done.returncode == code, (arguments, done.stderr)
+        assert word in done.stderr + done.stdout
+    assert there.read_bytes() == b"mine"
+
+
+def test_a_film_without_ffmpeg_names_the_package(play, understudy, tmp_path):
+    robot = play("go2")
+    done = understudy("film", tmp_path / "a.mp4", "--name", robot.name, "--size", "32x32",
+                      env={**os.environ, "PATH": str(tmp_path)})
+    assert done.returncode == 1
+    assert "apt-get install ffmpeg" in done.stderr
+
+
+@pytest.fixture(scope="module", name="recording")
+def recording_fixture(tmp_path_factory):
+    """A second of a Go2 that falls: it was held up, and nobody commands it."""
+    file = tmp_path_factory.mktemp("recording") / "fall.mcap"
+    subprocess.run([os.environ["UNDERSTUDY"], "exec", "go2", "--released", "--start", "hanging", "--speed", "max",
+                    "--record", file, "--overwrite", "--", "sleep", "2"], check=True, timeout=PATIENCE)
+    return file
+
+
+def test_a_recording_is_drawn_at_the_time_that_was_asked_for(understudy, recording, tmp_path):
+    pictures = [tmp_path / "begin.png", tmp_path / "later.png", tmp_path / "again.png"]
+    for picture, at in zip(pictures, (0, 1, 1), strict=True):
+        done = understudy("snapshot", picture, "--recording", recording, "--at", at, "--size", "160x90",
+                          "--lookat", 0, 0, 0.3, env=without_display())
+        assert done.returncode == 0, done.stderr
+        assert size_of(picture) == (160, 90)
+        assert colors_of(picture) > 100
+    begin, later, again = (picture.read_bytes() for picture in pictures)
+    assert begin != later
+    assert later == again
+
+
+def test_a_film_of_a_recording_is_as_long_as_its_part(understudy, recording, tmp_path):
+    film = tmp_path / "fall.mp4"
+    done = understudy("film", film, "--recording", recording, "--from", 0.2, "--to", 0.7, "--speed", 0.5, "--fps", 10,
+                      "--size", "160x90", env=without_display())
+    assert done.returncode == 0, done.stderr
+    assert int(probe(film)["nb_read_frames"]) == 10
+
+
+def test_what_is_no_recording_or_no_time_of_it_is_refused_with_a_reason(understudy, recording, tmp_path):
+    other = tmp_path / "other.mcap"
+    other.write_bytes(b"not a recording")
+    picture, film = tmp_path / "a.png", tmp_path / "a.mp4"
+    for arguments, code, word in (
+            (("snapshot", picture, "--recording", other), 9, "other.mcap"),
+            (("snapshot", picture, "--recording", tmp_path / "none.mcap"), 9, "none.mcap"),
+            (("snapshot", picture, "--recording", recording, "--at", 1e6), 1, "1000000"),
+            (("snapshot", picture, "--at", 1), 2, "--recording"),
+            (("snapshot", picture, "--recording", recording, "--name", "dog"), 2, "--name"),
+            (("film", film, "--recording", recording, "--from", 0.5, "--to", 0.1), 1, "0.5"),
+            (("film", film, "--recording", recording, "--seconds", 1), 2, "--seconds")):
+        done = understudy(*arguments)
+        assert done.returncode == code, (arguments, done.stderr)
+        assert word in done.stderr + done.stdout
+    assert not picture.exists()
+    assert not film.exists()

@@ -1,0 +1,228 @@
+"""`understudy remote`: a terminal's keyboard as the robot's remote controller."""
+
+import contextlib
+import fcntl
+import os
+import pathlib
+import pty
+import signal
+import struct
+import subprocess
+import termios
+import time
+
+import pytest
+
+from peers import GoLowState, listener
+from robots import eventually, understudy
+
+NO_PADS = {"SDL_GAMECONTROLLER_IGNORE_DEVICES_EXCEPT": "0x5eed/0x5eed"}
+KITTY = b"\x1b[?11u"  # what a terminal answers that tells releases
+STICK = struct.Struct("<xxxxfffff")  # lx, rx, ry, L2, ly
+
+
+class Terminal:
+    """A terminal with `understudy remote` in it."""
+
+    def __init__(self, robot, *options):
+        self.master, self._slave = pty.openpty()
+        fcntl.ioctl(self._slave, termios.TIOCSWINSZ, struct.pack("HHHH", 30, 100, 0, 0))
+        self.before = self.modes()
+        self.screen = b""
+        self.process = subprocess.Popen(
+            [os.environ["UNDERSTUDY"], "remote", "--name", robot.name, *options],
+            stdin=self._slave, stdout=self._slave, stderr=subprocess.PIPE,
+            env={**os.environ, **NO_PADS}, start_new_session=True)
+        os.set_blocking(self.master, False)
+        self.sees(b"remote controller of " + robot.name.encode())
+
+    def modes(self):
+        return termios.tcgetattr(self._slave)
+
+    def type(self, keys):
+        os.write(self.master, keys)
+
+    def sees(self, text):
+        """Waits until the text has been on the screen."""
+        def seen():
+            with contextlib.suppress(BlockingIOError):
+                self.screen += os.read(self.master, 65536)
+            return text in self.screen
+
+        eventually(seen, what=f"the screen shows {text}")
+
+    def ends(self):
+        code = self.process.wait(10)
+        return code, self.process.stderr.read().decode()
+
+    def close(self):
+        if self.process.poll() is None:
+            self.process.kill()
+        self.process.wait()
+        self.process.stderr.close()
+        os.close(self.master)
+        os.close(self._slave)
+
+
+@pytest.fixture
+def hold():
+    """hold(robot, ...): a Terminal that is the robot's remote; closed after the test."""
+    terminals = []
+
+    def start(*arguments):
+        terminals.append(Terminal(*arguments))
+        return terminals[-1]
+
+    yield start
+    for terminal in terminals:
+        terminal.close()
+
+
+@contextlib.contextmanager
+def heard_remote():
+    """A function that waits for a wireless_remote block, as the vendor's SDK reads it."""
+    with listener("rt/lowstate", GoLowState) as states:
+        def wait(condition, what):
+            return eventually(
+                lambda: next((bytes(state.wireless_remote) for state in states.take()
+                              if condition(bytes(state.wireless_remote))), None), what=what)
+
+        yield wait
+
+
+def keys(low, high=0):
+    return lambda block: block[:4] == bytes([0x55, 0x51, low, high])
+
+
+def test_keys_and_sticks_of_a_terminal_reach_the_vendors_sdk_and_go_up_again(play, hold):
+    robot = play("go2")
+    terminal = hold(robot)
+    with heard_remote() as remote:
+        remote(keys(0), "the remote is switched on")
+        terminal.type(KITTY)
+        terminal.type(b"\x1b[119u")  # w down: L2
+        remote(keys(0x20), "L2")
+        terminal.type(b"\x1b[98u")  # b down
+        block = remote(keys(0x20, 0x02), "L2+B")
+        assert STICK.unpack_from(block) == (0, 0, 0, 1, 0)
+        terminal.sees(b"\x1b[7m B:b ")
+        terminal.type(b"\x1b[98;1:3u\x1b[119;1:3u")
+        remote(keys(0), "both are up")
+        terminal.type(b"\x1b[101u\x1b[106;2u")  # e, and j with shift
+        remote(lambda block: STICK.unpack_from(block) == (0, -0.5, 0, 0, 1), "the sticks")
+        terminal.type(b"\x1b[O")
+        remote(lambda block: not any(block[2:]), "the focus is lost")
+
+
+def test_a_key_stays_down_while_it_is_held_and_longer_than_the_robot_waits(play, hold):
+    robot = play("go2")
+    terminal = hold(robot)
+    terminal.type(KITTY + b"\x1b[97u")
+    robot.becomes(lambda now: now["remote"]["keys"] == "A")
+    with listener("rt/lowstate", GoLowState) as states:
+        states.wait()
+        blocks = {bytes(state.wireless_remote[2:4]) for state in states.take_for(1.5)}
+    assert blocks == {b"\x00\x01"}
+
+
+def test_a_plain_terminal_lets_a_key_go_by_itself(play, hold):
+    robot = play("go2")
+    terminal = hold(robot)
+    terminal.type(b"x")
+    robot.becomes(lambda now: now["remote"]["keys"] == "X")
+    robot.becomes(lambda now: now["remote"]["keys"] == "")
+    assert b"tells no releases" in terminal.screen
+
+
+@pytest.mark.parametrize("end", ["ctrl-c", "kitty's ctrl-c", signal.SIGTERM, signal.SIGKILL])
+def test_however_it_ends_all_is_let_go_and_the_terminal_is_as_before(play, hold, end):
+    robot = play("go2")
+    terminal = hold(robot)
+    terminal.type(KITTY + b"\x1b[119u\x1b[101u")
+    robot.becomes(lambda now: now["remote"]["keys"] == "L2" and now["remote"]["ly"] == 1)
+    assert terminal.modes() != terminal.before
+    if end == "ctrl-c":
+        os.kill(terminal.process.pid, signal.SIGINT)
+    elif end == "kitty's ctrl-c":
+        terminal.type(b"\x1b[99;5u")
+    else:
+        terminal.process.send_signal(end)
+    code, said = terminal.ends()
+    assert (code, said) == (-9 if end == signal.SIGKILL else 0, "")
+    robot.becomes(lambda now: now["remote"]["keys"] == "" and now["remote"]["ly"] == 0)
+    eventually(lambda: terminal.modes() == terminal.before, what="the terminal's modes")
+    terminal.sees(b"\x1b[<u\x1b[?1004l\x1b[?25h\x1b[?1049l")
+
+
+def test_one_that_hangs_lets_go(play, hold):
+    robot = play("go2")
+    terminal = hold(robot)
+    terminal.type(KITTY + b"\x1b[119u")
+    robot.becomes(lambda now: now["remote"]["keys"] == "L2")
+    terminal.process.send_signal(signal.SIGSTOP)
+    robot.becomes(lambda now: now["remote"]["keys"] == "")
+    terminal.process.send_signal(signal.SIGCONT)
+    robot.becomes(lambda now: now["remote"]["keys"] == "L2")
+
+
+def test_it_keeps_what_is_held_at_twenty_times_the_speed(play, hold):
+    robot = play("go2", "--speed", "20")
+    terminal = hold(robot)
+    terminal.type(KITTY + b"\x1b[119u")
+    robot.becomes(lambda now: now["remote"]["keys"] == "L2")
+    for _ in range(20):
+        assert robot.status()["remote"]["keys"] == "L2"
+        time.sleep(0.02)
+
+
+def test_it_ends_with_the_robot(play, hold):
+    robot = play("go2")
+    terminal = hold(robot)
+    robot.end()
+    code, said = terminal.ends()
+    assert code == 1
+    assert "broke off" in said
+    eventually(lambda: terminal.modes() == terminal.before, what="the terminal's modes")
+
+
+def test_without_a_robot_it_says_so_and_leaves_the_terminal_alone():
+    done = understudy("remote")
+    assert done.returncode == 1
+    assert "no robot runs" in done.stderr
+
+
+def children(robot):
+    return pathlib.Path(f"/proc/{robot.pid}/task/{robot.pid}/children").read_text().split()
+
+
+def test_a_run_with_a_gamepad_goes_on_without_one(play):
+    robot = play("go2", "--gamepad", env={**os.environ, **NO_PADS})
+    [gamepad] = children(robot)
+    eventually(lambda: pathlib.Path(f"/proc/{gamepad}/comm").read_text() == "understudy-remo\n")
+    robot.becomes(lambda now: now["time"] > 0.5)
+    assert robot.status()["remote"]["there"] is False
+    os.kill(int(gamepad), signal.SIGKILL)
+    robot.heard("the robot goes on without", "warning")
+    robot.send(signal.SIGINT)
+    assert robot.exit_code() == 0
+
+
+def test_the_gamepad_of_a_run_ends_with_it(play):
+    robot = play("go2", "--gamepad", env={**os.environ, **NO_PADS})
+    [gamepad] = children(robot)
+    robot.send(signal.SIGKILL)
+    stat = pathlib.Path(f"/proc/{gamepad}/stat")
+    eventually(lambda: not stat.exists() or " Z " in stat.read_text(), what="it is gone")
+
+
+def test_the_gamepads_of_this_machine_are_listed():
+    done = understudy("remote", "--list-gamepads", env={**os.environ, **NO_PADS})
+    assert done.returncode == 0
+    assert done.stdout == "no gamepad is plugged in\n"
+
+
+def test_a_mapping_that_is_not_there_is_a_mistake_of_configuration(play):
+    robot = play("go2")
+    done = understudy("remote", "--name", robot.name, "--mapping", "/nowhere/pads.txt")
+    assert done.returncode == 3
+    assert "/nowhere/pads.txt" in done.stderr

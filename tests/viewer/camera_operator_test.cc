@@ -1,0 +1,93 @@
+#include "viewer/camera_operator.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "gmock/gmock.h"
+#include "robot/errors.h"
+#include "viewer_test.h"
+
+namespace understudy {
+namespace {
+
+class CameraOperatorTest : public MujocoTest {
+ protected:
+  CameraOperator Make(const CameraChoice& choice, const PictureSize& size = {}) {
+    return {stage_, choice, size};
+  }
+
+  Stage stage_{BallModel()};
+};
+
+TEST_F(CameraOperatorTest, LooksAtTheMiddleOfTheRobotFromWhereAllOfItIsSeen) {
+  CameraOperator camera = Make({});
+  const Ball ball = stage_.RobotBall();
+  EXPECT_NEAR(camera.camera()->lookat[2], ball.center[2], 1e-6);
+  const double seen = camera.camera()->distance * std::sin(22.5 * std::numbers::pi / 180);
+  EXPECT_GT(seen, 0.8 * ball.radius);
+  EXPECT_LT(seen, 1.3 * ball.radius);
+}
+
+TEST_F(CameraOperatorTest, StandsFurtherAwayForANarrowPicture) {
+  EXPECT_GT(Make({}, {.width = 200, .height = 800}).camera()->distance,
+            1.5 * Make({}, {.width = 800, .height = 800}).camera()->distance);
+}
+
+TEST_F(CameraOperatorTest, TakesEveryFigureThatIsGiven) {
+  CameraOperator camera = Make({.name = {},
+                                .azimuth = 10,
+                                .elevation = -45,
+                                .distance = 3,
+                                .lookat = {1, 2, 3},
+                                .track = {}});
+  EXPECT_EQ(camera.camera()->azimuth, 10);
+  EXPECT_EQ(camera.camera()->elevation, -45);
+  EXPECT_EQ(camera.camera()->distance, 3);
+  EXPECT_EQ(camera.camera()->lookat[1], 2);
+}
+
+TEST_F(CameraOperatorTest, FollowsTheRobotAndNotAPoint) {
+  CameraOperator follows = Make({});
+  CameraOperator stands = Make({.name = {},
+                                .azimuth = {},
+                                .elevation = {},
+                                .distance = {},
+                                .lookat = {0, 0, 5},
+                                .track = {}});
+  stage_.Show(BallAt(0.2));
+  follows.Follow(stage_, 10);
+  stands.Follow(stage_, 10);
+  EXPECT_NEAR(follows.camera()->lookat[0], 0.2, 1e-6);
+  EXPECT_EQ(stands.camera()->lookat[0], 0);
+}
+
+TEST_F(CameraOperatorTest, FollowsGentlyButGoesAlongWithAReset) {
+  CameraOperator camera = Make({});
+  stage_.Show(BallAt(0.2));
+  camera.Follow(stage_, 0.05);
+  EXPECT_GT(camera.camera()->lookat[0], 0);
+  EXPECT_LT(camera.camera()->lookat[0], 0.1);
+  stage_.Show(BallAt(9));
+  camera.Follow(stage_, 0.05);
+  EXPECT_NEAR(camera.camera()->lookat[0], 9, 1e-6);
+}
+
+TEST_F(CameraOperatorTest, LooksThroughACameraOfTheModel) {
+  CameraChoice choice;
+  choice.name = "above";
+  CameraOperator camera = Make(choice);
+  EXPECT_EQ(camera.camera()->type, mjCAMERA_FIXED);
+  EXPECT_EQ(camera.camera()->fixedcamid, 0);
+}
+
+TEST_F(CameraOperatorTest, RefusesACameraAndABodyThatAreNotThere) {
+  CameraChoice choice;
+  choice.name = "front";
+  EXPECT_THROW(Make(choice), ModelError);
+  choice = {};
+  choice.track = "leg";
+  EXPECT_THROW(Make(choice), ModelError);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,51 @@
+#include "viewer/screen_text.h"
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+
+namespace understudy {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(ScreenTextTest, SaysTimeSpeedAndWhoHoldsTheMotors) {
+  SceneState state;
+  state.time = 12.345;
+  state.speed = 0.5;
+  const TextBlock text = StatusText(state, 0.499, "mcf");
+  EXPECT_EQ(text.left, "time\nspeed\nmotors");
+  EXPECT_EQ(text.right, "12.35 s\n0.5  (0.50 x real time)\nmcf");
+}
+
+TEST(ScreenTextTest, SaysThatItIsPaused) {
+  SceneState state;
+  EXPECT_THAT(StatusText(state, 1, "").right, Not(HasSubstr("PAUSED")));
+  state.paused = true;
+  EXPECT_THAT(StatusText(state, 0, "").right, HasSubstr("PAUSED"));
+}
+
+TEST(ScreenTextTest, ShowsTheKeysThatAreDown) {
+  SceneState state;
+  state.keys = "L2+B";
+  EXPECT_THAT(StatusText(state, 1, "").right, HasSubstr("L2+B"));
+}
+
+TEST(ScreenTextTest, MeasuresTheRealTimeFactorOverTheLastSecond) {
+  RealTimeFactor factor;
+  EXPECT_EQ(factor.value(), 0);
+  for (int i = 0; i <= 40; ++i) factor.Add(0.01 * i, 0.1 * i);
+  EXPECT_NEAR(factor.value(), 0.1, 1e-9);
+  for (int i = 1; i <= 20; ++i) factor.Add(0.4 + 0.1 * i, 4 + 0.1 * i);
+  EXPECT_NEAR(factor.value(), 1, 1e-9);
+}
+
+TEST(ScreenTextTest, BeginsAnewWhenTimeGoesBack) {
+  RealTimeFactor factor;
+  factor.Add(10, 1);
+  factor.Add(0, 1.1);
+  EXPECT_EQ(factor.value(), 0);
+}
+
+}  // namespace
+}  // namespace understudy

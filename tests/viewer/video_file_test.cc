@@ -1,0 +1,73 @@
+#include "viewer/video_file.h"
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <iterator>
+#include <string>
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "robot/errors.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+constexpr PictureSize kSize{.width = 32, .height = 16};
+
+class VideoFileTest : public testing::Test {
+ protected:
+  VideoFileTest() { std::signal(SIGPIPE, SIG_IGN); }
+  ~VideoFileTest() override { ::setenv("PATH", path_.c_str(), 1); }
+
+  static Image Picture() {
+    return {.width = 32, .height = 16, .rgb = std::vector<std::uint8_t>(3U * 32U * 16U, 90)};
+  }
+  auto Files() const {
+    return std::distance(std::filesystem::directory_iterator(folder_.path()), {});
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_.path() / "a.mp4";
+  std::string path_ = std::getenv("PATH");
+};
+
+TEST_F(VideoFileTest, IsWholeOnceFinished) {
+  VideoFile video(file_, kSize, 10);
+  for (int i = 0; i < 5; ++i) video.Add(Picture());
+  EXPECT_FALSE(std::filesystem::exists(file_));
+  video.Finish();
+  EXPECT_GT(std::filesystem::file_size(file_), 500U);
+  EXPECT_EQ(Files(), 1);
+}
+
+TEST_F(VideoFileTest, LeavesNothingThatWasNotFinished) {
+  {
+    VideoFile video(file_, kSize, 10);
+    video.Add(Picture());
+  }
+  EXPECT_EQ(Files(), 0);
+}
+
+TEST_F(VideoFileTest, TellsWhatFfmpegSays) {
+  EXPECT_THAT(
+      [&] {
+        VideoFile video(folder_.path() / "no" / "a.mp4", kSize, 10);
+        for (int i = 0; i < 10'000; ++i) video.Add(Picture());
+        video.Finish();
+      },
+      ThrowsMessage<SetupError>(HasSubstr("No such file or directory")));
+}
+
+TEST_F(VideoFileTest, NamesThePackageWhereThereIsNoFfmpeg) {
+  ::setenv("PATH", folder_.path().c_str(), 1);
+  EXPECT_THAT([&] { VideoFile(file_, kSize, 10); },
+              ThrowsMessage<SetupError>(HasSubstr("apt-get install ffmpeg")));
+}
+
+}  // namespace
+}  // namespace understudy
