@@ -105,21 +105,23 @@ StepHealth Emulator::Tick() {
 void Emulator::TakeCommands(double t) {
   router_.Obey(remote_.Read(t), t);
   double weight = 0;
-  while (port_->TakeArmCommand(&offered_, &weight)) router_.OfferArms(offered_, weight, t);
-  while (port_->TakeUserCommand(&offered_)) router_.OfferUser(offered_, t);
+  while (port_->TakeArmCommand(&offered_, &weight)) {
+    refusals_.Add(kArmSdkTopic, router_.OfferArms(offered_, weight, t), t);
+  }
+  while (port_->TakeUserCommand(&offered_)) {
+    refusals_.Add(kUserLowCmdTopic, router_.OfferUser(offered_, t), t);
+  }
   for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
     const Refusal refusal = router_.Offer(offered_, wire, t);
-    if (refusal == Refusal::kNone) continue;
-    last_refusal_ = refusal;
-    refusals_.Add(-1, refusal, t);
+    if (refusal != Refusal::kNone) last_refusal_ = refusal;
+    refusals_.Add(kLowCmdTopic, refusal, t);
   }
 }
 
 void Emulator::TakeHandCommands(double t) {
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     for (Refusal wire = Refusal::kNone; port_->TakeHandCommand(i, &offered_hand_, &wire);) {
-      const Refusal refusal = hands_[i].Offer(offered_hand_, wire, t);
-      if (refusal != Refusal::kNone) refusals_.Add(static_cast<int>(i), refusal, t);
+      refusals_.Add(kFirstHandTopic + i, hands_[i].Offer(offered_hand_, wire, t), t);
     }
   }
 }
@@ -156,9 +158,12 @@ Status Emulator::status() const {
   status.stick_wish = router_.stick_wish();
   status.commands = router_.gate().counts();
   status.last_refusal = last_refusal_;
+  status.arm_commands = router_.arm_counts();
+  status.user_commands = router_.user_counts();
   status.port = port_->counts();
   status.published = published_;
   status.divergences = divergences_;
+  status.orders = orders_;
   status.script_done = script_next_;
   status.script_refused = script_refused_;
   Copy(script_refusal_, &status.script_refusal);

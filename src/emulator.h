@@ -143,6 +143,7 @@ class Emulator {
   bool silenced_ = false;
   Refusal last_refusal_ = Refusal::kNone;
   RefusalLog refusals_;
+  OrderNotes orders_;
   std::uint64_t published_ = 0;
   std::uint64_t divergences_ = 0;
 };

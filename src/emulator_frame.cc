@@ -19,8 +19,11 @@ Frame Emulator::MakeFrame() const {
   frame.positions.resize(PositionCount(world_));
   frame.body_names = BodyNames(world_);
   for (const MotorSpec& motor : config_.robot.motors) frame.motor_names.push_back(motor.joint);
+  frame.command_topics.assign(kCommandTopicNames.begin(), kCommandTopicNames.end());
+  if (config_.robot.arm_sdk.slots.empty()) frame.command_topics[kArmSdkTopic].clear();
+  if (!config_.robot.user_lowcmd) frame.command_topics[kUserLowCmdTopic].clear();
   for (const HandSpec& hand : config_.robot.hands) {
-    frame.hand_topics.push_back("rt/" + hand.topic + "/cmd");
+    frame.command_topics.push_back("rt/" + hand.topic + "/cmd");
   }
   frame.bodies.resize(frame.body_names.size());
   frame.contacts.reserve(kMostFrameContacts);

@@ -28,9 +28,10 @@ std::string NoBody(const PhysicsWorld& world, const std::string& name) {
 void Emulator::Play(std::vector<ScriptEvent> script) {
   for (const ScriptEvent& event : script) {
     const auto* push = std::get_if<PushBody>(&event.order);
-    if (push != nullptr && !push->body.empty() && world_.FindBody(push->body) < 0) {
-      throw ConfigError(event.where + ": body: " + NoBody(world_, push->body));
-    }
+    if (push == nullptr || push->body.empty()) continue;
+    const int body = world_.FindBody(push->body);
+    if (body < 0) throw ConfigError(event.where + ": body: " + NoBody(world_, push->body));
+    if (body == 0) throw ConfigError(event.where + ": body: '" + push->body + "' does not move");
   }
   script_ = std::move(script);
 }
@@ -48,7 +49,16 @@ void Emulator::FollowScript(double t) {
 }
 
 void Emulator::TakeOrders() {
-  inbox_->Drain([this](const Order& order) { return CarryOut(order); });
+  inbox_->Drain([this](const Order& order) {
+    const std::size_t dragged = drags_.size();
+    Answer answer = CarryOut(order);
+    // Who drags says so many times a second; the first time counts.
+    const bool renews = std::holds_alternative<DragBody>(order) && drags_.size() == dragged;
+    if (answer.empty() && !renews) {
+      orders_.Add(NoteOf(order, time(), config_.robot.base_body, start_pose_));
+    }
+    return answer;
+  });
 }
 
 Answer Emulator::CarryOut(const Order& order) {
@@ -120,6 +130,7 @@ Answer Emulator::BeginPush(const PushBody& push) {
   const std::string& name = push.body.empty() ? config_.robot.base_body : push.body;
   const int body = world_.FindBody(name);
   if (body < 0) return NoBody(world_, name);
+  if (body == 0) return "'" + name + "' does not move";
   // However short it is told to be, it acts in one step.
   const double until = time() + std::max(push.seconds, world_.timestep());
   if (!pushes_.Begin(body, push.force, until)) {

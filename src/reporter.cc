@@ -17,7 +17,7 @@ constexpr std::uint64_t kManyOverruns = 50;
 
 // Causes beside the refusals.
 enum Cause : std::size_t {
-  kWriters = kRefusals,
+  kWriters = kMostCommandTopics * kRefusals,
   kUnusedSlots,
   kUnsetHeads,
   kWriteFailures,
@@ -26,7 +26,7 @@ enum Cause : std::size_t {
   kShifts,
   kDivergence,
   kScript,
-  kHands  // and all from there on
+  kHandTimeouts  // and of the other hands
 };
 
 }  // namespace
@@ -41,12 +41,8 @@ Reporter::~Reporter() {
 }
 
 void Reporter::Update(const Status& status, WallTime now) {
-  for (std::size_t i = 1; i < kRefusals; ++i) {
-    const std::uint64_t fresh = status.commands.refused[i] - said_refused_[i];
-    if (fresh == 0 || !MaySpeak(i, now)) continue;
-    const auto refusal = static_cast<Refusal>(i);
-    spdlog::warn("refused {} LowCmd ({}): {}", fresh, Name(refusal), Explain(refusal));
-    said_refused_[i] = status.commands.refused[i];
+  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
+    SpeakOfRefusals(topic, status, now);
   }
   if (status.command_writers > 1 && status.command_writers != last_.command_writers &&
       MaySpeak(kWriters, now)) {
@@ -117,19 +113,30 @@ void Reporter::SpeakOfPace(const Status& status) const {
                status.speed == 0 ? "as fast as possible" : fmt::format("{:g}", status.speed));
 }
 
+void Reporter::SpeakOfRefusals(std::size_t topic, const Status& status, WallTime now) {
+  const GateCounts& counts = CommandCounts(status, topic);
+  for (std::size_t i = 1; i < kRefusals; ++i) {
+    const std::uint64_t fresh = counts.refused[i] - said_refused_[topic][i];
+    if (fresh == 0 || !MaySpeak(topic * kRefusals + i, now)) continue;
+    said_refused_[topic][i] = counts.refused[i];
+    const auto refusal = static_cast<Refusal>(i);
+    if (topic == kLowCmdTopic) {
+      spdlog::warn("refused {} LowCmd ({}): {}", fresh, Name(refusal), Explain(refusal));
+    } else if (topic < kFirstHandTopic) {
+      spdlog::warn("refused {} LowCmd of {} ({}): {}", fresh, kCommandTopicNames[topic],
+                   Name(refusal), Explain(refusal));
+    } else {
+      spdlog::warn("refused {} HandCmd to the {} hand ({}): {}", fresh,
+                   status.hands[topic - kFirstHandTopic].name.data(), Name(refusal),
+                   ExplainForHand(refusal));
+    }
+  }
+}
+
 void Reporter::SpeakOfHand(std::size_t hand, const Status& status, WallTime now) {
   const HandStatus& is = status.hands[hand];
   const HandStatus& was = last_.hands[hand];
-  const std::size_t first_cause = kHands + hand * kHandCauses;
-  for (std::size_t i = 1; i < kRefusals; ++i) {
-    const std::uint64_t fresh = is.commands.refused[i] - said_hand_refused_[hand][i];
-    if (fresh == 0 || !MaySpeak(first_cause + i, now)) continue;
-    const auto refusal = static_cast<Refusal>(i);
-    spdlog::warn("refused {} HandCmd to the {} hand ({}): {}", fresh, is.name.data(), Name(refusal),
-                 ExplainForHand(refusal));
-    said_hand_refused_[hand][i] = is.commands.refused[i];
-  }
-  if (is.commands.timeouts != was.commands.timeouts && MaySpeak(first_cause + kRefusals, now)) {
+  if (is.commands.timeouts != was.commands.timeouts && MaySpeak(kHandTimeouts + hand, now)) {
     spdlog::warn("commands to the {} hand stopped: watched motors lock until mode's bit 7 is 0",
                  is.name.data());
   }

@@ -30,6 +30,7 @@ class Reporter {
   // True at most once a second for each cause.
   bool MaySpeak(std::size_t cause, WallTime now);
   void SpeakOfPace(const Status& status) const;
+  void SpeakOfRefusals(std::size_t topic, const Status& status, WallTime now);
   void SpeakOfHand(std::size_t hand, const Status& status, WallTime now);
   void DrawStatusLine(const Status& status, WallTime now);
 
@@ -37,11 +38,10 @@ class Reporter {
   bool status_line_;
   bool line_drawn_ = false;
   Status last_;
-  static constexpr std::size_t kHandCauses = kRefusals + 1;  // the refusals and the time-out
-  static constexpr std::size_t kCauses = kRefusals + 9 + kMostHands * kHandCauses;
+  // Refusals of each topic; time-outs of the hands, and others.
+  static constexpr std::size_t kCauses = kMostCommandTopics * kRefusals + kMostHands + 9;
   std::array<WallTime, kCauses> spoken_;
-  std::array<std::uint64_t, kRefusals> said_refused_{};
-  std::array<std::array<std::uint64_t, kRefusals>, kMostHands> said_hand_refused_{};
+  std::array<std::array<std::uint64_t, kRefusals>, kMostCommandTopics> said_refused_{};
   std::uint64_t said_overruns_ = 0;
   double said_shifted_ = 0;
   Status drawn_;

@@ -19,6 +19,7 @@
 #include "robot/errors.h"
 #include "signals.h"
 #include "time/clock.h"
+#include "time/pace.h"
 #include "wire/strangers.h"
 
 namespace understudy {
@@ -28,8 +29,8 @@ using std::chrono::milliseconds;
 
 // How long we wait for those who are to hear us; *assumed*, several times what discovery takes.
 constexpr milliseconds kMatchPatience(1000);
-// A reader that we know may not know us yet, and nothing on DDS says when it does; *assumed*, several
-// times the difference between the two ends of a discovery.
+// A reader that we know may not know us yet, and nothing on DDS says when it does; *assumed*,
+// several times the difference between the two ends of a discovery.
 constexpr milliseconds kMutual(200);
 constexpr milliseconds kDrawEvery(200);
 
@@ -37,8 +38,9 @@ double SpeedOf(const std::string& text) { return text == "max" ? 0 : std::stod(t
 
 std::string CheckSpeed(const std::string& text) {
   double speed = 0;
-  if (text == "max" || (CLI::detail::lexical_cast(text, speed) && speed > 0)) return {};
-  return "expected a number above 0 or max, found '" + text + "'";
+  const bool number = CLI::detail::lexical_cast(text, speed) && speed > 0 && IsSpeed(speed);
+  if (text == "max" || number) return {};
+  return "expected a number from 0.001 to 1000 or max, found '" + text + "'";
 }
 
 // The line that shows how far it has come; nothing where nobody looks.
@@ -167,7 +169,7 @@ int PlayCommand(const PlayArguments& arguments) {
   options.speed = SpeedOf(arguments.speed);
   const McapReader reader(arguments.file);
   const double end = options.to > 0 ? options.to : Duration(reader.contents());
-  if (options.from >= end) {
+  if (!(options.from < end)) {  // nor "nan"
     throw RecordError(arguments.file + ": --from is past the end, " + std::to_string(end) + " s");
   }
   SteadyClock clock;

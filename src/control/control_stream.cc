@@ -89,7 +89,7 @@ class ControlStream::Impl {
   std::filesystem::path socket_;
   std::chrono::milliseconds timeout_;
   asio::io_context io_{1};
-  websocket::stream<beast::basic_stream<Protocol>> stream_;
+  websocket::stream<beast::basic_stream<Protocol>, false> stream_;
 };
 
 ControlStream::ControlStream(const std::filesystem::path& socket, const std::string& target,

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "physics/world_reading.h"
+#include "robot/command_topics.h"
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
 
@@ -65,7 +66,7 @@ struct FramePush {
 // Refused commands of one topic for one reason, one after another.
 struct RefusedCommands {
   double first = 0, last = 0;  // simulated s
-  int hand = -1;               // index in RobotSpec::hands; -1: rt/lowcmd
+  std::size_t topic = kLowCmdTopic;
   Refusal reason = Refusal::kNone;
   std::uint64_t count = 0;
 };
@@ -80,9 +81,9 @@ inline constexpr std::size_t kMostFrameRefusals = 256;
 struct Frame {
   FrameParts parts = 0;  // what is wanted, and what of the following is filled in
   // Never change:
-  std::vector<std::string> body_names;   // by MuJoCo's id
-  std::vector<std::string> motor_names;  // in motor order
-  std::vector<std::string> hand_topics;  // of commands, by RobotSpec::hands
+  std::vector<std::string> body_names;      // by MuJoCo's id
+  std::vector<std::string> motor_names;     // in motor order
+  std::vector<std::string> command_topics;  // by number; "" where there is none
   std::int64_t step = 0;
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible

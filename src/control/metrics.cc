@@ -97,9 +97,9 @@ void AddPace(const Status& status, Page* page) {
 
 template <class PutOne>
 void ForEachTopic(const Status& status, const Frame& frame, PutOne put) {
-  put("rt/lowcmd", status.commands);
-  for (std::size_t i = 0; i < frame.hand_topics.size(); ++i) {
-    put(frame.hand_topics[i], status.hands[i].commands);
+  for (std::size_t i = 0; i < frame.command_topics.size(); ++i) {
+    if (frame.command_topics[i].empty()) continue;
+    put(frame.command_topics[i], CommandCounts(status, i));
   }
 }
 

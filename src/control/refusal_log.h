@@ -15,17 +15,19 @@ namespace understudy {
 // other are one entry; the oldest entries go first.
 class RefusalLog {
  public:
-  void Add(int hand, Refusal reason, double t) {
+  // kNone is none.
+  void Add(std::size_t topic, Refusal reason, double t) {
+    if (reason == Refusal::kNone) return;
     if (count_ > 0) {
       RefusedCommands& newest = entries_[(count_ - 1) % entries_.size()];
-      if (newest.hand == hand && newest.reason == reason) {
+      if (newest.topic == topic && newest.reason == reason) {
         newest.last = t;
         ++newest.count;
         return;
       }
     }
     entries_[count_++ % entries_.size()] = {
-        .first = t, .last = t, .hand = hand, .reason = reason, .count = 1};
+        .first = t, .last = t, .topic = topic, .reason = reason, .count = 1};
   }
 
   // Oldest first. `to` has room for kMostFrameRefusals.

@@ -42,14 +42,13 @@ ordered_json TimingsJson(const Status& status) {
 ordered_json RefusalsJson(const Frame& frame) {
   ordered_json refusals = ordered_json::array();
   for (const RefusedCommands& refused : frame.refusals) {
-    const bool hand = refused.hand >= 0;
-    refusals.push_back(
-        {{"time", refused.last},
-         {"since", refused.first},
-         {"count", refused.count},
-         {"topic", hand ? frame.hand_topics[static_cast<std::size_t>(refused.hand)] : "rt/lowcmd"},
-         {"reason", Name(refused.reason)},
-         {"text", hand ? ExplainForHand(refused.reason) : Explain(refused.reason)}});
+    const bool hand = refused.topic >= kFirstHandTopic;
+    refusals.push_back({{"time", refused.last},
+                        {"since", refused.first},
+                        {"count", refused.count},
+                        {"topic", frame.command_topics[refused.topic]},
+                        {"reason", Name(refused.reason)},
+                        {"text", hand ? ExplainForHand(refused.reason) : Explain(refused.reason)}});
   }
   return {{"refusals", refusals}};
 }

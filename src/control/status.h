@@ -7,7 +7,9 @@
 #include <mutex>
 #include <string_view>
 
+#include "control/order_note.h"
 #include "robot/command_gate.h"
+#include "robot/command_topics.h"
 #include "robot/port_counts.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
@@ -63,11 +65,14 @@ struct Status {
   std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
   GateCounts commands;
   Refusal last_refusal = Refusal::kNone;
+  GateCounts arm_commands;   // of rt/arm_sdk
+  GateCounts user_commands;  // of rt/user_lowcmd
   std::array<HandStatus, kMostHands> hands;
   PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;
+  OrderNotes orders;            // that people gave, not a script
   std::size_t script_done = 0;  // events of the script that are over
   std::size_t script_refused = 0;
   std::array<char, 128> script_refusal{};  // the last one: where it stands and why; "" for none
@@ -79,6 +84,14 @@ struct Status {
   double tilt = 0;         // rad between the base's up and the world's
   RecordingStatus recording;
 };
+
+// What came by that topic.
+inline const GateCounts& CommandCounts(const Status& status, std::size_t topic) {
+  if (topic == kLowCmdTopic) return status.commands;
+  if (topic == kArmSdkTopic) return status.arm_commands;
+  if (topic == kUserLowCmdTopic) return status.user_commands;
+  return status.hands[topic - kFirstHandTopic].commands;
+}
 
 // One writer, the tick, which never waits: a post that finds the board being read is left out. Any
 // number of readers.

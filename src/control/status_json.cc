@@ -44,6 +44,18 @@ nlohmann::ordered_json HandsJson(const Status& status) {
   return hands;
 }
 
+nlohmann::ordered_json OrdersJson(const OrderNotes& orders) {
+  nlohmann::ordered_json newest = nlohmann::ordered_json::array();
+  for (std::uint64_t number = orders.oldest(); number < orders.count; ++number) {
+    const OrderNote& note = orders[number];
+    newest.push_back({{"number", number},
+                      {"time", note.time},
+                      {"kind", Name(note.kind)},
+                      {"text", Describe(note)}});
+  }
+  return newest;
+}
+
 }  // namespace
 
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
@@ -74,6 +86,12 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
+      {"arm_sdk",
+       {{"accepted", status.arm_commands.accepted}, {"refused", RefusedJson(status.arm_commands)}}},
+      {"user_lowcmd",
+       {{"accepted", status.user_commands.accepted},
+        {"timeouts", status.user_commands.timeouts},
+        {"refused", RefusedJson(status.user_commands)}}},
       {"hands", HandsJson(status)},
       {"motion",
        {{"service", status.motion_service.data()},
@@ -88,6 +106,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"rx", status.remote.rx},
         {"ry", status.remote.ry},
         {"wish", status.stick_wish}}},
+      {"orders", OrdersJson(status.orders)},
       {"script",
        {{"done", status.script_done},
         {"refused", status.script_refused},

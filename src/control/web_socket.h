@@ -8,7 +8,8 @@
 
 namespace understudy {
 
-using WebSocket = boost::beast::websocket::stream<Stream>;
+// Without compression, which nobody asks for here and which takes long to compile.
+using WebSocket = boost::beast::websocket::stream<Stream, false>;
 
 // Limits of time and size: a client that neither reads nor answers pings is hung up on.
 inline void Limit(const ServerLimits& limits, WebSocket* socket) {

@@ -51,11 +51,13 @@ ArmOverlay::ArmOverlay(const RobotSpec& spec)
   }
 }
 
-void ArmOverlay::Offer(const RobotCommand& command, double weight, double t) {
-  if (!std::isfinite(weight) || HarmIn(command) != Refusal::kNone) return;
+Refusal ArmOverlay::Offer(const RobotCommand& command, double weight, double t) {
+  if (!std::isfinite(weight)) return Refusal::kNotFinite;
+  if (const Refusal harm = HarmIn(command); harm != Refusal::kNone) return harm;
   command_ = command;
   weight_ = std::clamp(weight, 0.0, 1.0);
   at_ = t;
+  return Refusal::kNone;
 }
 
 double ArmOverlay::weight(double t) const {

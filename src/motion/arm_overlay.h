@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "robot/refusal.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -21,8 +22,9 @@ class ArmOverlay {
  public:
   explicit ArmOverlay(const RobotSpec& spec);
 
-  // A command of time t [s] with its weight, cut to 0..1. One that would harm (HarmIn) is left out.
-  void Offer(const RobotCommand& command, double weight, double t);
+  // A command of time t [s] with its weight, cut to 0..1. One that would harm (HarmIn), or whose
+  // weight is not finite, is left out; returns why, or kNone.
+  Refusal Offer(const RobotCommand& command, double weight, double t);
   void Clear() { weight_ = 0; }
 
   // The weight that counts at time t [s].

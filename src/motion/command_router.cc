@@ -18,6 +18,13 @@ std::vector<Chord> ChordsOf(const RobotSpec& spec) {
   return chords;
 }
 
+// Gives `refusal` back.
+Refusal Count(Refusal refusal, GateCounts* counts) {
+  ++(refusal == Refusal::kNone ? counts->accepted
+                               : counts->refused[static_cast<std::size_t>(refusal)]);
+  return refusal;
+}
+
 }  // namespace
 
 CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
@@ -51,14 +58,23 @@ Refusal CommandRouter::Offer(const RobotCommand& command, Refusal wire, double t
   return refusal;
 }
 
-void CommandRouter::OfferArms(const RobotCommand& command, double weight, double t) {
+Refusal CommandRouter::OfferArms(const RobotCommand& command, double weight, double t) {
   FollowOwner();
-  if (service_on()) arms_.Offer(command, weight, t);
+  return Count(service_on() ? arms_.Offer(command, weight, t) : Refusal::kNoMotionService,
+               &arm_counts_);
 }
 
-void CommandRouter::OfferUser(const RobotCommand& command, double t) {
+Refusal CommandRouter::OfferUser(const RobotCommand& command, double t) {
   FollowOwner();
-  if (owner_.user_control()) user_gate_.Offer(command, Refusal::kNone, t);
+  Refusal refusal = service_on() ? Refusal::kNotHandedOver : Refusal::kNoMotionService;
+  if (owner_.user_control()) refusal = user_gate_.Offer(command, Refusal::kNone, t);
+  return Count(refusal, &user_counts_);
+}
+
+GateCounts CommandRouter::user_counts() const {
+  GateCounts counts = user_counts_;
+  counts.timeouts = user_gate_.counts().timeouts;
+  return counts;
 }
 
 void CommandRouter::Obey(const RemoteReading& remote, double t) {

@@ -32,8 +32,9 @@ class CommandRouter {
 
   // A command of rt/lowcmd at time t [s]; `wire` as for CommandGate::Offer, and so is the answer.
   Refusal Offer(const RobotCommand& command, Refusal wire, double t);
-  void OfferArms(const RobotCommand& command, double weight, double t);
-  void OfferUser(const RobotCommand& command, double t);
+  // The same for rt/arm_sdk and rt/user_lowcmd, on which nothing is asked of the form.
+  Refusal OfferArms(const RobotCommand& command, double weight, double t);
+  Refusal OfferUser(const RobotCommand& command, double t);
   // The remote controller at time t [s].
   void Obey(const RemoteReading& remote, double t);
 
@@ -49,6 +50,8 @@ class CommandRouter {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
+  const GateCounts& arm_counts() const { return arm_counts_; }
+  GateCounts user_counts() const;
   // What the sticks ask for: forward, left m/s, turn rad/s.
   const std::array<double, 3>& stick_wish() const { return stick_wish_; }
   double arm_weight(double t) const { return arms_.weight(t); }
@@ -62,6 +65,8 @@ class CommandRouter {
   CommandGate user_gate_;
   MotorOwner owner_;
   ArmOverlay arms_;
+  GateCounts arm_counts_;
+  GateCounts user_counts_;  // but for the time-outs
   ChordReader chords_;
   RobotCommand own_;    // the motion service's last
   RobotCommand mixed_;  // the same with the arms

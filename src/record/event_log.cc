@@ -1,5 +1,6 @@
 #include "record/event_log.h"
 
+#include <algorithm>
 #include <string_view>
 #include <utility>
 
@@ -35,6 +36,29 @@ std::string Plural(std::uint64_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
+// What brings the commands of a topic, and whose they are.
+std::string MessageOf(std::size_t topic, const Status& status) {
+  if (topic == kLowCmdTopic) return "LowCmd";
+  if (topic < kFirstHandTopic) return "LowCmd of " + std::string(kCommandTopicNames[topic]);
+  return "HandCmd to the " + std::string(status.hands[topic - kFirstHandTopic].name.data()) +
+         " hand";
+}
+
+json TopicOf(std::size_t topic, const Status& status) {
+  if (topic < kFirstHandTopic) return {{"topic", kCommandTopicNames[topic]}};
+  return {{"hand", status.hands[topic - kFirstHandTopic].name.data()}};
+}
+
+void TellOrders(const OrderNotes& orders, std::uint64_t told, Events* events) {
+  const std::uint64_t oldest = std::max(told, orders.oldest());
+  if (oldest > told) events->Add("orders", Plural(oldest - told, "more order"));
+  for (std::uint64_t number = oldest; number < orders.count; ++number) {
+    json detail(DetailOf(orders[number]));
+    detail["at"] = orders[number].time;
+    events->Add(std::string(Name(orders[number].kind)), Describe(orders[number]), detail);
+  }
+}
+
 }  // namespace
 
 std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
@@ -48,13 +72,9 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
   if (first_ || status.gate != last_.gate) {
     events.Add("gate", std::string(Name(status.gate)), {{"state", Name(status.gate)}});
   }
-  if (status.commands.timeouts > last_.commands.timeouts) {
-    events.Add("timeout", "commands stopped", {{"topic", "rt/lowcmd"}});
-  }
-  for (std::size_t i = 0; i < kMostHands; ++i) {
-    if (status.hands[i].commands.timeouts == last_.hands[i].commands.timeouts) continue;
-    const std::string hand = status.hands[i].name.data();
-    events.Add("timeout", "commands to the " + hand + " hand stopped", {{"hand", hand}});
+  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
+    if (CommandCounts(status, topic).timeouts == CommandCounts(last_, topic).timeouts) continue;
+    events.Add("timeout", MessageOf(topic, status) + " stopped", TopicOf(topic, status));
   }
   if (status.motion.id != last_.motion.id || status.motion.mode != last_.motion.mode) {
     events.Add("motion", "motion " + std::to_string(status.motion.id),
@@ -64,6 +84,7 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
     const std::string keys = RemoteKeyNames(status.remote.keys);
     events.Add("remote", keys.empty() ? "keys let go" : keys, {{"keys", keys}});
   }
+  TellOrders(status.orders, last_.orders.count, &events);
   for (std::size_t i = last_.script_done; i < status.script_done && i < script_.size(); ++i) {
     events.Add("script", script_[i], {{"event", i}});
   }
@@ -103,19 +124,18 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
 std::vector<Event> EventLog::Crowds(const Status& status, std::int64_t step, bool all) {
   Events events(status, step);
   std::uint64_t fresh = 0;
-  for (std::size_t i = 1; i < kRefusals; ++i) {
-    const std::string why(Name(static_cast<Refusal>(i)));
-    if (Tell(&refused_[i], status.commands.refused[i], status.time, all, &fresh)) {
-      events.Add("refused", "refused " + std::to_string(fresh) + " LowCmd (" + why + ")",
-                 {{"topic", "rt/lowcmd"}, {"reason", why}, {"count", fresh}});
-    }
-    for (std::size_t hand = 0; hand < kMostHands; ++hand) {
-      const HandStatus& its = status.hands[hand];
-      if (!Tell(&hand_refused_[hand][i], its.commands.refused[i], status.time, all, &fresh)) {
-        continue;
-      }
-      events.Add("refused", "refused " + std::to_string(fresh) + " HandCmd (" + why + ")",
-                 {{"hand", its.name.data()}, {"reason", why}, {"count", fresh}});
+  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
+    for (std::size_t i = 1; i < kRefusals; ++i) {
+      const std::uint64_t count = CommandCounts(status, topic).refused[i];
+      if (!Tell(&refused_[topic][i], count, status.time, all, &fresh)) continue;
+      const std::string why(Name(static_cast<Refusal>(i)));
+      json detail = TopicOf(topic, status);
+      detail["reason"] = why;
+      detail["count"] = fresh;
+      events.Add(
+          "refused",
+          "refused " + std::to_string(fresh) + " " + MessageOf(topic, status) + " (" + why + ")",
+          detail);
     }
   }
   if (Tell(&overruns_, status.pace.overruns, status.time, all, &fresh)) {

@@ -40,8 +40,7 @@ class EventLog {
   std::vector<std::string> script_;
   Status last_;
   bool first_ = true;
-  std::array<Crowd, kRefusals> refused_{};
-  std::array<std::array<Crowd, kRefusals>, kMostHands> hand_refused_{};
+  std::array<std::array<Crowd, kRefusals>, kMostCommandTopics> refused_{};
   Crowd overruns_, failures_;
 };
 

@@ -10,15 +10,17 @@ namespace understudy {
 
 enum class Refusal : std::uint8_t {
   kNone,
-  kCrc,            // the crc word does not fit the rest
-  kHead,           // go: head is not FE EF, or level_flag not FF
-  kModeMachine,    // hg: not the machine LowState announces
-  kModePr,         // hg: neither PR (0) nor AB (1)
-  kMotorMode,      // a motor's mode byte is none that the robot knows
-  kMotorCount,     // hands: other than one entry per motor
-  kNotFinite,      // NaN or infinity in a motor's command
-  kGain,           // a negative kp or kd
-  kMotionService,  // the robot's own motion service moves the motors
+  kCrc,              // the crc word does not fit the rest
+  kHead,             // go: head is not FE EF, or level_flag not FF
+  kModeMachine,      // hg: not the machine LowState announces
+  kModePr,           // hg: neither PR (0) nor AB (1)
+  kMotorMode,        // a motor's mode byte is none that the robot knows
+  kMotorCount,       // hands: other than one entry per motor
+  kNotFinite,        // NaN or infinity in a motor's command
+  kGain,             // a negative kp or kd
+  kMotionService,    // the robot's own motion service moves the motors
+  kNoMotionService,  // rt/arm_sdk, rt/user_lowcmd: none is on
+  kNotHandedOver,    // rt/user_lowcmd: the motion service keeps the motors
   kCount,
 };
 
@@ -26,9 +28,18 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 
 // The word that logs, counters and the control plane use.
 constexpr std::string_view Name(Refusal refusal) {
-  constexpr std::array<std::string_view, kRefusals> kNames = {
-      "none",       "crc",         "head",       "mode_machine", "mode_pr",
-      "motor_mode", "motor_count", "not_finite", "gain",         "motion_service"};
+  constexpr std::array<std::string_view, kRefusals> kNames = {"none",
+                                                              "crc",
+                                                              "head",
+                                                              "mode_machine",
+                                                              "mode_pr",
+                                                              "motor_mode",
+                                                              "motor_count",
+                                                              "not_finite",
+                                                              "gain",
+                                                              "motion_service",
+                                                              "no_motion_service",
+                                                              "not_handed_over"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 

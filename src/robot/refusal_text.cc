@@ -23,6 +23,11 @@ std::string_view Explain(Refusal refusal) {
     case Refusal::kMotionService:
       return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
              "ReleaseMode), or start with --released";
+    case Refusal::kNoMotionService:
+      return "it counts beside a motion service only, and none is on; start one "
+             "(MotionSwitcherClient SelectMode) or command by rt/lowcmd";
+    case Refusal::kNotHandedOver:
+      return "the motion service has not handed the motors over; LocoClient SwitchToUserCtrl does";
     case Refusal::kNone:
     case Refusal::kCount:
       break;

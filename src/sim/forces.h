@@ -62,6 +62,7 @@ class Drags {
   // that begin before `until` [s]. False when there are as many as there can be.
   bool Pull(int body, const Eigen::Vector3d& p_BP, const Eigen::Vector3d& p_WT, double until);
   void Release(int body);
+  std::size_t size() const { return drags_.size(); }
   void Clear();
 
   // As for pushes.

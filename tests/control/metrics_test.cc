@@ -12,13 +12,14 @@ namespace understudy {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class MetricsTest : public ::testing::Test {
  protected:
   MetricsTest() {
     frame_.motor_names = {"hip", "kn\"ee"};
     frame_.motors.resize(2);
-    frame_.hand_topics = {"rt/dex3/left/cmd"};
+    frame_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
   }
   std::string Dut() const {
     return MetricsText({.robot = "g1", .version = "0.1"}, status_, frame_);
@@ -32,8 +33,11 @@ TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {
   status_.commands.accepted = 7;
   status_.commands.refused[static_cast<std::size_t>(Refusal::kCrc)] = 5;
   status_.hands[0].commands.accepted = 3;
+  status_.arm_commands.accepted = 4;
   const std::string text = Dut();
   EXPECT_THAT(text, HasSubstr("understudy_commands_taken_total{topic=\"rt/lowcmd\"} 7\n"));
+  EXPECT_THAT(text, HasSubstr("understudy_commands_taken_total{topic=\"rt/arm_sdk\"} 4\n"));
+  EXPECT_THAT(text, Not(HasSubstr("{topic=\"\"")));
   EXPECT_THAT(text, HasSubstr("understudy_commands_taken_total{topic=\"rt/dex3/left/cmd\"} 3\n"));
   EXPECT_THAT(text, HasSubstr("understudy_commands_refused_total{topic=\"rt/lowcmd\","
                               "reason=\"crc\"} 5\n"));

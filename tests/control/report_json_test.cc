@@ -25,9 +25,10 @@ TEST(TimingsJsonTest, TellsWhatIsMeasured) {
 
 TEST(RefusalsJsonTest, SaysWhyAndWhatToDo) {
   Frame frame;
-  frame.hand_topics = {"rt/dex3/left/cmd"};
-  frame.refusals = {{.first = 1, .last = 2, .reason = Refusal::kCrc, .count = 500},
-                    {.first = 3, .last = 3, .hand = 0, .reason = Refusal::kMotorMode, .count = 1}};
+  frame.command_topics = {"rt/lowcmd", "", "", "rt/dex3/left/cmd"};
+  frame.refusals = {
+      {.first = 1, .last = 2, .reason = Refusal::kCrc, .count = 500},
+      {.first = 3, .last = 3, .topic = kFirstHandTopic, .reason = Refusal::kMotorMode, .count = 1}};
   const json refusals = RefusalsJson(frame)["refusals"];
   ASSERT_EQ(refusals.size(), 2u);
   EXPECT_EQ(refusals[0]["time"], 2.0);

@@ -28,7 +28,10 @@ Status EveryFieldSet() {
   status.gate = GateState::kFollowing;
   status.commands.accepted = 100;
   status.commands.timeouts = 2;
-  status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18};
+  status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
+  status.arm_commands.accepted = 41;
+  status.user_commands.timeouts = 42;
+  status.orders.Add({.kind = OrderKind::kReset, .time = 1.5, .what = {'l', 'y'}});
   status.hands[0].name = {'l', 'e', 'f', 't'};
   status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
   status.hands[0].last_refusal = Refusal::kMotorMode;
@@ -56,6 +59,9 @@ Status EveryFieldSet() {
 }
 
 TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
+  const std::string kNone =
+      R"({"crc":0,"head":0,"mode_machine":0,"mode_pr":0,"motor_mode":0,"motor_count":0,)"
+      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0})";
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
@@ -63,17 +69,23 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("pace":{"real_time_factor":0.9375,"overruns":3,)"
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
       R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
-      R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18},"last_refusal":"mode_pr","unused_slots":6,)"
+      R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18,)"
+      R"("no_motion_service":0,"not_handed_over":0},"last_refusal":"mode_pr","unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},)"
-      R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
-      R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0},)"
-      R"("last_refusal":"motor_mode"}],"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
-      R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
-      R"("script":{"done":3,"refused":1,"refusal":"no"},)"
-      R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
-      R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
-      R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
+      R"("arm_sdk":{"accepted":41,"refused":)" +
+          kNone + R"(},"user_lowcmd":{"accepted":0,"timeouts":42,"refused":)" + kNone +
+          R"(},)"
+          R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
+          R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
+          R"("no_motion_service":0,"not_handed_over":0},)"
+          R"("last_refusal":"motor_mode"}],"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
+          R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
+          R"("orders":[{"number":0,"time":1.5,"kind":"reset","text":"reset to ly"}],)"
+          R"("script":{"done":3,"refused":1,"refusal":"no"},)"
+          R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
+          R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
+          R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {

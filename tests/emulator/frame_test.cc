@@ -84,5 +84,25 @@ TEST_F(FrameTest, KeepsWhatWasRefused) {
   EXPECT_EQ(frame.refusals[0].count, 3u);
 }
 
+TEST_F(FrameTest, KeepsWhatTheArmsAndTheUserWereRefused) {
+  config_.robot.arm_sdk.slots = {6, 7};
+  StartAs("standing");  // without a motion service
+  port_.SendArms(Torque(1), 1);
+  port_.SendUser(Torque(1));
+  Tick();
+  const Frame frame = Shown(kPartRefusals);
+  ASSERT_EQ(frame.refusals.size(), 2u);
+  EXPECT_EQ(frame.refusals[0].topic, kArmSdkTopic);
+  EXPECT_EQ(frame.refusals[0].reason, Refusal::kNoMotionService);
+  EXPECT_EQ(frame.refusals[1].topic, kUserLowCmdTopic);
+  ASSERT_EQ(frame.command_topics.size(), kFirstHandTopic);
+  EXPECT_EQ(frame.command_topics[kArmSdkTopic], "rt/arm_sdk");
+  EXPECT_EQ(frame.command_topics[kUserLowCmdTopic], "");  // it has none
+  const Status status = emulator_->status();
+  EXPECT_EQ(CommandCounts(status, kArmSdkTopic)
+                .refused[static_cast<std::size_t>(Refusal::kNoMotionService)],
+            1u);
+}
+
 }  // namespace
 }  // namespace understudy

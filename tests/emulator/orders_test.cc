@@ -192,12 +192,14 @@ TEST_F(OrdersTest, ShowWhatActsOnTheRobot) {
   EXPECT_TRUE(emulator_->drags().empty());
 }
 
-TEST_F(OrdersTest, OfADragAreRefusedForWhatCannotBeDragged) {
+TEST_F(OrdersTest, AreRefusedForWhatCannotBeDraggedOrPushed) {
   Start();
   EXPECT_EQ(Ask(DragBody{.body = "tail"}), "the model has no body 'tail'");
   EXPECT_EQ(Ask(DragBody{.body = "bass"}), "the model has no body 'bass'; did you mean 'base'?");
   EXPECT_EQ(Ask(DragBody{.body = "world"}), "'world' does not move");
   EXPECT_EQ(Ask(ReleaseDrag{.body = "tail"}), "the model has no body 'tail'");
+  EXPECT_EQ(Ask(PushBody{.body = "world", .force = {1, 0, 0}, .seconds = 1}),
+            "'world' does not move");
 }
 
 TEST_F(OrdersTest, ADragEndsWithAReset) {
@@ -206,6 +208,24 @@ TEST_F(OrdersTest, ADragEndsWithAReset) {
   Order(ResetRobot{});
   Tick();
   EXPECT_TRUE(emulator_->drags().empty());
+}
+
+TEST_F(OrdersTest, AreNotedWhenAStatusWouldNotShowThem) {
+  StartAs("clamped");
+  Tick();
+  Ask(PushBody{.force = {0, 5, 0}, .seconds = 0.01});
+  Ask(PushBody{.body = "tail"});                              // refused
+  Ask(SetSpeed{.speed = 2});                                  // shown
+  for (int i = 0; i < 3; ++i) Ask(DragBody{.body = "base"});  // renewed
+  Ask(ReleaseDrag{});
+  Ask(ResetRobot{});
+  const OrderNotes notes = emulator_->status().orders;
+  ASSERT_EQ(notes.count, 4u);
+  EXPECT_EQ(Describe(notes[0]), "push base by 0 5 0 N for 0.01 s");
+  EXPECT_EQ(notes[0].time, 0.001);
+  EXPECT_EQ(notes[1].kind, OrderKind::kDrag);
+  EXPECT_EQ(notes[2].kind, OrderKind::kLetGo);
+  EXPECT_EQ(Describe(notes[3]), "reset to clamped");
 }
 
 }  // namespace

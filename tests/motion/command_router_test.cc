@@ -1,5 +1,7 @@
 #include "motion/command_router.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace understudy {
@@ -115,27 +117,44 @@ TEST_F(CommandRouterTest, LetsWhoeverSpokeLastHaveTheMotorsInAFight) {
 
 TEST_F(CommandRouterTest, MixesTheArmsOverTheServiceOnly) {
   Make();
-  router_->OfferArms(Of(kArms), 0.5, 0);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kService, 5));
   router_->owner().Release();
   Offer();
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
-  router_->OfferArms(Of(kArms), 1, 0);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 1, 0), Refusal::kNoMotionService);
   router_->owner().Select("ai");
   EXPECT_EQ(Torques(), Pair(kService, kService));  // what came before the service is forgotten
 }
 
 TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
   Make();
-  router_->OfferUser(Of(kUser), input_.time);
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNotHandedOver);
   EXPECT_EQ(Torques(), Pair(kService, kService));
   router_->owner().SetUserControl(true);
   EXPECT_EQ(Torques(), Pair(kService, kService));
-  router_->OfferUser(Of(kUser), input_.time);
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kUser, kUser));
   EXPECT_EQ(Offer(), Refusal::kMotionService);
   router_->owner().SetUserControl(false);
   EXPECT_EQ(Torques(), Pair(kService, kService));
+}
+
+TEST_F(CommandRouterTest, CountsWhatTheArmsAndTheUserAreRefused) {
+  Make();
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), std::nan(""), 0), Refusal::kNotFinite);
+  RobotCommand harmful = Of(kArms);
+  harmful.motors[0].kp = -1;
+  EXPECT_EQ(router_->OfferArms(harmful, 1, 0), Refusal::kGain);
+  EXPECT_EQ(Torques(), Pair(kService, 5));
+  router_->owner().Release();
+  EXPECT_EQ(router_->OfferUser(Of(kUser), 0), Refusal::kNoMotionService);
+  EXPECT_EQ(router_->arm_counts().accepted, 1U);
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kNotFinite)], 1U);
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kGain)], 1U);
+  EXPECT_EQ(router_->user_counts().refused[static_cast<std::size_t>(Refusal::kNoMotionService)],
+            1U);
 }
 
 TEST_F(CommandRouterTest, PassesChordsToTheService) {

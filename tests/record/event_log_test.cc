@@ -87,7 +87,7 @@ TEST_F(EventLogTest, TellsOfWhatBefellTheRobot) {
   status_.pace.shifts = 1;
   EXPECT_THAT(
       Next(),
-      ElementsAre("timeout: commands stopped", "remote: L2+B", "divergence: the physics diverged",
+      ElementsAre("timeout: LowCmd stopped", "remote: L2+B", "divergence: the physics diverged",
                   "silence: silenced: another robot speaks", "crane: hangs from the crane",
                   "clamp: clamped", "stall: a stall that is not made up for"));
 }
@@ -96,8 +96,40 @@ TEST_F(EventLogTest, NamesTheHandWhoseCommandIsRefused) {
   Next();
   std::ranges::copy(std::string_view("left"), status_.hands[0].name.begin());
   status_.hands[0].commands.refused[static_cast<std::size_t>(Refusal::kMotorMode)] = 2;
-  EXPECT_THAT(Next(), Contains("refused: refused 2 HandCmd (motor_mode)"));
+  EXPECT_THAT(Next(), Contains("refused: refused 2 HandCmd to the left hand (motor_mode)"));
   EXPECT_EQ(last_.detail, R"({"count":2,"hand":"left","reason":"motor_mode"})");
+}
+
+TEST_F(EventLogTest, NamesTheTopicThatARefusedCommandCameBy) {
+  Next();
+  status_.arm_commands.refused[static_cast<std::size_t>(Refusal::kNoMotionService)] = 1;
+  status_.user_commands.timeouts = 1;
+  EXPECT_THAT(Next(), ElementsAre("timeout: LowCmd of rt/user_lowcmd stopped",
+                                  "refused: refused 1 LowCmd of rt/arm_sdk (no_motion_service)"));
+}
+
+TEST_F(EventLogTest, TellsOfOrders) {
+  Next();
+  status_.orders.Add({.kind = OrderKind::kPush,
+                      .time = 0.003,
+                      .what = {'b', 'a', 's', 'e'},
+                      .vector = {0, 50, 0},
+                      .amount = 0.1});
+  status_.orders.Add({.kind = OrderKind::kStep, .time = 0.003, .amount = 1});
+  EXPECT_THAT(Next(), ElementsAre("push: push base by 0 50 0 N for 0.1 s", "step: 1 step"));
+  EXPECT_THAT(Next(), IsEmpty());
+  status_.orders.Add({.kind = OrderKind::kReset, .time = 0.005, .what = {'l', 'y'}});
+  EXPECT_THAT(Next(), ElementsAre("reset: reset to ly"));
+  EXPECT_EQ(last_.detail, R"({"at":0.005,"pose":"ly"})");
+}
+
+TEST_F(EventLogTest, CountsOrdersThatCameTooFastToBeKept) {
+  Next();
+  for (int i = 0; i < 10; ++i) status_.orders.Add({.kind = OrderKind::kStep, .amount = 1});
+  const std::vector<std::string> told = Next();
+  ASSERT_EQ(told.size(), 9U);
+  EXPECT_EQ(told[0], "orders: 2 more orders");
+  EXPECT_EQ(told[8], "step: 1 step");
 }
 
 }  // namespace

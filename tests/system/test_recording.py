@@ -1,6 +1,7 @@
 """What `--record` writes, read by others: the MCAP project's own reader and a reader of ROS bags."""
 
 import collections
+import json
 import pathlib
 import resource
 import signal
@@ -15,6 +16,7 @@ from mcap_ros2.decoder import DecoderFactory
 from rosbags.highlevel import AnyReader
 
 from peers import GoLowCmd, go_command, listener, speaker
+from robots import understudy
 
 DIED_OF_KILL = -signal.SIGKILL
 
@@ -94,6 +96,28 @@ def test_a_recording_has_all_that_was_said(play, folder):
     assert b"name: go2" in recording.attachments["config.yaml"]
     assert len(recording.attachments["model.mjb"]) > 1000
     assert recording.about["robot"] == "go2"
+
+
+def test_orders_are_events(play, folder):
+    file = folder / "orders.mcap"
+    robot = play("go2", "--record", file)
+    for order in (["push", "base_link", "0", "30", "0"], ["reset", "standing"], ["pause"], ["step", "2"],
+                  ["resume"]):
+        done = understudy("ctl", *order)
+        assert done.returncode == 0, done.stderr
+    told = [order["text"] for order in robot.status()["orders"]]
+    stop(robot)
+    recording = Recording(file)
+
+    push, = recording.events("push")
+    assert push.text == "push base_link by 0 30 0 N for 0.1 s"
+    detail = json.loads(push.detail)
+    assert detail["body"] == "base_link" and detail["force"] == [0, 30, 0]
+    assert detail["at"] == pytest.approx(push.time, abs=0.01)
+    assert [event.text for event in recording.events("reset")] == ["reset to standing"]
+    assert [event.text for event in recording.events("step")] == ["2 steps"]
+    assert [event.text for event in recording.events("pause")] == ["paused", "goes on"]
+    assert told == [push.text, "reset to standing", "2 steps"]
 
 
 def test_what_is_decoded_is_what_was_measured(folder):

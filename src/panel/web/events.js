@@ -36,6 +36,8 @@ export function changes(before, now) {
   if (now.divergences > before.divergences) say("the physics diverged", "bad");
   if (!before.silenced && now.silenced) say("another robot speaks: we are silent", "bad");
   if (now.commands.timeouts > before.commands.timeouts) say("commands stopped", "warn");
+  const told = before.orders.at(-1)?.number ?? -1;
+  for (const order of now.orders) if (order.number > told) say(order.text);
   if (now.pace.overruns >= before.pace.overruns + 10) {
     say(`${now.pace.overruns - before.pace.overruns} late ticks`, "warn");
   }
@@ -43,8 +45,10 @@ export function changes(before, now) {
   return news;
 }
 
+// Of all topics.
 const refusedOf = (status) =>
-  Object.values(status.commands.refused).reduce((sum, count) => sum + count, 0);
+  [status.commands, status.arm_sdk, status.user_lowcmd, ...status.hands]
+    .flatMap(({ refused }) => Object.values(refused)).reduce((sum, count) => sum + count, 0);
 
 const keyOf = ({ topic, reason, since }) => `${topic} ${reason} ${since}`;
 

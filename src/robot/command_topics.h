@@ -1,0 +1,25 @@
+// The topics that bring commands for motors, by number.
+#ifndef UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_
+#define UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include "robot/robot_spec.h"
+
+namespace understudy {
+
+inline constexpr std::size_t kLowCmdTopic = 0;
+inline constexpr std::size_t kArmSdkTopic = 1;
+inline constexpr std::size_t kUserLowCmdTopic = 2;
+inline constexpr std::size_t kFirstHandTopic = 3;  // and the other hands, as in RobotSpec::hands
+inline constexpr std::size_t kMostCommandTopics = kFirstHandTopic + kMostHands;
+
+// Of those before the hands', which have names of their own.
+inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicNames = {
+    "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_
