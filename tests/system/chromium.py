@@ -4,6 +4,7 @@ import base64
 import itertools
 import json
 import os
+import pathlib
 import select
 import shutil
 import subprocess
@@ -15,17 +16,22 @@ MODIFIERS = {"Alt": 1, "Control": 2, "Meta": 4, "Shift": 8}
 
 FLAGS = [
     "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--no-default-browser-check",
-    # Pictures by the processor: test machines have no graphics card.
-    "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
     "--disable-background-networking", "--disable-component-update", "--disable-sync",
     "--disable-extensions", "--hide-scrollbars", "--disable-dev-shm-usage", "--mute-audio",
+    # Pictures by the processor: test machines have no graphics card.
+    "--use-gl=angle", "--enable-unsafe-swiftshader",
 ]
+# The whole page by a graphics card that the processor plays, as on a desk, but at a few pictures a second.
+AS_ON_A_DESK = ["--use-angle=swiftshader"]
+# WebGL alone by that, and the rest without: 60 refreshes a second, as long as WebGL has nothing to draw.
+WITHOUT_A_CARD = ["--use-angle=swiftshader-webgl", "--disable-gpu-compositing",
+                  "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
 
 
 class Chromium:
     """The browser; `page(url)` opens one. Ends with the `with` block."""
 
-    def __init__(self):
+    def __init__(self, graphics=AS_ON_A_DESK):
         program = shutil.which("chromium")
         assert program, "no chromium: apt-get install chromium"
         self._profile = tempfile.mkdtemp(prefix="understudy-chromium-")
@@ -41,7 +47,7 @@ class Chromium:
             os.dup2(write, 4)
 
         self._process = subprocess.Popen(
-            [program, *FLAGS, *sandbox, f"--user-data-dir={self._profile}", "about:blank"],
+            [program, *FLAGS, *graphics, *sandbox, f"--user-data-dir={self._profile}", "about:blank"],
             stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
             close_fds=False, preexec_fn=hand_over)
         os.close(ours[0])
@@ -94,7 +100,8 @@ class Chromium:
             elif page := self.pages.get(message.get("sessionId")):
                 page.heard(message["method"], message["params"])
 
-    def page(self, url, width=1280, height=800, dark=False, touch=False):
+    def page(self, url, width=1280, height=800, dark=False, touch=False, script=""):
+        """`script`: runs in the page before anything of its own."""
         target = self.call("Target.createTarget", url="about:blank")["targetId"]
         session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
         page = self.pages[session] = Page(self, session, target)
@@ -102,8 +109,15 @@ class Chromium:
             page.call(f"{domain}.enable")
         page.resize(width, height, touch)
         page.scheme("dark" if dark else "light")
+        page.call("Page.addScriptToEvaluateOnNewDocument", source=script)
         page.call("Page.navigate", url=url)
         return page
+
+    def main_thread_seconds(self):
+        """The processor time that the busiest page's main thread has had."""
+        pages = [process["id"] for process in self.call("SystemInfo.getProcessInfo")["processInfo"]
+                 if process["type"] == "renderer"]
+        return max(int(pathlib.Path(f"/proc/{pid}/schedstat").read_text().split()[0]) for pid in pages) / 1e9
 
 
 class Page:

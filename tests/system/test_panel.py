@@ -347,6 +347,18 @@ def test_its_modules_do_what_they_say(page):
         "bad", "warn", ""]
     assert module("motor_table", "[0, 0.01, 0.5, 1].map(m.positionLevel)") == [
         "bad", "warn", "", "bad"]
+    # Looks are given up when most pictures are slow, not for the hour that the page was out of sight.
+    assert module("quality", """{
+        const levels = (spans) => {
+          const quality = new m.Quality({ setPixelRatio: () => {} }, {}, 0);
+          let now = 1;
+          quality.drew(now);
+          return spans.map((span) => (quality.drew((now += span)), quality.level));
+        };
+        const steady = Array(40).fill(17);
+        return [levels([400, ...steady, 3.6e6, ...steady]), levels(Array(40).fill(40))].map(
+          (all) => Math.max(...all));
+      }""") == [0, 3]
     roll, pitch, yaw = module("signals", "m.rollPitchYaw([0.5, 0.5, 0.5, 0.5])")
     assert (roll, pitch, yaw) == pytest.approx((1.5708, 0, 1.5708), abs=1e-4)
     # A mesh and a height field as they come over the wire: the first row of heights is that of least y.
