@@ -1,6 +1,6 @@
 // Trades looks for speed where there is no graphics card to speak of.
 const SLOW = 30; // ms from picture to picture; *assumed*, half the rate that is wanted
-const PICTURES = 12; // that the mean is taken over; *assumed*
+const PICTURES = 12; // of which more than half have to be slow; *assumed*
 
 const LEVELS = [
   { ratio: 2, shadows: true },
@@ -32,7 +32,7 @@ export class Quality {
 
   begin() {
     this.count = 0;
-    this.took = 0;
+    this.slow = 0;
   }
 
   apply() {
@@ -46,15 +46,16 @@ export class Quality {
     this.last = 0;
   }
 
-  // A picture was drawn at `now` [ms]. True when it has to be drawn anew, in another quality.
+  // A picture was drawn at `now` [ms]. True when it has to be drawn anew, in another quality. Single
+  // ones may be late: the first of a new robot, or of a page that was out of sight.
   drew(now) {
     if (this.last) {
       ++this.count;
-      this.took += now - this.last;
+      if (now - this.last > SLOW) ++this.slow;
     }
     this.last = now;
     if (this.count < PICTURES) return false;
-    const slow = this.took / this.count > SLOW;
+    const slow = this.slow > PICTURES / 2;
     this.begin();
     if (!slow || this.level + 1 === LEVELS.length) return false;
     ++this.level;
