@@ -97,6 +97,13 @@ TEST(OrderJsonTest, RefusesKeysAndSticksThatAreNone) {
             R"(expected exactly one of "press", "hold", "release", "sticks", "set", "on", got 2)");
 }
 
+TEST(OrderJsonTest, RefusesATimeForWhatLastsUntilAnotherOrder) {
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"hold": "A", "seconds": 1})")),
+            R"("seconds": "hold" lasts until another order)");
+  EXPECT_NE(Refusal(ReadRemoteOrder(R"({"release": "A", "seconds": 1})")), "");
+  EXPECT_NE(Refusal(ReadRemoteOrder(R"({"on": false, "seconds": 1})")), "");
+}
+
 TEST(OrderJsonTest, ReadsTheWholeRemoteAtOnce) {
   const auto set = std::get<SetRemote>(std::get<Order>(
       ReadRemoteOrder(R"({"set": {"keys": "L2+B", "lx": -0.5, "ry": 1}, "seconds": 0.5})")));
