@@ -11,6 +11,7 @@
 #include <unistd.h>
 
 #include "control/client.h"
+#include "control/control_stream.h"
 #include "control/ctl_ask.h"
 #include "control/ctl_check.h"
 #include "control/ctl_text.h"
@@ -34,6 +35,8 @@ std::string WhyNotReady(const std::string& status) {
   if (read.at("silenced").get<bool>()) return "it was silenced: another robot is on this network";
   return read.at("ready").get<bool>() ? "" : "it is starting";
 }
+
+std::string JsonLine(const ordered_json& reply) { return reply.dump() + "\n"; }
 
 std::string UrlOf(const ordered_json& panel) { return panel.at("url").get<std::string>() + "\n"; }
 
@@ -81,10 +84,11 @@ void CtlCommand::AddReading(CLI::App* ctl) {
 
   AddAction(ctl, "list", "Show the robots that run", [this] { ShowRobots(); });
 
-  CLI::App* frame = AddAction(ctl, "frame", "Print one instant of the robot as JSON", [this] {
-    Show(parts_.empty() ? "/frame" : "/frame?parts=" + parts_,
-         [](const ordered_json& reply) { return reply.dump() + "\n"; });
-  });
+  CLI::App* frame =
+      AddAction(ctl, "frame", "Print one instant of the robot as JSON", [this] { ShowFrames(); });
+  frame->add_flag("--watch", watch_, "Again and again, one line each, until interrupted");
+  frame->add_option("--hz", hz_, "At most so many a second, with --watch, 1 to 240")
+      ->capture_default_str();
   frame->add_option("--parts", parts_, "Only these, such as qpos,contacts,motors [all]")
       ->check(CLI::Validator(
           [](std::string& text) -> std::string {
@@ -94,14 +98,25 @@ void CtlCommand::AddReading(CLI::App* ctl) {
             return words ? "" : "expected words with commas between them, got " + text;
           },
           ""));
-  frame->footer("Example: understudy ctl frame --parts com,feet");
+  frame->footer(
+      "Examples:\n"
+      "  understudy ctl frame --parts com,feet\n"
+      "  understudy ctl frame --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
+  AddAction(ctl, "scene", "Print what the robot and its surroundings are made of, as JSON", [this] {
+    Show("/scene", JsonLine);
+  })->footer("Example: understudy ctl scene | jq .bodies[].name");
 
   AddAction(ctl, "refusals", "Show the newest commands that the robot refused, and why", [this] {
-    Show("/refusals", FieldsText);
+    Show("/refusals", [](const ordered_json& reply) {
+      return reply.at("refusals").empty() ? "no command was refused\n" : FieldsText(reply);
+    });
   })->footer("Example: understudy ctl refusals --json");
   AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
     Show("/timings", FieldsText);
   })->footer("Example: understudy ctl timings");
+  AddAction(ctl, "metrics", "Print its figures as Prometheus reads them", [this] {
+    *out_ << Ask(ChosenSocket(robot_), "GET", "/metrics", "");
+  })->footer("Example: understudy ctl metrics | grep winding");
   AddAction(ctl, "panel", "Print the address of the robot's page for a browser", [this] {
     Show("/panel", UrlOf);
   })->footer("Example: xdg-open \"$(understudy ctl panel)\"");
@@ -146,6 +161,14 @@ void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
     }
     std::this_thread::sleep_for(period);
   }
+}
+
+void CtlCommand::ShowFrames() const {
+  const std::string parts = parts_.empty() ? "" : "parts=" + parts_;
+  if (!watch_) return Show("/frame?" + parts, JsonLine);
+  ControlStream frames(ChosenSocket(robot_), "/frames?hz=" + std::to_string(hz_) + "&" + parts,
+                       kCallTimeout);
+  while (true) *out_ << frames.Next() << '\n' << std::flush;
 }
 
 void CtlCommand::AwaitReady() const {
@@ -198,7 +221,9 @@ void CtlCommand::Show(const std::string& path, Teller tell) const {
 }
 
 void CtlCommand::GiveOrder(const std::string& path, const json& body) const {
-  const std::string reply = Ask(ChosenSocket(robot_), "POST", path, body.dump());
+  // What is no UTF-8 on the command line is a name that the robot does not know.
+  const std::string text = body.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string reply = Ask(ChosenSocket(robot_), "POST", path, text);
   if (json_) *out_ << reply;
 }
 

@@ -21,7 +21,7 @@ namespace understudy {
 
 // Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
 //
-//   status [--watch]   wait   list   frame   refusals   timings   panel
+//   status [--watch]   wait   list   frame [--watch]   scene   refusals   timings   metrics   panel
 //   pause   resume   step [N]   speed X   reset [POSE]
 //   crane lower M | raise M | attach | release   clamp on | off
 //   push BODY FX FY FZ   drag BODY X Y Z | --release
@@ -61,6 +61,7 @@ class CtlCommand {
 
   void ShowStatus() const;
   void WatchStatus(const std::filesystem::path& socket) const;
+  void ShowFrames() const;
   void AwaitReady() const;
   void ShowRobots() const;
   // The reply to GET `path`: as it is with --json, else what `tell` makes of it.
@@ -79,6 +80,7 @@ class CtlCommand {
   bool release_ = false;
   double timeout_ = 30;  // s
   double every_ = 1;     // s
+  double hz_ = 60;
   double metres_ = 0;
   double seconds_ = 0;
   double speed_ = 1;

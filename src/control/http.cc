@@ -1,5 +1,6 @@
 #include "control/http.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include <nlohmann/json.hpp>

@@ -171,6 +171,11 @@ OrderReading ReadRemoteOrder(std::string_view body) {
   if (given != 1) {
     return "expected exactly one of " + Listed(orders) + ", got " + std::to_string(given);
   }
+  for (const char* lasting : {"hold", "release", "on"}) {
+    if (object.contains(lasting) && object.contains("seconds")) {
+      return "\"seconds\": \"" + std::string{lasting} + "\" lasts until another order";
+    }
+  }
   if (const auto on = object.find("on"); on != object.end()) {
     if (!on->is_boolean()) return Expected("on", "true or false", *on);
     return Order{SwitchRemote{on->get<bool>()}};

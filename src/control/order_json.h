@@ -46,7 +46,8 @@ OrderReading ReadStepOrder(std::string_view body);
 OrderReading ReadSpeedOrder(std::string_view body);
 // Exactly one of {"press": "L2+B"}, {"hold": keys}, {"release": keys}, {"sticks": {"lx": x, ...}},
 // {"set": {"keys": "L2+B", "lx": x, ...}}, {"on": true | false}; "seconds" beside the first and the
-// fourth, and always beside the fifth. "keys" may be "" or missing: all are up.
+// fourth, always beside the fifth, never beside the others. "keys" may be "" or missing: all are
+// up.
 OrderReading ReadRemoteOrder(std::string_view body);
 
 }  // namespace understudy

@@ -6,13 +6,24 @@
 #include "robot/nearest_word.h"
 
 namespace understudy {
+namespace {
 
 using nlohmann::json;
+
+// What `object` has under `key`, null where it has nothing. Not a copy: copying recurses, and a
+// client chooses how deep.
+const json& At(const json& object, const char* key) {
+  static const json kNull;
+  const auto found = object.find(key);
+  return found == object.end() ? kNull : *found;
+}
+
+}  // namespace
 
 OrderReading ReadPauseOrder(std::string_view body) {
   const auto read = ReadObject(body, {"on"});
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
-  const json on = std::get<json>(read).value("on", json());
+  const json& on = At(std::get<json>(read), "on");
   if (!on.is_boolean()) return Expected("on", "true or false", on);
   return Order{PauseRun{on.get<bool>()}};
 }
@@ -33,7 +44,7 @@ OrderReading ReadStepOrder(std::string_view body) {
 OrderReading ReadSpeedOrder(std::string_view body) {
   const auto read = ReadObject(body, {"speed"});
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
-  const json speed = std::get<json>(read).value("speed", json());
+  const json& speed = At(std::get<json>(read), "speed");
   const double number = NumberWithin(speed, kMostSpeed);
   if (!IsSpeed(number)) return Expected("speed", kSpeedRange, speed);
   return Order{SetSpeed{number}};

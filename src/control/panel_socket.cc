@@ -1,5 +1,6 @@
 #include "control/panel_socket.h"
 
+#include <array>
 #include <cerrno>
 #include <cstdint>
 #include <system_error>
@@ -66,11 +67,20 @@ int ListenAtFree(Address* address) {
   return Listen(address, 0);
 }
 
+// As the system writes it, and a browser: of IPv6 there are many ways.
+std::string TextOf(const std::string& address, int family) {
+  std::array<unsigned char, sizeof(in6_addr)> bytes{};
+  std::array<char, INET6_ADDRSTRLEN> text{};
+  ::inet_pton(family, address.c_str(), bytes.data());
+  return ::inet_ntop(family, bytes.data(), text.data(), text.size());
+}
+
 }  // namespace
 
-PanelSocket::PanelSocket(const std::string& address, int port) : address_(address) {
+PanelSocket::PanelSocket(const std::string& address, int port) {
   Address bound = Parse(address);
   family_ = bound.storage.ss_family;
+  address_ = TextOf(address, family_);
   fd_ = port == 0 ? ListenAtFree(&bound) : Listen(&bound, port);
   if (fd_ < 0) {
     throw SocketError("control.address " + address + ", control.port " + std::to_string(port) +

@@ -20,8 +20,8 @@ class PanelSocket {
   PanelSocket& operator=(const PanelSocket&) = delete;
 
   int fd() const { return fd_; }
-  int family() const { return family_; }  // AF_INET or AF_INET6
-  const std::string& address() const { return address_; }
+  int family() const { return family_; }                   // AF_INET or AF_INET6
+  const std::string& address() const { return address_; }  // as inet_ntop writes it
   int port() const { return port_; }
   // "127.0.0.1:7707", "[::1]:7707": what a browser on this machine is told.
   std::string host() const;

@@ -219,6 +219,10 @@ std::optional<std::string_view> RestOf(std::string_view path, const Row& row) {
   return path.substr(brace);
 }
 
+bool WantsFrames(const Routed& routed) {
+  return std::holds_alternative<FromFrame>(routed) || std::holds_alternative<WatchFrames>(routed);
+}
+
 HttpReply NoSuchPath(std::string_view path) {
   constexpr std::size_t kLongest = 64;
   const std::string shown{path.substr(0, kLongest)};
@@ -239,7 +243,13 @@ Routed Route(const HttpRequest& request, Plane& plane) {
   for (const Row& row : kRoutes) {
     const auto rest = RestOf(path, row);
     if (!rest) continue;
-    if (row.method == request.method) return row.answer(request, *rest, plane);
+    if (row.method == request.method) {
+      Routed routed = row.answer(request, *rest, plane);
+      if (plane.frames == nullptr && WantsFrames(routed)) {
+        return ErrorReply(404, "there is nothing to be seen");
+      }
+      return routed;
+    }
     HttpReply reply =
         ErrorReply(405, std::string{path.substr(0, 64)} + " takes " + std::string{row.method} +
                             ", not " + std::string{request.method.substr(0, 32)});

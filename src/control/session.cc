@@ -88,6 +88,7 @@ void Session::OnRead(const error_code& error) {
   if (error) {
     std::optional<HttpReply> reply = ReplyToBroken(error, shared_->limits);
     if (!reply) return Leave();
+    broken_ = true;
     return Write(std::move(*reply), false);
   }
   const HttpRequest request = RequestOf(parser_->get());
@@ -112,7 +113,6 @@ void Session::Answer(const HttpRequest& request) {
 }
 
 void Session::AwaitFrame(const FromFrame& wanted) {
-  if (shared_->pump == nullptr) return Write(ErrorReply(404, "there is nothing to be seen"));
   frame_ = wanted;
   frame_timer_.expires_after(shared_->limits.patience);
   frame_timer_.async_wait([self = Self()](const error_code& error) {
@@ -136,7 +136,6 @@ void Session::Upgrade(const Routed& routed) {
   stream_.expires_never();
   Leave();
   if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
-    if (shared_->pump == nullptr) return;
     door_->Admit(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch, door_,
                                               shared_));
   } else {
@@ -145,7 +144,11 @@ void Session::Upgrade(const Routed& routed) {
   }
 }
 
-void Session::Write(HttpReply reply) { Write(std::move(reply), parser_->get().keep_alive()); }
+void Session::Write(HttpReply reply) {
+  const auto& request = parser_->get();
+  // No HEAD is served, and no body may follow the reply to one: with it nothing more may.
+  Write(std::move(reply), request.keep_alive() && request.method() != http::verb::head);
+}
 
 void Session::Write(HttpReply reply, bool keep_alive) {
   reply_ = std::move(reply);
@@ -153,9 +156,24 @@ void Session::Write(HttpReply reply, bool keep_alive) {
   stream_.expires_after(shared_->limits.idle);
   http::async_write(stream_, response_, [self = Self()](const error_code& error, std::size_t) {
     self->reply_ = {};
-    if (error || !self->response_.keep_alive()) return self->Leave();
-    self->Read();
+    if (error) return self->Leave();
+    if (self->response_.keep_alive()) return self->Read();
+    if (!self->broken_) return self->Leave();
+    error_code ignored;
+    self->stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
+    self->stream_.expires_after(self->shared_->limits.idle);
+    self->Forget();
   });
+}
+
+// Whoever is still sending reads our reply only afterwards, and never where we hang up on them.
+void Session::Forget() {
+  buffer_.clear();
+  stream_.async_read_some(buffer_.prepare(buffer_.max_size()),
+                          [self = Self()](const error_code& error, std::size_t) {
+                            if (error) return self->Leave();
+                            self->Forget();
+                          });
 }
 
 }  // namespace understudy

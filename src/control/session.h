@@ -36,6 +36,7 @@ class Session : public Guest {
   void Upgrade(const Routed& routed);
   void Write(HttpReply reply);
   void Write(HttpReply reply, bool keep_alive);
+  void Forget();
   void Leave() { door_->Dismiss(this); }
 
   Door* door_;
@@ -43,6 +44,7 @@ class Session : public Guest {
   Stream stream_;
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  bool broken_ = false;  // the request: not all of it was read
   HttpReply reply_;
   boost::beast::http::response<boost::beast::http::span_body<const char>> response_;
   OrderWait order_;

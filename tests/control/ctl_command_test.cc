@@ -41,9 +41,15 @@ class FakeRobot {
                    }
                    return answer;
                  }),
-        server_(socket, {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_}) {}
+        showing_(&frames_),
+        server_(
+            socket,
+            {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_, .frames = &frames_}) {
+  }
 
   StatusBoard* board() { return &board_; }
+  // Frames so far.
+  std::int64_t shown() const { return showing_.shown(); }
   // Only after an order was answered.
   const Order& last() const { return last_; }
 
@@ -51,7 +57,9 @@ class FakeRobot {
   Order last_ = ResetRobot{};
   StatusBoard board_;
   Inbox inbox_;
+  FrameBoard frames_{Frame{}};
   test::Ticking ticking_;
+  test::Showing showing_;
   ControlServer server_;
 };
 
@@ -106,6 +114,38 @@ TEST_F(CtlCommandTest, WatchesUntilTheRobotIsGone) {
   robot.reset();
   watching.join();
   EXPECT_NE(why, "");
+}
+
+TEST_F(CtlCommandTest, WatchesFramesUntilTheRobotGoes) {
+  std::optional<FakeRobot> robot(std::in_place, Socket("one"));
+  std::ostringstream out;
+  CLI::App app;
+  CtlCommand dut(&app, &out);
+  app.parse("ctl frame --watch --hz 240 --parts com --socket " + Socket("one").string());
+  std::thread watching([&] { EXPECT_THROW(dut.Run(), ControlError); });
+  const std::int64_t before = robot->shown();
+  EXPECT_TRUE(test::Eventually([&] { return robot->shown() > before + 2; }));
+  robot.reset();
+  watching.join();
+  std::istringstream lines(out.str());
+  int seen = 0;
+  for (std::string line; std::getline(lines, line); ++seen) {
+    EXPECT_THAT(line, AllOf(StartsWith("{\"step\":"), HasSubstr("\"com\":")));
+  }
+  EXPECT_GE(seen, 2);
+}
+
+TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
+  const FakeRobot robot(Socket("one"));
+  EXPECT_THAT(Run("ctl frame --parts com"), StartsWith("{\"step\":"));
+  EXPECT_THAT(Run("ctl metrics"), HasSubstr("\nunderstudy_steps_total "));
+  EXPECT_EQ(Run("ctl refusals"), "no command was refused\n");
+}
+
+TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl push \xff\xfe 1 0 0");
+  EXPECT_EQ(std::get<PushBody>(robot.last()).body, "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 TEST_F(CtlCommandTest, GivesEveryOrder) {

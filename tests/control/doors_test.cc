@@ -274,6 +274,15 @@ TEST_F(DoorsTest, OutlivesThousandsOfConnections) {
       test::Eventually([&] { return Ask("GET /status", HostLine()).starts_with("HTTP/1.1 200"); }));
 }
 
+TEST_F(DoorsTest, WhoSendsFarTooMuchReadsWhyOnceItIsSent) {
+  const auto client = test::RawSocket::ToPort(panel_.port());
+  const std::string body(20 << 20, ' ');
+  client->Send("POST /push HTTP/1.1\r\n" + HostLine() +
+               "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n");
+  client->Send(body);
+  EXPECT_THAT(client->ReceiveAll(), StartsWith("HTTP/1.1 413"));
+}
+
 TEST_F(DoorsTest, AHugeHeaderIs431) {
   EXPECT_THAT(Ask("GET /status", HostLine() + "X: " + std::string(9 * 1024, 'x') + "\r\n"),
               StartsWith("HTTP/1.1 431"));
@@ -304,6 +313,16 @@ TEST(PanelSocketTest, WhatIsNoAddressIsAnErrorThatNamesTheKey) {
     FAIL();
   } catch (const ConfigError& error) {
     EXPECT_THAT(error.what(), HasSubstr("control.address: expected an IP address"));
+  }
+}
+
+TEST(PanelSocketTest, CallsAnAddressAsABrowserWillThoughItWasWrittenOtherwise) {
+  try {
+    const PanelSocket dut("0:0:0:0:0:0:0:1", 0);
+    EXPECT_EQ(dut.address(), "::1");
+    EXPECT_THAT(dut.host(), StartsWith("[::1]:"));
+  } catch (const SocketError& error) {
+    GTEST_SKIP() << error.what();  // no IPv6 here
   }
 }
 

@@ -1,6 +1,7 @@
 #include "control/inbox.h"
 
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "gtest/gtest.h"
@@ -24,6 +25,40 @@ TEST(InboxTest, CarriesOrdersOutInOrderOfArrival) {
     return Answer{};
   });
   EXPECT_EQ(carried_out, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(InboxTest, ManyOrdersMakeNoLongTick) {
+  Inbox inbox;
+  std::size_t carried_out = 0;
+  const auto drain = [&] {
+    inbox.Drain([&](const Order&) {
+      ++carried_out;
+      return Answer{};
+    });
+    return std::exchange(carried_out, 0);
+  };
+  for (std::size_t i = 0; i < Inbox::kCapacity; ++i) inbox.Put(ClampBase{true}, kNever);
+  EXPECT_EQ(drain(), Inbox::kMostAtOnce);
+  std::size_t rest = 0;
+  for (std::size_t some = drain(); some > 0; some = drain()) rest += some;
+  EXPECT_EQ(rest, Inbox::kCapacity - Inbox::kMostAtOnce);
+}
+
+TEST(InboxTest, AResetIsTheLastOfItsTick) {
+  Inbox inbox;
+  for (const Order& order :
+       {Order{ClampBase{true}}, Order{ResetRobot{}}, Order{ClampBase{false}}}) {
+    inbox.Put(order, kNever);
+  }
+  std::vector<std::size_t> kinds;
+  const auto note = [&](const Order& order) {
+    kinds.push_back(order.index());
+    return Answer{};
+  };
+  inbox.Drain(note);
+  ASSERT_EQ(kinds.size(), 2u);
+  inbox.Drain(note);
+  EXPECT_EQ(kinds.size(), 3u);
 }
 
 TEST(InboxTest, HandsBackTheAnswer) {

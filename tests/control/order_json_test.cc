@@ -1,5 +1,11 @@
 #include "control/order_json.h"
 
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <pthread.h>
+
 #include "gtest/gtest.h"
 
 namespace understudy {
@@ -19,6 +25,22 @@ bool Is(const OrderReading& reading) {
 std::string Refusal(const OrderReading& reading) {
   const auto* why = std::get_if<std::string>(&reading);
   return why == nullptr ? "" : *why;
+}
+
+// Calls `function` in a thread with 1 MB of stack.
+void OnASmallStack(std::function<void()> function) {
+  pthread_attr_t attributes{};
+  ::pthread_attr_init(&attributes);
+  ::pthread_attr_setstacksize(&attributes, 1 << 20);
+  const auto call = [](void* what) -> void* {
+    (*static_cast<std::function<void()>*>(what))();
+    return nullptr;
+  };
+  pthread_t thread{};
+  const int error = ::pthread_create(&thread, &attributes, call, &function);
+  ::pthread_attr_destroy(&attributes);
+  ASSERT_EQ(error, 0);
+  ::pthread_join(thread, nullptr);
 }
 
 TEST(OrderJsonTest, ReadsEveryCraneOrder) {
@@ -73,6 +95,13 @@ TEST(OrderJsonTest, RefusesKeysAndSticksThatAreNone) {
             R"("ly": expected a number from -1 to 1, got 2)");
   EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"press": "A", "hold": "B"})")),
             R"(expected exactly one of "press", "hold", "release", "sticks", "set", "on", got 2)");
+}
+
+TEST(OrderJsonTest, RefusesATimeForWhatLastsUntilAnotherOrder) {
+  EXPECT_EQ(Refusal(ReadRemoteOrder(R"({"hold": "A", "seconds": 1})")),
+            R"("seconds": "hold" lasts until another order)");
+  EXPECT_NE(Refusal(ReadRemoteOrder(R"({"release": "A", "seconds": 1})")), "");
+  EXPECT_NE(Refusal(ReadRemoteOrder(R"({"on": false, "seconds": 1})")), "");
 }
 
 TEST(OrderJsonTest, ReadsTheWholeRemoteAtOnce) {
@@ -283,11 +312,32 @@ TEST(OrderJsonTest, RefusesAnEmptyBodyWhereAKeyIsNeeded) {
   EXPECT_EQ(Refusal(ReadCraneOrder("")), "the body is not JSON, see byte 1");
 }
 
+// As deep as a body may be long, in every order, on a stack too small for any recursion over it.
 TEST(OrderJsonTest, SurvivesDeepNesting) {
-  EXPECT_NE(Refusal(ReadCraneOrder(std::string(60'000, '['))), "");
-  EXPECT_NE(Refusal(ReadCraneOrder(R"({"lower":)" + std::string(20'000, '[') +
-                                   std::string(20'000, ']') + "}")),
-            "");
+  struct Reading {
+    OrderReading (*read)(std::string_view body);
+    std::vector<const char*> keys;
+  };
+  const Reading readings[] = {{ReadCraneOrder, {"lower", "attach"}},
+                              {ReadClampOrder, {"on"}},
+                              {ReadResetOrder, {"pose"}},
+                              {ReadPushOrder, {"body", "force", "seconds"}},
+                              {ReadDragOrder, {"body", "at", "to", "seconds", "release"}},
+                              {ReadPauseOrder, {"on"}},
+                              {ReadStepOrder, {"steps"}},
+                              {ReadSpeedOrder, {"speed"}},
+                              {ReadRemoteOrder, {"press", "sticks", "set", "on", "seconds"}}};
+  OnASmallStack([&] {
+    constexpr std::size_t kDeep = 32'000;
+    for (const Reading& reading : readings) {
+      EXPECT_NE(Refusal(reading.read(std::string(2 * kDeep, '['))), "");
+      for (const char* key : reading.keys) {
+        const std::string body = "{\"" + std::string{key} + "\":" + std::string(kDeep, '[') +
+                                 std::string(kDeep, ']') + "}";
+        EXPECT_NE(Refusal(reading.read(body)), "") << key;
+      }
+    }
+  });
 }
 
 TEST(OrderJsonTest, SurvivesBytesThatAreNoText) {

@@ -18,7 +18,8 @@ class RoutesTest : public ::testing::Test {
   }
 
   StatusBoard board_;
-  Plane plane_{.identity = {.robot = "g1"}, .board = &board_};
+  FrameBoard frames_{Frame{}};
+  Plane plane_{.identity = {.robot = "g1"}, .board = &board_, .frames = &frames_};
 };
 
 TEST_F(RoutesTest, StatusIsThatOfTheBoard) {
@@ -102,6 +103,12 @@ TEST_F(RoutesTest, WhatIsNotThereIs404) {
   EXPECT_EQ(ReplyTo("GET", "/scene/mesh/0").status, 404u);
   EXPECT_EQ(ReplyTo("GET", "/panel").status, 404u);
   EXPECT_EQ(ReplyTo("GET", "/").status, 404u);
+  plane_.frames = nullptr;
+  for (const char* target : {"/frame", "/refusals", "/metrics"}) {
+    EXPECT_EQ(ReplyTo("GET", target).status, 404u) << target;
+  }
+  const auto frames = Route({.method = "GET", .target = "/frames", .upgrade = true}, plane_);
+  EXPECT_EQ(std::get<HttpReply>(frames).status, 404u);
 }
 
 TEST_F(RoutesTest, TellsTheAddressOfThePanel) {

@@ -15,6 +15,7 @@ namespace understudy {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 using ::testing::StartsWith;
 
 constexpr std::string_view kStatusRequest = "GET /status HTTP/1.1\r\nHost: x\r\n\r\n";
@@ -231,6 +232,14 @@ TEST_F(ControlServerTest, AWrongMethodIs405AndNamesTheRightOne) {
   EXPECT_THAT(reply, HasSubstr("Allow: POST\r\n"));
 }
 
+TEST_F(ControlServerTest, NothingFollowsTheReplyToAHeadWhichMayHaveNoBody) {
+  Start();
+  const std::string reply =
+      Tell("HEAD /status HTTP/1.1\r\nHost: x\r\n\r\n" + std::string{kStatusRequest});
+  EXPECT_THAT(reply, StartsWith("HTTP/1.1 405"));
+  EXPECT_THAT(reply, Not(HasSubstr("HTTP/1.1 200")));
+}
+
 TEST_F(ControlServerTest, ABodyTooLargeIs413) {
   Start();
   const ControlReply reply = Ask("POST", "/crane", std::string(64 * 1024 + 1, ' '));
@@ -248,6 +257,15 @@ TEST_F(ControlServerTest, AnUnendingBodyIs413) {
   std::string request = "POST /crane HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
   for (int i = 0; i < 80; ++i) request += "400\r\n" + std::string(1024, ' ') + "\r\n";
   EXPECT_THAT(Tell(request), StartsWith("HTTP/1.1 413"));
+}
+
+TEST_F(ControlServerTest, HangsUpOnAClientThatNeverEndsWhatWasRefused) {
+  Start({.idle = std::chrono::milliseconds{50}});
+  const test::RawSocket client(path_);
+  client.Send(Post("/crane", std::string(64 * 1024 + 1, ' ')));
+  EXPECT_THAT(client.ReceiveAll(), StartsWith("HTTP/1.1 413"));
+  // Our side is still open: it is the server who goes.
+  EXPECT_TRUE(test::Eventually([&] { return !client.Sends("more"); }));
 }
 
 TEST_F(ControlServerTest, AHeaderTooLargeIs431) {

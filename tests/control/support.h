@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
@@ -115,6 +116,10 @@ class RawSocket {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
+  // Whether somebody is there to take it.
+  bool Sends(std::string_view bytes) const {
+    return ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
+  }
   // Until `end` has come in, or the other side hangs up.
   std::string Receive(std::string_view end) const {
     std::string text;
@@ -178,7 +183,7 @@ class Showing {
           for (; !stop_; std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
             Frame* frame = frames->Wanted();
             if (frame == nullptr) continue;
-            ++frame->step;
+            frame->step = ++shown_;
             frames->Show();
           }
         }) {}
@@ -186,11 +191,13 @@ class Showing {
     stop_ = true;
     thread_.join();
   }
+  std::int64_t shown() const { return shown_; }
   Showing(const Showing&) = delete;
   Showing& operator=(const Showing&) = delete;
 
  private:
   std::atomic<bool> stop_ = false;
+  std::atomic<std::int64_t> shown_ = 0;
   std::thread thread_;
 };
 

@@ -236,6 +236,92 @@ def test_speed_is_chosen_in_the_bar(page):
     page.becomes("panel.view.frame.speed === 1")
 
 
+def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page):
+    page.evaluate("document.getElementById('speed').focus()")
+
+    page.evaluate("panel.link.post('/speed', { speed: 2 })")
+    page.becomes("document.getElementById('speed').value === '2'")
+    page.evaluate("panel.link.post('/speed', { speed: 1 })")
+
+    page.becomes("document.getElementById('speed').value === '1'")
+    page.evaluate("document.activeElement.blur()")
+
+
+def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
+    drag = "panel.link.post('/drag', {})"
+    page.evaluate(drag.format("{ body: 'base_link', to: [0, 0, 0.6], seconds: 60 }"))
+    second = visit(url_of(dog))
+    second.becomes("panel.link.ordersOpen")
+
+    step = second.evaluate("panel.view.frame.step")
+    second.becomes(f"panel.view.frame.step > {step}")
+
+    assert second.evaluate("panel.view.frame.pushes.length") == 1
+    page.evaluate(drag.format("{ release: true }"))
+
+
+# Orders go nowhere and are all refused; `link.asked` has them.
+REFUSE = """(() => {
+  const { link } = panel;
+  link.asked = [];
+  link.order = async (path) => (link.asked.push(path), { status: 409, error: "not today" });
+})()"""
+REFUSE_NO_MORE = "delete panel.link.order && delete panel.link.asked"
+
+
+def test_what_is_refused_many_times_a_second_is_complained_of_once(page):
+    page.evaluate(REFUSE)
+    page.key("keyDown", "KeyE", "e")
+    page.becomes("panel.link.asked.length > 4")
+    page.key("keyUp", "KeyE", "e")
+    page.evaluate(REFUSE_NO_MORE)
+
+    assert page.evaluate("[...document.querySelectorAll('#event-list li')]"
+                         ".filter((line) => line.textContent.includes('not today')).length") == 1
+
+
+def test_space_pauses_once_however_long_it_is_held(page):
+    page.evaluate(REFUSE)
+    page.key("keyDown", "Space", " ")
+    for _ in range(3):
+        page.call("Input.dispatchKeyEvent", type="keyDown", code="Space", key=" ", autoRepeat=True)
+    page.key("keyUp", "Space", " ")
+    asked = page.evaluate("panel.link.asked")
+    page.evaluate(REFUSE_NO_MORE)
+
+    assert asked == ["/pause"]
+
+
+def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):
+    page.evaluate("window.before = true; panel.link.known.robot = 'g1'; panel.link.frames.close()")
+
+    page.becomes("!window.before && window.panel?.view.placed && panel.link.known.robot === 'go2'")
+
+
+def test_a_browser_without_webgl_is_told_what_is_missing(browser, dog):
+    page = browser.page("about:blank", **DESK)
+    page.call("Page.addScriptToEvaluateOnNewDocument",
+              source="HTMLCanvasElement.prototype.getContext = () => null")
+    page.call("Page.navigate", url=url_of(dog))
+
+    page.becomes("document.getElementById('lost')?.textContent.includes('needs WebGL')")
+    page.close()
+
+
+def test_a_phone_on_its_side_shows_one_part_and_a_desk_all_again(page):
+    seen = """['plots', 'motors', 'remote', 'rig', 'events'].filter(
+        (id) => document.getElementById(id).offsetParent)"""
+    page.resize(932, 430, touch=True)
+    show(page, "motors")
+    assert page.evaluate(seen) == ["motors"]
+    assert page.evaluate("document.getElementById('motors').getBoundingClientRect().bottom"
+                         " <= innerHeight")
+    page.resize(DESK["width"], DESK["height"])
+
+    page.becomes("document.getElementById('tab-remote').ariaSelected === 'true'")
+    assert page.evaluate(seen) == ["plots", "motors", "remote"]
+
+
 def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
     robot = play("g1")
     page = visit(url_of(robot), **PHONE)

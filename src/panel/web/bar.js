@@ -1,8 +1,10 @@
 // The bar at the top: what runs, how time goes, who moves the motors; pause, step, speed, reset.
 import { byId, element, number, setClass, setText } from "./dom.js";
 import { ownerOf } from "./events.js";
+import { LOW } from "./sensor_table.js";
 
 const POSE_WORDS = { "": "start pose" };
+const SETTLE = 1000; // ms after a speed was chosen in which frames may still have the one before
 
 export class Bar {
   // order(path, body) sends and reports a refusal.
@@ -12,7 +14,9 @@ export class Bar {
     byId("step").addEventListener("click", (event) => {
       order("/step", { steps: event.shiftKey ? 10 : 1 });
     });
+    this.chosenAt = -Infinity;
     byId("speed").addEventListener("change", () => {
+      this.chosenAt = performance.now();
       order("/speed", { speed: Number(byId("speed").value) });
     });
     byId("reset").addEventListener("click", () => {
@@ -39,7 +43,7 @@ export class Bar {
     setText(byId("pause"), frame.paused ? "Resume" : "Pause");
     byId("pause").setAttribute("aria-pressed", frame.paused);
     byId("step").disabled = !frame.paused;
-    if (document.activeElement !== byId("speed")) this.chooseSpeed(frame.speed);
+    if (performance.now() - this.chosenAt > SETTLE) this.chooseSpeed(frame.speed);
   }
 
   chooseSpeed(value) {
@@ -67,7 +71,7 @@ export class Bar {
   showBattery({ soc, voltage }) {
     setText(byId("battery"), `${number(100 * soc, 0)} %`);
     byId("battery").title = `${number(voltage, 2)} V`;
-    setClass(byId("battery"), `num ${soc < 0.2 ? "warn" : ""}`);
+    setClass(byId("battery"), `num ${soc < LOW ? "warn" : ""}`);
   }
 
   // state: live, silent or lost; or connecting, before anything is known.

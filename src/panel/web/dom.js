@@ -30,11 +30,12 @@ export function number(value, digits) {
   return Number(text) === 0 ? text.replace("-", "") : text.replace("-", "−");
 }
 
-// Whether a key that goes down now belongs to what has the focus: text, a list, a button's Space.
+// Whether a key that goes down now belongs to what has the focus: text, a list, a button's Space,
+// the arrows of what can be scrolled.
 export function focusWants(event) {
   const focus = document.activeElement;
   if (!focus || focus === document.body) return false;
   if (focus.matches("select, textarea, input:not([type=checkbox])")) return true;
-  if (focus.matches("[role=tab]") && event.key.startsWith("Arrow")) return true;
+  if (focus.matches("[role=tab], .scroll") && event.key.startsWith("Arrow")) return true;
   return focus.matches("button, input, summary, a") && (event.key === " " || event.key === "Enter");
 }

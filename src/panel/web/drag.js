@@ -1,13 +1,17 @@
 // Pushing with the pointer: what is grabbed is drawn towards where the pointer is.
+import { lapse } from "./link.js";
+
 const EVERY = 33; // ms between orders while the pointer moves
-const RENEW = 150; // ms, well within the half second after which the robot lets go
+const RENEW = 150; // ms, well within the time after which the robot lets go
 
 export class DragTool {
-  // order(path, body) sends; wanted(event): whether this press is to push rather than to orbit.
-  constructor(view, order, wanted) {
+  // order(path, body) sends; wanted(event): whether this press is to push rather than to orbit;
+  // speed() is how fast simulated time is meant to go, 0 for unbounded.
+  constructor(view, order, wanted, speed) {
     this.view = view;
     this.order = order;
     this.wanted = wanted;
+    this.speed = speed;
     this.grip = null;
     const { canvas } = view;
     // Before OrbitControls, which listens to mouse and touch events, not to these.
@@ -42,15 +46,16 @@ export class DragTool {
   send() {
     const { body, at, to } = this.grip;
     this.grip.sent = performance.now();
-    this.order("/drag", { body, at, to });
+    this.order("/drag", { body, at, to, seconds: lapse(this.speed()) });
   }
 
   end(event) {
     if (!this.grip || (event && event.pointerId !== this.grip.pointer)) return;
     clearInterval(this.timer);
+    const { body } = this.grip;
     this.grip = null;
     this.view.canvas.classList.remove("dragging");
     this.view.controls.enabled = true;
-    this.order("/drag", { release: true });
+    this.order("/drag", { body, release: true });
   }
 }

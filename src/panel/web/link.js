@@ -4,6 +4,13 @@ const STATUS_EVERY = 250; // ms
 const SILENCE = 2000; // ms without a frame after which one says so
 const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command";
 const ORDER_PATIENCE = 5000; // ms; the robot itself answers within 2 s
+const LAPSE = 0.5; // s of wall time after which the robot lets go of what is not renewed
+const LONGEST = 60; // s of simulated time, what a drag may last
+
+// LAPSE in simulated seconds, as orders have it; `speed` 0 is unbounded, and taken for 20.
+export function lapse(speed) {
+  return Math.min(LAPSE * Math.max(speed || 20, 0.1), LONGEST);
+}
 
 const pause = (ms) => new Promise((done) => setTimeout(done, ms));
 
@@ -23,7 +30,7 @@ export class Link {
   constructor(token, on) {
     this.token = token;
     this.on = on;
-    this.pid = null;
+    this.known = null; // the newest status
     this.described = false;
     this.ordersOpen = false; // the robot knows the token
     this.hz = 60;
@@ -52,11 +59,7 @@ export class Link {
     for (let failures = 0; ; ) {
       let why = "the robot hung up";
       try {
-        const status = await this.json("/status");
-        // Another run on the same port: begin anew, with its scene and without this token.
-        if (this.pid !== null && this.pid !== status.pid) return location.reload();
-        this.pid = status.pid;
-        this.on.status(status);
+        await this.readStatus();
         await this.checkToken();
         if (!this.described) await this.on.scene(await this.json("/scene"));
         this.described = true; // another robot would be another process
@@ -71,6 +74,21 @@ export class Link {
     }
   }
 
+  // Another run on the same port: the page begins anew, with its scene and without this token. In a
+  // container the next process may have the number of the one before.
+  async readStatus() {
+    const { known } = this;
+    const now = await this.json("/status");
+    const same = !known ||
+      (now.pid === known.pid && now.robot === known.robot && now.time >= known.time);
+    if (!same) {
+      location.reload();
+      await new Promise(() => {}); // the page goes
+    }
+    this.known = now;
+    this.on.status(now);
+  }
+
   // Passes frames and status on until the line breaks.
   async follow() {
     this.openOrders();
@@ -78,9 +96,9 @@ export class Link {
     const watch = async () => {
       while (live) {
         await pause(STATUS_EVERY);
-        if (document.hidden) continue;
+        if (!live || document.hidden) continue;
         try {
-          this.on.status(await this.json("/status"));
+          await this.readStatus();
         } catch {
           // The frames' end says it.
         }
@@ -132,12 +150,16 @@ export class Link {
 
   // ---- orders
 
-  // The harmless order: whether the robot takes orders from this page.
+  // Whether the robot takes orders from this page, by what needs the token and changes nothing.
   async checkToken() {
     if (!this.token) return this.on.token("none");
-    const { status } = await this.post("/drag", { release: true });
-    this.on.token(status === 401 || status === 403 ? "stale" : "ok");
+    const { status } = await fetch("/panel", { headers: this.authorization(), cache: "no-store" });
     this.ordersOpen = status !== 401 && status !== 403;
+    this.on.token(this.ordersOpen ? "ok" : "stale");
+  }
+
+  authorization() {
+    return { Authorization: `Bearer ${this.token}` };
   }
 
   openOrders() {
@@ -182,7 +204,7 @@ export class Link {
     try {
       const reply = await fetch(path, {
         method: "POST",
-        headers: { Authorization: `Bearer ${this.token}`, "Content-Type": "application/json" },
+        headers: { ...this.authorization(), "Content-Type": "application/json" },
         body: JSON.stringify(body),
       });
       const { error } = await reply.json();

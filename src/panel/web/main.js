@@ -22,13 +22,23 @@ const NO_TOKEN = "Looking only: this address has no token. To give orders too, o
   "the robot printed at its start and `understudy ctl panel` tells.";
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
-const view = new View(byId("canvas"));
+const view = makeView();
 let scene = null;
 let signalsKnown = false;
 let tableShown = 0;
 
 const link = new Link(takeToken(), { scene: setScene, frame: showFrame, status: showStatus,
                                      line: showLine, token: showToken });
+
+function makeView() {
+  try {
+    return new View(byId("canvas"));
+  } catch (error) {
+    setText(byId("lost"), `This page needs WebGL, and the browser has none (${error.message}).`);
+    byId("lost").hidden = false;
+    throw error;
+  }
+}
 
 // An order, and in plain words why the robot did not take it.
 async function order(path, body) {
@@ -38,14 +48,10 @@ async function order(path, body) {
   say(answer.error ?? `${path}: ${answer.status}`);
 }
 
-// For what is sent many times a second: one complaint is enough.
-function stream(path, body) {
-  link.order(path, body).then(({ status, error }) => status !== 200 && say(error));
-}
-
 const bar = new Bar(order);
 const rig = new Rig(order);
-const remote = new Remote(stream, () => bar.speed);
+const speed = () => bar.speed;
+const remote = new Remote(order, speed);
 const events = new Events(() => link.json("/refusals"));
 const table = new MotorTable(plotMotor);
 const sensors = new SensorTable((names) => plots.showFirst(names));
@@ -54,12 +60,14 @@ const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
                           add: byId("plots-add") });
 const takesOrders = () => !document.body.classList.contains("looking");
 const pushing = () => byId("push-tool").getAttribute("aria-pressed") === "true";
-new DragTool(view, stream, (event) => takesOrders() && (event.ctrlKey || pushing()));
+new DragTool(view, order, (event) => takesOrders() && (event.ctrlKey || pushing()), speed);
 
+// Some orders go many times a second: one complaint is enough.
 function say(text) {
+  const again = !byId("message").hidden && byId("message").textContent === text;
+  if (!again) events.add(text, "bad", view.frame?.time);
   setText(byId("message"), text);
   byId("message").hidden = false;
-  events.add(text, "bad", view.frame?.time);
   clearTimeout(say.timer);
   say.timer = setTimeout(() => (byId("message").hidden = true), 6000);
 }
@@ -159,9 +167,18 @@ byId("home").addEventListener("click", () => view.home());
 window.addEventListener("keydown", (event) => {
   if (event.key !== " " || focusWants(event) || !takesOrders()) return;
   event.preventDefault();
-  byId("pause").click();
+  if (!event.repeat) byId("pause").click();
 });
-document.addEventListener("visibilitychange", () => link.setRate(document.hidden ? HIDDEN_HZ : 60));
+// A list from which the pointer has chosen gives the keys back, to the remote controller.
+for (const list of document.querySelectorAll("select")) {
+  let pointed = false;
+  list.addEventListener("pointerdown", () => (pointed = true));
+  list.addEventListener("keydown", () => (pointed = false));
+  list.addEventListener("change", () => pointed && list.blur());
+}
+const setRate = () => link.setRate(document.hidden ? HIDDEN_HZ : 60);
+document.addEventListener("visibilitychange", setRate);
+setRate();
 // The URL of another run, opened in this tab, changes nothing but what is behind the #.
 window.addEventListener("hashchange", () => location.reload());
 

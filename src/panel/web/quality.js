@@ -46,9 +46,8 @@ export class Quality {
     this.last = 0;
   }
 
-  // A picture was drawn at `now` [ms]. True when it has to be drawn anew, in another quality.
-  // A single long pause says nothing: programs are compiled for the first picture, and while the
-  // page is out of sight there are none.
+  // A picture was drawn at `now` [ms]. True when it has to be drawn anew, in another quality. Single
+  // ones may be late: the first of a new robot, or of a page that was out of sight.
   drew(now) {
     if (this.last) {
       ++this.count;

@@ -1,12 +1,12 @@
 // The remote controller: drawn, and held by mouse, touch, keyboard or gamepad.
 import { byId, focusWants, setText } from "./dom.js";
+import { lapse } from "./link.js";
 import {
   fromGamepad, fromKeyboard, KEYBOARD, KEYBOARD_STICKS, orderOf, together,
 } from "./remote_inputs.js";
 
 const EVERY = 33; // ms between looks at all inputs
 const RENEW = 150; // ms; what is held is told again, or the robot lets go of it
-const LAPSE = 0.5; // s of wall time after which it does
 
 export class Remote {
   // order(path, body) sends; speed() is how fast simulated time is meant to go, 0 for unbounded.
@@ -29,13 +29,13 @@ export class Remote {
     byId("latch").addEventListener("change", () => this.unlatch());
     this.listenToKeyboard();
     window.addEventListener("blur", () => this.letGo());
-    document.addEventListener("visibilitychange", () => document.hidden && this.letGo());
+    document.addEventListener("visibilitychange", () => document.hidden && this.putDown());
     setInterval(() => this.poll(), EVERY);
   }
 
   setEnabled(on) {
     this.enabled = on;
-    if (!on) this.letGo();
+    if (!on) this.putDown();
   }
 
   addKey(button) {
@@ -95,8 +95,8 @@ export class Remote {
       this.half = event.shiftKey;
       const key = event.key.toLowerCase();
       if (!(key in KEYBOARD || key in KEYBOARD_STICKS)) return;
-      if (!byId("keyboard").checked || event.ctrlKey || event.altKey || event.metaKey) return;
-      if (focusWants(event)) return;
+      if (!this.enabled || !byId("keyboard").checked || focusWants(event)) return;
+      if (event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       this.down.set(event.code, key);
     });
@@ -108,6 +108,12 @@ export class Remote {
 
   unlatch() {
     this.latched.clear();
+  }
+
+  // Out of sight nothing stays down: browsers call us too seldom there to renew it in time.
+  putDown() {
+    this.letGo();
+    this.unlatch();
   }
 
   letGo() {
@@ -139,7 +145,7 @@ export class Remote {
     if (idle && !this.sent) return;
     this.sent = idle ? "" : text;
     this.sentAt = now;
-    this.order("/remote", { set: order, seconds: LAPSE * Math.max(this.speed() || 20, 0.1) });
+    this.order("/remote", { set: order, seconds: lapse(this.speed()) });
   }
 
   draw(wish) {

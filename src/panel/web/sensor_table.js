@@ -3,7 +3,7 @@ import { byId, element, number, setClass, setText } from "./dom.js";
 import { rollPitchYaw } from "./signals.js";
 
 // Of the charge, at which the vendor's own programs stop (unitree_sdk2, terminations.hpp).
-const LOW = 0.2;
+export const LOW = 0.2;
 
 // Rows of {name, unit, digits, values(frame), plot: names of signals, level(values)}.
 function rowsOf(scene, frame) {

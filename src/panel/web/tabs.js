@@ -25,4 +25,10 @@ export function makeTabs(list, onChange) {
   }
   const named = (name) => tabs.find((tab) => tab.dataset.tab === name);
   choose(named(sessionStorage.getItem("tab")) ?? named("remote"), false);
+  // On a wide page two of them are not there: what they show is, all the time.
+  const settle = () => {
+    if (!named(document.body.dataset.tab).offsetParent) choose(named("remote"), false);
+  };
+  window.addEventListener("resize", settle);
+  settle();
 }
