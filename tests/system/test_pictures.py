@@ -50,6 +50,18 @@ def test_a_snapshot_has_the_size_that_was_asked_for_and_something_in_it(play, un
     assert colors_of(picture) > 100
 
 
+def test_where_egl_has_no_driver_osmesa_draws(play, understudy, tmp_path):
+    robot = play("go2")
+    here = ("--name", robot.name, "--size", "32x32")
+    no_drivers = {**without_display(), "__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
+    done = understudy("snapshot", tmp_path / "a.png", *here, "--gl", "egl", env=no_drivers)
+    assert done.returncode == 1
+    assert "apt-get install" in done.stderr
+
+    done = understudy("snapshot", tmp_path / "a.png", *here, env=no_drivers)
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_snapshot_shows_what_is_asked_for(play, understudy, tmp_path):
     robot = play("go2", "--start", "hanging")
     plain, collision = tmp_path / "plain.png", tmp_path / "collision.png"
