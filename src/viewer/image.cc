@@ -40,7 +40,10 @@ void WritePng(const Image& image, const std::filesystem::path& file) {
     throw SetupError("cannot write " + file.string() + ": " + png.message);
   }
   std::filesystem::rename(part, file, error);
-  if (error) throw SetupError("cannot write " + file.string() + ": " + error.message());
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw SetupError("cannot write " + file.string() + ": " + error.message());
 }
 
 void CheckWritable(const std::filesystem::path& file, bool overwrite) {
