@@ -3,9 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "control/ctl_check.h"
+
 namespace understudy {
 namespace {
 
+constexpr double kLongest = 1e9;  // s; a recording says where it ends
 constexpr int kLeastPixels = 400;
 constexpr int kMostPixels = 10000;
 
@@ -41,10 +44,10 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
       ->delimiter(',');
   plot->add_option("--from", options.from, "Seconds to begin at [0]")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
+      ->check(NumberWithin(0, kLongest));
   plot->add_option("--to", options.to, "Seconds to end at [the recording's end]")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(NumberWithin(0, kLongest));
   plot->add_option("--size", arguments->size, "Pixels [1600 wide, as high as its panels]")
       ->type_name("WxH")
       ->check([&options](const std::string& text) {

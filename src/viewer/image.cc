@@ -52,7 +52,8 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite) {
     throw SetupError(file.string() + " is a folder; name a file in it");
   }
   if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw SetupError(file.string() + " is there already; --force writes over it");
+    throw SetupError(file.string() +
+                     " is there already; name another file, or replace it with --overwrite");
   }
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder, ignored)) {

@@ -59,7 +59,7 @@ TEST(ImageTest, ChecksBeforehandWhereAFileGoes) {
   EXPECT_NO_THROW(CheckWritable(folder.path() / "b.png", false));
   EXPECT_NO_THROW(CheckWritable(there, true));
   EXPECT_THAT([&] { CheckWritable(there, false); },
-              ThrowsMessage<SetupError>(HasSubstr("--force")));
+              ThrowsMessage<SetupError>(HasSubstr("--overwrite")));
   EXPECT_THAT([&] { CheckWritable(folder.path(), true); },
               ThrowsMessage<SetupError>(HasSubstr("is a folder")));
   EXPECT_THAT([&] { CheckWritable(folder.path() / "no" / "b.png", false); },
