@@ -127,7 +127,8 @@ TEST_F(PlotTest, HasRoomForPanelsHoweverMuchHappened) {
   }
   const std::string script = GnuplotScript(page, true, File("a.svg"));
   std::size_t labels = 0;
-  for (std::size_t at = 0; (at = script.find("set label", at)) != std::string::npos; ++at) ++labels;
+  for (std::size_t at = 0; (at = script.find("\nset label", at)) != std::string::npos; ++at)
+    ++labels;
   EXPECT_EQ(labels, 1U + 8U) << "the title's and those of eight rows";
   EXPECT_NO_THROW(DrawPage(page, File("a.svg")));
 }
