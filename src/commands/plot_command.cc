@@ -3,9 +3,12 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "control/ctl_check.h"
+
 namespace understudy {
 namespace {
 
+constexpr double kLongest = 1e9;  // s; a recording says where it ends
 constexpr int kLeastPixels = 400;
 constexpr int kMostPixels = 10000;
 
@@ -27,7 +30,8 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
   PlotOptions& options = arguments->options;
   CLI::App* plot = app->add_subcommand("plot", "Draw the picture of a recording");
   plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
-  plot->add_option("--out", arguments->out, "Picture to write, .png or .svg [FILE.png]")
+  plot->add_option("--out", arguments->out,
+                   "Picture to write, .png or .svg; replaces the one before [FILE.png]")
       ->type_name("PICTURE");
   plot->add_option("--motors", options.motors,
                    "Joints, or slots by number [of each kind the one that moves most]")
@@ -36,15 +40,16 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
   plot->add_option("--fields", options.fields, "Of motors: q, dq, tau, temperature [q,tau]")
       ->type_name("FIELD,...")
       ->delimiter(',');
-  plot->add_option("--signals", options.signals, "Any other numbers, a panel each")
+  plot->add_option("--signals", options.signals,
+                   "Any other numbers of the vendor's messages, a panel each")
       ->type_name("TOPIC:FIELD,...")
       ->delimiter(',');
-  plot->add_option("--from", options.from, "Seconds to begin at [0]")
+  plot->add_option("--from", options.from, "Second of simulated time to begin at [0]")
       ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
-  plot->add_option("--to", options.to, "Seconds to end at [the recording's end]")
+      ->check(NumberWithin(0, kLongest));
+  plot->add_option("--to", options.to, "Second of simulated time to end at [the recording's end]")
       ->type_name("S")
-      ->check(CLI::PositiveNumber);
+      ->check(NumberWithin(0, kLongest));
   plot->add_option("--size", arguments->size, "Pixels [1600 wide, as high as its panels]")
       ->type_name("WxH")
       ->check([&options](const std::string& text) {

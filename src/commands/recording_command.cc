@@ -40,6 +40,18 @@ ordered_json Describe(const McapReader& reader) {
           {"attachments", attachments}};
 }
 
+// A file may say anything: what would do something to a terminal is shown as '?'.
+std::string Harmless(std::string text) {
+  std::ranges::replace_if(
+      text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
+  return text;
+}
+
+// A text out of what is told, "" where there is none.
+std::string TextOf(const ordered_json& object, const char* key) {
+  return Harmless(object.value(key, ""));
+}
+
 }  // namespace
 
 int RecordingCommand(const std::string& file, bool json) {
@@ -51,33 +63,32 @@ int RecordingCommand(const std::string& file, bool json) {
   }
   const auto& about = told["about"];
   const double seconds = told["seconds"];
-  std::printf("%s: %s, %.3f s, %llu messages\n", file.c_str(),
-              about.value("robot", told["library"].get<std::string>()).c_str(), seconds,
+  const std::string who =
+      about.contains("robot") ? TextOf(about, "robot") : TextOf(told, "library");
+  std::printf("%s: %s, %.3f s, %llu messages\n", file.c_str(), who.c_str(), seconds,
               static_cast<unsigned long long>(reader.contents().messages));
   if (about.contains("started")) {
-    std::printf(
-        "  begun %s by understudy %s%s\n", about["started"].get<std::string>().c_str(),
-        about.value("version", "").c_str(),
-        about.value("seed", "").empty() ? "" : (", seed " + about.value("seed", "")).c_str());
+    const std::string seed = TextOf(about, "seed");
+    std::printf("  begun %s by understudy %s%s\n", TextOf(about, "started").c_str(),
+                TextOf(about, "version").c_str(), seed.empty() ? "" : (", seed " + seed).c_str());
   }
   if (!reader.contents().cut_short.empty()) {
-    std::printf("  cut short: %s\n", reader.contents().cut_short.c_str());
+    std::printf("  cut short: %s\n", TextOf(told, "cut_short").c_str());
   }
   std::size_t width = 0;
   for (const auto& channel : told["channels"]) {
-    width = std::max(width, channel["topic"].get<std::string>().size());
+    width = std::max(width, TextOf(channel, "topic").size());
   }
   for (const auto& channel : told["channels"]) {
     const auto messages = channel["messages"].get<std::uint64_t>();
-    std::printf(
-        "  %-*s %9llu %7.1f Hz  %-10s %s\n", static_cast<int>(width),
-        channel["topic"].get<std::string>().c_str(), static_cast<unsigned long long>(messages),
-        seconds > 0 ? static_cast<double>(messages) / seconds : 0,
-        channel["from"].get<std::string>().c_str(), channel["type"].get<std::string>().c_str());
+    std::printf("  %-*s %9llu %7.1f Hz  %-10s %s\n", static_cast<int>(width),
+                TextOf(channel, "topic").c_str(), static_cast<unsigned long long>(messages),
+                seconds > 0 ? static_cast<double>(messages) / seconds : 0,
+                TextOf(channel, "from").c_str(), TextOf(channel, "type").c_str());
   }
-  for (const McapAttachment& attachment : reader.contents().attachments) {
-    std::printf("  %s, %llu bytes\n", attachment.name.c_str(),
-                static_cast<unsigned long long>(attachment.size));
+  for (const auto& attachment : told["attachments"]) {
+    std::printf("  %s, %llu bytes\n", TextOf(attachment, "name").c_str(),
+                static_cast<unsigned long long>(attachment["bytes"].get<std::uint64_t>()));
   }
   return 0;
 }

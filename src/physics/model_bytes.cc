@@ -20,6 +20,7 @@ std::string ModelBytes(const mjModel& model) {
   std::ifstream in(file, std::ios::binary);
   std::string bytes(std::istreambuf_iterator<char>(in), {});
   ::close(fd);
+  if (bytes.empty()) throw ModelError("no copy of the model: MuJoCo cannot write to " + file);
   return bytes;
 }
 

@@ -44,7 +44,11 @@ const char* ColorOf(const std::string& kind) {
   return "#5e5c64";
 }
 
-// Marks' texts stand in rows above the uppermost panel, as many as keep them apart.
+// Rows of texts at most; *assumed*, a tenth of a page.
+constexpr std::size_t kMostRows = 8;
+
+// Marks' texts stand in rows above the uppermost panel, as many as keep them apart; -1 where there
+// is no room for one.
 std::vector<int> Rows(const PlotPage& page, int* count) {
   std::vector<double> free_from;  // by row
   std::vector<int> rows;
@@ -54,6 +58,10 @@ std::vector<int> Rows(const PlotPage& page, int* count) {
                         (page.to - page.from) / (page.width - kLeft - kRight);
     std::size_t row = 0;
     while (row < free_from.size() && free_from[row] > mark.at) ++row;
+    if (row == kMostRows) {
+      rows.push_back(-1);
+      continue;
+    }
     if (row == free_from.size()) free_from.push_back(0);
     free_from[row] = mark.at + wide;
     rows.push_back(static_cast<int>(row));
@@ -94,8 +102,9 @@ int Run(const std::string& program, const std::filesystem::path& script,
   posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
   posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT, 0600);
   posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  std::string name = "gnuplot", file = script.string();
-  std::array<char*, 3> arguments = {name.data(), file.data(), nullptr};
+  // -d: as anybody's, whatever ~/.gnuplot says.
+  std::string name = "gnuplot", defaults = "-d", file = script.string();
+  std::array<char*, 4> arguments = {name.data(), defaults.data(), file.data(), nullptr};
   pid_t pid = -1;
   const int error =
       posix_spawn(&pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
@@ -141,7 +150,6 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
         out << at << " " << value << "\n";
         last = at;
       }
-      if (one.points.empty()) out << "NaN NaN\n";
       out << "\n\n";
     }
     out << "EOD\n";
@@ -154,7 +162,7 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
       const PlotMark& one = page.marks[mark];
       out << "set arrow " << mark + 1 << " from first " << one.at << ", graph 0 to first " << one.at
           << ", graph 1 nohead lw 1 dt 3 lc rgb '" << ColorOf(one.kind) << "'\n";
-      if (i > 0) continue;
+      if (i > 0 || row_of[mark] < 0) continue;
       const std::string times = one.times > 1 ? " …" : "";
       out << "set label " << mark + 1 << " " << Quoted(one.text + times) << " at first " << one.at
           << ", screen " << top + line * (row_of[mark] + 0.75)
@@ -199,10 +207,14 @@ void DrawPage(const PlotPage& page, const std::filesystem::path& picture) {
   if (status != 0 || !std::filesystem::exists(drawn)) {
     throw RecordError("gnuplot failed: " + TextOf(folder.path() / "said"));
   }
-  std::error_code error;
-  std::filesystem::copy_file(drawn, picture, std::filesystem::copy_options::overwrite_existing,
-                             error);
-  if (error) throw RecordError(picture.string() + ": cannot be written: " + error.message());
+  // Whole or not at all: the picture of before stays until then.
+  const std::filesystem::path part = picture.string() + "." + std::to_string(getpid()) + ".part";
+  std::error_code error, ignored;
+  std::filesystem::copy_file(drawn, part, error);
+  if (!error) std::filesystem::rename(part, picture, error);
+  if (!error) return;
+  std::filesystem::remove(part, ignored);
+  throw RecordError(picture.string() + ": cannot be written: " + error.message());
 }
 
 }  // namespace understudy

@@ -85,7 +85,9 @@ const McapSchema* McapReader::SchemaOf(const McapChannel& channel) const {
 // False where there is no summary, or one that does not tell where the messages are.
 bool McapReader::ReadSummary() {
   const Record footer = ReadRecord(size_ - kTail);
-  if (footer.op != McapOp::kFooter) Fail(footer.offset, "expected the footer");
+  if (footer.op != McapOp::kFooter || footer.content.size() < kMcapFooter) {
+    Fail(footer.offset, "expected the footer");
+  }
   BytesIn in(footer.content);
   const auto start = in.Take<std::uint64_t>();
   in.Take<std::uint64_t>();
@@ -106,13 +108,25 @@ bool McapReader::ReadSummary() {
     counted |= record.op == McapOp::kStatistics;
     at += kMcapRecordHead + record.content.size();
   }
-  if (counted && (contents_.messages == 0 || !chunks_.empty())) {
+  if (contents_.last_time < contents_.first_time)
+    Fail(start, "its last message is before its first");
+  if (counted && Describes()) {
     std::ranges::stable_sort(chunks_, {}, &Chunk::first_time);
     return true;
   }
   contents_ = {.profile = contents_.profile, .library = contents_.library};
   chunks_.clear();
   return false;
+}
+
+// A writer may leave out of its summary what stands in the chunks already.
+bool McapReader::Describes() const {
+  if (contents_.messages > 0 && chunks_.empty()) return false;
+  return std::ranges::all_of(contents_.counts, [this](const auto& count) {
+    const auto channel = contents_.channels.find(count.first);
+    return channel != contents_.channels.end() &&
+           (channel->second.schema_id == 0 || SchemaOf(channel->second) != nullptr);
+  });
 }
 
 void McapReader::Scan(std::uint64_t begin) {
@@ -122,6 +136,7 @@ void McapReader::Scan(std::uint64_t begin) {
     bool over = false;
     try {
       const Record record = ReadRecord(at);
+      if (record.op == McapOp{}) Fail(at, "zeros, as a power cut leaves them");
       size = kMcapRecordHead + record.content.size();
       over = record.op == McapOp::kDataEnd || record.op == McapOp::kFooter;
       if (!over) Note(record, false);
@@ -255,7 +270,8 @@ void McapReader::NoteMessage(const McapMessage& message, Chunk* chunk) {
     *to = first ? time : std::max(*to, time);
   };
   extend(contents_.messages == 0, &contents_.first_time, &contents_.last_time);
-  extend(chunk->last_time == 0, &chunk->first_time, &chunk->last_time);
+  extend(chunk->empty, &chunk->first_time, &chunk->last_time);
+  chunk->empty = false;
   ++contents_.messages;
   ++contents_.counts[message.channel_id];
 }

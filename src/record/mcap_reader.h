@@ -41,7 +41,8 @@ struct McapContents {
 
 // A file need not be sound: whatever is wrong with it (no MCAP, lengths that lie, checksums that do
 // not fit, chunks that unpack to more than they say) ends in a RecordError that names file and
-// place. A file without summary, as a killed run leaves it, is read through to where it breaks off.
+// place. A file without a whole summary, as a killed run leaves it, is read through to where it
+// breaks off.
 class McapReader {
  public:
   explicit McapReader(std::filesystem::path path);
@@ -72,11 +73,13 @@ class McapReader {
     std::uint64_t first_time = 0, last_time = 0;
     std::uint64_t offset = 0;
     bool bare = false;
+    bool empty = true;  // no message of it was noted (yet)
   };
 
   std::vector<std::byte> Read(std::uint64_t offset, std::uint64_t size) const;
   Record ReadRecord(std::uint64_t offset) const;
   bool ReadSummary();
+  bool Describes() const;
   void Scan(std::uint64_t begin);
   void Note(const Record& record, bool in_summary);
   void NoteInChunk(std::uint64_t offset, const std::vector<std::byte>& records, Chunk* chunk);

@@ -12,7 +12,11 @@ namespace {
 
 constexpr Clock::Time kSayEvery = std::chrono::milliseconds(20);
 
-std::uint64_t Nanoseconds(double seconds) { return static_cast<std::uint64_t>(seconds * 1e9); }
+// At most a century, which no recording is long and no clock overflows by.
+Clock::Time Nanoseconds(double seconds) {
+  constexpr double kMost = 3e9;  // s
+  return Clock::Time(static_cast<std::int64_t>(seconds > 0 ? std::min(seconds, kMost) * 1e9 : 0));
+}
 
 // What programs write on a real robot's network.
 bool IsCommandTopic(const std::string& topic) {
@@ -77,16 +81,20 @@ void Player::Play(const Say& say) {
 
 bool Player::PlayOnce(const Say& say) {
   const std::uint64_t beginning = reader_->contents().first_time;
-  const std::uint64_t from = beginning + Nanoseconds(options_.from);
-  const std::uint64_t to =
-      options_.to > 0 ? beginning + Nanoseconds(options_.to) : reader_->contents().last_time;
+  const std::uint64_t end = reader_->contents().last_time;
+  const auto log_time = [=](double seconds) {
+    const auto since = static_cast<std::uint64_t>(Nanoseconds(seconds).count());
+    return beginning + std::min(since, end - beginning);
+  };
+  const std::uint64_t from = log_time(options_.from);
+  const std::uint64_t to = std::max(from, options_.to > 0 ? log_time(options_.to) : end);
   const Clock::Time start = clock_->Now();
   bool goes_on = true;
   // Until wall time is that of the log time; false when it was ended meanwhile.
-  const auto wait = [&](std::uint64_t log_time) {
+  const auto wait = [&](std::uint64_t until) {
     if (options_.speed <= 0) return true;
-    const double wall = static_cast<double>(log_time - from) / options_.speed;
-    const Clock::Time due = start + Clock::Time(static_cast<std::int64_t>(wall));
+    const Clock::Time due =
+        start + Nanoseconds(static_cast<double>(until - from) * 1e-9 / options_.speed);
     for (Clock::Time now = clock_->Now(); now < due; now = clock_->Now()) {
       clock_->SleepUntil(std::min(due, now + kSayEvery));
       const double at =
@@ -102,8 +110,9 @@ bool Player::PlayOnce(const Say& say) {
     goes_on = wait(message.log_time) && say(at, &message);
     return goes_on;
   });
-  // Silence at the end lasts as long as it was recorded.
-  return goes_on && wait(to);
+  // Silence at the end lasts as long as it was recorded; where nothing is waited for, or said, who
+  // listens is asked all the same.
+  return goes_on && wait(to) && say(static_cast<double>(to - beginning) * 1e-9, nullptr);
 }
 
 }  // namespace understudy

@@ -18,7 +18,7 @@ enum class PlayedSide { kRobot, kClients };
 
 struct PlayOptions {
   PlayedSide side = PlayedSide::kRobot;
-  double from = 0, to = 0;            // s since the recording's beginning; `to` 0: its end
+  double from = 0, to = 0;            // s since its first message; `to` 0: its last
   double speed = 1;                   // recorded seconds per wall second; 0 = as fast as possible
   bool loop = false;                  // from the beginning again at the end, for ever
   std::vector<std::string> topics{};  // as ROS or as DDS spells them; empty: all
@@ -51,7 +51,8 @@ class Player {
   const std::map<std::uint16_t, PlayedTopic>& topics() const { return topics_; }
 
   // Called with each message when its time has come, and, with no message, at least every 20 ms of
-  // waiting; `at` is s since the recording's beginning. Playing ends when it says false.
+  // waiting and at every end; `at` is s since the recording's first message. Playing ends when it
+  // says false.
   using Say = std::function<bool(double at, const McapMessage* message)>;
   void Play(const Say& say);
 

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -15,6 +16,7 @@
 #include "record/ros2msg.h"
 #include "record/truth.h"
 #include "robot/nearest_word.h"
+#include "robot/robot_values.h"
 
 namespace understudy {
 namespace {
@@ -57,19 +59,12 @@ int SlotOf(const std::string& word) {
   return slot;
 }
 
-// A signal that is gathered while the recording is read.
-struct Gathered {
-  std::string topic;  // on the wire
-  CdrField field;
-  double scale = 1;
-  std::vector<std::pair<double, double>> points{};
-};
+using Points = std::vector<std::pair<double, double>>;  // s, value
 
 // The least and the most of each column, in order.
-std::vector<std::pair<double, double>> Thinned(const std::vector<std::pair<double, double>>& all,
-                                               double from, double to) {
+Points Thinned(const Points& all, double from, double to) {
   if (all.size() <= 2 * kColumns) return all;
-  std::vector<std::pair<double, double>> thin;
+  Points thin;
   const double width = (to - from) / static_cast<double>(kColumns);
   for (std::size_t begin = 0; begin < all.size();) {
     const double column = std::floor((all[begin].first - from) / width);
@@ -85,6 +80,36 @@ std::vector<std::pair<double, double>> Thinned(const std::vector<std::pair<doubl
   return thin;
 }
 
+// Points of a line while they are read: no more than a few times what is drawn, however long the
+// recording is.
+class Trace {
+ public:
+  // Leaves out what no line can go through.
+  void Add(double at, double value, double from, double to) {
+    if (!std::isfinite(value)) return;
+    points_.emplace_back(at, value);
+    if (points_.size() < full_) return;
+    points_ = Thinned(points_, from, to);
+    full_ = std::max(kFull, 2 * points_.size());  // where times go back and forth it stays long
+  }
+  const Points& points() const { return points_; }
+
+ private:
+  static constexpr std::size_t kFull = 16 * kColumns;
+
+  Points points_;
+  std::size_t full_ = kFull;
+};
+
+// A signal that is gathered while the recording is read.
+struct Gathered {
+  std::string topic;  // on the wire
+  CdrField field;
+  // Beyond is no value: kNoPosition and kNoVelocity of commands.
+  double most = std::numeric_limits<double>::infinity();
+  Trace trace{};
+};
+
 // "FR_calf" and "RL_calf" are of one kind, "left_knee" and "right_knee" of another.
 std::string KindOf(const std::string& motor) {
   for (const std::string_view side : {"FR_", "FL_", "RR_", "RL_", "left_", "right_"}) {
@@ -93,13 +118,10 @@ std::string KindOf(const std::string& motor) {
   return motor;
 }
 
-double Range(const std::vector<std::pair<double, double>>& points) {
-  double least = 0, most = 0;
-  for (const auto& [at, value] : points) {
-    least = at == points.front().first ? value : std::min(least, value);
-    most = at == points.front().first ? value : std::max(most, value);
-  }
-  return most - least;
+double Range(const Points& points) {
+  if (points.empty()) return 0;
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &Points::value_type::second);
+  return most->second - least->second;
 }
 
 // Reads a recording once for all that a page needs.
@@ -109,13 +131,15 @@ class PageMaker {
       : reader_(reader), options_(options) {
     const McapContents& contents = reader.contents();
     page_.from = options.from;
-    page_.to = options.to > 0 ? options.to : Duration(contents);
     beginning_ = contents.first_time;
     const auto about = contents.metadata.find("understudy");
     if (about != contents.metadata.end()) about_ = about->second;
     const std::string& start = about_["start_time_ns"];
     std::from_chars(start.data(), start.data() + start.size(), beginning_);
-    if (page_.from >= page_.to) {
+    beginning_ = std::min(beginning_, contents.first_time);
+    const double end = static_cast<double>(contents.last_time - beginning_) * 1e-9;
+    page_.to = options.to > 0 ? std::min(options.to, end) : end;
+    if (!(page_.from < page_.to)) {
       throw RecordError(reader.path().string() + ": there is nothing from " +
                         std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
     }
@@ -212,12 +236,16 @@ class PageMaker {
     if (path.ends_with("temperature") && type->second.starts_with("unitree_hg")) path += "[0]";
     motor_lines_.push_back(
         {.field = field, .motor = motor, .commanded = commanded, .gathered = gathered_.size()});
-    gathered_.push_back({.topic = topic, .field = FindField(type->second, path)});
+    gathered_.push_back({.topic = topic,
+                         .field = FindField(type->second, path),
+                         .most = commanded ? kNoVelocity : Gathered{}.most});
   }
 
   void AskForSignals() {
     std::vector<std::string> topics;
-    for (const auto& [topic, type] : types_) topics.push_back(topic);
+    for (const auto& [topic, type] : types_) {
+      if (RosMessages().contains(type)) topics.push_back(topic);
+    }
     first_signal_ = gathered_.size();
     for (const std::string& signal : options_.signals) {
       const std::size_t colon = signal.find(':');
@@ -225,9 +253,10 @@ class PageMaker {
         throw RecordError("--signals: '" + signal +
                           "': expected TOPIC:FIELD, such as rt/lowstate:imu_state.gyroscope[2]");
       }
-      const std::string topic = signal.substr(0, colon);
+      std::string topic = signal.substr(0, colon);
+      if (topic.starts_with('/')) topic = "rt" + topic;  // as ROS spells it
       const auto type = types_.find(topic);
-      if (type == types_.end()) {
+      if (type == types_.end() || !RosMessages().contains(type->second)) {
         throw RecordError("--signals: no topic '" + topic + "'" + DidYouMean(topic, topics));
       }
       gathered_.push_back(
@@ -239,7 +268,7 @@ class PageMaker {
     std::map<std::string, std::vector<Gathered*>> by_topic;
     for (Gathered& one : gathered_) by_topic[one.topic].push_back(&one);
     const auto from = beginning_ + static_cast<std::uint64_t>(page_.from * 1e9);
-    const auto to = beginning_ + static_cast<std::uint64_t>(page_.to * 1e9);
+    const auto to = beginning_ + static_cast<std::uint64_t>(std::ceil(page_.to * 1e9));
     reader_.ReadMessages(from, to, [&](const McapChannel& channel, const McapMessage& message) {
       const double at = static_cast<double>(message.log_time - beginning_) * 1e-9;
       if (channel.topic == kTruthTopic) {
@@ -249,22 +278,25 @@ class PageMaker {
       } else if (const auto some = by_topic.find(TopicOnWire(channel)); some != by_topic.end()) {
         for (Gathered* one : some->second) {
           const std::optional<double> value = ReadField(one->field, message.data);
-          // What says "no command" is none that can be drawn (CONVENTIONS.md).
-          if (value && std::abs(*value) < 1e4) one->points.emplace_back(at, *value);
+          if (value && std::abs(*value) < one->most) Note(at, *value, &one->trace);
         }
       }
       return true;
     });
   }
 
+  void Note(double at, double value, Trace* trace) const {
+    trace->Add(at, value, page_.from, page_.to);
+  }
+
   // A free joint stands first: its place and its attitude (w, x, y, z).
   void NoteTruth(double at, const Truth& truth) {
     if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
     const double w = truth.qpos[3], x = truth.qpos[4], y = truth.qpos[5], z = truth.qpos[6];
-    height_.emplace_back(at, truth.qpos[2]);
-    rpy_[0].emplace_back(at, kDegrees * std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)));
-    rpy_[1].emplace_back(at, kDegrees * std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)));
-    rpy_[2].emplace_back(at, kDegrees * std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)));
+    Note(at, truth.qpos[2], &height_);
+    Note(at, kDegrees * std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), rpy_.data());
+    Note(at, kDegrees * std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)), &rpy_[1]);
+    Note(at, kDegrees * std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)), &rpy_[2]);
   }
 
   // Those of one kind that follow closely are one mark.
@@ -283,16 +315,16 @@ class PageMaker {
     page_.marks.push_back({.at = at, .kind = event.kind, .text = event.text});
   }
 
-  PlotLine Line(std::string name, std::size_t color,
-                const std::vector<std::pair<double, double>>& points, bool dashed = false) const {
+  PlotLine Line(std::string name, std::size_t color, const Trace& trace,
+                bool dashed = false) const {
     return {.name = std::move(name),
             .color = static_cast<int>(color),
             .dashed = dashed,
-            .points = Thinned(points, page_.from, page_.to)};
+            .points = Thinned(trace.points(), page_.from, page_.to)};
   }
 
   void AddBase() {
-    if (height_.empty()) return;
+    if (height_.points().empty()) return;
     page_.panels.push_back({.label = "height [m]", .lines = {Line("base", 0, height_)}});
     page_.panels.push_back(
         {.label = "attitude [°]",
@@ -306,7 +338,7 @@ class PageMaker {
     for (const MotorLine& line : motor_lines_) {
       if (!options_.motors.empty()) chosen.insert(line.motor);
       if (line.field != 0 || line.commanded) continue;
-      const double range = Range(gathered_[line.gathered].points);
+      const double range = Range(gathered_[line.gathered].trace.points());
       const auto [kind, is_new] =
           most.try_emplace(KindOf(motors_[line.motor].name), range, line.motor);
       if (range > kind->second.first) kind->second = {range, line.motor};
@@ -332,9 +364,11 @@ class PageMaker {
             return one.field == field && one.motor == motor && one.commanded == commanded;
           });
           const std::size_t its_color = color++;
-          if (line == motor_lines_.end() || gathered_[line->gathered].points.empty()) continue;
-          panel.lines.push_back(Line(commanded ? "" : motors_[motor].name, its_color,
-                                     gathered_[line->gathered].points, commanded));
+          if (line == motor_lines_.end()) continue;
+          const Trace& trace = gathered_[line->gathered].trace;
+          if (trace.points().empty()) continue;
+          panel.lines.push_back(
+              Line(commanded ? "" : motors_[motor].name, its_color, trace, commanded));
         }
       }
       if (!panel.lines.empty()) page_.panels.push_back(std::move(panel));
@@ -345,9 +379,14 @@ class PageMaker {
     for (std::size_t i = 0; i < options_.signals.size(); ++i) {
       const std::string& signal = options_.signals[i];
       const std::string path = signal.substr(signal.find(':') + 1);
+      const Trace& trace = gathered_[first_signal_ + i].trace;
+      if (trace.points().empty()) {
+        throw RecordError("--signals: nothing says " + signal + " from " +
+                          std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
+      }
       // The label of the axis is short: gnuplot leaves out what is longer than the axis.
-      page_.panels.push_back({.label = path.substr(path.rfind('.') + 1),
-                              .lines = {Line(path, 0, gathered_[first_signal_ + i].points)}});
+      page_.panels.push_back(
+          {.label = path.substr(path.rfind('.') + 1), .lines = {Line(path, 0, trace)}});
     }
   }
 
@@ -362,8 +401,8 @@ class PageMaker {
   std::vector<MotorLine> motor_lines_;
   std::vector<Gathered> gathered_;
   std::size_t first_signal_ = 0;
-  std::vector<std::pair<double, double>> height_;
-  std::array<std::vector<std::pair<double, double>>, 3> rpy_;
+  Trace height_;
+  std::array<Trace, 3> rpy_;
   // The last event of a kind: when, and its mark.
   std::map<std::string, std::pair<double, std::size_t>> last_of_;
 };

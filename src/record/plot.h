@@ -15,16 +15,18 @@ struct PlotOptions {
   std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
                                        // kind the one that moves most, at most six
   std::vector<std::string> fields{};   // of motors: q, dq, tau, temperature; empty: q, tau
-  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", each a panel more
-  double from = 0, to = 0;             // s; `to` 0: the recording's end
+  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", each a panel more;
+                                       // topics as ROS or as DDS spells them
+  double from = 0, to = 0;             // s of simulated time; `to` 0: the recording's end
   int width = 1600, height = 0;        // pixels; height 0: by the number of panels
 };
 
 struct PlotLine {
   std::string name;
-  int color = 0;                                    // of the palette
-  bool dashed = false;                              // what was commanded
-  std::vector<std::pair<double, double>> points{};  // s, value; few enough to be drawn
+  int color = 0;        // of the palette
+  bool dashed = false;  // what was commanded
+  std::vector<std::pair<double, double>>
+      points{};  // s, value; one at least, few enough to be drawn
 };
 
 struct PlotPanel {
@@ -50,15 +52,16 @@ struct PlotPage {
 
 // Base height and attitude, the fields of the motors with what was commanded, the signals, and
 // events. Throws RecordError with the nearest word for a motor, field or signal that there is not,
-// and for a recording with nothing to be drawn.
+// and where there is nothing to be drawn.
 PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
 
-// What gnuplot is told for a page. Texts may be anybody's: they are only ever quoted words. `svg`
-// or PNG, to the file `picture`, beside which nothing is needed.
+// What gnuplot is told for a page, to draw it as SVG or as PNG into the file `picture`. Texts may
+// be anybody's: they are only ever quoted words.
 std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture);
 
 // Draws the page with gnuplot into a .png or .svg. Throws RecordError: another ending, no gnuplot
-// (with the package that brings it), what gnuplot said, or a picture that cannot be written.
+// (with the package that brings it), what gnuplot said, or a picture that cannot be written; then
+// the one of before is still there.
 void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
 
 }  // namespace understudy

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "control/ctl_check.h"
+
 namespace understudy {
 
 CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
@@ -21,7 +23,7 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
       ->add_option("--dead-zone", arguments->dead_zone,
                    "How far of a gamepad's stick is still its middle, 0 to 0.9")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 0.9))
+      ->check(NumberWithin(0, 0.9))
       ->type_name("X");
   remote->add_flag("--no-keyboard", arguments->no_keyboard, "Gamepads only, and no picture");
   remote->add_flag("--list-gamepads", arguments->list_gamepads,

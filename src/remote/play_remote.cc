@@ -169,6 +169,9 @@ void PlayRemote(const RemoteArguments& arguments) {
   if (!arguments.no_keyboard && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
     terminal.emplace("remote controller of " + robot.name());
   }
+  if (!terminal && !arguments.no_keyboard) {
+    std::fprintf(stderr, "understudy remote: no keyboard: this is no terminal; gamepads only\n");
+  }
   Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
   RemoteSender sender([&](const SetRemote& order) { robot.Set(order); });
 

@@ -6,7 +6,8 @@
 
 namespace understudy {
 
-// Throws SetupError: there is no such robot, it has gone, or there is nothing to hold.
+// Throws SetupError: there is no such robot, or it has gone. Where there is neither a terminal nor
+// a gamepad it waits for the latter.
 void PlayRemote(const RemoteArguments& arguments);
 
 }  // namespace understudy

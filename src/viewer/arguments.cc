@@ -10,6 +10,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "control/ctl_check.h"
 #include "robot/nearest_word.h"
 
 namespace understudy {
@@ -29,20 +30,6 @@ constexpr std::array<ShowWord, 5> kShown = {{{"contacts", &ShowChoice::contacts}
                                              {"com", &ShowChoice::com},
                                              {"joints", &ShowChoice::joints},
                                              {"collision", &ShowChoice::collision}}};
-
-// A finite number from `least` to `most`; CLI::Range takes what is no number for one.
-CLI::Validator Within(double least, double most) {
-  return {[least, most](std::string& text) {
-            double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && value >= least && value <= most) {
-              return std::string();
-            }
-            std::ostringstream expected;
-            expected << "expected a number from " << least << " to " << most << ", got " << text;
-            return expected.str();
-          },
-          ""};
-}
 
 std::optional<PictureSize> ReadSize(const std::string& text) {
   PictureSize size;
@@ -76,7 +63,7 @@ void AddCamera(CLI::App* command, CameraChoice* camera) {
   const auto add = [&](const char* option, std::optional<double>* value, const char* help,
                        double least, double most) {
     command->add_option(option, *value, help)
-        ->check(Within(least, most))
+        ->check(NumberWithin(least, most))
         ->excludes(name)
         ->type_name("X");
   };
@@ -87,7 +74,7 @@ void AddCamera(CLI::App* command, CameraChoice* camera) {
   CLI::Option* lookat =
       command->add_option("--lookat", camera->lookat, "X Y Z: a point of the world to look at, m")
           ->expected(3)
-          ->check(Within(-1e4, 1e4))
+          ->check(NumberWithin(-1e4, 1e4))
           ->type_name("X")
           ->excludes(name);
   command->add_option("--track", camera->track, "A body to look at and follow [the robot]")
@@ -149,7 +136,7 @@ void AddPicture(CLI::App* command, PictureArguments* picture, const std::string&
   AddSize(command, &picture->size, "Pixels [1280x720]");
   AddCamera(command, &picture->camera);
   AddShow(command, &picture->show);
-  command->add_flag("--force", picture->force, "Write over a file that is there");
+  command->add_flag("--overwrite", picture->overwrite, "Replace the file that is there");
   command
       ->add_option("--gl", picture->gl,
                    "Which OpenGL draws it: egl or osmesa [the first that works]")
@@ -179,7 +166,7 @@ CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments) {
       "snapshot", "Draw a picture of a running robot, or of a recording; needs no display");
   AddPicture(snapshot, &arguments->picture, ".png");
   snapshot->add_option("--at", arguments->at, "Second of simulated time in the recording [its end]")
-      ->check(Within(0, kLongestRun))
+      ->check(NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   snapshot->footer(
@@ -196,27 +183,27 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   AddPicture(film, &arguments->picture, ".mp4");
   film->add_option("--seconds", arguments->seconds,
                    "Simulated seconds of a running robot to film [10]")
-      ->check(Within(0.1, kLongest))
+      ->check(NumberWithin(0.1, kLongest))
       ->type_name("S")
       ->excludes("--recording");
   film->add_option("--from", arguments->from, "Second of the recording to begin at [its begin]")
-      ->check(Within(0, kLongestRun))
+      ->check(NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   film->add_option("--to", arguments->to, "Second of the recording to end at [its end]")
-      ->check(Within(0, kLongestRun))
+      ->check(NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   film->add_option("--fps", arguments->fps, "Frames per second of the film [30]")
-      ->check(Within(1, 120))
+      ->check(NumberWithin(1, 120))
       ->type_name("N");
   film->add_option("--speed", arguments->speed,
                    "Simulated seconds per second of the film; 0.25 is slow motion [1]")
-      ->check(Within(0.01, 100))
+      ->check(NumberWithin(0.01, 100))
       ->type_name("X");
   film->add_option("--orbit", arguments->orbit,
                    "Degrees per second that the camera goes round what it looks at [0]")
-      ->check(Within(-360, 360))
+      ->check(NumberWithin(-360, 360))
       ->type_name("X")
       ->excludes("--camera");
   film->footer(

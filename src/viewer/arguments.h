@@ -56,7 +56,7 @@ struct PictureArguments {
   CameraChoice camera;
   ShowChoice show;
   std::string gl;  // "egl" or "osmesa"; "" for the first that works
-  bool force = false;
+  bool overwrite = false;
 };
 
 struct SnapshotArguments {

@@ -118,7 +118,7 @@ void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& 
 }  // namespace
 
 void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  CheckWritable(arguments.picture.out, arguments.picture.force);
+  CheckWritable(arguments.picture.out, arguments.picture.overwrite);
   if (arguments.picture.recording.empty()) {
     FilmRobot(arguments, should_stop);
   } else {

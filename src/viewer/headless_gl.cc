@@ -14,13 +14,16 @@
 namespace understudy {
 namespace {
 
-// A shared library, by the name that its Debian package gives it. It stays: drivers do not survive
-// being unloaded and loaded again.
+// A shared library, by the name that its Debian package gives it. One that gave a context stays:
+// drivers do not survive being unloaded and loaded again.
 class Library {
  public:
   explicit Library(const char* name) : handle_(::dlopen(name, RTLD_NOW | RTLD_GLOBAL)) {
     if (handle_ == nullptr) throw SetupError(::dlerror());
   }
+
+  // One that gave none goes: of two that are loaded MuJoCo would ask the wrong one.
+  void Unload() { ::dlclose(handle_); }
 
   template <typename Function>
   Function* Get(const char* name) const {
@@ -41,6 +44,7 @@ class Egl final : public HeadlessGl {
     for (EGLDisplay display : Displays()) {
       if (MakeCurrent(display)) return;
     }
+    library_.Unload();
     throw SetupError("no driver gives an OpenGL context");
   }
   ~Egl() override {

@@ -40,7 +40,10 @@ void WritePng(const Image& image, const std::filesystem::path& file) {
     throw SetupError("cannot write " + file.string() + ": " + png.message);
   }
   std::filesystem::rename(part, file, error);
-  if (error) throw SetupError("cannot write " + file.string() + ": " + error.message());
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw SetupError("cannot write " + file.string() + ": " + error.message());
 }
 
 void CheckWritable(const std::filesystem::path& file, bool overwrite) {
@@ -49,7 +52,8 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite) {
     throw SetupError(file.string() + " is a folder; name a file in it");
   }
   if (!overwrite && std::filesystem::exists(file, ignored)) {
-    throw SetupError(file.string() + " is there already; --force writes over it");
+    throw SetupError(file.string() +
+                     " is there already; name another file, or replace it with --overwrite");
   }
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder, ignored)) {

@@ -20,11 +20,16 @@ int Main(int argc, char** argv) {
   SnapshotArguments snapshot;
   FilmArguments film;
   const auto should_stop = [] { return StopSignal() != 0; };
-  AddViewCommand(&app, &view)->final_callback([&] { View(view, should_stop); });
-  AddSnapshotCommand(&app, &snapshot)->final_callback([&] { Snapshot(snapshot); });
-  AddFilmCommand(&app, &film)->final_callback([&] { Film(film, should_stop); });
-  try {
+  AddViewCommand(&app, &view)->final_callback([&] {
     CatchStopSignals();
+    View(view, should_stop);
+  });
+  AddSnapshotCommand(&app, &snapshot)->final_callback([&] { Snapshot(snapshot); });
+  AddFilmCommand(&app, &film)->final_callback([&] {
+    CatchStopSignals();
+    Film(film, should_stop);
+  });
+  try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : static_cast<int>(ExitCode::kUsage);

@@ -16,6 +16,13 @@ constexpr char kModelName[] = "model.mjb";
 constexpr std::uint64_t kSecond = 1'000'000'000;  // ns
 constexpr double kRounding = 1e-6;                // s between what is asked for and what is there
 constexpr double kLookBack = 1;                   // s in which there is a state for sure
+constexpr double kLongest = 1e9;                  // s; what says more is damaged
+
+Truth Decode(const McapMessage& message) {
+  Truth truth = DecodeTruth(message.data);
+  if (truth.time >= 0 && truth.time <= kLongest) return truth;
+  throw RecordError("a state of second " + std::to_string(truth.time));
+}
 
 }  // namespace
 
@@ -23,7 +30,7 @@ Recording::Recording(const std::filesystem::path& file) : reader_(file) {
   bool found = false;
   reader_.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
     if (channel.topic != kTruthTopic) return true;
-    whole_.from = DecodeTruth(message.data).time;
+    whole_.from = Decode(message).time;
     origin_ = message.log_time - static_cast<std::uint64_t>(whole_.from * kSecond);
     found = true;
     return false;
@@ -37,7 +44,7 @@ Recording::Recording(const std::filesystem::path& file) : reader_(file) {
   reader_.ReadMessages(end - std::min(end, static_cast<std::uint64_t>(kLookBack * kSecond)), end,
                        [&](const McapChannel& channel, const McapMessage& message) {
                          if (channel.topic == kTruthTopic) {
-                           whole_.to = std::max(whole_.to, DecodeTruth(message.data).time);
+                           whole_.to = std::max(whole_.to, Decode(message).time);
                          }
                          return true;
                        });
@@ -87,10 +94,9 @@ void Recording::Read(const Span& span, std::size_t nq,
   reader_.ReadMessages(LogTime(span.from), LogTime(span.to),
                        [&](const McapChannel& channel, const McapMessage& message) {
                          if (channel.topic != kTruthTopic) return true;
-                         Truth truth = DecodeTruth(message.data);
+                         Truth truth = Decode(message);
                          if (truth.qpos.size() != nq) {
-                           throw RecordError(reader_.path().string() + ": a state of " +
-                                             std::to_string(truth.qpos.size()) +
+                           throw RecordError("a state of " + std::to_string(truth.qpos.size()) +
                                              " positions, its model has " + std::to_string(nq));
                          }
                          SceneState state;

@@ -1,8 +1,8 @@
-// The keyboard as the wireless remote, in a window, with the keys of `understudy remote`.
+// The keyboard of a window as the remote controller, with the keys of `understudy remote`.
 #ifndef UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_
 #define UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_
 
-#include <set>
+#include <map>
 
 #include "robot/robot_values.h"
 
@@ -10,8 +10,9 @@ namespace understudy {
 
 class RemoteKeyboard {
  public:
-  // A key of GLFW's that went down or up; what stands for nothing is left aside.
-  void Press(int key) { down_.insert(key); }
+  // A key of GLFW's that went down or up; what stands for nothing is left aside. With shift a stick
+  // goes half the way.
+  void Press(int key, bool shift = false) { down_[key] = shift; }
   void Release(int key) { down_.erase(key); }
   // As when the window lost them.
   void ReleaseAll() { down_.clear(); }
@@ -21,7 +22,7 @@ class RemoteKeyboard {
   RemoteReading Read() const;
 
  private:
-  std::set<int> down_;
+  std::map<int, bool> down_;  // with shift or without
 };
 
 }  // namespace understudy

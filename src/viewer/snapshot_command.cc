@@ -21,7 +21,7 @@ void Draw(Stage* stage, const SceneState& state, const PictureArguments& picture
 
 void Snapshot(const SnapshotArguments& arguments) {
   const PictureArguments& picture = arguments.picture;
-  CheckWritable(picture.out, picture.force);
+  CheckWritable(picture.out, picture.overwrite);
   if (!picture.recording.empty()) {
     const Recording recording(picture.recording);
     Stage stage(recording.ReadModel());

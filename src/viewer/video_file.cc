@@ -21,11 +21,12 @@ namespace {
 // ffmpeg's command line, reading raw pictures from its standard input.
 std::vector<std::string> Arguments(const PictureSize& size, int fps, const std::string& out) {
   const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
-  return {"ffmpeg",   "-nostdin", "-loglevel", "error",     "-f",         "rawvideo",
-          "-pix_fmt", "rgb24",    "-s",        pixels,      "-framerate", std::to_string(fps),
-          "-i",       "pipe:0",   "-an",       "-c:v",      "libx264",    "-crf",
-          "20",       "-pix_fmt", "yuv420p",   "-movflags", "+faststart", "-f",
-          "mp4",      "-y",       out};
+  return {
+      "ffmpeg",   "-nostdin", "-loglevel",  "error",     "-f",         "rawvideo",
+      "-pix_fmt", "rgb24",    "-s",         pixels,      "-framerate", std::to_string(fps),
+      "-i",       "pipe:0",   "-an",        "-c:v",      "libx264",    "-crf",
+      "20",       "-pix_fmt", "yuv420p",    "-movflags", "+faststart", "-f",
+      "mp4",      "-y",       "file:" + out};  // whatever protocol or option the name looks like
 }
 
 }  // namespace
@@ -92,10 +93,14 @@ void VideoFile::Add(const Image& image) {
 
 void VideoFile::Finish() {
   pictures_.reset();
-  if (Wait() != 0) Fail();
+  // It says "error" of a full disk and may exit with 0 all the same.
+  if (Wait() != 0 || !Said().empty()) Fail();
   std::error_code error;
   std::filesystem::rename(part_, file_, error);
-  if (error) throw SetupError("cannot write " + file_.string() + ": " + error.message());
+  if (!error) return;
+  std::error_code ignored;
+  std::filesystem::remove(part_, ignored);
+  throw SetupError("cannot write " + file_.string() + ": " + error.message());
 }
 
 int VideoFile::Wait() {
@@ -106,15 +111,19 @@ int VideoFile::Wait() {
   return status;
 }
 
+std::string VideoFile::Said() const {
+  std::array<char, 512> text{};
+  const ssize_t read = ::pread(words_.get(), text.data(), text.size(), 0);
+  const std::string said(text.data(), static_cast<std::size_t>(read > 0 ? read : 0));
+  return said.substr(0, said.find('\n'));
+}
+
 void VideoFile::Fail() {
   pictures_.reset();
   if (pid_ >= 0) Wait();
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);
-  std::array<char, 512> text{};
-  const ssize_t read = ::pread(words_.get(), text.data(), text.size(), 0);
-  std::string why(text.data(), static_cast<std::size_t>(read > 0 ? read : 0));
-  why = why.substr(0, why.find('\n'));
+  const std::string why = Said();
   throw SetupError("cannot write " + file_.string() + ": ffmpeg " +
                    (why.empty() ? "ended without a word" : "says: " + why));
 }

@@ -26,10 +26,11 @@ class VideoFile {
 
   // Waits while ffmpeg is behind. Throws SetupError with ffmpeg's words when it has given up.
   void Add(const Image& image);
-  // The file is whole, under its name, when this returns. Throws as above.
+  // The file is whole, under its name, when this returns. Throws as above; then there is none.
   void Finish();
 
  private:
+  std::string Said() const;  // the first line that ffmpeg wrote to its standard error
   [[noreturn]] void Fail();
   int Wait();
 

@@ -15,13 +15,22 @@ using nlohmann::json;
 
 constexpr int kHz = 60;                  // of frames asked for
 constexpr double kPullPeriod = 1. / 30;  // s; a drag holds for 0.5 s unless renewed
-constexpr double kRemotePeriod = 0.1;    // s of wall time; all is let go after kRemoteHold
-constexpr double kRemoteHold = 0.5;
-constexpr double kNoticeTime = 4;  // s that a refusal is to be read
-constexpr double kIdle = 0.1;      // s that the window waits for news
+constexpr double kNoticeTime = 4;        // s that a refusal is to be read
+constexpr double kIdle = 0.1;            // s that the window waits for news
 constexpr double kSlowest = 1. / 64, kFastest = 64;
 
 constexpr float kGripColor[4] = {0.9F, 0.15F, 0.3F, 0.9F};
+
+json RemoteBody(const SetRemote& order) {
+  const RemoteReading& to = order.reading;
+  return {{"set",
+           {{"keys", RemoteKeyNames(to.keys)},
+            {"lx", to.lx},
+            {"ly", to.ly},
+            {"rx", to.rx},
+            {"ry", to.ry}}},
+          {"seconds", order.seconds}};
+}
 
 mjtFontScale FontScale(double scale) {
   const auto percent = static_cast<int>(50 * std::lround(2 * scale));
@@ -41,6 +50,8 @@ Viewer::Viewer(const std::filesystem::path& socket, const ViewArguments& argumen
       }()),
       show_(arguments.show),
       orders_(socket),
+      remote_sender_(
+          [this](const SetRemote& order) { orders_.Send("/remote", RemoteBody(order)); }),
       robot_(socket, kHz, stage_.positions(), [] { Window::Wake(); }) {
   mjr_defaultContext(&context_);
   stage_.visual()->quality.shadowsize = 2048;
@@ -59,7 +70,7 @@ void Viewer::Run(const std::function<bool()>& should_stop) {
     for (const WindowEvent& event : window_.Wait(kIdle)) Take(event);
     TakeStates();
     Pull();
-    RenewRemote();
+    HoldRemote();
     if (const std::string refusal = orders_.TakeRefusal(); !refusal.empty()) {
       notice_ = refusal;
       notice_until_ = Now() + kNoticeTime;
@@ -72,6 +83,7 @@ void Viewer::Run(const std::function<bool()>& should_stop) {
     if (dirty_) Draw();
   }
   if (pulling_) orders_.Send("/drag", {{"release", true}});
+  remote_sender_.LetGo(Now());
 }
 
 void Viewer::TakeStates() {
@@ -105,11 +117,10 @@ void Viewer::Take(const WindowEvent& event) {
 void Viewer::Play(const WindowEvent& key) {
   if (key.kind == WindowEvent::Kind::kKeyAgain) return;  // it is down already
   if (key.kind == WindowEvent::Kind::kKeyDown) {
-    remote_.Press(key.code);
+    remote_.Press(key.code, key.shift);
   } else {
     remote_.Release(key.code);
   }
-  SendRemote();
 }
 
 bool Viewer::PressShow(int key) {
@@ -139,6 +150,7 @@ void Viewer::Press(const WindowEvent& key) {
       close_ = !playing_remote_;
       playing_remote_ = false;
       remote_.ReleaseAll();
+      remote_sender_.LetGo(Now());
       break;
     case GLFW_KEY_Q:
       close_ = true;
@@ -215,21 +227,11 @@ void Viewer::Pull() {
   pulled_at_ = Now();
 }
 
-void Viewer::RenewRemote() {
-  if (playing_remote_ && Now() - played_at_ >= kRemotePeriod) SendRemote();
-}
-
-void Viewer::SendRemote() {
-  const RemoteReading reading = remote_.Read();
-  const double speed = stage_.state().speed > 0 ? stage_.state().speed : kFastest;
-  orders_.Send("/remote", {{"set",
-                            {{"keys", RemoteKeyNames(reading.keys)},
-                             {"lx", reading.lx},
-                             {"ly", reading.ly},
-                             {"rx", reading.rx},
-                             {"ry", reading.ry}}},
-                           {"seconds", kRemoteHold * speed}});
-  played_at_ = Now();
+void Viewer::HoldRemote() {
+  if (!playing_remote_) return;
+  const double asked = stage_.state().speed > 0 ? stage_.state().speed : kFastest;
+  remote_sender_.set_speed(std::max(asked, real_time_.value()));
+  remote_sender_.Hold(remote_.Read(), Now());
 }
 
 void Viewer::DrawGrip() {

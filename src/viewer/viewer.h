@@ -8,6 +8,7 @@
 #include <memory>
 #include <string>
 
+#include "remote/remote_sender.h"
 #include "viewer/live_robot.h"
 #include "viewer/order_sender.h"
 #include "viewer/pointer.h"
@@ -38,8 +39,7 @@ class Viewer {
   void TakeStates();
   void Pull();
   void Play(const WindowEvent& key);
-  void RenewRemote();
-  void SendRemote();
+  void HoldRemote();
   void Draw();
   void DrawGrip();
   void DrawText(const mjrRect& whole);
@@ -62,8 +62,8 @@ class Viewer {
   double pulled_at_ = -1;    // s
   bool pulling_ = false;
   RemoteKeyboard remote_;
+  RemoteSender remote_sender_;
   bool playing_remote_ = false;
-  double played_at_ = -1;  // s
   bool help_ = false;
   bool close_ = false;
   bool dirty_ = true;

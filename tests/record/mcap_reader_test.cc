@@ -61,13 +61,37 @@ class McapReaderTest : public McapFilesTest {
     message.PutRaw(AsBytes(data));
     return RecordText(McapOp::kMessage, message);
   }
-  static std::string EndText() {
+  // What may stand in a summary: how many messages of channel 1, between which times.
+  static std::string StatisticsText(std::uint64_t messages, std::uint64_t first,
+                                    std::uint64_t last) {
+    BytesOut statistics;
+    statistics.Put(messages);
+    statistics.Put(std::uint16_t{0});
+    for (int i = 0; i < 4; ++i) statistics.Put(std::uint32_t{0});
+    statistics.Put(first);
+    statistics.Put(last);
+    statistics.Put(std::uint32_t{2 + 8});
+    statistics.Put(std::uint16_t{1});
+    statistics.Put(messages);
+    return RecordText(McapOp::kStatistics, statistics);
+  }
+  static std::string ChunkIndexText(std::uint64_t first, std::uint64_t last, std::uint64_t offset) {
+    BytesOut index;
+    index.Put(first);
+    index.Put(last);
+    index.Put(offset);
+    return RecordText(McapOp::kChunkIndex, index);
+  }
+  // `summary` from byte `start` on; 0: there is none.
+  static std::string EndText(const std::string& summary = "", std::uint64_t start = 0) {
     BytesOut end, footer;
     end.Put(std::uint32_t{0});
-    footer.Put(std::uint64_t{0});
+    if (start != 0) start += RecordText(McapOp::kDataEnd, end).size();
+    footer.Put(start);
     footer.Put(std::uint64_t{0});
     footer.Put(std::uint32_t{0});
-    return RecordText(McapOp::kDataEnd, end) + RecordText(McapOp::kFooter, footer) + Magic();
+    return RecordText(McapOp::kDataEnd, end) + summary + RecordText(McapOp::kFooter, footer) +
+           Magic();
   }
 };
 
@@ -84,6 +108,31 @@ TEST_F(McapReaderTest, ReadsChunksThatAreNotPacked) {
   EXPECT_EQ(Reading(HeaderText() + ChunkText(records.size(), Crc32(AsBytes(records)), "", records) +
                     EndText()),
             "");
+}
+
+// As `Writer(repeat_channels=False)` of the MCAP project writes.
+TEST_F(McapReaderTest, FindsChannelsThatTheSummaryDoesNotRepeat) {
+  const std::string records = ChannelText() + MessageText(1, 7);
+  const std::string front = HeaderText() + ChunkText(records.size(), 0, "", records);
+  const std::string summary = StatisticsText(1, 7, 7) + ChunkIndexText(7, 7, HeaderText().size());
+  const McapReader reader(Holding(front + EndText(summary, front.size())));
+  EXPECT_EQ(reader.contents().cut_short, "");
+  EXPECT_EQ(reader.contents().messages, 1U);
+  EXPECT_THAT(MessagesOf(reader), SizeIs(1));
+}
+
+TEST_F(McapReaderTest, ReadsTimesFromZeroOn) {
+  const std::string records = ChannelText() + MessageText(1, 0) + MessageText(1, 5);
+  const McapReader reader(
+      Holding(HeaderText() + ChunkText(records.size(), 0, "", records) + EndText()));
+  EXPECT_THAT(MessagesOf(reader, 0, 3), SizeIs(1));
+}
+
+TEST_F(McapReaderTest, EndsWhereAPowerCutLeftZeros) {
+  const McapReader reader(
+      Holding(HeaderText() + ChannelText() + MessageText(1, 7) + std::string(10'000, '\0')));
+  EXPECT_THAT(reader.contents().cut_short, HasSubstr("zeros"));
+  EXPECT_THAT(MessagesOf(reader), SizeIs(1));
 }
 
 TEST_F(McapReaderTest, ReadsATimeOnly) {
@@ -179,6 +228,19 @@ TEST_F(McapReaderTest, RefusesASummaryThatLies) {
   const std::uint64_t beyond = whole.size() * 2;
   std::memcpy(wrong.data() + whole.size() - 28, &beyond, 8);
   EXPECT_THAT(Reading(wrong), HasSubstr("the summary is said to begin at"));
+}
+
+TEST_F(McapReaderTest, RefusesARecordingThatEndsBeforeItBegins) {
+  const std::string summary = ChannelText() + StatisticsText(0, 8, 7);
+  EXPECT_THAT(Reading(HeaderText() + EndText(summary, HeaderText().size())),
+              HasSubstr("its last message is before its first"));
+}
+
+TEST_F(McapReaderTest, RefusesAFooterThatIsTooShort) {
+  std::string text = FileText(Written());
+  const std::uint64_t few = 4;
+  std::memcpy(text.data() + text.size() - 36, &few, 8);
+  EXPECT_THAT(Reading(text), HasSubstr("made.mcap: at byte"));
 }
 
 TEST_F(McapReaderTest, RefusesAnAttachmentThatIsDamaged) {

@@ -1,5 +1,7 @@
 #include "record/player.h"
 
+#include <limits>
+
 #include <gmock/gmock.h>
 
 #include "tests/record/mcap_files.h"
@@ -70,6 +72,38 @@ TEST_F(PlayerTest, KeepsAnotherSpeed) {
 TEST_F(PlayerTest, SaysAPartOnly) {
   EXPECT_THAT(Played({.from = 0.1, .to = 0.2}),
               ElementsAre(Pair(0, "state 1"), Pair(100, "state 2")));
+}
+
+TEST_F(PlayerTest, IsSilentNoLongerThanTheRecordingIs) {
+  ManualClock clock;
+  const McapReader reader(File());
+  double last = 0;
+  Player(&reader, {.to = 1e300}, &clock).Play([&](double at, const McapMessage*) {
+    last = at;
+    return true;
+  });
+  EXPECT_NEAR(last, 0.35, 1e-9);
+  EXPECT_EQ(clock.Now(), std::chrono::milliseconds(350));
+}
+
+TEST_F(PlayerTest, PlaysNothingForTimesThatAreNone) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(Played({.from = none}).size(), 4U);
+  EXPECT_EQ(Played({.from = 1e300}).size(), 0U);
+  EXPECT_EQ(Played({.speed = 1e-300}, 1).size(), 1U);
+}
+
+// Who listens has Ctrl-C to hear of.
+TEST_F(PlayerTest, AsksAtEveryEndWhetherToGoOn) {
+  ManualClock clock;
+  const McapReader reader(File());
+  int asked = 0;
+  Player player(&reader, {.from = 0.11, .to = 0.12, .speed = 0, .loop = true}, &clock);
+  player.Play([&](double, const McapMessage* message) {
+    EXPECT_EQ(message, nullptr);
+    return ++asked < 3;
+  });
+  EXPECT_EQ(asked, 3);
 }
 
 TEST_F(PlayerTest, BeginsAgain) {

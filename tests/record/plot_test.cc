@@ -1,10 +1,14 @@
 #include "record/plot.h"
 
+#include <cstring>
+#include <limits>
 #include <numbers>
 
 #include <gmock/gmock.h>
 
+#include "record/cdr_field.h"
 #include "record/truth.h"
+#include "robot/robot_values.h"
 #include "tests/record/mcap_files.h"
 
 namespace understudy {
@@ -63,6 +67,72 @@ TEST_F(PlotTest, DrawsNoMorePointsThanAPictureShows) {
   EXPECT_GT(page.panels[0].lines[0].points.size(), 1000U);
 }
 
+// What is large is large; what is none is left out.
+TEST_F(PlotTest, LeavesOutNoValueButWhatIsNone) {
+  McapWriter writer(OutputFile(File(), true), "ros2", "a test");
+  const auto state = writer.AddChannel(
+      "/lowstate", writer.AddSchema("unitree_go/msg/LowState", "ros2msg", ""), "cdr", {});
+  const auto command = writer.AddChannel(
+      "/lowcmd", writer.AddSchema("unitree_go/msg/LowCmd", "ros2msg", ""), "cdr", {});
+  const auto put = [&](std::uint16_t channel, const CdrField& field, auto number, int i) {
+    std::string message(2000, '\0');
+    message[1] = 1;
+    std::memcpy(message.data() + 4 + field.offset, &number, sizeof number);
+    const std::uint64_t time = 1000 + static_cast<std::uint64_t>(i) * 100'000'000;
+    writer.Write(channel, time, time, AsBytes(message));
+  };
+  const CdrField tick = FindField("unitree_go/msg/LowState", "tick");
+  const CdrField q = FindField("unitree_go/msg/LowCmd", "motor_cmd[0].q");
+  for (int i = 0; i < 10; ++i) {
+    put(state, tick, static_cast<std::uint32_t>(10'000 * i), i);
+    put(command, q, i < 5 ? 1.0F : static_cast<float>(kNoPosition), i);
+  }
+  put(command, q, std::numeric_limits<float>::quiet_NaN(), 9);
+  writer.Finish();
+  const PlotPage page = MakePage(
+      McapReader(File()),
+      {.motors = {"0"}, .fields = {"q"}, .signals = {"rt/lowstate:tick", "/lowstate:tick"}});
+  ASSERT_THAT(page.panels, SizeIs(3));
+  EXPECT_TRUE(page.panels[0].lines[0].dashed);
+  EXPECT_THAT(page.panels[0].lines[0].points, SizeIs(5));
+  for (const std::size_t panel : {1U, 2U}) {
+    ASSERT_THAT(page.panels[panel].lines[0].points, SizeIs(10));
+    EXPECT_EQ(page.panels[panel].lines[0].points.back().second, 90'000);
+  }
+}
+
+TEST_F(PlotTest, SaysThatASignalIsSilent) {
+  McapWriter writer(OutputFile(File(), true), "ros2", "a test");
+  const auto schema = writer.AddSchema("unitree_go/msg/LowState", "ros2msg", "");
+  const auto state = writer.AddChannel("/lowstate", schema, "cdr", {});
+  writer.Write(state, 1000, 1000, AsBytes("short"));
+  writer.Write(state, 2000, 2000, AsBytes("short"));
+  writer.Finish();
+  EXPECT_THAT([&] { MakePage(McapReader(File()), {.signals = {"rt/lowstate:tick"}}); },
+              ThrowsMessage<RecordError>(HasSubstr("nothing says rt/lowstate:tick from")));
+}
+
+TEST_F(PlotTest, IsNoWiderThanTheRecording) {
+  EXPECT_NEAR(MakePage(McapReader(Rising()), {.to = 1e300}).to, 10, 1e-9);
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT([&] { MakePage(McapReader(File()), {.from = none}); },
+              ThrowsMessage<RecordError>(HasSubstr("there is nothing from")));
+}
+
+TEST_F(PlotTest, HasRoomForPanelsHoweverMuchHappened) {
+  const PlotLine line{.name = "b", .points = {{0, 1}, {0.4, 2}}};
+  PlotPage page{.title = "a run", .to = 10, .width = 400, .height = 600, .panels = {{"a", {line}}}};
+  for (int i = 0; i < 200; ++i) {
+    page.marks.push_back({.at = 0.05 * i, .kind = "order", .text = "a long story of an order"});
+  }
+  const std::string script = GnuplotScript(page, true, File("a.svg"));
+  std::size_t labels = 0;
+  for (std::size_t at = 0; (at = script.find("\nset label", at)) != std::string::npos; ++at)
+    ++labels;
+  EXPECT_EQ(labels, 1U + 8U) << "the title's and those of eight rows";
+  EXPECT_NO_THROW(DrawPage(page, File("a.svg")));
+}
+
 TEST_F(PlotTest, DrawsAPart) {
   const PlotPage page = MakePage(McapReader(Rising()), {.from = 2, .to = 4});
   EXPECT_NEAR(page.panels[0].lines[0].points.front().first, 2, 1e-6);
@@ -100,10 +170,19 @@ TEST_F(PlotTest, NamesTheNearestWord) {
               ThrowsMessage<RecordError>(HasSubstr("--motors: no motor 'FR_clf'")));
   EXPECT_THAT([&] { MakePage(reader, {.fields = {"ta"}}); },
               ThrowsMessage<RecordError>(HasSubstr("did you mean 'tau'?")));
-  EXPECT_THAT([&] { MakePage(reader, {.signals = {"understudy/trut:time"}}); },
-              ThrowsMessage<RecordError>(HasSubstr("did you mean 'understudy/truth'?")));
+  EXPECT_THAT([&] { MakePage(reader, {.signals = {"understudy/truth:time"}}); },
+              ThrowsMessage<RecordError>(HasSubstr("--signals: no topic 'understudy/truth'")));
   EXPECT_THAT([&] { MakePage(reader, {.signals = {"tick"}}); },
               ThrowsMessage<RecordError>(HasSubstr("expected TOPIC:FIELD")));
+}
+
+TEST_F(PlotTest, LeavesThePictureOfBeforeWhereThereIsNoNewOne) {
+  std::filesystem::create_directories(File("a.svg") / "b");
+  EXPECT_THAT([&] { DrawPage(MakePage(McapReader(Rising()), {}), File("a.svg")); },
+              ThrowsMessage<RecordError>(HasSubstr("cannot be written")));
+  for (const auto& entry : std::filesystem::directory_iterator(folder_.path())) {
+    EXPECT_NE(entry.path().extension(), ".part");
+  }
 }
 
 TEST_F(PlotTest, WantsAPictureThatItCanDraw) {

@@ -8,6 +8,7 @@ import subprocess
 import time
 
 import pytest
+from mcap.writer import Writer
 
 from robots import PATIENCE, eventually
 
@@ -50,6 +51,18 @@ def test_a_snapshot_has_the_size_that_was_asked_for_and_something_in_it(play, un
     assert colors_of(picture) > 100
 
 
+def test_where_egl_has_no_driver_osmesa_draws(play, understudy, tmp_path):
+    robot = play("go2")
+    here = ("--name", robot.name, "--size", "32x32")
+    no_drivers = {**without_display(), "__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
+    done = understudy("snapshot", tmp_path / "a.png", *here, "--gl", "egl", env=no_drivers)
+    assert done.returncode == 1
+    assert "apt-get install" in done.stderr
+
+    done = understudy("snapshot", tmp_path / "a.png", *here, env=no_drivers)
+    assert done.returncode == 0, done.stderr
+
+
 def test_a_snapshot_shows_what_is_asked_for(play, understudy, tmp_path):
     robot = play("go2", "--start", "hanging")
     plain, collision = tmp_path / "plain.png", tmp_path / "collision.png"
@@ -65,7 +78,7 @@ def test_a_snapshot_is_refused_with_a_reason(play, understudy, tmp_path):
     there.write_bytes(b"mine")
     here = ("--name", robot.name, "--size", "32x32")
     for arguments, code, words in (
-            ((there, *here), 1, ["there.png", "--force"]),
+            ((there, *here), 1, ["there.png", "--overwrite"]),
             ((tmp_path / "no" / "a.png", *here), 1, ["no folder"]),
             ((tmp_path / "a.png", *here, "--camera", "front"), 4, ["front"]),
             ((tmp_path / "a.png", *here, "--track", "FR_caf"), 4, ["FR_caf", "FR_calf"]),
@@ -77,7 +90,7 @@ def test_a_snapshot_is_refused_with_a_reason(play, understudy, tmp_path):
         for word in words:
             assert word in done.stderr + done.stdout
     assert there.read_bytes() == b"mine"
-    assert understudy("snapshot", there, *here, "--force").returncode == 0
+    assert understudy("snapshot", there, *here, "--overwrite").returncode == 0
     assert size_of(there) == (32, 32)
 
 
@@ -132,7 +145,7 @@ def test_a_film_is_refused_with_a_reason(play, understudy, tmp_path):
     there.write_bytes(b"mine")
     here = ("--name", robot.name, "--size", "32x32", "--seconds", 0.2)
     for arguments, code, word in (
-            ((there, *here), 1, "--force"),
+            ((there, *here), 1, "--overwrite"),
             ((tmp_path / "a.avi", *here), 2, ".mp4"),
             ((tmp_path / "a.mp4", "--name", robot.name, "--size", "33x32"), 1, "even"),
             ((tmp_path / "a.mp4", *here, "--fps", 0), 2, "--fps")):
@@ -197,3 +210,20 @@ def test_what_is_no_recording_or_no_time_of_it_is_refused_with_a_reason(understu
         assert word in done.stderr + done.stdout
     assert not picture.exists()
     assert not film.exists()
+
+
+@pytest.mark.parametrize("second", [float("nan"), float("inf"), -1.0, 1e300])
+def test_a_state_of_no_time_is_refused(understudy, tmp_path, second):
+    file, film = tmp_path / "damaged.mcap", tmp_path / "a.mp4"
+    with file.open("wb") as out:
+        writer = Writer(out)
+        writer.start()
+        channel = writer.register_channel("understudy/truth", "cdr", 0)
+        truth = struct.pack("<4sqd4Id", b"\0\1\0\0", 1, second, 0, 0, 0, 0, 0)
+        writer.add_message(channel, log_time=7, data=truth, publish_time=7)
+        writer.finish()
+    done = understudy("film", film, "--recording", file)
+
+    assert done.returncode == 9
+    assert "damaged.mcap: at byte" in done.stderr and "a state of second" in done.stderr
+    assert list(tmp_path.iterdir()) == [file]

@@ -6,6 +6,7 @@ import signal
 import subprocess
 
 import pytest
+from mcap.writer import Writer
 
 from peers import GoLowCmd, go_command, listener, speaker
 from robots import Robot, eventually, understudy
@@ -108,3 +109,19 @@ def test_a_recording_says_what_it_holds(file):
     counts = {one["topic"]: one["messages"] for one in told["channels"]}
     assert counts["rt/lowstate"] == 1000 and counts["understudy/truth"] == 1000
     assert {one["name"] for one in told["attachments"]} == {"config.yaml", "model.mjb"}
+
+
+def test_a_recording_of_somebody_elses_does_nothing_to_a_terminal(tmp_path):
+    file = tmp_path / "other.mcap"
+    with file.open("wb") as out:
+        writer = Writer(out, repeat_channels=False)
+        writer.start(library="\x1b]0;title\x07")
+        schema = writer.register_schema("a_msgs/msg/A", "ros2msg", b"int32 a\n")
+        channel = writer.register_channel("/\x1b[2J", "cdr", schema)
+        writer.add_message(channel, log_time=7, data=b"1234", publish_time=7)
+        writer.finish()
+    done = understudy("recording", file)
+
+    assert done.returncode == 0, done.stderr
+    assert "\x1b" not in done.stdout and "rt/?[2J" in done.stdout
+    assert "1 messages" in done.stdout

@@ -221,6 +221,23 @@ def test_the_gamepads_of_this_machine_are_listed():
     assert done.stdout == "no gamepad is plugged in\n"
 
 
+def test_where_there_is_no_terminal_it_says_so_and_waits_for_a_gamepad(play):
+    robot = play("go2")
+    process = subprocess.Popen([os.environ["UNDERSTUDY"], "remote", "--name", robot.name], stdin=subprocess.DEVNULL,
+                               stderr=subprocess.PIPE, text=True, env={**os.environ, **NO_PADS})
+    assert "no keyboard: this is no terminal" in process.stderr.readline()
+    assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    assert process.wait(10) == 0
+    process.stderr.close()
+
+
+def test_a_dead_zone_that_is_no_number_is_refused():
+    done = understudy("remote", "--dead-zone", "nan")
+    assert done.returncode == 2
+    assert "from 0 to 0.9" in done.stderr
+
+
 def test_a_mapping_that_is_not_there_is_a_mistake_of_configuration(play):
     robot = play("go2")
     done = understudy("remote", "--name", robot.name, "--mapping", "/nowhere/pads.txt")

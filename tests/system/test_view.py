@@ -138,8 +138,18 @@ def test_the_keyboard_in_the_window_is_the_remote_controller_until_escape(play, 
     robot.becomes(lambda status: status["remote"]["keys"] == "L2+B")
     window.screen.xdotool("keyup", "w", "keyup", "b")
     robot.becomes(lambda status: status["remote"]["keys"] == "")
+    window.screen.xdotool("keydown", "a")
+    robot.becomes(lambda status: status["remote"]["keys"] == "A")
+    robot.ctl("pause")
+    before = robot.status()["steps"]
     window.key("Escape")
-    window.screen.xdotool("sleep", 0.3)
+
+    def let_go():
+        robot.ctl("step", 1)
+        return robot.status()["remote"]["keys"] == ""
+
+    eventually(let_go)
+    assert robot.status()["steps"] - before < 300, "it was let go, long before it ended by itself"
     assert window.process.poll() is None
 
     window.key("Escape")

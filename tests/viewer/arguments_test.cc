@@ -35,7 +35,7 @@ class ArgumentsTest : public testing::Test {
 
 TEST_F(ArgumentsTest, ReadsAWholeCommandLine) {
   ASSERT_EQ(Refusal("film run.mp4 --recording run.mcap --from 1 --to 2 --fps 60 --speed 0.1 "
-                    "--size 640x480 --track trunk --azimuth 90 --show com,forces --force"),
+                    "--size 640x480 --track trunk --azimuth 90 --show com,forces --overwrite"),
             "");
   EXPECT_EQ(film_.picture.out, "run.mp4");
   EXPECT_EQ(film_.picture.recording, "run.mcap");
@@ -46,7 +46,7 @@ TEST_F(ArgumentsTest, ReadsAWholeCommandLine) {
   EXPECT_TRUE(film_.picture.show.com);
   EXPECT_TRUE(film_.picture.show.forces);
   EXPECT_FALSE(film_.picture.show.contacts);
-  EXPECT_TRUE(film_.picture.force);
+  EXPECT_TRUE(film_.picture.overwrite);
   EXPECT_EQ(film_.fps, 60);
   EXPECT_EQ(film_.from, 1);
 }
@@ -101,6 +101,7 @@ TEST_F(ArgumentsTest, RefusesAFilmOfNoTimeOrNoPictures) {
   EXPECT_NE(Refusal("film a.mp4 --fps 0"), "");
   EXPECT_NE(Refusal("film a.mp4 --speed 0"), "");
   EXPECT_NE(Refusal("film a.mp4 --speed nan"), "");
+  EXPECT_NE(Refusal("film a.mp4 --recording r.mcap --to nan"), "");
 }
 
 }  // namespace

@@ -42,13 +42,24 @@ TEST(ImageTest, SaysWhyAPngCannotBeWritten) {
       ThrowsMessage<SetupError>(HasSubstr("cannot write /proc/nowhere/a.png")));
 }
 
+TEST(ImageTest, LeavesNothingWhereItsNameIsAFolders) {
+  const TemporaryFolder folder;
+  std::filesystem::create_directory(folder.path() / "a.png");
+  EXPECT_THAT(
+      [&] {
+        WritePng({.width = 1, .height = 1, .rgb = {1, 2, 3}}, folder.path() / "a.png");
+      },
+      ThrowsMessage<SetupError>(HasSubstr("a.png")));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
 TEST(ImageTest, ChecksBeforehandWhereAFileGoes) {
   const TemporaryFolder folder;
   const std::filesystem::path there = folder.Write("a.png", "x");
   EXPECT_NO_THROW(CheckWritable(folder.path() / "b.png", false));
   EXPECT_NO_THROW(CheckWritable(there, true));
   EXPECT_THAT([&] { CheckWritable(there, false); },
-              ThrowsMessage<SetupError>(HasSubstr("--force")));
+              ThrowsMessage<SetupError>(HasSubstr("--overwrite")));
   EXPECT_THAT([&] { CheckWritable(folder.path(), true); },
               ThrowsMessage<SetupError>(HasSubstr("is a folder")));
   EXPECT_THAT([&] { CheckWritable(folder.path() / "no" / "b.png", false); },

@@ -27,6 +27,22 @@ TEST(RemoteKeyboardTest, MovesTheSticks) {
   EXPECT_EQ(keyboard.Read().ly, 0) << "both ways at once is neither";
 }
 
+TEST(RemoteKeyboardTest, KnowsEveryKeyOfTheTerminals) {
+  RemoteKeyboard keyboard;
+  for (const int key : {GLFW_KEY_Q, GLFW_KEY_W, GLFW_KEY_P, GLFW_KEY_O, GLFW_KEY_A, GLFW_KEY_B,
+                        GLFW_KEY_X, GLFW_KEY_Y, GLFW_KEY_UP, GLFW_KEY_DOWN, GLFW_KEY_LEFT,
+                        GLFW_KEY_RIGHT, GLFW_KEY_ENTER, GLFW_KEY_TAB, GLFW_KEY_1, GLFW_KEY_2}) {
+    keyboard.Press(key);
+  }
+  EXPECT_EQ(keyboard.Read().keys, 0xFFFF);
+}
+
+TEST(RemoteKeyboardTest, MovesAStickHalfTheWayWithShift) {
+  RemoteKeyboard keyboard;
+  keyboard.Press(GLFW_KEY_S, true);
+  EXPECT_EQ(keyboard.Read().lx, -0.5);
+}
+
 TEST(RemoteKeyboardTest, IsThereEvenWhereNothingIsPressed) {
   RemoteKeyboard keyboard;
   keyboard.Press(GLFW_KEY_Z);

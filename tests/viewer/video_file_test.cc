@@ -63,6 +63,38 @@ TEST_F(VideoFileTest, TellsWhatFfmpegSays) {
       ThrowsMessage<SetupError>(HasSubstr("No such file or directory")));
 }
 
+TEST_F(VideoFileTest, TakesANameThatLooksLikeAProtocol) {
+  const std::filesystem::path file = folder_.path() / "12:30.mp4";
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(folder_.path());
+  VideoFile video("12:30.mp4", kSize, 10);
+  video.Add(Picture());
+  video.Finish();
+  std::filesystem::current_path(here);
+  EXPECT_TRUE(std::filesystem::exists(file));
+}
+
+// As ffmpeg does when there is room for the pictures and none for the index behind them.
+TEST_F(VideoFileTest, BelievesWordsMoreThanAnExitCode) {
+  const std::filesystem::path program = folder_.Write(
+      "ffmpeg", "#!/bin/sh\n/bin/cat > /dev/null\necho 'No space left on device' >&2\n");
+  std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+  ::setenv("PATH", folder_.path().c_str(), 1);
+  VideoFile video(file_, kSize, 10);
+  video.Add(Picture());
+  EXPECT_THAT([&] { video.Finish(); },
+              ThrowsMessage<SetupError>(HasSubstr("ffmpeg says: No space left on device")));
+  EXPECT_FALSE(std::filesystem::exists(file_));
+}
+
+TEST_F(VideoFileTest, LeavesNothingWhereItsNameIsAFolders) {
+  std::filesystem::create_directory(file_);
+  VideoFile video(file_, kSize, 10);
+  video.Add(Picture());
+  EXPECT_THAT([&] { video.Finish(); }, ThrowsMessage<SetupError>(HasSubstr("cannot write")));
+  EXPECT_EQ(Files(), 1);
+}
+
 TEST_F(VideoFileTest, NamesThePackageWhereThereIsNoFfmpeg) {
   ::setenv("PATH", folder_.path().c_str(), 1);
   EXPECT_THAT([&] { VideoFile(file_, kSize, 10); },
