@@ -6,11 +6,11 @@ if(UNDERSTUDY_SANITIZE)
   add_link_options(-fsanitize=${UNDERSTUDY_SANITIZE})
 endif()
 
-# Lets a target of ours parse the headers that nearly every file includes once. Only where sanitizers are on, in builds
+# Lets a library of ours parse the headers that nearly every file includes once. Only where sanitizers are on, in builds
 # that are made to run the tests once: the others find an include that a file forgot.
 function(understudy_precompile target)
   if(UNDERSTUDY_SANITIZE)
     target_precompile_headers(${target} PRIVATE <algorithm> <filesystem> <functional> <map> <memory> <string> <vector>
-                              <nlohmann/json.hpp> ${ARGN})
+                              <nlohmann/json.hpp>)
   endif()
 endfunction()

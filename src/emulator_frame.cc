@@ -24,11 +24,12 @@ Frame Emulator::MakeFrame() const {
   if (!config_.robot.user_lowcmd) frame.command_topics[kUserLowCmdTopic].clear();
   for (const HandSpec& hand : config_.robot.hands) {
     frame.command_topics.push_back("rt/" + hand.topic + "/cmd");
+    for (const MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
   }
   frame.bodies.resize(frame.body_names.size());
   frame.contacts.reserve(kMostFrameContacts);
   frame.pushes.reserve(kMostFramePushes);
-  frame.motors.resize(config_.robot.motors.size());
+  frame.motors.resize(frame.motor_names.size());
   frame.imu_count = config_.robot.imu.secondary_site.empty() ? 1 : 2;
   frame.feet.resize(config_.robot.feet.size());
   frame.command.resize(config_.robot.motors.size());
@@ -67,8 +68,12 @@ void Emulator::Show(Frame* frame) const {
   }
   if (Has(*frame, kPartMotors)) {
     // Nothing has been sampled before the first tick.
-    std::copy_n(state_.motors.begin(), std::min(state_.motors.size(), frame->motors.size()),
-                frame->motors.begin());
+    std::ranges::copy(state_.motors, frame->motors.begin());
+    auto next = frame->motors.begin() + std::ssize(config_.robot.motors);
+    for (std::size_t i = 0; i < hands_.size(); ++i) {
+      std::ranges::copy(state_.hands[i].motors, next);
+      next += std::ssize(config_.robot.hands[i].motors);
+    }
   }
   frame->imus = {state_.imu, state_.secondary_imu};
   frame->battery = state_.battery;

@@ -82,7 +82,7 @@ struct Frame {
   FrameParts parts = 0;  // what is wanted, and what of the following is filled in
   // Never change:
   std::vector<std::string> body_names;      // by MuJoCo's id
-  std::vector<std::string> motor_names;     // in motor order
+  std::vector<std::string> motor_names;     // in motor order, then the hands'
   std::vector<std::string> command_topics;  // by number; "" where there is none
   std::int64_t step = 0;
   double time = 0;   // simulated s
@@ -93,15 +93,16 @@ struct Frame {
   std::vector<ContactReading> contacts;
   std::array<double, 3> com{};  // of the robot
   FrameCrane crane;
-  std::vector<FramePush> pushes;     // drags too
-  std::vector<MotorReading> motors;  // as last told on the wire, as are the next four
+  std::vector<FramePush> pushes;  // drags too
+  // As last told on the wire, as are the next four; the hands' behind the body's.
+  std::vector<MotorReading> motors;
   std::array<ImuReading, 2> imus;
   std::size_t imu_count = 1;
   BatteryReading battery;
   std::vector<double> feet;  // N
   RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
-  std::vector<MotorCommand> command;      // that the motors follow
+  std::vector<MotorCommand> command;      // that the body's motors follow
   std::vector<RefusedCommands> refusals;  // oldest first
 };
 

@@ -45,6 +45,21 @@ ordered_json MotorJson(const MotorSpec& motor, const Scene& scene) {
   return json;
 }
 
+// As in a frame: the body's, then those of the hands, whose slot is their place in motor_cmd.
+ordered_json MotorsJson(const RobotSpec& robot, const Scene& scene) {
+  ordered_json motors =
+      List(robot.motors, [&](const MotorSpec& motor) { return MotorJson(motor, scene); });
+  for (const HandSpec& hand : robot.hands) {
+    for (std::size_t i = 0; i < hand.motors.size(); ++i) {
+      ordered_json json = MotorJson(hand.motors[i], scene);
+      json["slot"] = i;
+      json["hand"] = hand.name;
+      motors.push_back(std::move(json));
+    }
+  }
+  return motors;
+}
+
 }  // namespace
 
 HttpReply SceneFiles::Scene() {
@@ -124,8 +139,7 @@ std::string SceneFiles::SceneText() {
                                  {"quat", camera.quat},
                                  {"fovy", camera.fovy}};
                        })},
-      {"motors",
-       List(robot_->motors, [&](const MotorSpec& motor) { return MotorJson(motor, scene); })},
+      {"motors", MotorsJson(*robot_, scene)},
       {"imus", imus},
       {"feet", List(robot_->feet, [](const FootSpec& foot) { return ordered_json(foot.name); })},
       {"poses", kStartPoses},

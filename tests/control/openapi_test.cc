@@ -7,6 +7,7 @@
 
 #include "control/frame_json.h"
 #include "control/routes.h"
+#include "control/status_json.h"
 #include "gtest/gtest.h"
 
 namespace understudy {
@@ -43,6 +44,26 @@ TEST(OpenApiTest, HasEveryPartOfAFrameAndNoOther) {
   std::set<std::string> sent{"step", "time", "speed", "paused"};
   for (const FramePartName& part : kFrameParts) sent.emplace(part.name);
   EXPECT_EQ(documented, sent);
+}
+
+// The keys of `sent`, and of the objects in it whose keys are documented.
+void ExpectDocumented(const YAML::Node& schema, const nlohmann::ordered_json& sent,
+                      const std::string& where) {
+  const YAML::Node properties = schema["properties"];
+  if (!sent.is_object() || !properties) return;
+  std::set<std::string> documented;
+  for (const auto& key : properties) documented.insert(key.first.as<std::string>());
+  std::set<std::string> keys;
+  for (const auto& [key, value] : sent.items()) {
+    keys.insert(key);
+    ExpectDocumented(properties[key], value, where + "/" + key);
+  }
+  EXPECT_EQ(documented, keys) << where;
+}
+
+TEST(OpenApiTest, HasEveryFieldOfAStatusAndNoOther) {
+  ExpectDocumented(Document()["components"]["schemas"]["Status"],
+                   StatusJson({.robot = "g1", .version = "", .pid = 1}, {}), "Status");
 }
 
 TEST(OpenApiTest, WhatWritesAsksForTheToken) {

@@ -29,6 +29,7 @@ class SceneFilesTest : public ::testing::Test {
   SceneFilesTest() {
     robot_.name = "two_joints";
     robot_.base_body = "trunk";
+    robot_.hands = {{.name = "left", .motors = {{.joint = "thumb", .slot = 9}, {.joint = "knee"}}}};
     robot_.motors = {{.joint = "knee", .slot = 3, .torque_limit = 23.5}, {.joint = "wheel"}};
     robot_.imu.site = "imu";
     robot_.feet = {{.name = "FR", .geoms = {}}};
@@ -55,6 +56,11 @@ TEST_F(SceneFilesTest, NamesWhatFramesHaveByNumber) {
   EXPECT_EQ(scene["motors"][0]["torque_limit"], 23.5);
   EXPECT_EQ(scene["motors"][1]["range"], nullptr);
   EXPECT_EQ(scene["motors"][1]["qpos"], 1);
+  ASSERT_EQ(scene["motors"].size(), 4u);
+  EXPECT_FALSE(scene["motors"][1].contains("hand"));
+  EXPECT_EQ(scene["motors"][2]["name"], "thumb");
+  EXPECT_EQ(scene["motors"][3]["hand"], "left");
+  EXPECT_EQ(scene["motors"][3]["slot"], 1);
   EXPECT_EQ(scene["imus"], json({"imu"}));
   EXPECT_EQ(scene["feet"], json({"FR"}));
   EXPECT_EQ(scene["poses"], json({"lying", "standing", "hanging", "clamped"}));

@@ -53,6 +53,21 @@ TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
   EXPECT_NEAR(Reading().motors[kPitch].q, -0.25, 1e-3);
 }
 
+TEST_F(HandsTest, AreShownBehindTheBody) {
+  Frame frame = emulator_->MakeFrame();
+  frame.parts = kPartMotors | kPartCommand;
+  emulator_->Show(&frame);  // before the first tick
+  port_.SendHand(0, Reach(0.5, -0.25));
+  Tick(1500);
+  emulator_->Show(&frame);
+  ASSERT_EQ(frame.motors.size(), 6U);
+  ASSERT_EQ(frame.motor_names.size(), 6U);
+  EXPECT_EQ(frame.motor_names[4], "neck_roll_joint");
+  EXPECT_NEAR(frame.motors[4].q, 0.5, 1e-3);
+  EXPECT_NEAR(frame.motors[5].q, -0.25, 1e-3);
+  EXPECT_EQ(frame.command.size(), 4U);
+}
+
 TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(5000);

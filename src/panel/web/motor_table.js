@@ -31,7 +31,8 @@ class Row {
     this.motor = motor;
     const cell = (name) => element("td", { class: `num ${name}` });
     const pick = element("button", { type: "button", class: "quiet name", text: shortName(motor),
-                                     title: `${motor.name}, slot ${motor.slot}: plot it` });
+                                     title: `${motor.name}, ${motor.hand ? `${motor.hand} hand ` : "slot "}` +
+                                            `${motor.slot}: plot it` });
     pick.addEventListener("click", () => onPick(index));
     this.range = element("i");
     this.effort = element("i");
