@@ -289,7 +289,7 @@ def test_space_pauses_once_however_long_it_is_held(page):
     asked = page.evaluate("panel.link.asked")
     page.evaluate(REFUSE_NO_MORE)
 
-    assert asked == ["/pause"]
+    assert [path for path in asked if path != "/remote"] == ["/pause"]  # keys let go before
 
 
 def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):

@@ -123,8 +123,9 @@ def watch(browser, page):
 
 
 # At least, and at most. `processor`: all that the page's thread does, layout and painting of plots too.
-WANTED = {"frames": 57, "refreshes": 50, "new": 0.7}
-ALLOWED = {"script": PICTURE / 4, "script p90": PICTURE * 2 / 3, "processor": PICTURE * 2 / 3}
+# Two or three times what a desk's machine would take: a page that costs more draws no sixty pictures anywhere.
+WANTED = {"frames": 50, "refreshes": 40, "new": 0.5}
+ALLOWED = {"script": PICTURE / 2, "script p90": PICTURE, "processor": PICTURE}
 
 
 @pytest.mark.parametrize("name", ["go2", "g1_29dof_dex3"])
