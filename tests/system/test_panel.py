@@ -1,17 +1,10 @@
 """The panel in a browser, as a person uses it: looked at, dragged, pressed, in Debian's Chromium."""
 
 import struct
-import tempfile
 
-import pytest
-
-from chromium import Chromium
+from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
 from peers import GoLowCmd, go_command, listener, speaker
-from robots import Robot, eventually
-
-DOMAIN = 7  # of the robot that tests share
-DESK = {"width": 1100, "height": 700}
-PHONE = {"width": 390, "height": 844, "touch": True}
+from robots import eventually
 
 # A small copy of what the view shows now: [r, g, b, a, ...] of 48 x 32 points.
 PIXELS = """(() => {
@@ -31,66 +24,6 @@ BASE_ON_SCREEN = """(() => {
   const box = view.canvas.getBoundingClientRect();
   return [box.x + (at.x + 1) / 2 * box.width, box.y + (1 - at.y) / 2 * box.height];
 })()"""
-
-
-@pytest.fixture(scope="module")
-def browser():
-    with Chromium() as chromium:
-        yield chromium
-
-
-@pytest.fixture
-def visit(browser):
-    """visit(url, ...): a page of the panel that shows the robot. Its console has to stay silent."""
-    pages = []
-
-    def open_page(url, **how):
-        pages.append(shown(browser.page(url, **{**DESK, **how})))
-        return pages[-1]
-
-    yield open_page
-    for page in pages:
-        page.close()
-        assert page.errors == []
-
-
-@pytest.fixture(scope="module")
-def dog():
-    """A Go2 that stands, for all tests to which it does not matter what was done to it before; on a
-    domain of its own, beside those that other tests start."""
-    with tempfile.TemporaryDirectory(prefix="understudy-") as folder, \
-            pytest.MonkeyPatch.context() as patch:
-        patch.setenv("UNDERSTUDY_RUNTIME_DIR", folder)
-        robot = Robot("go2", "--domain", DOMAIN, "--released", "--start", "standing")
-        robot.wait_ready()
-        yield robot
-        robot.end()
-
-
-@pytest.fixture(scope="module")
-def dogs_page(browser, dog):
-    return shown(browser.page(url_of(dog), **DESK))
-
-
-@pytest.fixture
-def page(dogs_page):
-    """The panel of that Go2."""
-    yield dogs_page
-    assert dogs_page.errors == []
-
-
-def shown(page):
-    page.becomes("window.panel?.view.placed")
-    return page
-
-
-def url_of(robot):
-    """What the robot says at its start."""
-    return "http" + robot.heard("panel: http")["message"].split("panel: http")[1].split()[0]
-
-
-def show(page, tab):
-    page.evaluate(f"document.getElementById('tab-{tab}').click()")
 
 
 def differing(before, after):
@@ -298,95 +231,6 @@ def test_another_robot_at_the_same_address_is_another_page_though_its_process_ha
     page.becomes("!window.before && window.panel?.view.placed && panel.link.known.robot === 'go2'")
 
 
-def test_a_browser_without_webgl_is_told_what_is_missing(browser, dog):
-    page = browser.page("about:blank", **DESK)
-    page.call("Page.addScriptToEvaluateOnNewDocument",
-              source="HTMLCanvasElement.prototype.getContext = () => null")
-    page.call("Page.navigate", url=url_of(dog))
-
-    page.becomes("document.getElementById('lost')?.textContent.includes('needs WebGL')")
-    page.close()
-
-
-def test_a_phone_on_its_side_shows_one_part_and_a_desk_all_again(page):
-    seen = """['plots', 'motors', 'remote', 'rig', 'events'].filter(
-        (id) => document.getElementById(id).offsetParent)"""
-    page.resize(932, 430, touch=True)
-    show(page, "motors")
-    assert page.evaluate(seen) == ["motors"]
-    assert page.evaluate("document.getElementById('motors').getBoundingClientRect().bottom"
-                         " <= innerHeight")
-    page.resize(DESK["width"], DESK["height"])
-
-    page.becomes("document.getElementById('tab-remote').ariaSelected === 'true'")
-    assert page.evaluate(seen) == ["plots", "motors", "remote"]
-
-
-def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
-    robot = play("g1")
-    page = visit(url_of(robot), **PHONE)
-    for tab in ("plots", "motors", "rig", "events", "remote"):
-        show(page, tab)
-        assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
-        assert page.evaluate(
-            f"document.getElementById('{tab}').getBoundingClientRect().right <= innerWidth"), tab
-
-    # Two thumbs: a chord that a mouse could not press.
-    keys = [page.middle("[data-key=R2]"), page.middle("[data-key=X]")]
-    page.call("Input.dispatchTouchEvent", type="touchStart",
-              touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(keys)])
-    robot.becomes(lambda now: set(now["remote"]["keys"].split("+")) == {"R2", "X"})
-    page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
-
-    robot.becomes(lambda now: now["remote"]["keys"] == "")
-
-
-CONTRAST = """(() => {
-  const style = getComputedStyle(document.documentElement);
-  const light = (name) => {
-    const probe = document.createElement("i");
-    probe.style.color = style.getPropertyValue(name);
-    document.body.append(probe);
-    const [r, g, b] = getComputedStyle(probe).color.match(/[0-9.]+/g).map((part) => part / 255)
-      .map((part) => (part <= 0.04045 ? part / 12.92 : ((part + 0.055) / 1.055) ** 2.4));
-    probe.remove();
-    return 0.2126 * r + 0.7152 * g + 0.0722 * b;
-  };
-  const against = (text, ground) => {
-    const [low, high] = [light(text), light(ground)].sort((a, b) => a - b);
-    return (high + 0.05) / (low + 0.05);
-  };
-  return { ground: light("--panel"),
-           least: Math.min(...["--text", "--muted", "--accent", "--good", "--warn", "--bad"]
-             .map((name) => against(name, "--panel"))) };
-})()"""
-
-
-def test_it_is_legible_in_light_and_in_dark(page):
-    light = page.evaluate(CONTRAST)
-    page.scheme("dark")
-    dark = page.evaluate(CONTRAST)
-    page.scheme("light")
-
-    assert light["ground"] > 0.8 and dark["ground"] < 0.05
-    assert min(light["least"], dark["least"]) >= 4.5  # WCAG 2 AA for text
-
-
-def test_every_control_can_be_reached_by_tab_and_has_a_name(page):
-    page.call("Accessibility.enable")
-
-    nodes = page.call("Accessibility.getFullAXTree")["nodes"]
-
-    roles = {"button", "combobox", "checkbox", "textbox", "searchbox", "spinbutton", "tab"}
-    controls = [node for node in nodes
-                if not node.get("ignored") and node["role"]["value"] in roles]
-    assert len(controls) > 40
-    assert [node for node in controls if not node["name"].get("value")] == []
-    # Of tabs the chosen one alone is in the row; arrow keys reach the others.
-    assert page.evaluate("""[...document.querySelectorAll("button, select, input")].filter((one) =>
-        one.tabIndex < 0 && !(one.role === "tab" && one.ariaSelected === "false")).length""") == 0
-
-
 def test_without_the_token_one_may_only_look(dog, visit):
     page = visit(url_of(dog).split("#")[0])
 
@@ -409,53 +253,3 @@ def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play,
 
     page.becomes("document.body && !document.body.classList.contains('looking')")
     page.errors.clear()  # the browser reports a server that is not there and a token refused
-
-
-def test_its_modules_do_what_they_say(page):
-    def module(name, expression):
-        return page.evaluate(f"import('/panel/{name}.js').then((m) => {expression})")
-
-    # A history forgets the oldest, keeps peaks when thinned and begins anew when time does.
-    assert module("history", """{
-        const history = new m.History(2, 100);
-        for (let i = 0; i < 150; ++i) history.push(i, (k) => (i === 77 ? 9 : k));
-        const rows = history.rows([0, 1], -Infinity, 20);
-        const all = { count: history.end - history.begin, oldest: history.oldest,
-                      rows: rows.length, peak: Math.max(...rows.map((row) => row[1])) };
-        history.push(3, () => 0);
-        return { ...all, anew: history.newest, left: history.end - history.begin };
-      }""") == {"count": 100, "oldest": 50, "rows": 20, "peak": 9, "anew": 3, "left": 1}
-    # Both ways at once is neither; of two hands the one that goes further counts.
-    assert module("remote_inputs", "m.orderOf(m.together([m.fromKeyboard(['w', 'b', 'e'], true),"
-                  "m.fromKeyboard(['s', 'f', 'j'])]))") == {
-                      "keys": "B+L2", "lx": 0, "ly": 0.5, "rx": -1, "ry": 0}
-    assert module("motor_table", "[84, 71, 60].map((c) => m.temperatureLevel(c + 1, 85))") == [
-        "bad", "warn", ""]
-    assert module("motor_table", "[0, 0.01, 0.5, 1].map(m.positionLevel)") == [
-        "bad", "warn", "", "bad"]
-    # Looks are given up when most pictures are slow, not for the hour that the page was out of sight.
-    assert module("quality", """{
-        const levels = (spans) => {
-          const quality = new m.Quality({ setPixelRatio: () => {} }, {}, 0);
-          let now = 1;
-          quality.drew(now);
-          return spans.map((span) => (quality.drew((now += span)), quality.level));
-        };
-        const steady = Array(40).fill(17);
-        return [levels([400, ...steady, 3.6e6, ...steady]), levels(Array(40).fill(40))].map(
-          (all) => Math.max(...all));
-      }""") == [0, 3]
-    roll, pitch, yaw = module("signals", "m.rollPitchYaw([0.5, 0.5, 0.5, 0.5])")
-    assert (roll, pitch, yaw) == pytest.approx((1.5708, 0, 1.5708), abs=1e-4)
-    # A mesh and a height field as they come over the wire: the first row of heights is that of least y.
-    assert module("geoms", """{
-        const words = new Uint32Array([3, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2]);
-        new Float32Array(words.buffer, 8, 9).set([0, 0, 0, 1, 0, 0, 0, 2, 0]);
-        const mesh = m.meshGeometry(words.buffer);
-        const field = new Uint32Array([2, 3, 0, 0, 0, 0, 0, 0]);
-        new Float32Array(field.buffer, 8, 6).set([1, 0, 0, 0, 0, 0]);
-        const ground = m.heightFieldGeometry(field.buffer, [3, 2, 0.5, 0.1]).attributes.position;
-        const top = [...Array(6).keys()].find((i) => ground.getZ(i) > 0);
-        return { normal: [...mesh.attributes.normal.array.slice(0, 3)], faces: mesh.index.count / 3,
-                 top: [ground.getX(top), ground.getY(top), ground.getZ(top)] };
-      }""") == {"normal": [0, 0, 1], "faces": 1, "top": [-3, -2, 0.5]}

@@ -12,7 +12,7 @@ import time
 import pytest
 
 from chromium import WITHOUT_A_CARD, Chromium
-from test_panel import shown, url_of
+from panel_page import shown, url_of
 
 LAPTOP = {"width": 1440, "height": 900}
 PICTURE = 1000 / 60  # ms from one refresh of the screen to the next
