@@ -7,46 +7,16 @@
 
 #include <fcntl.h>
 #include <sys/stat.h>
-#include <zstd.h>
+
+#include "record/mcap_records.h"
 
 namespace understudy {
 namespace {
 
-// The most that a chunk may say it unpacks to, and that any other record may hold; *assumed*, many
-// times what writers make.
-constexpr std::uint64_t kMostUnpacked = 256 << 20;
+// The most that a record may hold; *assumed*, many times what writers make.
 constexpr std::uint64_t kMostRecord = std::uint64_t{1} << 30;
 
 constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size();
-
-McapMessage TakeMessage(BytesIn* in) {
-  McapMessage message;
-  message.channel_id = in->Take<std::uint16_t>();
-  message.sequence = in->Take<std::uint32_t>();
-  message.log_time = in->Take<std::uint64_t>();
-  message.publish_time = in->Take<std::uint64_t>();
-  message.data = in->TakeRaw(in->remaining());
-  return message;
-}
-
-McapSchema TakeSchema(BytesIn* in) {
-  McapSchema schema;
-  schema.id = in->Take<std::uint16_t>();
-  schema.name = in->TakeString();
-  schema.encoding = in->TakeString();
-  schema.data = in->TakeString();
-  return schema;
-}
-
-McapChannel TakeChannel(BytesIn* in) {
-  McapChannel channel;
-  channel.id = in->Take<std::uint16_t>();
-  channel.schema_id = in->Take<std::uint16_t>();
-  channel.topic = in->TakeString();
-  channel.encoding = in->TakeString();
-  channel.metadata = in->TakeMap();
-  return channel;
-}
 
 }  // namespace
 
@@ -196,7 +166,7 @@ void McapReader::Note(const Record& record, bool in_summary) {
       case McapOp::kChunk: {
         if (in_summary) throw RecordError("a chunk in the summary");
         Chunk chunk{.offset = record.offset};
-        NoteInChunk(record.offset, Unpack(record), &chunk);
+        NoteInChunk(record.offset, UnpackChunk(record.content), &chunk);
         chunks_.push_back(chunk);
         break;
       }
@@ -296,7 +266,7 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
     }
     if (record.op != McapOp::kChunk) Fail(chunk.offset, "expected a chunk");
     try {
-      const std::vector<std::byte> records = Unpack(record);
+      const std::vector<std::byte> records = UnpackChunk(record.content);
       BytesIn in(records);
       while (in.remaining() > 0) {
         const auto op = static_cast<McapOp>(in.Take<std::uint8_t>());
@@ -332,40 +302,6 @@ std::vector<std::byte> McapReader::ReadAttachment(std::string_view name) const {
   } catch (const RecordError& error) {
     Fail(found->offset, error.what());
   }
-}
-
-std::vector<std::byte> McapReader::Unpack(const Record& chunk) const {
-  BytesIn in(chunk.content);
-  in.TakeRaw(8 + 8);
-  const auto size = in.Take<std::uint64_t>();
-  const auto crc = in.Take<std::uint32_t>();
-  const std::string compression = in.TakeString();
-  const ByteSpan packed = in.TakeRaw(in.Take<std::uint64_t>());
-  if (size > kMostUnpacked) {
-    throw RecordError("a chunk of " + std::to_string(size) + " bytes; at most " +
-                      std::to_string(kMostUnpacked) + " are unpacked");
-  }
-  std::vector<std::byte> records;
-  if (compression.empty()) {
-    records.assign(packed.begin(), packed.end());
-  } else if (compression == "zstd") {
-    records.resize(static_cast<std::size_t>(size));
-    const std::size_t unpacked =
-        ZSTD_decompress(records.data(), records.size(), packed.data(), packed.size());
-    if (ZSTD_isError(unpacked) != 0) {
-      throw RecordError(std::string("a chunk does not unpack: ") + ZSTD_getErrorName(unpacked));
-    }
-    records.resize(unpacked);
-  } else {
-    throw RecordError("a chunk packed with " + compression +
-                      "; expected zstd or none (`mcap compress` of the MCAP project converts)");
-  }
-  if (records.size() != size) {
-    throw RecordError("a chunk unpacks to " + std::to_string(records.size()) + " bytes, not " +
-                      std::to_string(size));
-  }
-  if (crc != 0 && Crc32(records) != crc) throw RecordError("a chunk's checksum does not fit it");
-  return records;
 }
 
 McapReader::Record McapReader::ReadRecord(std::uint64_t offset) const {

@@ -84,7 +84,6 @@ class McapReader {
   void Note(const Record& record, bool in_summary);
   void NoteInChunk(std::uint64_t offset, const std::vector<std::byte>& records, Chunk* chunk);
   void NoteMessage(const McapMessage& message, Chunk* chunk);
-  std::vector<std::byte> Unpack(const Record& chunk) const;
   [[noreturn]] void Fail(std::uint64_t offset, const std::string& what) const;
 
   std::filesystem::path path_;

@@ -13,6 +13,7 @@
 
 #include "record/cdr_field.h"
 #include "record/player.h"
+#include "record/plot_trace.h"
 #include "record/ros2msg.h"
 #include "record/truth.h"
 #include "robot/nearest_word.h"
@@ -21,8 +22,6 @@
 namespace understudy {
 namespace {
 
-// Points of a line: two of each column of pixels, the least and the most in it; *assumed*.
-constexpr std::size_t kColumns = 1200;
 constexpr std::size_t kMotorsUnasked = 6;
 constexpr double kDegrees = 57.29577951308232;
 
@@ -59,48 +58,6 @@ int SlotOf(const std::string& word) {
   return slot;
 }
 
-using Points = std::vector<std::pair<double, double>>;  // s, value
-
-// The least and the most of each column, in order.
-Points Thinned(const Points& all, double from, double to) {
-  if (all.size() <= 2 * kColumns) return all;
-  Points thin;
-  const double width = (to - from) / static_cast<double>(kColumns);
-  for (std::size_t begin = 0; begin < all.size();) {
-    const double column = std::floor((all[begin].first - from) / width);
-    std::size_t end = begin, least = begin, most = begin;
-    for (; end < all.size() && std::floor((all[end].first - from) / width) == column; ++end) {
-      if (all[end].second < all[least].second) least = end;
-      if (all[end].second > all[most].second) most = end;
-    }
-    thin.push_back(all[std::min(least, most)]);
-    if (least != most) thin.push_back(all[std::max(least, most)]);
-    begin = std::max(end, begin + 1);
-  }
-  return thin;
-}
-
-// Points of a line while they are read: no more than a few times what is drawn, however long the
-// recording is.
-class Trace {
- public:
-  // Leaves out what no line can go through.
-  void Add(double at, double value, double from, double to) {
-    if (!std::isfinite(value)) return;
-    points_.emplace_back(at, value);
-    if (points_.size() < full_) return;
-    points_ = Thinned(points_, from, to);
-    full_ = std::max(kFull, 2 * points_.size());  // where times go back and forth it stays long
-  }
-  const Points& points() const { return points_; }
-
- private:
-  static constexpr std::size_t kFull = 16 * kColumns;
-
-  Points points_;
-  std::size_t full_ = kFull;
-};
-
 // A signal that is gathered while the recording is read.
 struct Gathered {
   std::string topic;  // on the wire
@@ -118,9 +75,10 @@ std::string KindOf(const std::string& motor) {
   return motor;
 }
 
-double Range(const Points& points) {
+double Range(const TracePoints& points) {
   if (points.empty()) return 0;
-  const auto [least, most] = std::ranges::minmax_element(points, {}, &Points::value_type::second);
+  const auto [least, most] =
+      std::ranges::minmax_element(points, {}, &TracePoints::value_type::second);
   return most->second - least->second;
 }
 
