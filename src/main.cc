@@ -5,7 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "catch_errors.h"
+#include "base/catch_errors.h"
+#include "base/exit_code.h"
 #include "commands/companion.h"
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
@@ -18,8 +19,7 @@
 #include "commands/terrain_command.h"
 #include "config/data_dir.h"
 #include "config/robot_file.h"
-#include "control/ctl_command.h"
-#include "exit_code.h"
+#include "ctl/command.h"
 #include "remote/arguments.h"
 #include "services/robot_services.h"
 #include "version.h"

@@ -4,7 +4,7 @@
 
 #include <dds/dds.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 

@@ -8,8 +8,8 @@
 #include <ifaddrs.h>
 #include <net/if.h>
 
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
 
 namespace understudy {
 

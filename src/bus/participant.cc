@@ -6,7 +6,7 @@
 
 #include <dds/dds.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

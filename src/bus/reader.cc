@@ -6,8 +6,8 @@
 
 #include <dds/dds.h>
 
+#include "base/errors.h"
 #include "bus/qos.h"
-#include "robot/errors.h"
 
 namespace understudy {
 namespace {

@@ -6,7 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <unistd.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 

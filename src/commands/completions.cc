@@ -3,7 +3,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "sim/start_pose.h"
+#include "robot/start_pose.h"
 
 namespace understudy {
 namespace {

@@ -5,14 +5,14 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/errors.h"
+#include "base/exit_code.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/model_files.h"
 #include "config/robot_file.h"
-#include "config/script.h"
-#include "exit_code.h"
 #include "physics/world_model.h"
-#include "robot/errors.h"
-#include "scene.h"
+#include "script/script.h"
 #include "version.h"
 
 namespace understudy {

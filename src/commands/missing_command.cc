@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "robot/nearest_word.h"
+#include "base/nearest_word.h"
 
 namespace understudy {
 namespace {

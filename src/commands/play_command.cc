@@ -11,13 +11,13 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
-#include "alone.h"
+#include "base/errors.h"
+#include "base/exit_code.h"
+#include "base/signals.h"
 #include "bus/cdr_writer.h"
 #include "commands/log.h"
-#include "exit_code.h"
 #include "idl/type_table.h"
-#include "robot/errors.h"
-#include "signals.h"
+#include "run/alone.h"
 #include "time/clock.h"
 #include "time/pace.h"
 #include "wire/strangers.h"

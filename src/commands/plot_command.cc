@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <filesystem>
 
-#include "control/ctl_check.h"
+#include "ctl/check.h"
 
 namespace understudy {
 namespace {

@@ -9,21 +9,20 @@
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "base/errors.h"
+#include "base/signals.h"
+#include "client/control_folder.h"
 #include "commands/companion_process.h"
 #include "commands/log.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
-#include "config/script.h"
-#include "control/control_error.h"
-#include "control/control_folder.h"
-#include "control/panel_socket.h"
 #include "exec/child_process.h"
 #include "exec/private_network.h"
 #include "remote/arguments.h"
-#include "robot/errors.h"
-#include "run.h"
-#include "signals.h"
+#include "run/run.h"
+#include "script/script.h"
+#include "server/panel_socket.h"
 #include "viewer/arguments.h"
 
 namespace understudy {

@@ -3,11 +3,11 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "base/errors.h"
+#include "base/nearest_word.h"
 #include "config/load.h"
-#include "physics/terrain.h"
 #include "physics/world_model.h"
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
+#include "terrain/terrain.h"
 
 namespace understudy {
 

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "base/errors.h"
 #include "config/reader.h"
-#include "robot/errors.h"
 
 namespace understudy {
 

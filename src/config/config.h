@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "motion/motion_config.h"
-#include "physics/terrain.h"
-#include "robot/command_gate.h"
+#include "authority/command_gate.h"
+#include "authority/motion_config.h"
+#include "physics/crane.h"
 #include "robot/randomization.h"
 #include "robot/robot_spec.h"
-#include "sim/crane.h"
-#include "sim/sensors.h"
+#include "sensors/sensors.h"
+#include "terrain/terrain.h"
 
 namespace understudy {
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <system_error>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "base/errors.h"
+#include "base/nearest_word.h"
 #include "config/keys.h"
 #include "config/printer.h"
 #include "config/reader.h"
@@ -13,8 +15,6 @@
 #include "config/validate.h"
 #include "config/yaml_document.h"
 #include "robot/drop_motor.h"
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

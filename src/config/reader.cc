@@ -9,8 +9,8 @@
 #include <type_traits>
 #include <utility>
 
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
 
 namespace understudy {
 namespace {

@@ -6,8 +6,8 @@
 #include <system_error>
 #include <utility>
 
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
 
 namespace understudy {
 namespace {

@@ -1,7 +1,7 @@
 #include <limits>
 
+#include "authority/chord.h"
 #include "config/keys.h"
-#include "motion/chord.h"
 
 namespace understudy {
 namespace {

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
+#include "authority/onboard.h"
+#include "base/nearest_word.h"
 #include "config/archive.h"
 #include "config/checker.h"
 #include "config/keys.h"
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"
-#include "motion/onboard.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

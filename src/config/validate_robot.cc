@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "authority/chord.h"
+#include "base/nearest_word.h"
 #include "config/archive.h"
 #include "config/keys.h"
-#include "motion/chord.h"
 #include "robot/firmware.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

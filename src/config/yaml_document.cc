@@ -14,7 +14,7 @@
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

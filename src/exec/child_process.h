@@ -10,8 +10,8 @@
 
 #include <sys/types.h>
 
+#include "base/unique_fd.h"
 #include "exec/command.h"
-#include "exec/unique_fd.h"
 
 namespace understudy {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 
@@ -18,8 +18,8 @@ class CommandError : public SetupError {
  public:
   CommandError(const std::string& what, int exit_code) : SetupError(what), exit_code_(exit_code) {}
 
-  // One of the three above: what the process should end with.
-  int exit_code() const { return exit_code_; }
+  // One of the three above.
+  int exit_code() const override { return exit_code_; }
 
  private:
   int exit_code_;

@@ -16,10 +16,10 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/errors.h"
+#include "base/unique_fd.h"
 #include "exec/capabilities.h"
 #include "exec/namespace_refusal.h"
-#include "exec/unique_fd.h"
-#include "robot/errors.h"
 
 namespace understudy {
 namespace {

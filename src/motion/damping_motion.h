@@ -2,7 +2,7 @@
 #ifndef UNDERSTUDY_MOTION_DAMPING_MOTION_H_
 #define UNDERSTUDY_MOTION_DAMPING_MOTION_H_
 
-#include "motion/motion.h"
+#include "authority/motion.h"
 
 namespace understudy {
 

@@ -1,9 +1,9 @@
 #include "motion/make_motion.h"
 
+#include "base/errors.h"
 #include "motion/damping_motion.h"
-#include "motion/humanoid_motion.h"
-#include "motion/quadruped_motion.h"
-#include "robot/errors.h"
+#include "motion/humanoid/motion.h"
+#include "motion/quadruped/motion.h"
 
 namespace understudy {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "motion/motion.h"
+#include "authority/motion.h"
 #include "physics/world.h"
 #include "robot/robot_spec.h"
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "physics/mujoco_handles.h"
+#include "mjcf/mujoco_handles.h"
 
 namespace understudy {
 namespace {

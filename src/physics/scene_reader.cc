@@ -6,7 +6,7 @@
 
 #include <malloc.h>
 
-#include "physics/model_bytes.h"
+#include "mjcf/model_bytes.h"
 
 namespace understudy {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/mujoco_handles.h"
+#include "mjcf/mujoco_handles.h"
 
 namespace understudy {
 

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/errors.h"
 #include "physics/feet.h"
 #include "physics/set_down.h"
 #include "physics/world_model.h"
-#include "robot/errors.h"
 
 namespace understudy {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/mujoco_handles.h"
+#include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 

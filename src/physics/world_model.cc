@@ -7,16 +7,16 @@
 #include <mutex>
 #include <utility>
 
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "mjcf/assets.h"
+#include "mjcf/compile.h"
+#include "mjcf/fit_names.h"
+#include "mjcf/looks.h"
+#include "mjcf/revise.h"
 #include "physics/feet.h"
-#include "physics/fit_names.h"
 #include "physics/geom_extent.h"
 #include "physics/joint_dynamics.h"
-#include "physics/mjcf_assets.h"
-#include "physics/mjcf_compile.h"
-#include "physics/mjcf_looks.h"
-#include "physics/mjcf_revise.h"
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

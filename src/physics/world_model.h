@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "physics/mjcf_rewrite.h"
-#include "physics/mujoco_handles.h"
+#include "mjcf/mujoco_handles.h"
+#include "mjcf/rewrite.h"
 #include "robot/robot_spec.h"
 
 namespace understudy {
@@ -30,13 +30,13 @@ struct LoadNotes {
 };
 
 // Compiles the robot in the scene at the given time step [s], where the spec differs from the file
-// as the spec has it (physics/mjcf_revise.h), with gyro and accelerometer at the sites the spec
+// as the spec has it (mjcf/revise.h), with gyro and accelerometer at the sites the spec
 // names and, where the base has a free joint, an inactive weld of the base to the world. Joints
 // have the figures that spec.dynamics asks for (physics/joint_dynamics.h). MuJoCo's own actuators
 // are switched off: the motors are ours. A robot file that brings ground of its own (a plane or
 // height field of the world) is compiled without the scene, which is noted. Before MuJoCo 3 a file
-// written for MuJoCo 3 is rewritten first (physics/mjcf_rewrite.h), and what is only to be looked
-// at is left out (physics/mjcf_looks.h). `notes` may be null.
+// written for MuJoCo 3 is rewritten first (mjcf/rewrite.h), and what is only to be looked
+// at is left out (mjcf/looks.h). `notes` may be null.
 //
 // Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
 // cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the
@@ -59,7 +59,7 @@ struct FittedModel {
 };
 
 // The same for a model that another hand has written of the robot: the spec takes its names where
-// it lacks the spec's own (physics/fit_names.h), and feet are looked for (physics/feet.h), each
+// it lacks the spec's own (mjcf/fit_names.h), and feet are looked for (physics/feet.h), each
 // with a warning in `notes`. Throws as above for what is not found.
 FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/nearest_word.h"
 #include "record/ros2msg.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

@@ -8,7 +8,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "control/status.h"
+#include "emulator/status.h"
 #include "record/truth.h"
 
 namespace understudy {

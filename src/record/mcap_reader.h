@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "exec/unique_fd.h"
+#include "base/unique_fd.h"
 #include "record/mcap_format.h"
 
 namespace understudy {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-#include "exec/unique_fd.h"
+#include "base/unique_fd.h"
 #include "record/bytes.h"
 
 namespace understudy {

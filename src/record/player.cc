@@ -4,8 +4,8 @@
 #include <set>
 #include <utility>
 
+#include "base/nearest_word.h"
 #include "record/ros2msg.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

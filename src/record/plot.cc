@@ -11,12 +11,12 @@
 #include <set>
 #include <sstream>
 
+#include "base/nearest_word.h"
 #include "record/cdr_field.h"
 #include "record/player.h"
 #include "record/plot_trace.h"
 #include "record/ros2msg.h"
 #include "record/truth.h"
-#include "robot/nearest_word.h"
 #include "robot/robot_values.h"
 
 namespace understudy {

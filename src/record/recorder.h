@@ -19,12 +19,12 @@
 #include <utility>
 #include <vector>
 
+#include "base/spsc_ring.h"
 #include "bus/cdr_reader.h"
 #include "bus/endpoint_watch.h"
-#include "control/status.h"
+#include "emulator/status.h"
 #include "record/event_log.h"
 #include "record/mcap_writer.h"
-#include "record/spsc_ring.h"
 #include "record/truth.h"
 
 namespace understudy {

@@ -2,7 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "control/ctl_check.h"
+#include "ctl/check.h"
 
 namespace understudy {
 

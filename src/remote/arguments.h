@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "control/robot_choice.h"
+#include "client/robot_choice.h"
 #include "remote/pad_mapping.h"
 
 namespace CLI {

@@ -11,7 +11,7 @@
 
 #include <SDL2/SDL.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "catch_errors.h"
-#include "exit_code.h"
+#include "base/catch_errors.h"
+#include "base/exit_code.h"
 #include "remote/arguments.h"
 #include "remote/gamepads.h"
 #include "remote/play_remote.h"

@@ -1,8 +1,8 @@
 // Instead of gamepads.cc, where this was built without SDL.
 #include <utility>
 
+#include "base/errors.h"
 #include "remote/gamepads.h"
-#include "robot/errors.h"
 
 namespace understudy {
 namespace {

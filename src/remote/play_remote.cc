@@ -14,14 +14,14 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "control/client.h"
-#include "control/control_error.h"
+#include "base/errors.h"
+#include "base/signals.h"
+#include "client/client.h"
 #include "remote/gamepads.h"
 #include "remote/keyboard.h"
 #include "remote/picture.h"
 #include "remote/raw_terminal.h"
 #include "remote/remote_sender.h"
-#include "signals.h"
 
 namespace understudy {
 namespace {

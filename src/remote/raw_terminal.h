@@ -8,7 +8,7 @@
 #include <sys/types.h>
 #include <termios.h>
 
-#include "exec/unique_fd.h"
+#include "base/unique_fd.h"
 
 namespace understudy {
 

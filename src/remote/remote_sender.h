@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "sim/order.h"
+#include "emulator/order.h"
 
 namespace understudy {
 

@@ -136,7 +136,7 @@ struct ArmSdkSpec {
 struct ChordSpec {
   std::string keys{};          // "L2+B"
   int clicks = 1;              // of the last key
-  std::string does{};          // a word of kChordActions, motion/chord.h
+  std::string does{};          // a word of kChordActions, authority/chord.h
   double value = 0;            // state id, action id; 0 where there is none
   std::vector<double> from{};  // ids of states it works in; none = in all
 };

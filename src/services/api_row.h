@@ -14,7 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "motion/motor_owner.h"
+#include "authority/motor_owner.h"
 
 namespace understudy {
 

@@ -10,8 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "control/ctl_check.h"
-#include "robot/nearest_word.h"
+#include "base/nearest_word.h"
+#include "ctl/check.h"
 
 namespace understudy {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "control/robot_choice.h"
+#include "client/robot_choice.h"
 
 namespace CLI {
 class App;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <limits>
 
-#include "control/control_error.h"
+#include "base/errors.h"
 #include "viewer/commands.h"
 #include "viewer/film_maker.h"
 #include "viewer/headless_gl.h"

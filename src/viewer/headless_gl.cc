@@ -9,7 +9,7 @@
 #include <EGL/eglext.h>
 #include <dlfcn.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

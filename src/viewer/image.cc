@@ -5,7 +5,7 @@
 #include <png.h>
 #include <unistd.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 

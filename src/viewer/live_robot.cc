@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "control/client.h"
-#include "control/control_error.h"
-#include "control/control_stream.h"
+#include "base/errors.h"
+#include "client/client.h"
+#include "client/control_stream.h"
 
 namespace understudy {
 namespace {

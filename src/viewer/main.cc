@@ -3,9 +3,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "catch_errors.h"
-#include "exit_code.h"
-#include "signals.h"
+#include "base/catch_errors.h"
+#include "base/exit_code.h"
+#include "base/signals.h"
 #include "viewer/arguments.h"
 #include "viewer/commands.h"
 

@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/errors.h"
 #include "record/truth.h"
-#include "robot/errors.h"
 
 namespace understudy {
 namespace {

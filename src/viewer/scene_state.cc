@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "control/control_error.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "base/errors.h"
+#include "base/nearest_word.h"
 #include "physics/geom_extent.h"
 #include "physics/world_model.h"
-#include "robot/errors.h"
-#include "robot/nearest_word.h"
 
 namespace understudy {
 namespace {

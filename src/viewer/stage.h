@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "physics/mujoco_handles.h"
+#include "mjcf/mujoco_handles.h"
 #include "viewer/arguments.h"
 #include "viewer/scene_state.h"
 

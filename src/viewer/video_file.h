@@ -7,7 +7,7 @@
 
 #include <sys/types.h>
 
-#include "exec/unique_fd.h"
+#include "base/unique_fd.h"
 #include "viewer/arguments.h"
 #include "viewer/image.h"
 

@@ -5,7 +5,7 @@
 
 #include <GLFW/glfw3.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

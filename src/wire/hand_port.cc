@@ -3,7 +3,7 @@
 #include <iterator>
 #include <string>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

@@ -3,7 +3,7 @@
 #include <string>
 #include <utility>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 
 namespace understudy {
 namespace {

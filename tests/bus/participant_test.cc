@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 #include "tests/bus/stranger.h"
 
 namespace understudy {

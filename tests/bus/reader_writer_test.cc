@@ -10,9 +10,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/errors.h"
 #include "bus/reader.h"
 #include "bus/writer.h"
-#include "robot/errors.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
 

@@ -11,9 +11,9 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include "base/errors.h"
 #include "config/load.h"
 #include "config/robot_file.h"
-#include "robot/errors.h"
 
 namespace understudy {
 

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "emulator.h"
+#include "emulator/emulator.h"
 #include "tests/support/fake_port.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"

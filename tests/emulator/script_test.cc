@@ -1,4 +1,4 @@
-#include "robot/errors.h"
+#include "base/errors.h"
 #include "tests/emulator/emulator_test.h"
 
 namespace understudy {

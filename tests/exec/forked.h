@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "exec/unique_fd.h"
+#include "base/unique_fd.h"
 
 namespace understudy::testing {
 

@@ -1,5 +1,5 @@
 // That a step of a motion service allocates nothing: operator new of this program counts.
-#include "tests/motion/humanoid_fixture.h"
+#include "tests/motion/humanoid/fixture.h"
 #include "tests/support/allocations.h"
 
 namespace understudy {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
 #include "physics/world_model.h"
-#include "robot/errors.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"

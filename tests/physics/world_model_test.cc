@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/errors.h"
 #include "physics/world.h"
-#include "robot/errors.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"

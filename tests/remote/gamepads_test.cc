@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "motion/motor_owner.h"
+#include "authority/motor_owner.h"
 #include "services/service.h"
 
 namespace understudy {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/errors.h"
 #include "gmock/gmock.h"
-#include "robot/errors.h"
 #include "viewer_test.h"
 
 namespace understudy {

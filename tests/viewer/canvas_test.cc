@@ -1,8 +1,8 @@
 // Draws with whatever OpenGL this machine has; on most that test it is Mesa's software.
 #include "viewer/canvas.h"
 
+#include "base/errors.h"
 #include "gmock/gmock.h"
-#include "robot/errors.h"
 #include "viewer/camera_operator.h"
 #include "viewer/headless_gl.h"
 #include "viewer_test.h"

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/errors.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "robot/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy {

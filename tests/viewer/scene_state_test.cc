@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "control/control_error.h"
+#include "base/errors.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 

@@ -6,9 +6,9 @@
 #include <iterator>
 #include <string>
 
+#include "base/errors.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
-#include "robot/errors.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy {

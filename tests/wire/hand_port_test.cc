@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 #include "tests/support/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"

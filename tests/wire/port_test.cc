@@ -1,7 +1,7 @@
 // What both families' ports do alike.
 #include <gmock/gmock.h>
 
-#include "robot/errors.h"
+#include "base/errors.h"
 #include "tests/support/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"

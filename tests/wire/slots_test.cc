@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "base/errors.h"
 #include "idl/unitree_go.h"
-#include "robot/errors.h"
 #include "tests/wire/robots.h"
 
 namespace understudy {

@@ -14,9 +14,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "control/client.h"
-#include "control/control_error.h"
-#include "control/control_folder.h"
+#include "base/errors.h"
+#include "client/client.h"
+#include "client/control_folder.h"
 
 namespace understudy {
 namespace {

@@ -9,10 +9,10 @@
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
+#include "config/model_files.h"
+#include "physics/crane.h"
 #include "physics/world_model.h"
 #include "process.h"
-#include "scene.h"
-#include "sim/crane.h"
 
 namespace understudy {
 namespace {

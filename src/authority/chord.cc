@@ -1,0 +1,86 @@
+#include "authority/chord.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "robot/remote_keys.h"
+
+namespace understudy {
+namespace {
+
+constexpr const char* kDebug = "debug";
+
+struct Word {
+  const char* word;
+  MotionAction action;
+};
+
+constexpr std::array kWords = {
+    Word{"zero_torque", MotionAction::kZeroTorque},
+    Word{"damp", MotionAction::kDamp},
+    Word{"stand_up", MotionAction::kStandUp},
+    Word{"stand_down", MotionAction::kStandDown},
+    Word{"balance_stand", MotionAction::kBalanceStand},
+    Word{"recovery_stand", MotionAction::kRecoveryStand},
+    Word{"set_fsm", MotionAction::kSetFsm},
+    Word{"balance_mode", MotionAction::kSetBalanceMode},
+    Word{"arm_action", MotionAction::kArmAction},
+};
+
+}  // namespace
+
+const std::vector<std::string>& ChordActions() {
+  static const std::vector<std::string> kActions = [] {
+    std::vector<std::string> actions{kDebug};
+    for (const Word& word : kWords) actions.emplace_back(word.word);
+    return actions;
+  }();
+  return kActions;
+}
+
+Chord MakeChord(const ChordSpec& spec, const std::string& where) {
+  Chord chord;
+  chord.clicks = spec.clicks;
+  const std::optional<std::uint16_t> keys = RemoteKeys(spec.keys);
+  if (!keys) {
+    throw ConfigError(where + ".keys: expected keys joined by +, as in L2+B, got '" + spec.keys +
+                      "'");
+  }
+  chord.keys = *keys;
+  if (spec.does != kDebug) {
+    const auto word = std::find_if(kWords.begin(), kWords.end(),
+                                   [&](const Word& w) { return spec.does == w.word; });
+    if (word == kWords.end()) {
+      throw ConfigError(where + ".does: unknown word '" + spec.does + "'" +
+                        DidYouMean(spec.does, ChordActions()));
+    }
+    chord.goal = MotionGoal{.action = word->action, .value = {spec.value}};
+  }
+  for (const double id : spec.from) chord.from.push_back(static_cast<int>(std::lround(id)));
+  return chord;
+}
+
+const Chord* ChordReader::Read(std::uint16_t keys, int state, double t) {
+  const bool pressed = (keys & ~down_) != 0;
+  down_ = keys;
+  if (!pressed) return nullptr;
+  const int clicks = keys == last_ && t - last_at_ <= kDoubleClick ? 2 : 1;
+  last_ = clicks == 1 ? keys : 0;
+  last_at_ = t;
+  const auto fits = [&](const Chord& chord) {
+    return chord.keys == keys && chord.clicks == clicks &&
+           (chord.from.empty() ||
+            std::find(chord.from.begin(), chord.from.end(), state) != chord.from.end());
+  };
+  const auto chord = std::find_if(chords_.begin(), chords_.end(), fits);
+  return chord == chords_.end() ? nullptr : &*chord;
+}
+
+bool ChordReader::knows_debug() const {
+  return std::any_of(chords_.begin(), chords_.end(), [](const Chord& c) { return !c.goal; });
+}
+
+}  // namespace understudy

@@ -1,0 +1,94 @@
+// Decides which command the motors follow.
+#ifndef UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_
+#define UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "robot/refusal.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+struct GateConfig {
+  bool lenient = false;   // take commands whose form is wrong; they are counted all the same
+  double timeout = 0.2;   // s without a taken command until damping; assumed
+  double damping_kd = 2;  // N·m·s/rad of that damping; assumed
+};
+
+// Who moves the motors now.
+enum class GateState : std::uint8_t {
+  kStart,      // the start command: nobody has commanded yet
+  kFollowing,  // the last taken command
+  kDamping,    // commands stopped, or nobody has commanded since the motion service let go
+  kLimp,       // the same without torque, on the remote controller's wish
+  kClosed,     // the robot's own motion service
+};
+
+// The word that the status line and the control plane use.
+constexpr std::string_view Name(GateState state) {
+  constexpr std::array<std::string_view, 5> kNames = {"start", "following", "damping", "limp",
+                                                      "motion_service"};
+  return kNames[static_cast<std::size_t>(state)];
+}
+
+struct GateCounts {
+  std::uint64_t accepted = 0;
+  std::array<std::uint64_t, kRefusals> refused{};  // by Refusal; kNone stays 0
+  std::uint64_t timeouts = 0;                      // times that commands stopped
+};
+
+// Takes commands or refuses them with a reason. There is always a current command, never "none":
+// the start command until one is taken, the last one taken while it is fresh, damping after that. A
+// refused command changes nothing. Lenient lets pass what is wrong in form (crc, head,
+// mode_machine, mode_pr, motor mode); values that would harm (kNotFinite, kGain) are refused in any
+// case.
+//
+// Closed, it refuses every command, those without a fault as kMotionService.
+class CommandGate {
+ public:
+  // `start` is what the motors do before the first command; its size is the number of motors.
+  CommandGate(const GateConfig& config, RobotCommand start);
+
+  // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
+  // Returns kNone when taken, else the reason. `command` must hold as many motors as the start
+  // command.
+  Refusal Offer(const RobotCommand& command, Refusal wire, double t);
+
+  // What the motors follow at time t [s], not before the last call's t.
+  const RobotCommand& Current(double t);
+
+  // Back to the start command, or to another one, and open; counters kept.
+  void Restart();
+  void Restart(const RobotCommand& start);
+
+  // The motion service takes the motors; Current means nothing until it lets go.
+  void Close() { state_ = GateState::kClosed; }
+  // The motors brake, or with `limp` give no torque, until a command is taken.
+  void Rest(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
+
+  GateState state() const { return state_; }
+  const GateCounts& counts() const { return counts_; }
+
+ private:
+  GateConfig config_;
+  RobotCommand start_;
+  RobotCommand taken_;
+  RobotCommand damping_;
+  RobotCommand limp_;
+  GateState state_ = GateState::kStart;
+  GateCounts counts_;
+  double taken_at_ = 0;
+};
+
+// The first thing in a command that would harm, whatever its form: kNotFinite, kGain, or kNone.
+Refusal HarmIn(const MotorCommand& command);
+Refusal HarmIn(const RobotCommand& command);
+
+// A command under which every motor only brakes: kd [N·m·s/rad] on its rate.
+RobotCommand DampingCommand(std::size_t motors, double kd);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_

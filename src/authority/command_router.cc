@@ -1,0 +1,139 @@
+#include "authority/command_router.h"
+
+#include <string>
+#include <utility>
+
+#include "authority/onboard.h"
+
+namespace understudy {
+namespace {
+
+constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts, *assumed*; renewed each tick
+
+std::vector<Chord> ChordsOf(const RobotSpec& spec) {
+  std::vector<Chord> chords;
+  for (std::size_t i = 0; i < spec.remote.chords.size(); ++i) {
+    chords.push_back(MakeChord(spec.remote.chords[i], "robot.remote.chords." + std::to_string(i)));
+  }
+  return chords;
+}
+
+// Gives `refusal` back.
+Refusal Count(Refusal refusal, GateCounts* counts) {
+  ++(refusal == Refusal::kNone ? counts->accepted
+                               : counts->refused[static_cast<std::size_t>(refusal)]);
+  return refusal;
+}
+
+}  // namespace
+
+CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
+                             const MotionConfig& config, const RobotCommand& start,
+                             std::unique_ptr<Motion> motion)
+    : fight_(config.fight),
+      stick_speed_(spec.remote.speed),
+      gate_(gate, start),
+      user_gate_(gate, start),
+      owner_(OnboardServices(spec, StartService(spec, config)), spec.form, std::move(motion)),
+      arms_(spec),
+      chords_(ChordsOf(spec)),
+      own_(DampingCommand(spec.motors.size(), gate.damping_kd)),
+      mixed_(own_) {
+  Restart(start);
+}
+
+void CommandRouter::Restart(const RobotCommand& start) {
+  gate_.Restart(start);
+  owner_.Restart();
+  arms_.Clear();
+  fought_ = fresh_lowcmd_ = false;
+  was_on_ = service_on();
+  if (was_on_ && !fight_) gate_.Close();
+}
+
+Refusal CommandRouter::Offer(const RobotCommand& command, Refusal wire, double t) {
+  FollowOwner();
+  const Refusal refusal = gate_.Offer(command, wire, t);
+  if (refusal == Refusal::kNone) fresh_lowcmd_ = true;
+  return refusal;
+}
+
+Refusal CommandRouter::OfferArms(const RobotCommand& command, double weight, double t) {
+  FollowOwner();
+  return Count(service_on() ? arms_.Offer(command, weight, t) : Refusal::kNoMotionService,
+               &arm_counts_);
+}
+
+Refusal CommandRouter::OfferUser(const RobotCommand& command, double t) {
+  FollowOwner();
+  Refusal refusal = service_on() ? Refusal::kNotHandedOver : Refusal::kNoMotionService;
+  if (owner_.user_control()) refusal = user_gate_.Offer(command, Refusal::kNone, t);
+  return Count(refusal, &user_counts_);
+}
+
+GateCounts CommandRouter::user_counts() const {
+  GateCounts counts = user_counts_;
+  counts.timeouts = user_gate_.counts().timeouts;
+  return counts;
+}
+
+void CommandRouter::Obey(const RemoteReading& remote, double t) {
+  FollowOwner();
+  const bool released = !service_on();
+  const int resting = gate_.state() == GateState::kLimp ? 0 : 1;
+  const Chord* chord = chords_.Read(remote.keys, released ? resting : owner_.state().id, t);
+  if (chord != nullptr && released && chords_.knows_debug() && chord->goal) {
+    const MotionAction action = chord->goal->action;
+    if (action == MotionAction::kZeroTorque) gate_.Rest(/*limp=*/true);
+    if (action == MotionAction::kDamp) gate_.Rest();
+  } else if (chord != nullptr && !released && chord->goal) {
+    owner_.Ask(*chord->goal);
+  } else if (chord != nullptr && !released) {
+    owner_.Release();
+    FollowOwner();
+  }
+  const bool moved = remote.lx != 0 || remote.ly != 0 || remote.rx != 0;
+  stick_wish_ = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
+                 -stick_speed_[2] * remote.rx};
+  if ((moved || sticks_moved_) && service_on()) {
+    owner_.Ask({.action = MotionAction::kMove,
+                .value = {stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold}});
+  }
+  sticks_moved_ = moved;
+}
+
+const RobotCommand& CommandRouter::Current(const MotionInput& input, bool service_due, double dt) {
+  FollowOwner();
+  if (!service_on()) return gate_.Current(input.time);
+  if (service_due) {
+    owner_.Step(input, dt, &own_);
+    fought_ = false;
+  }
+  if (std::exchange(fresh_lowcmd_, false)) fought_ = true;
+  if (fought_) return gate_.Current(input.time);
+  if (owner_.user_control() && user_gate_.state() != GateState::kStart) {
+    return user_gate_.Current(input.time);
+  }
+  if (arms_.weight(input.time) <= 0) return own_;
+  mixed_ = own_;
+  arms_.MixOver(input.time, &mixed_);
+  return mixed_;
+}
+
+void CommandRouter::FollowOwner() {
+  if (owner_.user_control() != was_user_) {
+    was_user_ = owner_.user_control();
+    user_gate_.Restart();
+  }
+  if (service_on() == was_on_) return;
+  was_on_ = service_on();
+  arms_.Clear();
+  fought_ = fresh_lowcmd_ = false;
+  if (was_on_ && !fight_) {
+    gate_.Close();
+  } else {
+    gate_.Rest();
+  }
+}
+
+}  // namespace understudy

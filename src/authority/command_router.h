@@ -1,0 +1,83 @@
+// Which command the motors follow: the motion service's, rt/arm_sdk mixed over it, rt/user_lowcmd
+// or rt/lowcmd.
+#ifndef UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
+#define UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "authority/arm_overlay.h"
+#include "authority/chord.h"
+#include "authority/command_gate.h"
+#include "authority/motion_config.h"
+#include "authority/motor_owner.h"
+
+namespace understudy {
+
+// While a motion service is on it moves the motors, the gate is closed and rt/arm_sdk counts; while
+// it has handed them over, rt/user_lowcmd. Once it lets go, motors brake until rt/lowcmd comes
+// (*assumed*: what a robot does in between is not documented).
+class CommandRouter {
+ public:
+  // `spec` and `config` have been validated. `start` is what the motors do when no service is on
+  // and nobody has commanded.
+  CommandRouter(const RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
+                const RobotCommand& start, std::unique_ptr<Motion> motion);
+
+  // The robot is back in a pose that it can start in, `start` is what its motors do there; whoever
+  // moves them begins anew.
+  void Restart(const RobotCommand& start);
+
+  // A command of rt/lowcmd at time t [s]; `wire` as for CommandGate::Offer, and so is the answer.
+  Refusal Offer(const RobotCommand& command, Refusal wire, double t);
+  // The same for rt/arm_sdk and rt/user_lowcmd, on which nothing is asked of the form.
+  Refusal OfferArms(const RobotCommand& command, double weight, double t);
+  Refusal OfferUser(const RobotCommand& command, double t);
+  // The remote controller at time t [s].
+  void Obey(const RemoteReading& remote, double t);
+
+  // What the motors follow at input.time. With `service_due` the motion service, if one is on,
+  // makes a step of `dt` seconds first.
+  const RobotCommand& Current(const MotionInput& input, bool service_due, double dt);
+
+  MotorOwner& owner() { return owner_; }
+  const MotorOwner& owner() const { return owner_; }
+  bool service_on() const { return !owner_.active().empty(); }
+  // What the motion service tells; none while none is on.
+  std::optional<MotionState> motion() const {
+    return service_on() ? std::optional(owner_.state()) : std::nullopt;
+  }
+  const CommandGate& gate() const { return gate_; }
+  const GateCounts& arm_counts() const { return arm_counts_; }
+  GateCounts user_counts() const;
+  // What the sticks ask for: forward, left m/s, turn rad/s.
+  const std::array<double, 3>& stick_wish() const { return stick_wish_; }
+  double arm_weight(double t) const { return arms_.weight(t); }
+
+ private:
+  void FollowOwner();  // opens or closes the gate when the owner has changed
+
+  bool fight_;
+  std::vector<double> stick_speed_;
+  CommandGate gate_;
+  CommandGate user_gate_;
+  MotorOwner owner_;
+  ArmOverlay arms_;
+  GateCounts arm_counts_;
+  GateCounts user_counts_;  // but for the time-outs
+  ChordReader chords_;
+  RobotCommand own_;    // the motion service's last
+  RobotCommand mixed_;  // the same with the arms
+  bool was_on_ = false;
+  bool was_user_ = false;
+  bool fresh_lowcmd_ = false;  // one has been taken in this tick
+  bool fought_ = false;        // rt/lowcmd spoke after the service
+  bool sticks_moved_ = false;
+  std::array<double, 3> stick_wish_{};
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_

@@ -1,0 +1,82 @@
+// The robot's own motion service, as the tick sees it: goals go in, a command comes out.
+#ifndef UNDERSTUDY_AUTHORITY_MOTION_H_
+#define UNDERSTUDY_AUTHORITY_MOTION_H_
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// What the services, the remote controller and scripts may ask for. What `value` holds stands
+// beside each; the rest is 0.
+enum class MotionAction : std::uint8_t {
+  kZeroTorque,
+  kDamp,     // legal in every state
+  kStandUp,  // joints locked, not balanced
+  kStandDown,
+  kBalanceStand,
+  kRecoveryStand,  // from wherever the robot lies
+  kSit,
+  kRiseSit,
+  kHello,
+  kStretch,
+  kPose,        // 1 on, 0 off
+  kEuler,       // roll, pitch, yaw of the body, rad
+  kBodyHeight,  // m over the robot's own standing height
+  kStopMove,
+  kAutoRecovery,    // 1: gets up by itself after a fall, 0: stays damped (as at the start)
+  kMove,            // vx, vy m/s, yaw rate rad/s in the body's frame, s it holds
+  kSetFsm,          // humanoids: the vendor's state-machine id
+  kSetBalanceMode,  // humanoids: 0 step only when needed, 1 keep stepping
+  kSetStandHeight,  // humanoids: 0 lowest to 1 highest
+  kArmAction,       // humanoids: the vendor's action id
+  kStopArmAction,   // humanoids
+};
+
+struct MotionGoal {
+  MotionAction action = MotionAction::kDamp;
+  std::array<double, 4> value{};
+};
+
+// What became of a goal. Services turn it into the code their robot would send.
+enum class MotionVerdict : std::uint8_t {
+  kTaken,    // under way; not a promise that it ends well
+  kNotNow,   // not from the present state
+  kUnknown,  // no such id
+  kUnable,   // the real robot could, no controller here can
+};
+
+// What a robot's own controller knows: one instant of its sensors. `base` is the simulation's
+// truth, for what a real robot's state estimator says; a controller that stands must not need it.
+struct MotionInput {
+  double time = 0;                // simulated s
+  std::span<const double> q, dq;  // rad, rad/s, motor order
+  ImuReading imu;                 // LowState's unit
+  BaseReading base;
+  std::span<const double> foot_force;  // N, RobotSpec::feet order
+};
+
+class Motion {
+ public:
+  virtual ~Motion() = default;
+
+  // As after boot: no goal, the state a robot of this kind comes up in. Called before the first
+  // Step and whenever the service takes the motors over.
+  virtual void Start(const MotionInput& input) = 0;
+
+  // Begins `goal` or says why not; never acts itself.
+  virtual MotionVerdict Ask(const MotionGoal& goal) = 0;
+
+  // Every dt seconds: what the motors are to do until the next call. `command` has the robot's
+  // size. Allocates nothing.
+  virtual void Step(const MotionInput& input, double dt, RobotCommand* command) = 0;
+
+  virtual MotionState state() const = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_AUTHORITY_MOTION_H_

@@ -1,0 +1,18 @@
+// Who moves the motors when a run begins.
+#ifndef UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_
+#define UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_
+
+#include <string>
+
+namespace understudy {
+
+inline constexpr const char* kNoService = "none";
+
+struct MotionConfig {
+  std::string service;  // alias; "" = the first that the firmware has, kNoService = none
+  bool fight = false;   // follow rt/lowcmd although a motion service is on
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_

@@ -1,0 +1,36 @@
+#include "authority/onboard.h"
+
+#include "robot/firmware.h"
+
+namespace understudy {
+
+std::vector<std::string> MotionServices(const RobotSpec& spec) {
+  std::vector<std::string> aliases;
+  for (const ServiceSpec& service : spec.services) {
+    if (!service.alias.empty() && HasService(spec.firmware, service)) {
+      aliases.push_back(service.alias);
+    }
+  }
+  return aliases;
+}
+
+std::string StartService(const RobotSpec& spec, const MotionConfig& config) {
+  if (config.service == kNoService) return {};
+  if (!config.service.empty()) return config.service;
+  const std::vector<std::string> aliases = MotionServices(spec);
+  return aliases.empty() ? std::string() : aliases.front();
+}
+
+std::vector<OnboardService> OnboardServices(const RobotSpec& spec, std::string_view on) {
+  std::vector<OnboardService> services;
+  for (const ServiceSpec& service : spec.services) {
+    if (!HasService(spec.firmware, service)) continue;
+    services.push_back({.name = service.name,
+                        .alias = service.alias,
+                        .on = service.alias.empty() ? service.on : service.alias == on,
+                        .is_protected = service.protect});
+  }
+  return services;
+}
+
+}  // namespace understudy

@@ -1,0 +1,67 @@
+#include "base/nearest_word.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cstddef>
+#include <numeric>
+#include <utility>
+
+namespace understudy {
+namespace {
+
+char Lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+
+// Levenshtein distance in which two swapped neighbours cost one, as typing does that often.
+std::size_t EditDistance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before(b.size() + 1);
+  std::vector<std::size_t> last(b.size() + 1);
+  std::vector<std::size_t> now(b.size() + 1);
+  std::iota(last.begin(), last.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    now[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const bool same = Lower(a[i - 1]) == Lower(b[j - 1]);
+      now[j] = std::min({last[j] + 1, now[j - 1] + 1, last[j - 1] + (same ? 0 : 1)});
+      if (i > 1 && j > 1 && Lower(a[i - 1]) == Lower(b[j - 2]) &&
+          Lower(a[i - 2]) == Lower(b[j - 1])) {
+        now[j] = std::min(now[j], before[j - 2] + 1);
+      }
+    }
+    std::swap(before, last);
+    std::swap(last, now);
+  }
+  return last[b.size()];
+}
+
+}  // namespace
+
+std::string NearestWord(std::string_view typed, const std::vector<std::string>& words) {
+  constexpr std::size_t kLongest = 64;  // no word of ours is longer; the table stays small
+  if (typed.size() > kLongest) return "";
+  std::string nearest;
+  std::size_t least = kLongest;
+  for (const std::string& word : words) {
+    const std::size_t allowed = std::max<std::size_t>(1, word.size() / 2);
+    // The tick looks for a word, too: what cannot be near by its length alone is left out.
+    if (typed.size() > word.size() + allowed || typed.size() + allowed < word.size()) continue;
+    const std::size_t distance = EditDistance(typed, word);
+    if (distance <= allowed && distance < least) {
+      least = distance;
+      nearest = word;
+    }
+  }
+  return nearest;
+}
+
+std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words) {
+  std::string text;
+  const std::string nearest = NearestWord(typed, words);
+  if (!nearest.empty()) text += "; did you mean '" + nearest + "'?";
+  text += nearest.empty() ? "; valid: " : " (valid: ";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : ", ") + (words[i].empty() ? std::string("\"\"") : words[i]);
+  }
+  return nearest.empty() ? text : text + ")";
+}
+
+}  // namespace understudy

@@ -1,0 +1,17 @@
+// SIGINT and SIGTERM as a flag.
+#ifndef UNDERSTUDY_BASE_SIGNALS_H_
+#define UNDERSTUDY_BASE_SIGNALS_H_
+
+namespace understudy {
+
+// From now on SIGINT and SIGTERM only raise the flag, once; a second one ends the process the
+// ordinary way. SIGPIPE and SIGXFSZ are ignored: who writes learns of
+// it by itself.
+void CatchStopSignals();
+
+// The signal that asked us to stop, 0 for none yet.
+int StopSignal();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_BASE_SIGNALS_H_

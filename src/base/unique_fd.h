@@ -1,0 +1,39 @@
+// A file descriptor that closes itself.
+#ifndef UNDERSTUDY_BASE_UNIQUE_FD_H_
+#define UNDERSTUDY_BASE_UNIQUE_FD_H_
+
+#include <utility>
+
+#include <unistd.h>
+
+namespace understudy {
+
+// Owns one descriptor, or none (-1). Closing errors are ignored: whoever writes a file learns
+// of its errors from write().
+class UniqueFd {
+ public:
+  UniqueFd() = default;
+  explicit UniqueFd(int fd) : fd_(fd) {}
+  UniqueFd(UniqueFd&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
+  UniqueFd& operator=(UniqueFd&& other) noexcept {
+    if (this != &other) {
+      reset();
+      fd_ = std::exchange(other.fd_, -1);
+    }
+    return *this;
+  }
+  ~UniqueFd() { reset(); }
+
+  int get() const { return fd_; }
+  bool valid() const { return fd_ >= 0; }
+  void reset() {
+    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
+  }
+
+ private:
+  int fd_ = -1;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_BASE_UNIQUE_FD_H_

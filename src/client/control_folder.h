@@ -1,0 +1,33 @@
+// Where the control sockets of this user's robots are, and how they are named.
+#ifndef UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
+#define UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
+
+#include <filesystem>
+#include <string>
+
+namespace understudy {
+
+// The first of these: $UNDERSTUDY_RUNTIME_DIR; understudy/ in $XDG_RUNTIME_DIR if that is a folder;
+// understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
+std::filesystem::path ControlFolder();
+
+// Throws SocketError unless `folder` is a folder, not a link, of this user and nobody else may
+// look into it: whoever can write there could pose as a robot.
+void CheckControlFolder(const std::filesystem::path& folder);
+
+// Creates `folder`, mode 0700, if it is missing, then checks it as above.
+void MakeControlFolder(const std::filesystem::path& folder);
+
+// `<name>.sock` in the control folder. A name is 1 to 64 of A-Z a-z 0-9 . _ -, the first not a dot;
+// anything else throws SocketError.
+std::filesystem::path ControlSocket(const std::string& name);
+
+// `<robot>-<pid of this process>`: what a robot is called that was given no name.
+std::string DefaultName(const std::string& robot);
+
+// Throws SocketError if `socket` has more bytes than the address of a Unix socket holds (107).
+void CheckSocketPath(const std::filesystem::path& socket);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_

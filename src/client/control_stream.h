@@ -1,0 +1,36 @@
+// The WebSockets of a running robot, from a client's side.
+#ifndef UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
+#define UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+namespace understudy {
+
+// One WebSocket, of one thread.
+class ControlStream {
+ public:
+  // `target`: "/frames?hz=60&parts=qpos,contacts" or "/orders". Throws ControlError when nobody
+  // listens at `socket` or it is refused, with the reason, or nothing comes within `timeout`, which
+  // holds for all that follows too.
+  ControlStream(const std::filesystem::path& socket, const std::string& target,
+                std::chrono::milliseconds timeout);
+  ~ControlStream();
+  ControlStream(ControlStream&& other) noexcept;
+  ControlStream& operator=(ControlStream&& other) noexcept;
+
+  // The next message. Throws ControlError when the robot has gone or none comes in time.
+  std::string Next();
+  void Send(const std::string& message);
+
+ private:
+  class Impl;
+
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CLIENT_CONTROL_STREAM_H_

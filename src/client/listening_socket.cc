@@ -1,0 +1,172 @@
+#include "client/listening_socket.h"
+
+#include <cerrno>
+#include <string>
+#include <system_error>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <sys/un.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "client/control_folder.h"
+
+namespace understudy {
+namespace {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int fd) : fd_(fd) {}
+  ~Descriptor() {
+    if (fd_ >= 0) ::close(fd_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+
+  int get() const { return fd_; }
+  bool valid() const { return fd_ >= 0; }
+  int Release() {
+    const int fd = fd_;
+    fd_ = -1;
+    return fd;
+  }
+
+ private:
+  int fd_;
+};
+
+// Holds a folder against other processes; the kernel lets go when the descriptor closes.
+class FolderLock {
+ public:
+  enum class Patience { kWait, kTry };
+
+  FolderLock(const std::filesystem::path& folder, Patience patience)
+      : folder_(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    const int how = LOCK_EX | (patience == Patience::kTry ? LOCK_NB : 0);
+    int result = -1;
+    do {
+      result = folder_.valid() ? ::flock(folder_.get(), how) : -1;
+    } while (result != 0 && errno == EINTR);
+    held_ = result == 0;
+  }
+
+  bool held() const { return held_; }
+
+ private:
+  Descriptor folder_;
+  bool held_ = false;
+};
+
+sockaddr_un AddressOf(const std::filesystem::path& path) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  path.native().copy(address.sun_path, sizeof(address.sun_path) - 1);
+  return address;
+}
+
+// The socket interface takes every family's address through this one type.
+const sockaddr* Generic(const sockaddr_un& address) {
+  return reinterpret_cast<const sockaddr*>(&address);
+}
+
+[[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& why) {
+  throw SocketError("control socket " + path.string() + ": " + why);
+}
+
+[[noreturn]] void RefuseBySystem(const std::filesystem::path& path) {
+  Refuse(path, std::generic_category().message(errno));
+}
+
+std::string Listener(const SocketProbe& probe) {
+  return probe.pid == 0 ? "a process out of sight" : "process " + std::to_string(probe.pid);
+}
+
+std::filesystem::path FolderOf(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path{"."};
+}
+
+}  // namespace
+
+SocketProbe ProbeSocket(const std::filesystem::path& path) {
+  struct stat found {};
+  if (::lstat(path.c_str(), &found) != 0) {
+    return {.state = errno == ENOENT ? SocketState::kAbsent : SocketState::kUnknown};
+  }
+  if (!S_ISSOCK(found.st_mode)) return {.state = SocketState::kUnknown};
+
+  const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const sockaddr_un address = AddressOf(path);
+  if (::connect(socket.get(), Generic(address), sizeof address) == 0) {
+    ucred peer{};
+    socklen_t size = sizeof peer;
+    const bool known = ::getsockopt(socket.get(), SOL_SOCKET, SO_PEERCRED, &peer, &size) == 0;
+    return {.state = SocketState::kAlive, .pid = known ? peer.pid : 0};
+  }
+  switch (errno) {
+    case EAGAIN:  // its queue is full: it is there, and busy
+      return {.state = SocketState::kAlive};
+    case ECONNREFUSED:
+      return {.state = SocketState::kStale};
+    case ENOENT:
+      return {.state = SocketState::kAbsent};
+    default:
+      return {.state = SocketState::kUnknown};
+  }
+}
+
+void RemoveIfStale(const std::filesystem::path& path) {
+  const FolderLock lock(FolderOf(path), FolderLock::Patience::kTry);
+  if (lock.held() && ProbeSocket(path).state == SocketState::kStale) ::unlink(path.c_str());
+}
+
+ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path) {
+  CheckSocketPath(path_);
+  const FolderLock lock(FolderOf(path_), FolderLock::Patience::kWait);
+  if (!lock.held()) RefuseBySystem(path_);
+
+  const SocketProbe before = ProbeSocket(path_);
+  switch (before.state) {
+    case SocketState::kAbsent:
+      break;
+    case SocketState::kStale:
+      ::unlink(path_.c_str());
+      break;
+    case SocketState::kAlive:
+      Refuse(path_, "the name is in use by " + Listener(before) +
+                        "; give this robot another --name, or end that one");
+    case SocketState::kUnknown:
+      Refuse(path_, "something else is there, which is left alone");
+  }
+
+  Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  const sockaddr_un address = AddressOf(path_);
+  if (!socket.valid() || ::bind(socket.get(), Generic(address), sizeof address) != 0) {
+    RefuseBySystem(path_);
+  }
+  // Nobody can connect before listen, so nobody gets in before the mode is right.
+  struct stat created {};
+  if (::chmod(path_.c_str(), S_IRUSR | S_IWUSR) != 0 || ::lstat(path_.c_str(), &created) != 0 ||
+      ::listen(socket.get(), SOMAXCONN) != 0) {
+    const int cause = errno;
+    ::unlink(path_.c_str());
+    errno = cause;
+    RefuseBySystem(path_);
+  }
+  device_ = created.st_dev;
+  inode_ = created.st_ino;
+  fd_ = socket.Release();
+}
+
+ListeningSocket::~ListeningSocket() {
+  const FolderLock lock(FolderOf(path_), FolderLock::Patience::kWait);
+  struct stat found {};
+  const bool ours =
+      ::lstat(path_.c_str(), &found) == 0 && found.st_dev == device_ && found.st_ino == inode_;
+  if (ours) ::unlink(path_.c_str());
+  ::close(fd_);
+}
+
+}  // namespace understudy

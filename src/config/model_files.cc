@@ -1,0 +1,69 @@
+#include "config/model_files.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <system_error>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "config/data_dir.h"
+
+namespace understudy {
+namespace {
+
+std::filesystem::path MakeFolder() {
+  std::error_code error;
+  std::string name =
+      (std::filesystem::temp_directory_path(error) / "understudy-scene-XXXXXX").string();
+  if (error || mkdtemp(name.data()) == nullptr) {
+    throw ModelError(name + ": no temporary folder can be made for the scene; set TMPDIR");
+  }
+  return name;
+}
+
+std::filesystem::path FindFile(const std::string& scene) {
+  const std::filesystem::path folder = DataDir() / "models" / "scene";
+  const std::filesystem::path path(scene);
+  std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
+  if (std::filesystem::is_regular_file(file)) return file;
+  if (path.has_extension()) throw ModelError("scene " + scene + ": no such file");
+  std::vector<std::string> scenes = TerrainKinds();
+  scenes.emplace_back(kPatchesScene);
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() != ".xml") continue;
+    const std::string name = entry.path().stem();
+    if (std::find(scenes.begin(), scenes.end(), name) == scenes.end()) scenes.push_back(name);
+  }
+  throw ModelError("no scene '" + scene + "'" + DidYouMean(scene, scenes));
+}
+
+void Remove(const std::filesystem::path& folder) {
+  std::error_code ignored;  // what is left in a temporary folder does no harm
+  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
+}
+
+}  // namespace
+
+std::filesystem::path ModelFile(const RobotSpec& robot) {
+  return DataDir() / "models" / robot.model;  // an absolute path replaces what is before it
+}
+
+SceneFile::SceneFile(const std::string& scene, const TerrainSpec& terrain) {
+  if (!IsTerrain(scene)) {
+    path_ = FindFile(scene);
+    return;
+  }
+  made_ = MakeFolder();
+  path_ = made_ / "scene.xml";
+  try {
+    WriteTerrain(scene, terrain, made_);
+  } catch (...) {
+    Remove(made_);
+    throw;
+  }
+}
+
+SceneFile::~SceneFile() { Remove(made_); }
+
+}  // namespace understudy

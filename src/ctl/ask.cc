@@ -1,0 +1,36 @@
+#include "ctl/ask.h"
+
+#include <utility>
+
+#include "client/client.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+
+// The "error" of a reply that was not 200.
+std::string ReasonOf(const ControlReply& reply) {
+  const json body = json::parse(reply.body, nullptr, false);
+  if (body.is_object() && body.contains("error") && body["error"].is_string()) {
+    return body["error"];
+  }
+  return "the robot answered with HTTP status " + std::to_string(reply.status);
+}
+
+}  // namespace
+
+std::string Ask(const std::filesystem::path& socket, const std::string& method,
+                const std::string& path, const std::string& body,
+                std::chrono::milliseconds timeout) {
+  ControlReply reply = Call(socket, method, path, body, timeout);
+  if (reply.status != 200) throw ControlError(ReasonOf(reply));
+  return std::move(reply.body);
+}
+
+ControlError NotOurVersion(const json::exception& error) {
+  return ControlError(std::string{"the robot speaks another version of the control plane: "} +
+                      error.what());
+}
+
+}  // namespace understudy

@@ -1,0 +1,23 @@
+// Checks of what `understudy ctl` is given on its command line.
+#ifndef UNDERSTUDY_CTL_CHECK_H_
+#define UNDERSTUDY_CTL_CHECK_H_
+
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace understudy {
+
+// A finite number from `low` to `high`.
+CLI::Validator NumberWithin(double low, double high);
+
+// A speed that can be set; `max` becomes 0.
+CLI::Validator SpeedWord();
+
+// One of `words`; the nearest is named where it is none.
+CLI::Validator OneOf(std::vector<std::string> words);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CTL_CHECK_H_

@@ -1,0 +1,230 @@
+#include "ctl/command.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iostream>
+#include <thread>
+#include <utility>
+
+#include <CLI/CLI.hpp>
+#include <unistd.h>
+
+#include "client/client.h"
+#include "client/control_stream.h"
+#include "ctl/ask.h"
+#include "ctl/check.h"
+#include "ctl/text.h"
+#include "ctl/watch.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+using nlohmann::ordered_json;
+using std::chrono::milliseconds;
+using std::chrono::steady_clock;
+
+constexpr milliseconds kWaitPoll{50};
+// A day: longer than any script waits, and well within what a duration holds.
+constexpr double kLongestWait = 86'400;
+
+// "" when ready, else what is missing.
+std::string WhyNotReady(const std::string& status) {
+  const json read = json::parse(status);
+  if (read.at("silenced").get<bool>()) return "it was silenced: another robot is on this network";
+  return read.at("ready").get<bool>() ? "" : "it is starting";
+}
+
+std::string JsonLine(const ordered_json& reply) { return reply.dump() + "\n"; }
+
+std::string UrlOf(const ordered_json& panel) { return panel.at("url").get<std::string>() + "\n"; }
+
+}  // namespace
+
+CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
+  CLI::App* ctl = app->add_subcommand("ctl", "Ask a running robot, or give it an order");
+  ctl->require_subcommand(1);
+  ctl->footer(
+      "Examples:\n"
+      "  understudy ctl wait                     until the only robot sends its state\n"
+      "  understudy ctl status --watch           a live screen; --json: one line for a script\n"
+      "  understudy ctl pause                    time stands still; `step 10`, `resume`\n"
+      "  understudy ctl --name left crane lower 0.2\n"
+      "Where several robots run it asks which, on a terminal.\n"
+      "Exits with 1 when there is no such robot, or several, or it refuses.");
+  AddRobotChoice(ctl, &robot_);
+  AddReading(ctl);
+  AddPace(ctl);
+  AddReset(ctl);
+  AddCrane(ctl);
+  AddClamp(ctl);
+  AddPush(ctl);
+  AddDrag(ctl);
+  AddRemote(ctl);
+}
+
+void CtlCommand::AddReading(CLI::App* ctl) {
+  CLI::App* status = AddAction(ctl, "status", "Show what the robot does", [this] { ShowStatus(); });
+  status->add_flag("--watch", watch_, "Again and again, with rates, until interrupted");
+  status->add_option("--every", every_, "Seconds between two, with --watch")
+      ->capture_default_str()
+      ->check(NumberWithin(0.1, kLongestWait));
+  status->footer(
+      "Examples:\n"
+      "  understudy ctl status --watch           a live screen\n"
+      "  understudy ctl status --json | jq .base.height");
+
+  CLI::App* wait =
+      AddAction(ctl, "wait", "Wait until the robot sends its state", [this] { AwaitReady(); });
+  wait->add_option("--timeout", timeout_, "Seconds after which to give up")
+      ->capture_default_str()
+      ->check(NumberWithin(0, kLongestWait));
+  wait->footer("Example: understudy run go2 & understudy ctl wait && ./my_program lo");
+
+  AddAction(ctl, "list", "Show the robots that run", [this] { ShowRobots(); });
+
+  CLI::App* frame =
+      AddAction(ctl, "frame", "Print one instant of the robot as JSON", [this] { ShowFrames(); });
+  frame->add_flag("--watch", watch_, "Again and again, one line each, until interrupted");
+  frame->add_option("--hz", hz_, "At most so many a second, with --watch, 1 to 240")
+      ->capture_default_str();
+  frame->add_option("--parts", parts_, "Only these, such as qpos,contacts,motors [all]")
+      ->check(CLI::Validator(
+          [](std::string& text) -> std::string {
+            const bool words = std::all_of(text.begin(), text.end(), [](char c) {
+              return (c >= 'a' && c <= 'z') || c == '_' || c == ',';
+            });
+            return words ? "" : "expected words with commas between them, got " + text;
+          },
+          ""));
+  frame->footer(
+      "Examples:\n"
+      "  understudy ctl frame --parts com,feet\n"
+      "  understudy ctl frame --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
+  AddAction(ctl, "scene", "Print what the robot and its surroundings are made of, as JSON", [this] {
+    Show("/scene", JsonLine);
+  })->footer("Example: understudy ctl scene | jq .bodies[].name");
+
+  AddAction(ctl, "refusals", "Show the newest commands that the robot refused, and why", [this] {
+    Show("/refusals", [](const ordered_json& reply) {
+      return reply.at("refusals").empty() ? "no command was refused\n" : FieldsText(reply);
+    });
+  })->footer("Example: understudy ctl refusals --json");
+  AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
+    Show("/timings", FieldsText);
+  })->footer("Example: understudy ctl timings");
+  AddAction(ctl, "metrics", "Print its figures as Prometheus reads them", [this] {
+    *out_ << Ask(ChosenSocket(robot_), "GET", "/metrics", "");
+  })->footer("Example: understudy ctl metrics | grep winding");
+  AddAction(ctl, "panel", "Print the address of the robot's page for a browser", [this] {
+    Show("/panel", UrlOf);
+  })->footer("Example: xdg-open \"$(understudy ctl panel)\"");
+}
+
+CLI::App* CtlCommand::AddAction(CLI::App* parent, const std::string& name, const std::string& help,
+                                std::function<void()> action) {
+  CLI::App* command = parent->add_subcommand(name, help);
+  command->fallthrough();
+  command->add_flag("--json", json_, "One line of JSON, SI units");
+  command->callback([this, run = std::move(action)] { action_ = run; });
+  return command;
+}
+
+void CtlCommand::ShowStatus() const {
+  const std::filesystem::path socket = ChosenSocket(robot_);
+  if (watch_) return WatchStatus(socket);
+  const std::string status = Ask(socket, "GET", "/status", "");
+  try {
+    *out_ << (json_ ? status : StatusText(ordered_json::parse(status)));
+  } catch (const json::exception& error) {
+    throw NotOurVersion(error);
+  }
+}
+
+void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
+  const bool terminal = out_ == &std::cout && ::isatty(STDOUT_FILENO) != 0;
+  const auto period = milliseconds{std::llround(every_ * 1000)};
+  Watch watch;
+  while (true) {
+    const std::string status = Ask(socket, "GET", "/status", "");
+    try {
+      if (json_) {
+        *out_ << status << std::flush;
+      } else {
+        const std::string text =
+            watch.Text(ordered_json::parse(status), steady_clock::now().time_since_epoch());
+        *out_ << (terminal ? OverTheScreen(text) : text + "\n") << std::flush;
+      }
+    } catch (const json::exception& error) {
+      throw NotOurVersion(error);
+    }
+    std::this_thread::sleep_for(period);
+  }
+}
+
+void CtlCommand::ShowFrames() const {
+  const std::string parts = parts_.empty() ? "" : "parts=" + parts_;
+  if (!watch_) return Show("/frame?" + parts, JsonLine);
+  ControlStream frames(ChosenSocket(robot_), "/frames?hz=" + std::to_string(hz_) + "&" + parts,
+                       kCallTimeout);
+  while (true) *out_ << frames.Next() << '\n' << std::flush;
+}
+
+void CtlCommand::AwaitReady() const {
+  const auto patience = milliseconds{std::llround(timeout_ * 1000)};
+  const auto until = steady_clock::now() + patience;
+  RobotChoice robot = robot_;
+  std::string why;
+  do {
+    const RobotPlace place = FindRobot(robot);
+    why = place.why;
+    if (place.socket) {
+      robot = {.name = {}, .socket = *place.socket};  // found, or chosen, once
+      try {
+        const auto left =
+            std::chrono::duration_cast<milliseconds>(until - steady_clock::now()) + kWaitPoll;
+        why = WhyNotReady(Ask(*place.socket, "GET", "/status", "", std::min(left, kCallTimeout)));
+        if (why.empty()) return;
+      } catch (const ControlError& error) {
+        why = error.what();
+      } catch (const json::exception& error) {
+        throw NotOurVersion(error);
+      }
+    }
+    std::this_thread::sleep_for(kWaitPoll);
+  } while (steady_clock::now() < until);
+  throw ControlError("no robot was ready after " + std::to_string(patience.count()) +
+                     " ms: " + why);
+}
+
+void CtlCommand::ShowRobots() const {
+  const std::vector<RunningRobot> robots = FindRobots();
+  if (!json_) {
+    *out_ << RobotsText(robots);
+    return;
+  }
+  ordered_json list = ordered_json::array();
+  for (const RunningRobot& robot : robots) {
+    list.push_back({{"name", robot.name}, {"socket", robot.socket.string()}, {"pid", robot.pid}});
+  }
+  *out_ << list << '\n';
+}
+
+void CtlCommand::Show(const std::string& path, Teller tell) const {
+  const std::string reply = Ask(ChosenSocket(robot_), "GET", path, "");
+  try {
+    *out_ << (json_ ? reply : tell(ordered_json::parse(reply)));
+  } catch (const json::exception& error) {
+    throw NotOurVersion(error);
+  }
+}
+
+void CtlCommand::GiveOrder(const std::string& path, const json& body) const {
+  // What is no UTF-8 on the command line is a name that the robot does not know.
+  const std::string text = body.dump(-1, ' ', false, json::error_handler_t::replace);
+  const std::string reply = Ask(ChosenSocket(robot_), "POST", path, text);
+  if (json_) *out_ << reply;
+}
+
+}  // namespace understudy

@@ -1,0 +1,95 @@
+// `understudy ctl`: asks a running robot for its state and gives it orders.
+#ifndef UNDERSTUDY_CTL_COMMAND_H_
+#define UNDERSTUDY_CTL_COMMAND_H_
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "client/robot_choice.h"
+
+namespace CLI {
+class App;
+}
+
+namespace understudy {
+
+// Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
+//
+//   status [--watch]   wait   list   frame [--watch]   scene   refusals   timings   metrics   panel
+//   pause   resume   step [N]   speed X   reset [POSE]
+//   crane lower M | raise M | attach | release   clamp on | off
+//   push BODY FX FY FZ   drag BODY X Y Z | --release
+//   remote press | hold | release KEYS, stick AXIS=VALUE, on, off
+//
+// each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
+// path), else the only robot that runs. What cannot be understood makes App::parse throw
+// CLI::ParseError.
+class CtlCommand {
+ public:
+  // Both pointers must outlive this object, which must outlive the parsing.
+  CtlCommand(CLI::App* app, std::ostream* out);
+  CtlCommand(const CtlCommand&) = delete;
+  CtlCommand& operator=(const CtlCommand&) = delete;
+
+  // After App::parse: one of the subcommands of `ctl` was asked for.
+  bool chosen() const { return action_ != nullptr; }
+
+  // Does it. Throws ControlError when the robot refuses or is not there, when several run and none
+  // was named, and when `wait` ran out of time.
+  void Run() { action_(); }
+
+ private:
+  // What makes text for a person of a reply's JSON.
+  using Teller = std::string (*)(const nlohmann::ordered_json& reply);
+
+  CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
+                      std::function<void()> action);
+  void AddReading(CLI::App* ctl);
+  void AddPace(CLI::App* ctl);
+  void AddReset(CLI::App* ctl);
+  void AddCrane(CLI::App* ctl);
+  void AddClamp(CLI::App* ctl);
+  void AddPush(CLI::App* ctl);
+  void AddDrag(CLI::App* ctl);
+  void AddRemote(CLI::App* ctl);
+
+  void ShowStatus() const;
+  void WatchStatus(const std::filesystem::path& socket) const;
+  void ShowFrames() const;
+  void AwaitReady() const;
+  void ShowRobots() const;
+  // The reply to GET `path`: as it is with --json, else what `tell` makes of it.
+  void Show(const std::string& path, Teller tell) const;
+
+  void GiveOrder(const std::string& path, const nlohmann::json& body) const;
+  void MakeSteps() const;
+  void Drag() const;
+  void MoveSticks() const;
+
+  std::ostream* out_;
+  std::function<void()> action_;
+  RobotChoice robot_;
+  bool json_ = false;
+  bool watch_ = false;
+  bool release_ = false;
+  double timeout_ = 30;  // s
+  double every_ = 1;     // s
+  double hz_ = 60;
+  double metres_ = 0;
+  double seconds_ = 0;
+  double speed_ = 1;
+  std::int64_t steps_ = 1;
+  std::string body_, keys_, pose_, parts_;
+  std::vector<double> vector_, at_;
+  std::vector<std::string> axes_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_CTL_COMMAND_H_

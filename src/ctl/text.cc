@@ -1,0 +1,199 @@
+#include "ctl/text.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <utility>
+
+namespace understudy {
+namespace {
+
+using nlohmann::ordered_json;
+
+// "-" for null, which stands for a number that is not finite.
+std::string Fixed(const ordered_json& value, int digits, double scale = 1) {
+  if (value.is_null()) return "-";
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value.get<double>() * scale);
+  return text;
+}
+
+std::string Count(const ordered_json& value) { return std::to_string(value.get<std::int64_t>()); }
+
+std::string Crane(const ordered_json& crane) {
+  return crane.at("attached").get<bool>() ? "attached" : "released";
+}
+
+std::string Randomized(const ordered_json& randomization) {
+  return randomization.is_null() ? "no" : "from seed " + Count(randomization.at("seed"));
+}
+
+// "0", or "3 (crc 2, gain 1; last gain)".
+std::string Refused(const ordered_json& commands) {
+  std::int64_t total = 0;
+  for (const ordered_json& number : commands.at("refused")) total += number.get<std::int64_t>();
+  return total == 0 ? "0" : std::to_string(total) + " (" + ReasonsText(commands) + ")";
+}
+
+// One cell for a value of whatever kind.
+std::string CellOf(const ordered_json& value) {
+  if (value.is_null()) return "-";
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
+  if (value.is_number_float()) {
+    char text[64];
+    std::snprintf(text, sizeof text, "%.6g", value.get<double>());
+    return text;
+  }
+  return value.dump();
+}
+
+bool IsTable(const ordered_json& value) {
+  return value.is_array() && !value.empty() && value.front().is_object();
+}
+
+void AddFields(const ordered_json& object, const std::string& prefix, std::vector<Cells>* rows) {
+  for (const auto& [key, value] : object.items()) {
+    if (value.is_object()) {
+      AddFields(value, prefix + key + ".", rows);
+    } else if (!IsTable(value)) {
+      rows->push_back({prefix + key, CellOf(value)});
+    }
+  }
+}
+
+// Columns are the keys of the first row.
+std::string TableText(const ordered_json& list) {
+  std::vector<Cells> rows(1);
+  for (const auto& [key, value] : list.front().items()) {
+    std::string head = key;
+    std::ranges::transform(head, head.begin(), [](unsigned char c) { return std::toupper(c); });
+    rows.front().push_back(head);
+  }
+  for (const ordered_json& item : list) {
+    Cells cells;
+    for (const auto& [key, value] : list.front().items()) {
+      cells.push_back(item.contains(key) ? CellOf(item.at(key)) : "-");
+    }
+    rows.push_back(std::move(cells));
+  }
+  return Aligned(rows);
+}
+
+}  // namespace
+
+std::string Aligned(const std::vector<Cells>& rows) {
+  std::vector<std::size_t> widths;
+  for (const Cells& row : rows) {
+    widths.resize(std::max(widths.size(), row.size()));
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  }
+  std::string text;
+  for (const Cells& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const bool last = i + 1 == row.size();
+      text += row[i];
+      if (!last) text += std::string(widths[i] - row[i].size() + 2, ' ');
+    }
+    text.erase(text.find_last_not_of(' ') + 1);  // beside an empty last cell
+    text += "\n";
+  }
+  return text;
+}
+
+std::string StateText(const ordered_json& status) {
+  if (status.at("silenced").get<bool>()) return "silenced: another robot is on this network";
+  return status.at("ready").get<bool>() ? "ready" : "starting";
+}
+
+std::string SpeedText(const ordered_json& speed) {
+  return speed.is_number() && speed.get<double>() == 0 ? "unlimited" : Fixed(speed, 3);
+}
+
+std::string ServiceText(const ordered_json& motion) {
+  const auto service = motion.at("service").get<std::string>();
+  return service.empty() ? "none" : service + ", state " + Count(motion.at("state"));
+}
+
+std::string ReasonsText(const ordered_json& commands) {
+  std::string reasons;
+  for (const auto& [reason, number] : commands.at("refused").items()) {
+    if (number == 0) continue;
+    reasons += (reasons.empty() ? "" : ", ") + reason + " " + Count(number);
+  }
+  if (reasons.empty()) return {};
+  return reasons + "; last " + commands.at("last_refusal").get<std::string>();
+}
+
+std::string StatusText(const ordered_json& status) {
+  const ordered_json& pace = status.at("pace");
+  const ordered_json& commands = status.at("commands");
+  const ordered_json& crane = status.at("crane");
+  const ordered_json& base = status.at("base");
+  constexpr double kMilli = 1000;
+  std::vector<Cells> rows = {
+      {"robot", status.at("robot").get<std::string>()},
+      {"process", Count(status.at("pid"))},
+      {"version", status.at("version").get<std::string>()},
+      {"state", StateText(status)},
+      {"simulated time", Fixed(status.at("time"), 3), "s"},
+      {"steps", Count(status.at("steps"))},
+      {"speed wanted", SpeedText(status.at("speed")), "x real time"},
+      {"paused", status.at("paused").get<bool>() ? "yes" : "no"},
+      {"speed", Fixed(pace.at("real_time_factor"), 3), "x real time"},
+      {"lateness", Fixed(pace.at("lateness"), 3, kMilli), "ms"},
+      {"worst lateness", Fixed(pace.at("worst_lateness"), 3, kMilli), "ms"},
+      {"overruns", Count(pace.at("overruns"))},
+      {"not made up for", Fixed(pace.at("shifted"), 3), "s"},
+      {"states published", Count(status.at("published"))},
+      {"divergences", Count(status.at("divergences"))},
+      {"motion service", ServiceText(status.at("motion"))},
+      {"motors follow", commands.at("state").get<std::string>()},
+      {"command writers", Count(commands.at("writers"))},
+      {"commands taken", Count(commands.at("accepted"))},
+      {"commands refused", Refused(commands)},
+      {"command time-outs", Count(commands.at("timeouts"))},
+      {"unused slots set", Count(commands.at("unused_slots"))},
+  };
+  for (const ordered_json& hand : status.at("hands")) {
+    const auto name = hand.at("name").get<std::string>() + " hand";
+    rows.push_back({name + " taken", Count(hand.at("accepted"))});
+    rows.push_back({name + " refused", Refused(hand)});
+    rows.push_back({name + " time-outs", Count(hand.at("timeouts"))});
+  }
+  rows.insert(rows.end(), {
+                              {"crane", Crane(crane)},
+                              {"crane length", Fixed(crane.at("length"), 3), "m"},
+                              {"crane tension", Fixed(crane.at("tension"), 1), "N"},
+                              {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
+                              {"base height", Fixed(base.at("height"), 3), "m"},
+                              {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
+                              {"randomized", Randomized(status.at("randomization"))},
+                          });
+  return Aligned(rows);
+}
+
+std::string FieldsText(const ordered_json& object) {
+  std::vector<Cells> rows;
+  AddFields(object, "", &rows);
+  std::string text = Aligned(rows);
+  for (const auto& [key, value] : object.items()) {
+    if (IsTable(value)) text += "\n" + TableText(value);
+  }
+  return text;
+}
+
+std::string RobotsText(const std::vector<RunningRobot>& robots) {
+  if (robots.empty()) return "no robot runs\n";
+  std::vector<Cells> rows = {{"NAME", "PROCESS", "SOCKET"}};
+  for (const RunningRobot& robot : robots) {
+    rows.push_back({robot.name, robot.pid == 0 ? "?" : std::to_string(robot.pid), robot.socket});
+  }
+  return Aligned(rows);
+}
+
+}  // namespace understudy

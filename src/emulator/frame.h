@@ -1,0 +1,111 @@
+// What a viewer is shown of one instant, as plain values.
+#ifndef UNDERSTUDY_EMULATOR_FRAME_H_
+#define UNDERSTUDY_EMULATOR_FRAME_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "physics/world_reading.h"
+#include "robot/command_topics.h"
+#include "robot/refusal.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+// What a frame can hold, by bit; step, time, speed and paused are always there.
+enum FramePart : std::uint32_t {
+  kPartPositions = 1U << 0,
+  kPartBodies = 1U << 1,
+  kPartContacts = 1U << 2,
+  kPartCom = 1U << 3,
+  kPartCrane = 1U << 4,
+  kPartPushes = 1U << 5,
+  kPartMotors = 1U << 6,
+  kPartImus = 1U << 7,
+  kPartBattery = 1U << 8,
+  kPartFeet = 1U << 9,
+  kPartRemote = 1U << 10,
+  kPartWirelessRemote = 1U << 11,
+  kPartCommand = 1U << 12,
+  kPartRefusals = 1U << 13,
+};
+using FrameParts = std::uint32_t;  // bits of FramePart
+
+struct FramePartName {
+  std::string_view name;
+  FramePart part;
+};
+// The words of ?parts= and keys of the JSON, in its order. Refusals are not among them: they have a
+// route of their own.
+inline constexpr FramePartName kFrameParts[] = {
+    {"qpos", kPartPositions},  {"bodies", kPartBodies}, {"contacts", kPartContacts},
+    {"com", kPartCom},         {"crane", kPartCrane},   {"pushes", kPartPushes},
+    {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
+    {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
+    {"command", kPartCommand},
+};
+inline constexpr FrameParts kAllFrameParts = kPartRefusals - 1;
+
+struct FrameCrane {
+  bool attached = false;
+  std::array<double, 3> hook{};  // m, world
+  std::array<double, 3> top{};   // m, world; means nothing while not attached
+  double tension = 0;            // N
+};
+
+struct FramePush {
+  int body = 0;
+  std::array<double, 3> at{};     // m, world
+  std::array<double, 3> force{};  // N, world
+};
+
+// Refused commands of one topic for one reason, one after another.
+struct RefusedCommands {
+  double first = 0, last = 0;  // simulated s
+  std::size_t topic = kLowCmdTopic;
+  Refusal reason = Refusal::kNone;
+  std::uint64_t count = 0;
+};
+
+// *Assumed*, a robot on its side among stones has about 60.
+inline constexpr std::size_t kMostFrameContacts = 256;
+inline constexpr std::size_t kMostFramePushes = 32;
+inline constexpr std::size_t kMostFrameRefusals = 256;
+
+// Vectors have their sizes from the start (Emulator::MakeFrame); of contacts, pushes and refusals
+// only the capacity.
+struct Frame {
+  FrameParts parts = 0;  // what is wanted, and what of the following is filled in
+  // Never change:
+  std::vector<std::string> body_names;      // by MuJoCo's id
+  std::vector<std::string> motor_names;     // in motor order, then the hands'
+  std::vector<std::string> command_topics;  // by number; "" where there is none
+  std::int64_t step = 0;
+  double time = 0;   // simulated s
+  double speed = 1;  // wanted; 0 = as fast as possible
+  bool paused = false;
+  std::vector<double> positions;  // MuJoCo's qpos, a step on from the rest
+  std::vector<BodyPose> bodies;
+  std::vector<ContactReading> contacts;
+  std::array<double, 3> com{};  // of the robot
+  FrameCrane crane;
+  std::vector<FramePush> pushes;  // drags too
+  // As last told on the wire, as are the next four; the hands' behind the body's.
+  std::vector<MotorReading> motors;
+  std::array<ImuReading, 2> imus;
+  std::size_t imu_count = 1;
+  BatteryReading battery;
+  std::vector<double> feet;  // N
+  RemoteReading remote;
+  std::array<std::uint8_t, 40> wireless_remote{};
+  std::vector<MotorCommand> command;      // that the body's motors follow
+  std::vector<RefusedCommands> refusals;  // oldest first
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_EMULATOR_FRAME_H_

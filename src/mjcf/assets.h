@@ -1,0 +1,27 @@
+// The files that a model's assets name: meshes, pictures, height fields.
+#ifndef UNDERSTUDY_MJCF_ASSETS_H_
+#define UNDERSTUDY_MJCF_ASSETS_H_
+
+#include <filesystem>
+#include <string>
+
+#include "mjcf/document.h"
+
+namespace understudy {
+
+// Makes the file names of textures (file, fileright, ...), meshes, height fields, skins, flexible
+// bodies and attached models absolute: they are looked for from `folder` and from the <compiler>'s
+// assetdir, meshdir and texturedir, which are then dropped. Checks nothing.
+void MakeAssetsAbsolute(MjcfElement* root, const std::filesystem::path& folder);
+
+// Why this element's files cannot be read, "" where they can or it names none: one is not there, or
+// is a Git LFS pointer that stands for the file.
+std::string WhatAssetLacks(const MjcfElement& element);
+
+// Throws ModelError, with file and line, for the first file that cannot be read; how many more
+// there are is said as well.
+void RequireAssets(const MjcfElement& root);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MJCF_ASSETS_H_

@@ -1,0 +1,114 @@
+#include "mjcf/compile.h"
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <regex>
+
+#include "base/errors.h"
+
+namespace understudy {
+namespace {
+
+// A file that MuJoCo finds by name instead of on disk.
+class MemoryFile {
+ public:
+  MemoryFile(const char* name, const std::string& text) : vfs_(std::make_unique<mjVFS>()) {
+    mj_defaultVFS(vfs_.get());
+    const int size = static_cast<int>(text.size());  // at most a few times ReadMjcf's bound
+#if mjVERSION_HEADER < 300
+    mj_makeEmptyFileVFS(vfs_.get(), name, size);
+    std::memcpy(vfs_->filedata[mj_findFileVFS(vfs_.get(), name)], text.data(), text.size());
+#else
+    mj_addBufferVFS(vfs_.get(), name, text.data(), size);
+#endif
+  }
+  ~MemoryFile() { mj_deleteVFS(vfs_.get()); }
+  MemoryFile(const MemoryFile&) = delete;
+  MemoryFile& operator=(const MemoryFile&) = delete;
+
+  const mjVFS* get() const { return vfs_.get(); }
+
+ private:
+  std::unique_ptr<mjVFS> vfs_;
+};
+
+constexpr char kUnknown[] = "Schema violation: unrecognized";
+
+// MuJoCo counts lines of the text it was given: ", line 12" or "line = 12, column = -1".
+std::string InTermsOfFiles(std::string message, const MjcfText& text) {
+  for (char& c : message) {
+    if (c == '\n') c = ' ';
+  }
+  static const std::regex kLine(",? *line =? ?([0-9]+)(, column = -?[0-9]+)?");
+  std::string place = text.lines.front().file;
+  std::smatch match;
+  if (std::regex_search(message, match, kLine)) {
+    const std::size_t line = std::strtoul(match.str(1).c_str(), nullptr, 10);
+    if (line >= 1 && line <= text.lines.size()) place = text.lines[line - 1].text();
+    message = match.prefix().str() + match.suffix().str();
+  }
+  message = std::regex_replace(message, std::regex(" +"), " ");
+  message.erase(message.find_last_not_of(' ') + 1);
+  if (message.find(kUnknown) != std::string::npos) {
+    message += " (unknown to MuJoCo " + std::string(mj_versionString()) + ")";
+  }
+  return place + ": " + message;
+}
+
+// The first element of that name at that place that has the attribute, null where there is none.
+// Without an attribute: takes it out of the tree instead.
+bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& name,
+             const std::string& attribute) {
+  for (auto child = parent->children.begin(); child != parent->children.end(); ++child) {
+    if (child->place.text() == place && child->name == name) {
+      if (attribute.empty()) {
+        parent->children.erase(child);
+        return true;
+      }
+      if (child->Find(attribute) != nullptr) {
+        child->Drop(attribute);
+        return true;
+      }
+    }
+    if (TakeOut(&*child, place, name, attribute)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+ModelHandle CompileMjcf(const MjcfElement& root) {
+  constexpr char kName[] = "understudy_world.xml";
+  const MjcfText text = WriteMjcf(root);
+  const MemoryFile file(kName, text.xml);
+  std::array<char, 1000> error{};
+  ModelHandle model(mj_loadXML(kName, file.get(), error.data(), static_cast<int>(error.size())));
+  if (!model) throw ModelError(InTermsOfFiles(error.data(), text));
+  return model;
+}
+
+std::vector<std::string> UnknownWords(MjcfElement root) {
+  // place: XML Error: Schema violation: unrecognized attribute: 'x' Element 'y' (unknown ...)
+  static const std::regex kAttribute("^(.*): XML Error: .*attribute: '(.*)' Element '(.*)' .*");
+  static const std::regex kElement("^(.*): XML Error: .*unrecognized element Element '(.*)' .*");
+  std::vector<std::string> unknown;
+  while (true) {
+    try {
+      CompileMjcf(root);
+      return unknown;
+    } catch (const ModelError& error) {
+      const std::string message = error.what();
+      if (message.find(kUnknown) == std::string::npos) return unknown;
+      unknown.push_back(message);
+      std::smatch match;
+      const bool taken = std::regex_match(message, match, kAttribute)
+                             ? TakeOut(&root, match.str(1), match.str(3), match.str(2))
+                             : std::regex_match(message, match, kElement) &&
+                                   TakeOut(&root, match.str(1), match.str(2), "");
+      if (!taken) return unknown;
+    }
+  }
+}
+
+}  // namespace understudy

@@ -1,0 +1,29 @@
+// What a model has for the eye only. Nobody looks at this world, so it need not be compiled.
+#ifndef UNDERSTUDY_MJCF_LOOKS_H_
+#define UNDERSTUDY_MJCF_LOOKS_H_
+
+#include <string>
+#include <vector>
+
+#include "mjcf/document.h"
+
+namespace understudy {
+
+struct LeftOutLooks {
+  int geoms = 0, meshes = 0, textures = 0;
+  std::vector<std::string> missing;  // files that nobody misses: "go2.xml:49: <mesh> file: no file"
+
+  // "34 geoms, 17 meshes and 2 textures that are only looked at were left out"; "" where no geom or
+  // mesh was.
+  std::string text() const;
+};
+
+// Leaves out, exactly for the motion and for every reading: geoms that collide with nothing, weigh
+// nothing (their body has an <inertial>, or mass or density of theirs is 0) and are named nowhere;
+// meshes that no geom has any more; skins, textures. Where the compiler takes inertia from geoms
+// (inertiafromgeom="true") all geoms stay.
+LeftOutLooks LeaveOutLooks(MjcfElement* root);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MJCF_LOOKS_H_

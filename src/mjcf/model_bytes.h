@@ -1,0 +1,16 @@
+// A compiled model as bytes.
+#ifndef UNDERSTUDY_MJCF_MODEL_BYTES_H_
+#define UNDERSTUDY_MJCF_MODEL_BYTES_H_
+
+#include <string>
+
+#include "mjcf/mujoco_handles.h"
+
+namespace understudy {
+
+// As mj_saveModel writes it: only the same version of MuJoCo reads it. Throws ModelError.
+std::string ModelBytes(const mjModel& model);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MJCF_MODEL_BYTES_H_

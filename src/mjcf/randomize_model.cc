@@ -1,0 +1,151 @@
+#include "mjcf/randomize_model.h"
+
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "mjcf/mujoco_handles.h"
+
+namespace understudy {
+namespace {
+
+using Limits = RandomizationSpec::Limits;
+
+constexpr const char* kAxes[] = {"x", "y", "z"};
+
+int Find(const mjModel& model, mjtObj type, const std::string& name) {
+  return mj_name2id(&model, type, name.c_str());
+}
+
+std::string BodyName(const mjModel& model, int body) {
+  const char* name = mj_id2name(&model, mjOBJ_BODY, body);
+  return name == nullptr || *name == '\0' ? "body " + std::to_string(body) : name;
+}
+
+bool IsBelow(const mjModel& model, int body, int ancestor) {
+  while (body > ancestor) body = model.body_parentid[body];
+  return body == ancestor;
+}
+
+void RandomizeBodies(const RandomizationSpec& ranges, int base, Dice* dice, mjModel* model) {
+  for (int body = base; body < static_cast<int>(model->nbody); ++body) {
+    if (!IsBelow(*model, body, base) || model->body_mass[body] <= 0) continue;
+    const std::string name = BodyName(*model, body);
+    const double mass = dice->DrawOr("mass", name, ranges.mass, 1);
+    const double inertia = mass * dice->DrawOr("inertia", name, ranges.inertia, 1);
+    model->body_mass[body] *= mass;
+    mju_scl3(model->body_inertia + 3 * body, model->body_inertia + 3 * body, inertia);
+  }
+}
+
+// MuJoCo keeps notes of frames that coincide and does not look at their numbers then.
+void ForgetCoincidences(int body, mjModel* model) {
+  model->body_sameframe[body] = 0;
+  for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
+    if (model->geom_bodyid[geom] == body) model->geom_sameframe[geom] = 0;
+  }
+  for (int site = 0; site < static_cast<int>(model->nsite); ++site) {
+    if (model->site_bodyid[site] == body) model->site_sameframe[site] = 0;
+  }
+#if mjVERSION_HEADER >= 300
+  model->opt.disableflags |= mjDSBL_MIDPHASE;  // its boxes are placed by centres of mass
+#endif
+}
+
+void MoveCentreOfMass(const Limits& limits, int base, Dice* dice, mjModel* model) {
+  if (limits.empty()) return;
+  mjtNum offset[3];
+  for (int i = 0; i < 3; ++i) offset[i] = dice->DrawOr("base_com", kAxes[i], limits, 0);
+  mju_addTo3(model->body_ipos + 3 * base, offset);
+  ForgetCoincidences(base, model);
+}
+
+void RandomizeJoints(const RandomizationSpec& ranges, const RobotSpec& robot, Dice* dice,
+                     mjModel* model) {
+  for (const MotorSpec& motor : robot.motors) {
+    const std::string& name = motor.joint;
+    const int dof = model->jnt_dofadr[Find(*model, mjOBJ_JOINT, name)];
+    model->dof_damping[dof] *= dice->DrawOr("damping", name, ranges.damping, 1);
+    model->dof_armature[dof] *= dice->DrawOr("armature", name, ranges.armature, 1);
+    model->dof_frictionloss[dof] *= dice->DrawOr("frictionloss", name, ranges.frictionloss, 1);
+  }
+}
+
+// One factor for all geoms, since the larger friction of two counts.
+void RandomizeFriction(const Limits& limits, Dice* dice, mjModel* model) {
+  const double factor = dice->DrawOr("friction", "", limits, 1);
+  for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
+    model->geom_friction[3 * geom] *= factor;
+  }
+  for (int pair = 0; pair < static_cast<int>(model->npair); ++pair) {
+    model->pair_friction[5 * pair] *= factor;
+    model->pair_friction[5 * pair + 1] *= factor;
+  }
+}
+
+// solref is a time constant and a damping ratio, or both negative, stiffness and damping. What
+// gives way goes with the square of the first and with 1 / stiffness; the damping ratio stays.
+void Soften(double factor, mjtNum* solref) {
+  if (solref[0] > 0) {
+    solref[0] *= std::sqrt(factor);
+  } else {
+    solref[0] /= factor;
+    solref[1] /= std::sqrt(factor);
+  }
+}
+
+void RandomizeSoftness(const Limits& limits, Dice* dice, mjModel* model) {
+  if (limits.empty()) return;
+  const double factor = dice->DrawOr("floor_softness", "", limits, 1);
+  for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
+    Soften(factor, model->geom_solref + mjNREF * geom);
+  }
+  for (int pair = 0; pair < static_cast<int>(model->npair); ++pair) {
+    Soften(factor, model->pair_solref + mjNREF * pair);
+  }
+}
+
+void TurnImu(const Limits& limits, const std::string& site_name, Dice* dice, mjModel* model) {
+  if (limits.empty() || site_name.empty()) return;
+  const int site = Find(*model, mjOBJ_SITE, site_name);
+  mjtNum rotation[3];
+  for (int i = 0; i < 3; ++i) {
+    rotation[i] = dice->DrawOr("imu_mounting", site_name + " " + kAxes[i], limits, 0);
+  }
+  const mjtNum angle = mju_normalize3(rotation);
+  mjtNum turn[4], turned[4];
+  mju_axisAngle2Quat(turn, rotation, angle);
+  mju_mulQuat(turned, model->site_quat + 4 * site, turn);
+  mju_copy4(model->site_quat + 4 * site, turned);
+  model->site_sameframe[site] = 0;
+}
+
+void TiltGravity(const Limits& limits, Dice* dice, mjModel* model) {
+  if (limits.empty()) return;
+  const double angle = dice->DrawOr("gravity_tilt", "angle", limits, 0);
+  const double side = dice->Draw("gravity_tilt", "side", 0, 2 * std::numbers::pi);
+  const mjtNum axis[3] = {std::cos(side), std::sin(side), 0};
+  mjtNum turn[4], tilted[3];
+  mju_axisAngle2Quat(turn, axis, angle);
+  mju_rotVecQuat(tilted, model->opt.gravity, turn);
+  mju_copy3(model->opt.gravity, tilted);
+}
+
+}  // namespace
+
+void RandomizeModel(const RandomizationSpec& ranges, const RobotSpec& robot, Dice* dice,
+                    mjModel* model) {
+  const int base = Find(*model, mjOBJ_BODY, robot.base_body);
+  RandomizeFriction(ranges.friction, dice, model);
+  RandomizeBodies(ranges, base, dice, model);
+  MoveCentreOfMass(ranges.base_com, base, dice, model);
+  RandomizeJoints(ranges, robot, dice, model);
+  TurnImu(ranges.imu_mounting, robot.imu.site, dice, model);
+  TurnImu(ranges.imu_mounting, robot.imu.secondary_site, dice, model);
+  TiltGravity(ranges.gravity_tilt, dice, model);
+  RandomizeSoftness(ranges.floor_softness, dice, model);
+  const DataHandle data(mj_makeData(model));
+  mj_setConst(model, data.get());
+}
+
+}  // namespace understudy

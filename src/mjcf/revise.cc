@@ -1,0 +1,125 @@
+#include "mjcf/revise.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+
+namespace understudy {
+namespace {
+
+std::string Text(const std::vector<double>& values) {
+  std::string text;
+  for (const double value : values) {
+    std::array<char, 32> digits{};
+    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    text += (text.empty() ? "" : " ") + std::string(digits.data(), end);
+  }
+  return text;
+}
+
+// The element of that kind and name below `parent`, null where there is none. Defaults and sections
+// that only refer to elements have none with a name.
+MjcfElement* FindNamed(MjcfElement* parent, const std::string& kind, const std::string& name) {
+  for (MjcfElement& child : parent->children) {
+    if (child.name == kind && child.Get("name") == name) return &child;
+    if (MjcfElement* found = FindNamed(&child, kind, name)) return found;
+  }
+  return nullptr;
+}
+
+void CollectNames(const MjcfElement& parent, const std::string& kind,
+                  std::vector<std::string>* names) {
+  for (const MjcfElement& child : parent.children) {
+    if (child.name == kind && child.Find("name") != nullptr) names->push_back(child.Get("name"));
+    CollectNames(child, kind, names);
+  }
+}
+
+MjcfElement& Require(MjcfElement* root, const std::string& kind, const std::string& name,
+                     const std::string& key) {
+  if (MjcfElement* found = FindNamed(root, kind, name)) return *found;
+  std::vector<std::string> names;
+  CollectNames(*root, kind, &names);
+  const std::string nearest = NearestWord(name, names);
+  throw ModelError(root->place.file + ": no " + kind + " '" + name + "'" +
+                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " (" + key +
+                   ".name names it)");
+}
+
+void ReviseBody(const BodySpec& spec, const std::string& key, MjcfElement* root) {
+  MjcfElement& body = Require(root, "body", spec.name, key);
+  if (!spec.pos.empty()) body.Set("pos", Text(spec.pos));
+  const bool all = spec.mass > 0 && !spec.com.empty() && !spec.inertia.empty();
+  const bool none = spec.mass == 0 && spec.com.empty() && spec.inertia.empty();
+  if (none) return;
+  auto inertial = std::ranges::find(body.children, "inertial", &MjcfElement::name);
+  if (inertial == body.children.end()) {
+    if (!all) {
+      throw ModelError(body.place.text() + ": " + key + ": the file leaves mass and inertia of '" +
+                       spec.name + "' to its geoms; expected all of mass, com and inertia");
+    }
+    body.children.insert(
+        body.children.begin(),
+        {.name = "inertial", .attributes = {}, .children = {}, .place = body.place});
+    inertial = body.children.begin();
+  }
+  if (spec.mass > 0) inertial->Set("mass", Text({spec.mass}));
+  if (!spec.com.empty()) inertial->Set("pos", Text(spec.com));
+  if (spec.inertia.empty()) return;
+  for (const char* other : {"diaginertia", "quat", "axisangle", "xyaxes", "zaxis", "euler"}) {
+    inertial->Drop(other);
+  }
+  inertial->Set("fullinertia", Text(spec.inertia));
+}
+
+bool IsAny(const std::string* name, const std::vector<std::string>& names) {
+  return name != nullptr && std::ranges::find(names, *name) != names.end();
+}
+
+// Takes out every element for which `is_out` holds; children of one that goes go with it.
+template <class F>
+void TakeOut(MjcfElement* parent, F is_out) {
+  std::erase_if(parent->children, is_out);
+  for (MjcfElement& child : parent->children) TakeOut(&child, is_out);
+}
+
+void Lock(const std::vector<std::string>& joints, MjcfElement* root) {
+  std::vector<std::string> actuators;
+  TakeOut(root, [&](const MjcfElement& element) {
+    const bool is_joint = element.name == "joint" && IsAny(element.Find("name"), joints) &&
+                          element.Find("joint1") == nullptr;
+    const bool refers = IsAny(element.Find("joint"), joints) ||
+                        IsAny(element.Find("joint1"), joints) ||
+                        IsAny(element.Find("joint2"), joints);
+    if (refers && element.Find("name") != nullptr) actuators.push_back(element.Get("name"));
+    return is_joint || refers;
+  });
+  TakeOut(root,
+          [&](const MjcfElement& element) { return IsAny(element.Find("actuator"), actuators); });
+}
+
+}  // namespace
+
+void Revise(const RobotSpec& spec, MjcfElement* root) {
+  for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
+    ReviseBody(spec.bodies[i], "robot.bodies." + std::to_string(i), root);
+  }
+  for (std::size_t i = 0; i < spec.sites.size(); ++i) {
+    const std::string key = "robot.sites." + std::to_string(i);
+    Require(root, "site", spec.sites[i].name, key).Set("pos", Text(spec.sites[i].pos));
+  }
+  for (const MotorSpec& motor : spec.motors) {
+    if (motor.armature == 0) continue;
+    // A joint that is missing is refused, or called otherwise, once the model is compiled.
+    MjcfElement* joint = FindNamed(root, "joint", motor.joint);
+    if (joint != nullptr) joint->Set("armature", Text({motor.armature}));
+  }
+  if (!spec.locked_joints.empty()) Lock(spec.locked_joints, root);
+}
+
+}  // namespace understudy

@@ -1,0 +1,40 @@
+// Models written for MuJoCo 3, told in the words of MuJoCo 2.2.2.
+//
+// What is carried over (docs/own_robot.md has the table):
+//   joint actuatorfrcrange      forcerange of the joint's actuator, divided by its gear
+//   sensor jointactuatorfrc     actuatorfrc of the joint's actuator, same place and name
+//   position kv, dampratio      the same law as a general actuator
+//   position inheritrange       ctrlrange from the joint's range
+//   autolimits, on by default   autolimits="true"
+//   content_type, looks, solver settings that change no equation    left out
+// What has no words in 2.2.2 is refused by name.
+#ifndef UNDERSTUDY_MJCF_REWRITE_H_
+#define UNDERSTUDY_MJCF_REWRITE_H_
+
+#include <string>
+#include <vector>
+
+#include "mjcf/document.h"
+
+namespace understudy {
+
+// One thing that was said otherwise.
+struct Rewrite {
+  MjcfPlace place;
+  std::string what;  // "actuatorfrcrange -88 88 became forcerange -88 88 of actuator 'knee'"
+  std::string why;
+
+  std::string text() const { return place.text() + ": " + what + " (" + why + ")"; }
+};
+
+// The rewriting, for MuJoCo 2.2.2. Appends to `rewrites`; nothing where the file is fine as it is.
+// From MuJoCo 3 on models are taken as they are.
+//
+// Throws ModelError with file and line for what cannot be carried over: an actuatorfrcrange on a
+// joint that two actuators or an actuator through something else than a joint may drive, or a
+// dampratio of such an actuator.
+void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MJCF_REWRITE_H_

@@ -1,0 +1,74 @@
+// A quadruped as its controller sees it: what its sensors say in the terms of legs, and what its
+// legs must do to carry it.
+#ifndef UNDERSTUDY_MOTION_QUADRUPED_BODY_H_
+#define UNDERSTUDY_MOTION_QUADRUPED_BODY_H_
+
+#include <array>
+#include <vector>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "authority/motion.h"
+#include "motion/quadruped/figures.h"
+#include "motion/quadruped/leg.h"
+
+namespace understudy {
+
+// A vector per leg, FR FL RR RL: joint angles, rates or torques as hip, thigh, calf, or a point of
+// each foot.
+using PerLeg = std::array<Eigen::Vector3d, 4>;
+
+// One instant of the sensors. T is the base's frame without its roll and pitch: z up.
+struct QuadrupedReading {
+  PerLeg q, dq;  // rad, rad/s
+  std::array<LegPlaces, 4> places;
+  PerLeg feet;           // centres of the feet in the base, m
+  Eigen::Vector3d com;   // of the whole robot in the base, m
+  Eigen::Matrix3d R_TB;  // from the inertial unit
+  Eigen::Vector3d up;    // the world's up in the base
+};
+
+class QuadrupedBody {
+ public:
+  explicit QuadrupedBody(const QuadrupedFigures& figures);
+
+  // `input` has at least twelve motors.
+  QuadrupedReading Read(const MotionInput& input) const;
+
+  // Joint angles that bring every foot to its point in the base [m]; false where one does not get
+  // there.
+  bool Reach(const PerLeg& feet, PerLeg* q) const;
+
+  // m, of the base over the mean of the ground under the feet.
+  double Height(const QuadrupedReading& reading) const;
+
+  // How far the trunk reaches down from the base's origin [m], where `up` is up.
+  double Depth(const Eigen::Vector3d& up) const;
+
+  // Joint torques [N·m] that hold legs and trunk at rest against gravity when the feet carry
+  // `share` of the weight, divided among them so that it does not tip and squares are least.
+  // `load` from 0 to 1 says how willing each foot is; not all may be 0.
+  PerLeg SupportTorque(const QuadrupedReading& reading, const std::array<double, 4>& load,
+                       double share) const;
+
+  const QuadrupedLeg& leg(std::size_t i) const { return legs_[i]; }
+  // m, thigh and calf: what postures are scaled with.
+  double leg_length() const { return legs_[0].length(); }
+  double radius() const { return legs_[0].figures().radius; }
+
+ private:
+  std::array<double, 4> FootForces(const QuadrupedReading& reading,
+                                   const std::array<double, 4>& load) const;
+
+  std::array<QuadrupedLeg, 4> legs_;
+  LinkMass trunk_;
+  std::vector<TrunkShape> trunk_shapes_;
+  Eigen::Quaterniond R_IB_;
+  double mass_;
+  double gravity_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MOTION_QUADRUPED_BODY_H_

@@ -1,0 +1,117 @@
+#include "motion/quadruped/leg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <Eigen/Geometry>
+
+namespace understudy {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+constexpr double kReached = 1e-6;  // m, of rounding
+
+// The angle of the same direction that lies in the range, or nearest to it.
+double IntoRange(double angle, double low, double high) {
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double middle = std::isfinite(low + high) ? (low + high) / 2 : 0;
+  return std::remainder(angle - middle, kTurn) + middle;
+}
+
+// R times a turn by `angle` about y.
+Matrix3d Swung(const Matrix3d& R, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  Matrix3d swung;
+  swung << c * R.col(0) - s * R.col(2), R.col(1), s * R.col(0) + c * R.col(2);
+  return swung;
+}
+
+}  // namespace
+
+QuadrupedLeg::QuadrupedLeg(const LegFigures& figures)
+    : figures_(figures),
+      side_(figures.thigh.y() + figures.calf.y() + figures.foot.y()),
+      thigh_length_(std::hypot(figures.calf.x(), figures.calf.z())),
+      thigh_angle_(std::atan2(-figures.calf.x(), -figures.calf.z())),
+      calf_length_(std::hypot(figures.foot.x(), figures.foot.z())),
+      calf_angle_(std::atan2(-figures.foot.x(), -figures.foot.z())) {}
+
+LegPlaces QuadrupedLeg::Place(const Vector3d& q) const {
+  LegPlaces places;
+  places.R_hip << 1, 0, 0, 0, std::cos(q[0]), -std::sin(q[0]), 0, std::sin(q[0]), std::cos(q[0]);
+  // Thigh and calf turn about the same axis, the hip's y.
+  places.R_thigh = Swung(places.R_hip, q[1]);
+  places.R_calf = Swung(places.R_hip, q[1] + q[2]);
+  places.hip = figures_.hip;
+  places.thigh = places.hip + places.R_hip * figures_.thigh;
+  places.calf = places.thigh + places.R_thigh * figures_.calf;
+  places.foot = places.calf + places.R_calf * figures_.foot;
+  return places;
+}
+
+Matrix3d FootJacobian(const LegPlaces& places) {
+  const Vector3d swing = places.R_hip.col(1);  // the axis of thigh and calf
+  Matrix3d jacobian;
+  jacobian << Vector3d::UnitX().cross(places.foot - places.hip),
+      swing.cross(places.foot - places.thigh), swing.cross(places.foot - places.calf);
+  return jacobian;
+}
+
+Vector3d QuadrupedLeg::MassMoment(const LegPlaces& places) const {
+  const auto& links = figures_.links;
+  return links[0].mass * (places.hip + places.R_hip * links[0].com) +
+         links[1].mass * (places.thigh + places.R_thigh * links[1].com) +
+         links[2].mass * (places.calf + places.R_calf * links[2].com);
+}
+
+Vector3d QuadrupedLeg::HoldingTorque(const LegPlaces& places, const Vector3d& up,
+                                     double gravity) const {
+  const auto& links = figures_.links;
+  // What hangs on each joint: mass and mass times place.
+  const Vector3d on_calf = links[2].mass * (places.calf + places.R_calf * links[2].com);
+  const Vector3d on_thigh =
+      on_calf + links[1].mass * (places.thigh + places.R_thigh * links[1].com);
+  const Vector3d on_hip = on_thigh + links[0].mass * (places.hip + places.R_hip * links[0].com);
+  const double calf_mass = links[2].mass;
+  const double thigh_mass = calf_mass + links[1].mass;
+  const double hip_mass = thigh_mass + links[0].mass;
+  const Vector3d swing = places.R_hip.col(1);
+  const Vector3d lift = gravity * up;
+  return {Vector3d::UnitX().cross(on_hip - hip_mass * places.hip).dot(lift),
+          swing.cross(on_thigh - thigh_mass * places.thigh).dot(lift),
+          swing.cross(on_calf - calf_mass * places.calf).dot(lift)};
+}
+
+bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
+  const Vector3d p = foot - figures_.hip;
+  // Seen from the front: the foot is `side_` beside the hip's axis and `down` below it.
+  const double down = std::sqrt(std::max(p.y() * p.y() + p.z() * p.z() - side_ * side_, 0.0));
+  const double hip = std::atan2(p.z(), p.y()) - std::atan2(-down, side_);
+  // Seen from the side: a triangle of thigh, calf and the line to the foot.
+  const double x = p.x() - figures_.thigh.x();
+  const double z = -down - figures_.thigh.z();
+  const double cosine =
+      (x * x + z * z - thigh_length_ * thigh_length_ - calf_length_ * calf_length_) /
+      (2 * thigh_length_ * calf_length_);
+  const double knee = -std::acos(std::clamp(cosine, -1.0, 1.0));
+  const double thigh =
+      std::atan2(-x, -z) -
+      std::atan2(calf_length_ * std::sin(knee), thigh_length_ + calf_length_ * std::cos(knee)) -
+      thigh_angle_;
+  const Vector3d exact(hip, thigh, knee - calf_angle_ + thigh_angle_);
+  for (int i = 0; i < 3; ++i) {
+    const auto at = static_cast<std::size_t>(i);
+    const double low = figures_.low[at], high = figures_.high[at];
+    (*q)[i] = std::clamp(IntoRange(exact[i], low, high), low, high);
+  }
+  return (Place(*q).foot - foot).norm() < kReached;
+}
+
+double QuadrupedLeg::mass() const {
+  return figures_.links[0].mass + figures_.links[1].mass + figures_.links[2].mass;
+}
+
+}  // namespace understudy

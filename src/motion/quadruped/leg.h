@@ -1,0 +1,56 @@
+// The kinematics of a leg of three hinges, in closed form.
+#ifndef UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
+#define UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
+
+#include <Eigen/Core>
+
+#include "motion/quadruped/figures.h"
+
+namespace understudy {
+
+// Where the links of a leg are at some angles: the origins of hip, thigh, calf and foot [m] and the
+// rotations of the first three, all in the base's frame.
+struct LegPlaces {
+  Eigen::Matrix3d R_hip, R_thigh, R_calf;
+  Eigen::Vector3d hip, thigh, calf, foot;
+};
+
+// How the foot moves per angle, m/rad, a column per joint.
+Eigen::Matrix3d FootJacobian(const LegPlaces& places);
+
+// Angles are hip, thigh, calf [rad]; points are in the base's frame [m]. The foot is the centre of
+// its ball or tyre.
+class QuadrupedLeg {
+ public:
+  explicit QuadrupedLeg(const LegFigures& figures);
+
+  // What the functions below take, so that a controller works it out once a step.
+  LegPlaces Place(const Eigen::Vector3d& q) const;
+
+  // The sum of mass times place of its links, kg·m.
+  Eigen::Vector3d MassMoment(const LegPlaces& places) const;
+
+  // Torques [N·m] that hold the leg's own links where gravity pulls along -`up` with `gravity`
+  // m/s².
+  Eigen::Vector3d HoldingTorque(const LegPlaces& places, const Eigen::Vector3d& up,
+                                double gravity) const;
+
+  // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
+  // where it cannot get there, near `foot`. Returns whether it gets there.
+  bool Reach(const Eigen::Vector3d& foot, Eigen::Vector3d* q) const;
+
+  double mass() const;
+  // m from the thigh's axis to the foot of a straight leg.
+  double length() const { return thigh_length_ + calf_length_; }
+  const LegFigures& figures() const { return figures_; }
+
+ private:
+  LegFigures figures_;
+  double side_;  // m, how far the foot is beside the hip's axis
+  // Length and angle at zero of thigh and calf in the plane of the leg.
+  double thigh_length_, thigh_angle_, calf_length_, calf_angle_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_MOTION_QUADRUPED_LEG_H_

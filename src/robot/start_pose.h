@@ -1,0 +1,34 @@
+// The poses that a robot begins in and can be put back to.
+#ifndef UNDERSTUDY_ROBOT_START_POSE_H_
+#define UNDERSTUDY_ROBOT_START_POSE_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace understudy {
+
+enum class StartPose : std::uint8_t {
+  kLying,     // on the ground, braking
+  kStanding,  // held up by its motors
+  kHanging,   // on the crane
+  kClamped,   // the base held in the air
+};
+
+inline constexpr std::array<std::string_view, 4> kStartPoses = {"lying", "standing", "hanging",
+                                                                "clamped"};
+
+// `start.pose` calls the first one damped, after what the motors do.
+constexpr std::optional<StartPose> FindStartPose(std::string_view word) {
+  if (word == "damped") return StartPose::kLying;
+  for (std::size_t i = 0; i < kStartPoses.size(); ++i) {
+    if (kStartPoses[i] == word) return static_cast<StartPose>(i);
+  }
+  return std::nullopt;
+}
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_ROBOT_START_POSE_H_

@@ -1,0 +1,28 @@
+// The world of a run, from its configuration.
+#ifndef UNDERSTUDY_RUN_MAKE_WORLD_H_
+#define UNDERSTUDY_RUN_MAKE_WORLD_H_
+
+#include "config/config.h"
+#include "mjcf/mujoco_handles.h"
+#include "physics/world.h"
+#include "robot/randomization.h"
+
+namespace understudy {
+
+struct MadeWorld {
+  PhysicsWorld world;
+  Draws draws;  // what config->randomization asked for
+};
+
+// Compiles robot and scene, draws what is left to chance, and logs what is worth knowing of both.
+// `config` becomes that of the run: it takes the names of a model that calls things otherwise, and
+// the time step, delay and motors that were drawn. Throws ModelError.
+MadeWorld MakeWorld(Config* config);
+
+// The same world for whoever looks on (LoadSightModel), from the configuration that MakeWorld left.
+// Takes some tens of ms, meshes of another hand longer. Throws ModelError.
+ModelHandle MakeSightModel(const Config& config);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_RUN_MAKE_WORLD_H_

@@ -1,0 +1,128 @@
+#include "run/recording.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <ctime>
+#include <thread>
+
+#include <nlohmann/json.hpp>
+#include <spdlog/spdlog.h>
+
+#include "config/load.h"
+#include "mjcf/model_bytes.h"
+#include "run/make_world.h"
+#include "version.h"
+
+namespace understudy {
+namespace {
+
+std::string Now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+std::string DrawnText(const Draws& draws) {
+  nlohmann::json drawn = nlohmann::json::array();
+  for (const Drawn& one : draws.values) {
+    drawn.push_back({{"quantity", one.quantity}, {"element", one.element}, {"value", one.value}});
+  }
+  return drawn.dump();
+}
+
+RecordingHead HeadOf(const Config& config, const Draws& draws,
+                     const std::vector<ScriptEvent>& script) {
+  std::string motors, slots;
+  for (const MotorSpec& motor : config.robot.motors) {
+    const char* space = motors.empty() ? "" : " ";
+    motors += space + motor.joint;
+    slots += space + std::to_string(motor.slot);
+  }
+  RecordingHead head;
+  head.about = {{"robot", config.robot.name},
+                {"revision", config.robot.revision},
+                {"family", config.robot.family == WireFamily::kGo ? "go" : "hg"},
+                {"motors", motors},
+                {"slots", slots},
+                {"version", kVersion},
+                {"mujoco", mj_versionString()},
+                {"started", Now()},
+                {"speed", std::to_string(config.time.speed)},
+                {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
+                {"draws", DrawnText(draws)}};
+  head.config = PrintConfig(config, false);
+  head.model = ModelBytes(*MakeSightModel(config));
+  for (const ScriptEvent& event : script) head.script.push_back(event.where);
+  return head;
+}
+
+// What of a robot's truth is offered; sizes do not change during a run.
+void Fill(const Emulator& robot, const Pacer& pacer, Moment* moment) {
+  const mjModel& model = robot.world().model();
+  const mjData& data = robot.world().data();
+  Truth& truth = moment->truth;
+  truth.step = robot.step();
+  truth.time = robot.time();
+  truth.qpos.assign(data.qpos, data.qpos + model.nq);
+  truth.qvel.assign(data.qvel, data.qvel + model.nv);
+  truth.tau.assign(robot.torque().begin(), robot.torque().end());
+  robot.world().FootForces(truth.foot_force);
+  moment->status = robot.status();
+  moment->status.pace = pacer.reading();
+  truth.crane_tension = moment->status.crane_attached ? moment->status.crane_tension : 0;
+}
+
+Moment Prototype(const Config& config, const Emulator& robot) {
+  const mjModel& model = robot.world().model();
+  const auto zeros = [](auto count) {
+    return std::vector<double>(static_cast<std::size_t>(count));
+  };
+  return {.truth = {.qpos = zeros(model.nq),
+                    .qvel = zeros(model.nv),
+                    .tau = zeros(config.robot.motors.size()),
+                    .foot_force = zeros(config.robot.feet.size())},
+          .status = {}};
+}
+
+void Log(const std::string& line, bool error) {
+  spdlog::log(error ? spdlog::level::err : spdlog::level::warn, "recording: {}", line);
+}
+
+}  // namespace
+
+Recording::Recording(const RecordingOptions& options, const Participant& participant,
+                     const Config& config, const Draws& draws,
+                     const std::vector<ScriptEvent>& script, const Emulator& robot)
+    : every_(std::max<std::int64_t>(
+          1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))) {
+  if (options.file.empty()) return;
+  recorder_ = std::make_unique<Recorder>(
+      participant, OutputFile(options.file, options.overwrite), HeadOf(config, draws, script),
+      Prototype(config, robot),
+      std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log);
+  spdlog::info("recording to {}", options.file.string());
+}
+
+void Recording::Offer(const Emulator& robot, const Pacer& pacer) {
+  if (recorder_ == nullptr) return;
+  recorder_->Mark(robot.step() - 1);
+  if (robot.step() % every_ == 0) {
+    if (Moment* moment = recorder_->Claim(); moment != nullptr) {
+      Fill(robot, pacer, moment);
+      recorder_->Commit();
+    }
+  }
+  while (pacer.speed() == 0 && recorder_->behind()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+}
+
+RecordingStatus Recording::status() const {
+  return recorder_ == nullptr ? RecordingStatus{} : recorder_->status();
+}
+
+}  // namespace understudy

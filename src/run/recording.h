@@ -1,0 +1,45 @@
+// The recording of a run, as the loop sees it.
+#ifndef UNDERSTUDY_RUN_RECORDING_H_
+#define UNDERSTUDY_RUN_RECORDING_H_
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "bus/participant.h"
+#include "config/config.h"
+#include "emulator/emulator.h"
+#include "emulator/order.h"
+#include "record/recorder.h"
+#include "robot/randomization.h"
+#include "time/pacer.h"
+
+namespace understudy {
+
+struct RecordingOptions {
+  std::filesystem::path file;  // empty: nothing is recorded
+  bool overwrite = false;
+};
+
+// Does nothing at all where there is no file to record to.
+class Recording {
+ public:
+  // After ports and services have opened their topics. `config` is that of the run, `robot` has
+  // made no step yet. Throws RecordError and BusError.
+  Recording(const RecordingOptions& options, const Participant& participant, const Config& config,
+            const Draws& draws, const std::vector<ScriptEvent>& script, const Emulator& robot);
+
+  // After every tick and what belongs to it. Waits for nothing and allocates nothing, but for a run
+  // that goes as fast as possible: that goes no faster than it can be recorded.
+  void Offer(const Emulator& robot, const Pacer& pacer);
+
+  RecordingStatus status() const;
+
+ private:
+  std::int64_t every_;  // steps from one LowState to the next
+  std::unique_ptr<Recorder> recorder_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_RUN_RECORDING_H_

@@ -1,0 +1,209 @@
+#include "run/run.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include <spdlog/spdlog.h>
+
+#include "bus/participant.h"
+#include "config/data_dir.h"
+#include "emulator/emulator.h"
+#include "physics/scene_reader.h"
+#include "physics/world_model.h"
+#include "run/alone.h"
+#include "run/make_world.h"
+#include "run/reporter.h"
+#include "server/server.h"
+#include "services/robot_services.h"
+#include "services/service_host.h"
+#include "time/pacer.h"
+#include "time/realtime.h"
+#include "wire/open_port.h"
+#include "wire/remote_codec.h"
+#include "wire/strangers.h"
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+
+constexpr milliseconds kHousekeeping(20);
+// The loop looks at the clock, the stop flag and the board only so often when it does not wait.
+constexpr std::int64_t kStepsPerPost = 10;
+// Orders and services wait no longer than this for a step that is not due, or for a robot that
+// stands still.
+constexpr milliseconds kGlance(2);
+
+// Watches the network and talks to the log and the terminal, beside the loop.
+class Housekeeper {
+ public:
+  Housekeeper(const Config& config, bool status_line, StrangerWatch watch, const StatusBoard* board)
+      : action_(config.guard.on_stranger),
+        watch_(std::move(watch)),
+        board_(board),
+        reporter_(config.robot.rates.lowstate_hz, status_line),
+        thread_([this](const std::stop_token& stop) { Run(stop); }) {}
+
+  // Another robot speaks, and this is the configured answer.
+  bool must_silence() const { return must_silence_; }
+  bool must_stop() const { return must_stop_; }
+
+ private:
+  void Run(const std::stop_token& stop) {
+    SteadyClock clock;
+    while (!stop.stop_requested()) {
+      Watch();
+      reporter_.Update(board_->Read(), clock.Now());
+      if (const auto warning = TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
+      clock.SleepUntil(clock.Now() + kHousekeeping);
+    }
+    reporter_.Update(board_->Read(), clock.Now());
+  }
+
+  void Watch() {
+    const StrangerWatch::News news = watch_.Poll();
+    for (const Neighbour& stranger : news.appeared) {
+      spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
+    }
+    constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
+                                         "we stop"};
+    if (!news.spoke.empty()) {
+      spdlog::critical("another robot speaks on this network: {}; {}", Describe(news.spoke),
+                       kWhatWeDo[static_cast<int>(action_)]);
+    }
+    const bool speaks = !watch_.speaking().empty();
+    if (speaks_ && !speaks) spdlog::info("the other robot has gone");
+    speaks_ = speaks;
+    must_silence_ = speaks && action_ == StrangerAction::kSilence;
+    must_stop_ = speaks && action_ == StrangerAction::kStop;
+  }
+
+  StrangerAction action_;
+  StrangerWatch watch_;
+  const StatusBoard* board_;
+  Reporter reporter_;
+  bool speaks_ = false;
+  std::atomic<bool> must_silence_{false};
+  std::atomic<bool> must_stop_{false};
+  std::jthread thread_;  // last: it uses all of the above
+};
+
+// Fills in the frame that somebody asks for, if somebody does.
+void ShowFrame(const Emulator& robot, FrameBoard* frames) {
+  Frame* frame = frames->Wanted();
+  if (frame == nullptr) return;
+  robot.Show(frame);
+  frame->wireless_remote = EncodeRemote(frame->remote);
+  frames->Show();
+}
+
+}  // namespace
+
+ExitCode RunRobot(const Config& asked, const RunOptions& options) {
+  Config config = asked;
+  SteadyClock clock;
+  // First the network: discovery listens while the model compiles.
+  const Participant participant(config.network.interface, config.network.domain);
+  if (!participant.multicast()) {
+    spdlog::info(
+        "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
+        "as "
+        "root, or `understudy exec`, lifts that",
+        config.network.interface, config.network.interface);
+  }
+  StrangerWatch watch(participant);
+  const Clock::Time watch_set = clock.Now();
+  MadeWorld made = MakeWorld(&config);
+  RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
+
+  const auto port = OpenPort(participant, config.robot);
+  ServiceHost host(participant, ServicesOf(config.robot.name),
+                   [](const std::string& notice) { spdlog::warn("{}", notice); });
+
+  Inbox inbox;
+  StatusBoard board;
+  Emulator robot(config, std::move(made.world), port.get(), &inbox);
+  robot.Play(options.script);
+  Recording recording(options.recording, participant, config, made.draws, options.script, robot);
+  FrameBoard frames(robot.MakeFrame());
+  SceneReader scene([&config] { return MakeSightModel(config); });
+  const ControlServer control(
+      options.control_socket,
+      {.identity = {.robot = config.robot.name, .draws = std::move(made.draws)},
+       .board = &board,
+       .inbox = &inbox,
+       .frames = &frames,
+       .scene = SceneFiles(&scene, &config.robot),
+       .files = StaticFiles(PanelDir()),
+       .openapi = OpenApiFile()},
+      ServerLimits{}, options.panel);
+  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
+
+  if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
+  Pacer pacer(&clock, Clock::Time(std::llround(config.physics.timestep * 1e9)), config.time.speed);
+
+  ExitCode code = ExitCode::kOk;
+  bool ready = false;
+  Histogram ticks;
+  while (true) {
+    StepHealth health = StepHealth::kFine;
+    const bool due = pacer.Follow(robot.pace(), robot.step(), kGlance);
+    if (due) {
+      health = robot.Tick();
+    } else {
+      robot.TakeOrders();
+    }
+    const Clock::Time now = clock.Now();
+    if (due) ticks.Add(std::chrono::duration<double>(now - pacer.reached()).count());
+    host.Poll(&robot.owner(), now);
+    ShowFrame(robot, &frames);
+    if (due) recording.Offer(robot, pacer);
+
+    if (!ready) {
+      ready = true;
+      spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
+                   config.network.interface, config.network.domain, control.socket().string());
+      if (!control.url().empty()) spdlog::info("panel: {}", control.url());
+      if (options.on_ready) options.on_ready();
+      pacer.Resume(robot.step(), robot.pace().speed);
+    }
+    const bool diverged =
+        health == StepHealth::kDiverged && config.physics.on_divergence == DivergenceAction::kStop;
+    if (due && robot.step() % kStepsPerPost != 0 && !diverged) continue;
+
+    Status status = robot.status();
+    status.ready = true;
+    status.command_writers = port->command_writers();
+    status.pace = pacer.reading();
+    status.ticks = ticks;
+    status.services = {.requests = host.requests(),
+                       .refused = host.refused(),
+                       .lost_replies = host.lost_replies()};
+    status.recording = recording.status();
+    board.Post(status);
+    robot.Silence(housekeeper.must_silence());
+    if (diverged) {
+      spdlog::critical("the physics diverged at {:.3f} s and physics.on_divergence is stop",
+                       robot.time());
+      code = ExitCode::kDiverged;
+      break;
+    }
+    if (housekeeper.must_stop()) {
+      code = ExitCode::kNeighbour;
+      break;
+    }
+    if (config.time.duration > 0 && robot.time() >= config.time.duration) break;
+    if (options.should_stop()) break;
+  }
+  spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
+               robot.time());
+  return code;
+}
+
+}  // namespace understudy

@@ -1,0 +1,23 @@
+// Scripts: files that say what happens to a robot and when (docs/scripts.md).
+#ifndef UNDERSTUDY_SCRIPT_SCRIPT_H_
+#define UNDERSTUDY_SCRIPT_SCRIPT_H_
+
+#include <filesystem>
+#include <vector>
+
+#include "config/yaml_document.h"
+#include "emulator/order.h"
+
+namespace understudy {
+
+// Whether a document is a script: a mapping with the key `script`.
+bool IsScript(const YamlValue& document);
+
+// The events of `script: [...]` in order of time; those of the same time in the file's order.
+// Throws ConfigError with file, line, key, what was expected and what was found.
+std::vector<ScriptEvent> ReadScript(const YamlValue& document);
+std::vector<ScriptEvent> LoadScript(const std::filesystem::path& file);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SCRIPT_SCRIPT_H_

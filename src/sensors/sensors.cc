@@ -1,0 +1,69 @@
+#include "sensors/sensors.h"
+
+#include <cmath>
+
+namespace understudy {
+namespace {
+
+// How much of the winding's rise shows at the casing. *assumed*
+constexpr double kCasingShare = 0.8;
+
+constexpr double kPieceMean = 65535.0 / 2;  // of a random integer 0..65535
+// Deviation of the sum of four of them: sqrt(4 (65536² - 1) / 12) = 65536 / sqrt(3).
+constexpr double kSumDeviation = 37837.22;
+
+}  // namespace
+
+Sensors::Sensors(const SensorConfig& config, const RobotSpec& spec)
+    : config_(config), spec_(spec), random_(static_cast<std::uint64_t>(config.seed)) {}
+
+void Sensors::Sample(const PhysicsWorld& world, const MotorBank& motors,
+                     const RobotCommand& command, const Battery& battery, std::int64_t tick_ms,
+                     RobotState* state) {
+  state->tick_ms = tick_ms;
+  state->joint_space = command.joint_space;
+  state->motors.resize(spec_.motors.size());
+  const EncoderNoiseSpec& noise = spec_.encoder_noise;
+  for (std::size_t i = 0; i < spec_.motors.size(); ++i) {
+    const MotorSpec& motor = spec_.motors[i];
+    MotorReading& reading = state->motors[i];
+    reading.enabled = command.motors[i].enabled;
+    reading.q = Measure(world.q()[i], noise.q_steps * motor.q_step, motor.q_step);
+    reading.dq = Measure(world.dq()[i], noise.dq_steps * motor.dq_step, motor.dq_step);
+    reading.tau = Measure(motors.torque()[i], noise.tau_steps * motor.tau_step, motor.tau_step);
+    reading.winding_c = motors.winding_c()[i];
+    reading.casing_c =
+        spec_.thermal.ambient_c + kCasingShare * (reading.winding_c - spec_.thermal.ambient_c);
+  }
+  state->imu = Measure(world.Imu());
+  if (!spec_.imu.secondary_site.empty()) state->secondary_imu = Measure(world.SecondaryImu());
+  state->foot_force.resize(spec_.feet.size());
+  world.FootForces(state->foot_force);
+  state->battery = battery.reading();
+  state->base = world.base();
+}
+
+double Sensors::Bell() {
+  const std::uint64_t bits = random_();
+  const std::uint64_t sum =
+      (bits & 0xFFFF) + (bits >> 16 & 0xFFFF) + (bits >> 32 & 0xFFFF) + (bits >> 48);
+  return (static_cast<double>(sum) - 4 * kPieceMean) / kSumDeviation;
+}
+
+double Sensors::Measure(double truth, double sigma, double step) {
+  if (config_.noise && sigma > 0) truth += sigma * Bell();
+  if (config_.quantise && step > 0) truth = std::round(truth / step) * step;
+  return truth;
+}
+
+ImuReading Sensors::Measure(const ImuReading& truth) {
+  ImuReading imu = truth;
+  for (int i = 0; i < 3; ++i) {
+    imu.w_WI_I[i] = Measure(truth.w_WI_I[i], spec_.imu.gyro_noise, spec_.imu.gyro_step);
+    imu.f_WI_I[i] = Measure(truth.f_WI_I[i], spec_.imu.accel_noise, spec_.imu.accel_step);
+  }
+  imu.temperature_c = spec_.imu.temperature_c;
+  return imu;
+}
+
+}  // namespace understudy

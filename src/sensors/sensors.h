@@ -1,0 +1,50 @@
+// What the robot's sensors make of the world.
+#ifndef UNDERSTUDY_SENSORS_SENSORS_H_
+#define UNDERSTUDY_SENSORS_SENSORS_H_
+
+#include <cstdint>
+#include <random>
+
+#include "physics/world.h"
+#include "robot/battery.h"
+#include "robot/motor.h"
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy {
+
+struct SensorConfig {
+  bool quantise = true;  // round to the encoders' and the IMU's own lattices
+  bool noise = true;     // add the noise of a robot at rest
+  int seed = 1;          // of that noise
+};
+
+// Samples one instant: call after PhysicsWorld::EndStep, when every reading of world, motors and
+// battery is of the same t. With noise and quantisation off the sample is the truth. Two samplers
+// with the same seed and the same worlds give the same states, bit for bit.
+class Sensors {
+ public:
+  // `spec` must outlive the sensors.
+  Sensors(const SensorConfig& config, const RobotSpec& spec);
+
+  // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
+  // state->remote and state->motion.
+  void Sample(const PhysicsWorld& world, const MotorBank& motors, const RobotCommand& command,
+              const Battery& battery, std::int64_t tick_ms, RobotState* state);
+
+ private:
+  // A random number of mean 0 and deviation 1, independent of the last: that noise is white and of
+  // bell shape is *assumed*. The sum of four uniform ones, never beyond 3.5: 6 ns where a normal
+  // one takes 23, and the same on every standard library.
+  double Bell();
+  double Measure(double truth, double sigma, double step);
+  ImuReading Measure(const ImuReading& truth);
+
+  SensorConfig config_;
+  const RobotSpec& spec_;
+  std::mt19937_64 random_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SENSORS_SENSORS_H_

@@ -1,0 +1,69 @@
+// Gets frames from the tick for those connections that want one. Sees Boost; for the server's own
+// files only.
+#ifndef UNDERSTUDY_SERVER_FRAME_PUMP_H_
+#define UNDERSTUDY_SERVER_FRAME_PUMP_H_
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+
+#include "emulator/frame_board.h"
+
+namespace understudy {
+
+// A frame that has come, and its texts, each made once for all who send it.
+class ShownFrame {
+ public:
+  explicit ShownFrame(const Frame& frame) : frame_(frame) {}
+
+  const Frame& frame() const { return frame_; }
+  std::shared_ptr<const std::string> Json(FrameParts parts);
+
+ private:
+  const Frame& frame_;
+  std::vector<std::pair<FrameParts, std::shared_ptr<const std::string>>> texts_;
+};
+
+class FrameTaker {
+ public:
+  FrameTaker() = default;
+  virtual ~FrameTaker() = default;
+  FrameTaker(const FrameTaker&) = delete;
+  FrameTaker& operator=(const FrameTaker&) = delete;
+
+  // The frame that was asked for, with those parts at least.
+  virtual void OnFrame(ShownFrame* shown) = 0;
+};
+
+// However many ask, the tick fills in one frame at a time. Of the server's thread.
+class FramePump {
+ public:
+  FramePump(boost::asio::io_context* io, FrameBoard* board) : board_(board), timer_(*io) {}
+
+  // OnFrame is called once, unless the taker goes before. One that asks again before that waits for
+  // one frame still.
+  void Ask(FrameParts parts, const std::shared_ptr<FrameTaker>& taker);
+
+ private:
+  struct Waiting {
+    FrameParts parts;
+    std::weak_ptr<FrameTaker> taker;
+  };
+
+  void Request();
+  void Wait();
+  void Deliver(const Frame& frame);
+
+  FrameBoard* board_;
+  boost::asio::steady_timer timer_;
+  std::vector<Waiting> waiting_;
+  bool asked_ = false;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_FRAME_PUMP_H_

@@ -1,0 +1,165 @@
+#include "server/metrics.h"
+
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <string_view>
+#include <utility>
+
+namespace understudy {
+namespace {
+
+std::string Text(double number) {
+  if (std::isnan(number)) return "NaN";
+  if (std::isinf(number)) return number > 0 ? "+Inf" : "-Inf";
+  char digits[32];
+  return {digits, std::to_chars(std::begin(digits), std::end(digits), number).ptr};
+}
+
+// A label's value with what the format wants escaped.
+std::string Escaped(std::string_view value) {
+  std::string text;
+  for (const char c : value) {
+    if (c == '\n') {
+      text += "\\n";
+      continue;
+    }
+    if (c == '\\' || c == '"') text += '\\';
+    text += c;
+  }
+  return text;
+}
+
+std::string Label(std::string_view name, std::string_view value) {
+  return std::string{name} + "=\"" + Escaped(value) + "\"";
+}
+
+// One family of metrics after the other.
+class Page {
+ public:
+  void Family(std::string_view name, std::string_view type, std::string_view help) {
+    name_ = "understudy_" + std::string{name};
+    text_ += "# HELP " + name_ + " " + std::string{help} + "\n# TYPE " + name_ + " " +
+             std::string{type} + "\n";
+  }
+  // A sample of the family.
+  void Add(double value, const std::string& labels = "", std::string_view suffix = "") {
+    text_ += name_ + std::string{suffix} + (labels.empty() ? "" : "{" + labels + "}") + " " +
+             Text(value) + "\n";
+  }
+  void Add(std::uint64_t value, const std::string& labels = "", std::string_view suffix = "") {
+    text_ += name_ + std::string{suffix} + (labels.empty() ? "" : "{" + labels + "}") + " " +
+             std::to_string(value) + "\n";
+  }
+
+  void Counter(std::string_view name, std::string_view help, std::uint64_t value) {
+    Family(name, "counter", help);
+    Add(value);
+  }
+  void Gauge(std::string_view name, std::string_view help, double value) {
+    Family(name, "gauge", help);
+    Add(value);
+  }
+  void Distribution(std::string_view name, std::string_view help, const Histogram& histogram) {
+    Family(name, "histogram", help);
+    std::uint64_t count = 0;
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+      count += histogram.counts[i];
+      const double bound = i < kHistogramBounds.size() ? kHistogramBounds[i] : INFINITY;
+      Add(count, Label("le", Text(bound)), "_bucket");
+    }
+    Add(histogram.sum, "", "_sum");
+    Add(count, "", "_count");
+  }
+
+  std::string Take() { return std::move(text_); }
+
+ private:
+  std::string name_;
+  std::string text_;
+};
+
+void AddPace(const Status& status, Page* page) {
+  page->Counter("steps_total", "Physics steps made.", static_cast<std::uint64_t>(status.steps));
+  page->Gauge("simulated_seconds", "Simulated time since the start.", status.time);
+  page->Gauge("speed", "Simulated seconds wanted per wall second; 0 is as fast as possible.",
+              status.speed);
+  page->Gauge("real_time_factor", "Simulated seconds per wall second over the last second.",
+              status.pace.real_time_factor);
+  page->Gauge("paused", "1 while the robot is paused.", status.paused ? 1 : 0);
+  page->Counter("overruns_total", "Ticks that began more than one period late.",
+                status.pace.overruns);
+  page->Distribution("lateness_seconds", "How late ticks began.", status.pace.latenesses);
+  page->Distribution("tick_seconds", "How long ticks took.", status.ticks);
+  page->Counter("divergences_total", "Times that the physics diverged.", status.divergences);
+}
+
+template <class PutOne>
+void ForEachTopic(const Status& status, const Frame& frame, PutOne put) {
+  for (std::size_t i = 0; i < frame.command_topics.size(); ++i) {
+    if (frame.command_topics[i].empty()) continue;
+    put(frame.command_topics[i], CommandCounts(status, i));
+  }
+}
+
+void AddCommands(const Status& status, const Frame& frame, Page* page) {
+  page->Family("commands_taken_total", "counter", "Commands that the robot took.");
+  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
+    page->Add(counts.accepted, Label("topic", topic));
+  });
+  page->Family("commands_refused_total", "counter", "Commands that the robot refused.");
+  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
+    for (std::size_t i = 1; i < kRefusals; ++i) {
+      page->Add(counts.refused[i],
+                Label("topic", topic) + "," + Label("reason", Name(static_cast<Refusal>(i))));
+    }
+  });
+  page->Family("command_timeouts_total", "counter", "Times that commands stopped coming.");
+  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
+    page->Add(counts.timeouts, Label("topic", topic));
+  });
+  page->Counter("states_published_total", "LowState samples sent.", status.published);
+  page->Counter("write_failures_total", "Messages that the bus did not take.",
+                status.port.write_failures);
+  page->Counter("service_requests_total", "Requests to services.", status.services.requests);
+  page->Counter("service_refusals_total", "Requests answered by a code other than 0.",
+                status.services.refused);
+  page->Counter("service_replies_lost_total", "Replies that nobody could be sent.",
+                status.services.lost_replies);
+}
+
+void AddMotors(const Frame& frame, Page* page) {
+  const auto all = [&](std::string_view name, std::string_view help, double MotorReading::*value) {
+    page->Family(name, "gauge", help);
+    for (std::size_t i = 0; i < frame.motors.size(); ++i) {
+      page->Add(frame.motors[i].*value, Label("motor", frame.motor_names[i]));
+    }
+  };
+  all("motor_torque_newton_metres", "Torque that the motor gives.", &MotorReading::tau);
+  all("motor_casing_celsius", "Temperature of the motor's casing.", &MotorReading::casing_c);
+  all("motor_winding_celsius", "Temperature of the motor's winding.", &MotorReading::winding_c);
+}
+
+void AddBattery(const BatteryReading& battery, Page* page) {
+  page->Gauge("battery_volts", "Voltage of the battery.", battery.voltage);
+  page->Gauge("battery_amperes", "Current of the battery, negative while it gives.",
+              battery.current);
+  page->Gauge("battery_charge_ratio", "Charge of the battery, 0 to 1.", battery.soc);
+}
+
+}  // namespace
+
+std::string MetricsText(const RobotIdentity& identity, const Status& status, const Frame& frame) {
+  Page page;
+  page.Family("info", "gauge", "Which robot this is; always 1.");
+  page.Add(std::uint64_t{1},
+           Label("robot", identity.robot) + "," + Label("version", identity.version));
+  AddPace(status, &page);
+  AddCommands(status, frame, &page);
+  AddMotors(frame, &page);
+  AddBattery(frame.battery, &page);
+  return page.Take();
+}
+
+}  // namespace understudy

@@ -1,0 +1,32 @@
+// All that a control plane tells of, and where it hands orders in.
+#ifndef UNDERSTUDY_SERVER_PLANE_H_
+#define UNDERSTUDY_SERVER_PLANE_H_
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "emulator/frame_board.h"
+#include "emulator/inbox.h"
+#include "emulator/status.h"
+#include "server/scene_files.h"
+#include "server/static_files.h"
+#include "server/status_json.h"
+
+namespace understudy {
+
+// Belongs to the server's thread; what it points to outlives it.
+struct Plane {
+  RobotIdentity identity;
+  const StatusBoard* board = nullptr;
+  Inbox* inbox = nullptr;
+  FrameBoard* frames = nullptr;       // null: nothing is to be seen
+  std::optional<SceneFiles> scene{};  // likewise
+  StaticFiles files{""};              // the panel's
+  std::filesystem::path openapi{};    // the document of the routes
+  std::string url{};                  // of the panel, with the token; "" without a TCP door
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_PLANE_H_

@@ -1,0 +1,21 @@
+// What GET /timings and GET /refusals answer.
+#ifndef UNDERSTUDY_SERVER_REPORT_JSON_H_
+#define UNDERSTUDY_SERVER_REPORT_JSON_H_
+
+#include <nlohmann/json.hpp>
+
+#include "emulator/frame.h"
+#include "emulator/status.h"
+
+namespace understudy {
+
+// How long ticks took and how late they began, in s of wall time. `buckets` of a histogram are not
+// added up; the last has no `le`.
+nlohmann::ordered_json TimingsJson(const Status& status);
+
+// {"refusals": [...]}, oldest first.
+nlohmann::ordered_json RefusalsJson(const Frame& frame);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_REPORT_JSON_H_

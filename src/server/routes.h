@@ -1,0 +1,49 @@
+// Which request is answered how: the control plane without its transport.
+#ifndef UNDERSTUDY_SERVER_ROUTES_H_
+#define UNDERSTUDY_SERVER_ROUTES_H_
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "emulator/inbox.h"
+#include "server/http.h"
+#include "server/plane.h"
+
+namespace understudy {
+
+// A reply that is made of a frame.
+struct FromFrame {
+  FrameParts parts = 0;
+  HttpReply (*reply)(const Frame& frame, FrameParts parts, Plane& plane) = nullptr;
+};
+
+// A WebSocket on which frames are sent, at most `hz` a second.
+struct WatchFrames {
+  FrameParts parts = 0;
+  double hz = 60;
+};
+
+// A WebSocket on which orders come.
+struct TakeOrders {};
+
+// A reply at once, an order that has to be carried out before one is known, or another beginning.
+using Routed = std::variant<HttpReply, Order, FromFrame, WatchFrames, TakeOrders>;
+
+// What an order came to: {"ok": true}, or 409 with the reason.
+HttpReply AnswerReply(const Answer& answer);
+
+// Never throws on what a client sent.
+Routed Route(const HttpRequest& request, Plane& plane);
+
+// One route as documents name it: "GET", "/scene/mesh/{index}".
+struct RouteName {
+  std::string_view method;
+  std::string_view path;
+};
+std::vector<RouteName> AllRoutes();
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_ROUTES_H_

@@ -1,0 +1,150 @@
+#include "server/scene_files.h"
+
+#include <algorithm>
+#include <charconv>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "robot/start_pose.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr char kBytes[] = "application/octet-stream";
+
+// An array of what `to_json` makes of each.
+template <class Values, class ToJson>
+ordered_json List(const Values& values, ToJson to_json) {
+  ordered_json list = ordered_json::array();
+  for (const auto& value : values) list.push_back(to_json(value));
+  return list;
+}
+
+ordered_json GeomJson(const SceneGeom& geom) {
+  return {{"name", geom.name}, {"body", geom.body},    {"type", geom.type},
+          {"size", geom.size}, {"pos", geom.pos},      {"quat", geom.quat},
+          {"rgba", geom.rgba}, {"group", geom.group},  {"collides", geom.collides},
+          {"mesh", geom.mesh}, {"hfield", geom.hfield}};
+}
+
+ordered_json MotorJson(const MotorSpec& motor, const Scene& scene) {
+  ordered_json json{{"name", motor.joint},
+                    {"slot", motor.slot},
+                    {"range", nullptr},
+                    {"torque_limit", motor.torque_limit},
+                    {"knee_speed", motor.knee_speed},
+                    {"no_load_speed", motor.no_load_speed}};
+  const auto joint = std::ranges::find(scene.joints, motor.joint, &SceneJoint::name);
+  if (joint == scene.joints.end()) return json;
+  if (joint->limited) json["range"] = joint->range;
+  json["qpos"] = joint->position;
+  return json;
+}
+
+// As in a frame: the body's, then those of the hands, whose slot is their place in motor_cmd.
+ordered_json MotorsJson(const RobotSpec& robot, const Scene& scene) {
+  ordered_json motors =
+      List(robot.motors, [&](const MotorSpec& motor) { return MotorJson(motor, scene); });
+  for (const HandSpec& hand : robot.hands) {
+    for (std::size_t i = 0; i < hand.motors.size(); ++i) {
+      ordered_json json = MotorJson(hand.motors[i], scene);
+      json["slot"] = i;
+      json["hand"] = hand.name;
+      motors.push_back(std::move(json));
+    }
+  }
+  return motors;
+}
+
+}  // namespace
+
+HttpReply SceneFiles::Scene() {
+  return {.shared = Make("scene", [this] { return SceneText(); })};
+}
+
+HttpReply SceneFiles::Mesh(std::string_view index) {
+  return Part("mesh", index, reader_->meshes(), &SceneReader::Mesh);
+}
+
+HttpReply SceneFiles::HeightField(std::string_view index) {
+  return Part("height field", index, reader_->hfields(), &SceneReader::HeightField);
+}
+
+HttpReply SceneFiles::Model() {
+  return {.type = kBytes,
+          .fields = {{"X-Mujoco-Version", mj_versionString()}},
+          .shared = Make("model", [this] { return reader_->Model(); })};
+}
+
+SceneFiles::Content SceneFiles::Make(const std::string& name,
+                                     const std::function<std::string()>& make) {
+  std::weak_ptr<const std::string>& made = made_[name];
+  Content content = made.lock();
+  if (!content) {
+    content = std::make_shared<const std::string>(make());
+    made = content;
+  }
+  return content;
+}
+
+HttpReply SceneFiles::Part(const std::string& what, std::string_view index, int count,
+                           std::string (SceneReader::*make)(int)) {
+  int number = -1;
+  const auto [end, error] = std::from_chars(index.data(), index.data() + index.size(), number);
+  if (error != std::errc{} || end != index.data() + index.size() || number < 0 || number >= count) {
+    return ErrorReply(404, "no " + what + " " + std::string{index.substr(0, 32)} +
+                               ": the scene has " + std::to_string(count));
+  }
+  return {.type = kBytes,
+          .shared = Make(what + std::to_string(number), [&] { return (reader_->*make)(number); })};
+}
+
+std::string SceneFiles::SceneText() {
+  const understudy::Scene scene = reader_->Describe();
+  const auto base = std::ranges::find(scene.bodies, robot_->base_body, &SceneBody::name);
+  std::vector<std::string> imus{robot_->imu.site};
+  if (!robot_->imu.secondary_site.empty()) imus.push_back(robot_->imu.secondary_site);
+  const ordered_json json{
+      {"robot", robot_->name},
+      {"mujoco", scene.mujoco},
+      {"timestep", scene.timestep},
+      {"gravity", scene.gravity},
+      {"base", base - scene.bodies.begin()},
+      {"bodies", List(scene.bodies,
+                      [](const SceneBody& body) -> ordered_json {
+                        return {{"name", body.name}, {"parent", body.parent}, {"mass", body.mass}};
+                      })},
+      {"geoms", List(scene.geoms, GeomJson)},
+      {"meshes",
+       List(scene.meshes,
+            [](const SceneMesh& mesh) -> ordered_json {
+              return {{"name", mesh.name}, {"vertices", mesh.vertices}, {"faces", mesh.faces}};
+            })},
+      {"hfields", List(scene.hfields,
+                       [](const SceneHeightField& hfield) -> ordered_json {
+                         return {{"name", hfield.name},
+                                 {"rows", hfield.rows},
+                                 {"columns", hfield.columns},
+                                 {"size", hfield.size}};
+                       })},
+      {"cameras", List(scene.cameras,
+                       [](const SceneCamera& camera) -> ordered_json {
+                         return {{"name", camera.name},
+                                 {"body", camera.body},
+                                 {"pos", camera.pos},
+                                 {"quat", camera.quat},
+                                 {"fovy", camera.fovy}};
+                       })},
+      {"motors", MotorsJson(*robot_, scene)},
+      {"imus", imus},
+      {"feet", List(robot_->feet, [](const FootSpec& foot) { return ordered_json(foot.name); })},
+      {"poses", kStartPoses},
+  };
+  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace understudy

@@ -1,0 +1,45 @@
+// What GET /scene and all below it answer.
+#ifndef UNDERSTUDY_SERVER_SCENE_FILES_H_
+#define UNDERSTUDY_SERVER_SCENE_FILES_H_
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "physics/scene_reader.h"
+#include "robot/robot_spec.h"
+#include "server/http.h"
+
+namespace understudy {
+
+// Makes what is asked for and keeps it while a reply with it is under way: once for all who read it
+// then, however slowly. Of one thread.
+class SceneFiles {
+ public:
+  // Both must outlive it.
+  SceneFiles(SceneReader* reader, const RobotSpec* robot) : reader_(reader), robot_(robot) {}
+
+  HttpReply Scene();
+  // `index` as it stands in the path.
+  HttpReply Mesh(std::string_view index);
+  HttpReply HeightField(std::string_view index);
+  HttpReply Model();
+
+ private:
+  using Content = std::shared_ptr<const std::string>;
+
+  Content Make(const std::string& name, const std::function<std::string()>& make);
+  HttpReply Part(const std::string& what, std::string_view index, int count,
+                 std::string (SceneReader::*make)(int));
+  std::string SceneText();
+
+  SceneReader* reader_;
+  const RobotSpec* robot_;
+  std::map<std::string, std::weak_ptr<const std::string>> made_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_SCENE_FILES_H_

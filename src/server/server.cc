@@ -1,0 +1,139 @@
+#include "server/server.h"
+
+#include <cerrno>
+#include <csignal>
+#include <optional>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <boost/asio/basic_socket_acceptor.hpp>
+#include <boost/asio/generic/stream_protocol.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <fcntl.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "base/errors.h"
+#include "client/listening_socket.h"
+#include "server/access.h"
+#include "server/frame_pump.h"
+#include "server/guest.h"
+#include "server/session.h"
+
+namespace understudy {
+namespace {
+
+namespace asio = boost::asio;
+using Protocol = asio::generic::stream_protocol;
+using boost::system::error_code;
+
+// After a failed accept (no descriptors left), before the next.
+constexpr std::chrono::milliseconds kAcceptPause{100};
+
+// A thread on which no signal handler runs: those belong to the main thread.
+template <class Function>
+std::thread StartWithoutSignals(Function function) {
+  sigset_t all;
+  sigset_t before;
+  sigfillset(&all);
+  ::pthread_sigmask(SIG_SETMASK, &all, &before);
+  std::thread thread(std::move(function));
+  ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return thread;
+}
+
+// Lets clients in through one listening socket.
+class Porter {
+ public:
+  // `fd` listens and stays its owner's; `family` is its address family.
+  Porter(asio::io_context* io, int fd, int family, const Access* access, Shared* shared)
+      : shared_(shared), door_(access, shared->limits.connections), acceptor_(*io), timer_(*io) {
+    const int own = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);
+    if (own < 0) {
+      throw SocketError("control socket: " + std::generic_category().message(errno));
+    }
+    acceptor_.assign(Protocol(family, 0), own);
+    Accept();
+  }
+
+ private:
+  void Accept() {
+    acceptor_.async_accept([this](const error_code& error, Protocol::socket socket) {
+      if (error) {
+        timer_.expires_after(kAcceptPause);
+        timer_.async_wait([this](const error_code&) { Accept(); });
+        return;
+      }
+      if (door_.full()) {
+        Session::TurnAway(&socket);
+      } else {
+        door_.Admit(std::make_shared<Session>(std::move(socket), &door_, shared_));
+      }
+      Accept();
+    });
+  }
+
+  Shared* shared_;
+  Door door_;
+  asio::basic_socket_acceptor<Protocol> acceptor_;
+  asio::steady_timer timer_;
+};
+
+}  // namespace
+
+class ControlServer::Loop {
+ public:
+  Loop(const std::filesystem::path& path, Plane plane, const ServerLimits& limits,
+       const PanelSocket* panel)
+      : shared_{.plane = std::move(plane), .limits = limits}, listening_(path) {
+    shared_.plane.identity.version = UNDERSTUDY_VERSION;
+    shared_.plane.identity.pid = ::getpid();
+    if (shared_.plane.frames != nullptr) {
+      shared_.pump = &pump_.emplace(&io_, shared_.plane.frames);
+    }
+    unix_.emplace(&io_, listening_.fd(), AF_UNIX, nullptr, &shared_);
+    if (panel != nullptr) {
+      access_ = {.token = RandomToken(), .address = panel->address()};
+      shared_.plane.url = "http://" + panel->host() + "/#token=" + access_.token;
+      tcp_.emplace(&io_, panel->fd(), panel->family(), &access_, &shared_);
+    }
+    url_ = shared_.plane.url;
+    thread_ = StartWithoutSignals([this] { io_.run(); });
+  }
+
+  ~Loop() {
+    io_.stop();
+    thread_.join();
+  }
+
+  Loop(const Loop&) = delete;
+  Loop& operator=(const Loop&) = delete;
+
+  const std::filesystem::path& path() const { return listening_.path(); }
+  const std::string& url() const { return url_; }
+
+ private:
+  Shared shared_;
+  Access access_;
+  std::string url_;
+  ListeningSocket listening_;
+  asio::io_context io_{1};
+  std::optional<FramePump> pump_;
+  std::optional<Porter> unix_;
+  std::optional<Porter> tcp_;
+  std::thread thread_;
+};
+
+ControlServer::ControlServer(const std::filesystem::path& socket, Plane plane,
+                             const ServerLimits& limits, const PanelSocket* panel)
+    : loop_(std::make_unique<Loop>(socket, std::move(plane), limits, panel)) {}
+
+ControlServer::~ControlServer() = default;
+
+const std::filesystem::path& ControlServer::socket() const { return loop_->path(); }
+
+const std::string& ControlServer::url() const { return loop_->url(); }
+
+}  // namespace understudy

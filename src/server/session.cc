@@ -1,0 +1,179 @@
+#include "server/session.h"
+
+#include <exception>
+#include <utility>
+
+#include "server/frame_watch.h"
+#include "server/order_line.h"
+
+namespace understudy {
+namespace {
+
+namespace asio = boost::asio;
+namespace beast = boost::beast;
+namespace http = boost::beast::http;
+using boost::system::error_code;
+using Response = http::response<http::span_body<const char>>;
+
+std::string_view View(beast::string_view text) { return {text.data(), text.size()}; }
+
+// Of `reply`, whose content it points to.
+Response ResponseOf(const HttpReply& reply, bool keep_alive) {
+  Response response(http::int_to_status(reply.status), 11);
+  response.set(http::field::content_type, reply.type);
+  response.set(http::field::cache_control, "no-store");
+  if (!reply.allow.empty()) response.set(http::field::allow, reply.allow);
+  for (const auto& [name, value] : reply.fields) response.set(name, value);
+  response.keep_alive(keep_alive);
+  response.body() = {reply.content().data(), reply.content().size()};
+  response.prepare_payload();
+  return response;
+}
+
+HttpRequest RequestOf(const http::request<http::string_body>& request) {
+  return {.method = View(request.method_string()),
+          .target = View(request.target()),
+          .body = request.body(),
+          .host = View(request[http::field::host]),
+          .origin = View(request[http::field::origin]),
+          .authorization = View(request[http::field::authorization]),
+          .if_none_match = View(request[http::field::if_none_match]),
+          .upgrade = beast::websocket::is_upgrade(request)};
+}
+
+// The reply to a request that broke off with `error`; nullopt where nobody is left to read one.
+std::optional<HttpReply> ReplyToBroken(const error_code& error, const ServerLimits& limits) {
+  static const auto& kHttp = http::make_error_code(http::error::bad_method).category();
+  if (error == http::error::end_of_stream || error.category() != kHttp) return std::nullopt;
+  if (error == http::error::body_limit) {
+    return ErrorReply(413,
+                      "the body has more than " + std::to_string(limits.body_bytes) + " bytes");
+  }
+  if (error == http::error::header_limit || error == http::error::buffer_overflow) {
+    return ErrorReply(431,
+                      "the header has more than " + std::to_string(limits.header_bytes) + " bytes");
+  }
+  return ErrorReply(400, "not an HTTP request: " + error.message());
+}
+
+}  // namespace
+
+Session::Session(asio::generic::stream_protocol::socket socket, Door* door, Shared* shared)
+    : door_(door),
+      shared_(shared),
+      stream_(std::move(socket)),
+      // Room for a header beside the first part of a body.
+      buffer_(shared->limits.header_bytes + 4096),
+      order_(stream_.get_executor(), shared->plane.inbox, shared->limits.patience),
+      frame_timer_(stream_.get_executor()) {}
+
+void Session::TurnAway(asio::generic::stream_protocol::socket* socket) {
+  error_code ignored;
+  socket->non_blocking(true, ignored);
+  const HttpReply reply = ErrorReply(503, "too many clients are connected");
+  Response response = ResponseOf(reply, false);
+  http::write(*socket, response, ignored);
+}
+
+void Session::Read() {
+  parser_.emplace();
+  parser_->header_limit(static_cast<std::uint32_t>(shared_->limits.header_bytes));
+  parser_->body_limit(shared_->limits.body_bytes);
+  stream_.expires_after(shared_->limits.idle);
+  http::async_read(stream_, buffer_, *parser_,
+                   [self = Self()](const error_code& error, std::size_t) { self->OnRead(error); });
+}
+
+void Session::OnRead(const error_code& error) {
+  if (error) {
+    std::optional<HttpReply> reply = ReplyToBroken(error, shared_->limits);
+    if (!reply) return Leave();
+    broken_ = true;
+    return Write(std::move(*reply), false);
+  }
+  const HttpRequest request = RequestOf(parser_->get());
+  if (const Access* access = door_->access()) {
+    if (auto refusal = RefusalOf(request, *access)) return Write(std::move(*refusal), false);
+  }
+  try {
+    Answer(request);
+  } catch (const std::exception& failure) {  // no memory for what was asked for
+    Write(ErrorReply(500, failure.what()), false);
+  }
+}
+
+void Session::Answer(const HttpRequest& request) {
+  Routed routed = Route(request, shared_->plane);
+  if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
+  if (const auto* wanted = std::get_if<FromFrame>(&routed)) return AwaitFrame(*wanted);
+  if (const auto* order = std::get_if<Order>(&routed)) {
+    return order_.Begin(*order, [self = Self()](const HttpReply& reply) { self->Write(reply); });
+  }
+  Upgrade(routed);
+}
+
+void Session::AwaitFrame(const FromFrame& wanted) {
+  frame_ = wanted;
+  frame_timer_.expires_after(shared_->limits.patience);
+  frame_timer_.async_wait([self = Self()](const error_code& error) {
+    if (error || !self->frame_) return;
+    self->frame_.reset();
+    self->Write(ErrorReply(503, "the robot did not come to it in time"));
+  });
+  shared_->pump->Ask(wanted.parts, Self());
+}
+
+void Session::OnFrame(ShownFrame* shown) {
+  if (!frame_) return;  // the time was up
+  const FromFrame wanted = *frame_;
+  frame_.reset();
+  frame_timer_.cancel();
+  Write(wanted.reply(shown->frame(), wanted.parts, shared_->plane));
+}
+
+void Session::Upgrade(const Routed& routed) {
+  const std::shared_ptr<Session> self = Self();  // the door lets go of it here
+  stream_.expires_never();
+  Leave();
+  if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
+    door_->Admit(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch, door_,
+                                              shared_));
+  } else {
+    door_->Admit(
+        std::make_shared<OrderLine>(std::move(stream_), parser_->release(), door_, shared_));
+  }
+}
+
+void Session::Write(HttpReply reply) {
+  const auto& request = parser_->get();
+  // No HEAD is served, and no body may follow the reply to one: with it nothing more may.
+  Write(std::move(reply), request.keep_alive() && request.method() != http::verb::head);
+}
+
+void Session::Write(HttpReply reply, bool keep_alive) {
+  reply_ = std::move(reply);
+  response_ = ResponseOf(reply_, keep_alive);
+  stream_.expires_after(shared_->limits.idle);
+  http::async_write(stream_, response_, [self = Self()](const error_code& error, std::size_t) {
+    self->reply_ = {};
+    if (error) return self->Leave();
+    if (self->response_.keep_alive()) return self->Read();
+    if (!self->broken_) return self->Leave();
+    error_code ignored;
+    self->stream_.socket().shutdown(asio::socket_base::shutdown_send, ignored);
+    self->stream_.expires_after(self->shared_->limits.idle);
+    self->Forget();
+  });
+}
+
+// Whoever is still sending reads our reply only afterwards, and never where we hang up on them.
+void Session::Forget() {
+  buffer_.clear();
+  stream_.async_read_some(buffer_.prepare(buffer_.max_size()),
+                          [self = Self()](const error_code& error, std::size_t) {
+                            if (error) return self->Leave();
+                            self->Forget();
+                          });
+}
+
+}  // namespace understudy

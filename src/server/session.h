@@ -1,0 +1,57 @@
+// A connection that speaks HTTP. Sees Boost; for the server's own files only.
+#ifndef UNDERSTUDY_SERVER_SESSION_H_
+#define UNDERSTUDY_SERVER_SESSION_H_
+
+#include <memory>
+#include <optional>
+
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/http.hpp>
+
+#include "server/guest.h"
+#include "server/order_wait.h"
+#include "server/routes.h"
+
+namespace understudy {
+
+// Reads a request, perhaps waits for the tick, writes the reply, again. There is one pending
+// operation at any time, and whichever finds that there is nothing more to do has the door dismiss
+// it.
+class Session : public Guest {
+ public:
+  Session(boost::asio::generic::stream_protocol::socket socket, Door* door, Shared* shared);
+
+  void Begin() override { Read(); }
+  void OnFrame(ShownFrame* shown) override;
+
+  // Says why there is no room, as far as that goes without waiting.
+  static void TurnAway(boost::asio::generic::stream_protocol::socket* socket);
+
+ private:
+  std::shared_ptr<Session> Self() { return std::static_pointer_cast<Session>(shared_from_this()); }
+  void Read();
+  void OnRead(const boost::system::error_code& error);
+  void Answer(const HttpRequest& request);
+  void AwaitFrame(const FromFrame& wanted);
+  void Upgrade(const Routed& routed);
+  void Write(HttpReply reply);
+  void Write(HttpReply reply, bool keep_alive);
+  void Forget();
+  void Leave() { door_->Dismiss(this); }
+
+  Door* door_;
+  Shared* shared_;
+  Stream stream_;
+  boost::beast::flat_buffer buffer_;
+  std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
+  bool broken_ = false;  // the request: not all of it was read
+  HttpReply reply_;
+  boost::beast::http::response<boost::beast::http::span_body<const char>> response_;
+  OrderWait order_;
+  boost::asio::steady_timer frame_timer_;
+  std::optional<FromFrame> frame_;  // that is awaited
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_SESSION_H_

@@ -1,0 +1,132 @@
+#include "server/status_json.h"
+
+#include <string>
+
+#include "robot/remote_keys.h"
+
+namespace understudy {
+namespace {
+
+nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
+  nlohmann::ordered_json refused;
+  for (std::size_t i = 1; i < kRefusals; ++i) {
+    refused[std::string{Name(static_cast<Refusal>(i))}] = counts.refused[i];
+  }
+  return refused;
+}
+
+// {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
+// nothing was drawn.
+nlohmann::ordered_json DrawsJson(const Draws& draws) {
+  if (draws.seed < 0) return nullptr;
+  nlohmann::ordered_json drawn = nlohmann::ordered_json::object();
+  for (const Drawn& one : draws.values) {
+    if (one.element.empty()) {
+      drawn[one.quantity] = one.value;
+    } else {
+      drawn[one.quantity][one.element] = one.value;
+    }
+  }
+  return {{"seed", draws.seed}, {"drawn", drawn}};
+}
+
+// One object per hand that the robot has.
+nlohmann::ordered_json HandsJson(const Status& status) {
+  nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+  for (const HandStatus& hand : status.hands) {
+    if (hand.name[0] == '\0') continue;
+    hands.push_back({{"name", hand.name.data()},
+                     {"accepted", hand.commands.accepted},
+                     {"timeouts", hand.commands.timeouts},
+                     {"refused", RefusedJson(hand.commands)},
+                     {"last_refusal", Name(hand.last_refusal)}});
+  }
+  return hands;
+}
+
+nlohmann::ordered_json OrdersJson(const OrderNotes& orders) {
+  nlohmann::ordered_json newest = nlohmann::ordered_json::array();
+  for (std::uint64_t number = orders.oldest(); number < orders.count; ++number) {
+    const OrderNote& note = orders[number];
+    newest.push_back({{"number", number},
+                      {"time", note.time},
+                      {"kind", Name(note.kind)},
+                      {"text", Describe(note)}});
+  }
+  return newest;
+}
+
+}  // namespace
+
+nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
+  return {
+      {"robot", identity.robot},
+      {"version", identity.version},
+      {"pid", identity.pid},
+      {"ready", status.ready},
+      {"silenced", status.silenced},
+      {"time", status.time},
+      {"steps", status.steps},
+      {"speed", status.speed},
+      {"paused", status.paused},
+      {"steps_left", status.steps_left},
+      {"pace",
+       {{"real_time_factor", status.pace.real_time_factor},
+        {"overruns", status.pace.overruns},
+        {"lateness", status.pace.lateness},
+        {"worst_lateness", status.pace.worst_lateness},
+        {"shifts", status.pace.shifts},
+        {"shifted", status.pace.shifted}}},
+      {"commands",
+       {{"state", Name(status.gate)},
+        {"accepted", status.commands.accepted},
+        {"timeouts", status.commands.timeouts},
+        {"refused", RefusedJson(status.commands)},
+        {"last_refusal", Name(status.last_refusal)},
+        {"unused_slots", status.port.unused_slots},
+        {"unset_heads", status.port.unset_heads},
+        {"writers", status.command_writers}}},
+      {"arm_sdk",
+       {{"accepted", status.arm_commands.accepted}, {"refused", RefusedJson(status.arm_commands)}}},
+      {"user_lowcmd",
+       {{"accepted", status.user_commands.accepted},
+        {"timeouts", status.user_commands.timeouts},
+        {"refused", RefusedJson(status.user_commands)}}},
+      {"hands", HandsJson(status)},
+      {"motion",
+       {{"service", status.motion_service.data()},
+        {"state", status.motion.id},
+        {"mode", status.motion.mode},
+        {"arm_weight", status.arm_weight}}},
+      {"remote",
+       {{"there", status.remote.there},
+        {"keys", RemoteKeyNames(status.remote.keys)},
+        {"lx", status.remote.lx},
+        {"ly", status.remote.ly},
+        {"rx", status.remote.rx},
+        {"ry", status.remote.ry},
+        {"wish", status.stick_wish}}},
+      {"orders", OrdersJson(status.orders)},
+      {"script",
+       {{"done", status.script_done},
+        {"refused", status.script_refused},
+        {"refusal", status.script_refusal.data()}}},
+      {"published", status.published},
+      {"write_failures", status.port.write_failures},
+      {"divergences", status.divergences},
+      {"crane",
+       {{"attached", status.crane_attached},
+        {"length", status.crane_length},
+        {"tension", status.crane_tension}}},
+      {"clamped", status.clamped},
+      {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
+      {"recording",
+       {{"state", Name(status.recording.state)},
+        {"messages", status.recording.messages},
+        {"bytes", status.recording.bytes},
+        {"dropped", status.recording.dropped}}},
+      {"randomization", DrawsJson(identity.draws)},
+  };
+}
+
+}  // namespace understudy

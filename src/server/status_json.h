@@ -1,0 +1,28 @@
+// What GET /status answers.
+#ifndef UNDERSTUDY_SERVER_STATUS_JSON_H_
+#define UNDERSTUDY_SERVER_STATUS_JSON_H_
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "emulator/status.h"
+#include "robot/randomization.h"
+
+namespace understudy {
+
+// Who answers: the same for the whole run.
+struct RobotIdentity {
+  std::string robot{};    // the description's name, as in `understudy run <robot>`
+  std::string version{};  // of this program
+  int pid = 0;
+  Draws draws{};  // what the run left to chance
+};
+
+// Every field of `status` in SI units, keys in a fixed order. A number that is not finite becomes
+// null, for JSON has no word for it.
+nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_SERVER_STATUS_JSON_H_

@@ -1,0 +1,175 @@
+#include "terrain/file.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <initializer_list>
+#include <map>
+#include <system_error>
+#include <vector>
+
+#include "base/errors.h"
+#include "terrain/image.h"
+
+namespace understudy {
+namespace {
+
+constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
+
+// Light, sky and colours, as in models/scene/flat.xml.
+constexpr char kHead[] = R"(  <visual>
+    <headlight ambient="0.25 0.25 0.25" diffuse="0.35 0.35 0.35" specular="0.1 0.1 0.1"/>
+    <rgba haze="0.82 0.86 0.9 1"/>
+  </visual>
+  <asset>
+    <texture name="sky" type="skybox" builtin="gradient" rgb1="0.62 0.74 0.86" rgb2="0.95 0.96 0.98"
+      width="256" height="1536"/>
+    <texture name="checker" type="2d" builtin="checker" rgb1="0.55 0.58 0.6" rgb2="0.63 0.66 0.68"
+      width="256" height="256"/>
+    <material name="floor" texture="checker" texuniform="true" texrepeat="2 2" reflectance="0.05"/>
+)";
+constexpr char kSun[] =
+    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.4 0.25 -0.9" diffuse="0.6 0.6 0.58"/>
+)";
+// Neighbours differ, so that edges show.
+constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",
+                                                 "0.71 0.67 0.6 1"};
+
+// Nine digits, no finer than a nanometre: the last bits of sums of lengths do not show.
+std::string Number(double value) {
+  constexpr double kSmallest = 1e-9;
+  value = std::round(value / kSmallest) * kSmallest;
+  if (value == 0) value = 0;  // not -0
+  std::array<char, 32> text{};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 9);
+  return {text.data(), end};
+}
+
+std::string Numbers(std::initializer_list<double> values) {
+  std::string text;
+  for (const double value : values) text += (text.empty() ? "" : " ") + Number(value);
+  return text;
+}
+
+// Of two geoms of equal priority MuJoCo takes the larger friction, else that of the higher one.
+std::string Contact(double friction) {
+  if (friction == 0) return " condim=\"3\" friction=\"0.8 0.005 0.0001\"";
+  return " condim=\"3\" friction=\"" + Number(friction) + " 0.005 0.0001\" priority=\"1\"";
+}
+
+std::string HeightsName(std::size_t i) { return "terrain_" + std::to_string(i); }
+
+float Lowest(const HeightGrid& grid) { return *std::min_element(grid.z.begin(), grid.z.end()); }
+float Highest(const HeightGrid& grid) { return *std::max_element(grid.z.begin(), grid.z.end()); }
+
+// Metres per grey level of the PNG: the lattice's step where 16 bits are enough for it.
+double GreyStep(const HeightGrid& grid) {
+  return std::max(kHeightStep, (Highest(grid) - Lowest(grid)) / 65535.0);
+}
+
+std::string HeightsAsset(const TerrainPiece& piece, const HeightGrid& grid) {
+  const std::string name = HeightsName(piece.heights);
+  return "    <!-- " + name + ".png: the same heights as grey levels of " +
+         Number(GreyStep(grid) * 1000) +
+         " mm, black at z = " + Number(OnHeightLattice(Lowest(grid))) +
+         " m -->\n    <hfield name=\"" + name + "\" file=\"" + name + ".hf\" size=\"" +
+         Numbers({piece.half_x, piece.half_y, *piece.thickness, kHeightsBase}) + "\"/>\n";
+}
+
+std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
+  const double thickness = piece.thickness.value_or(piece.top - floor);
+  std::string text = "    <geom name=\"ground_" + std::to_string(i) + "\" type=\"";
+  if (piece.shape == PieceShape::kHeights) {
+    const std::string at = Numbers({piece.x, piece.y, piece.top - thickness});
+    return text + "hfield\" hfield=\"" + HeightsName(piece.heights) + "\" pos=\"" + at +
+           "\" material=\"floor\" rgba=\"1 0.92 0.8 1\"" + Contact(piece.friction) + "/>\n";
+  }
+  // The middle of a pitched plank is half its thickness away from its top, at right angles to it.
+  const double half = thickness / 2;
+  const std::string at = Numbers(
+      {piece.x - half * std::sin(piece.pitch), piece.y, piece.top - half * std::cos(piece.pitch)});
+  text += piece.shape == PieceShape::kCylinder
+              ? "cylinder\" size=\"" + Numbers({piece.half_x, half})
+              : "box\" size=\"" + Numbers({piece.half_x, piece.half_y, half});
+  text += "\" pos=\"" + at + "\"";
+  if (piece.pitch != 0) {
+    text +=
+        " quat=\"" + Numbers({std::cos(piece.pitch / 2), 0, std::sin(piece.pitch / 2), 0}) + "\"";
+  } else if (piece.yaw != 0) {
+    text += " quat=\"" + Numbers({std::cos(piece.yaw / 2), 0, 0, std::sin(piece.yaw / 2)}) + "\"";
+  }
+  return text + " rgba=\"" + kColours[i % kColours.size()] + "\"" + Contact(piece.friction) +
+         "/>\n";
+}
+
+std::string SceneXml(const TerrainPieces& terrain, const std::string& name, double friction) {
+  std::string text = "<mujoco model=\"" + name + "\">\n" + kHead;
+  const std::vector<TerrainPiece> pieces = terrain.Pieces();
+  for (const TerrainPiece& piece : pieces) {
+    if (piece.shape == PieceShape::kHeights) {
+      text += HeightsAsset(piece, terrain.heights()[piece.heights]);
+    }
+  }
+  text += "  </asset>\n  <worldbody>\n";
+  text += kSun;
+  text += "    <geom name=\"floor\" type=\"plane\" size=\"0 0 0.5\" pos=\"" +
+          Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" + Contact(friction) + "/>\n";
+  // Static bodies of a metre each: MuJoCo 2 compares every geom of one body with every geom of
+  // another that is near, and the world's own body is near everything.
+  std::map<int, std::string> slabs;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    slabs[static_cast<int>(std::floor(pieces[i].x))] += Geom(pieces[i], i, terrain.floor());
+  }
+  for (const auto& [x, geoms] : slabs) text += "    <body>\n" + geoms + "    </body>\n";
+  return text + "  </worldbody>\n</mujoco>\n";
+}
+
+void WriteBytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream stream(file, std::ios::binary);
+  stream.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!stream.flush()) throw ModelError(file.string() + ": cannot be written");
+}
+
+// Rows and columns as 32 bit integers, then the heights as 32 bit floats, in the machine's order.
+void WriteBinary(const std::filesystem::path& file, const HeightGrid& grid) {
+  static_assert(std::endian::native == std::endian::little);
+  const std::array<std::int32_t, 2> sides{grid.rows, grid.columns};
+  std::string bytes(reinterpret_cast<const char*>(sides.data()), sizeof sides);
+  bytes.append(reinterpret_cast<const char*>(grid.z.data()), sizeof(float) * grid.z.size());
+  WriteBytes(file, bytes);
+}
+
+// The top of the picture is +y.
+void WritePng(const std::filesystem::path& file, const HeightGrid& grid) {
+  const double step = GreyStep(grid), low = Lowest(grid);
+  const auto columns = static_cast<std::size_t>(grid.columns);
+  std::vector<std::uint16_t> grey;
+  for (std::size_t row = static_cast<std::size_t>(grid.rows); row-- > 0;) {
+    for (std::size_t column = 0; column < columns; ++column) {
+      grey.push_back(
+          static_cast<std::uint16_t>(std::lround((grid.z[row * columns + column] - low) / step)));
+    }
+  }
+  WriteGreyPng(file, grid.columns, grid.rows, grey);
+}
+
+}  // namespace
+
+void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, double floor_friction,
+                       const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw ModelError(folder.string() + ": cannot be made: " + error.message());
+  WriteBytes(folder / "scene.xml", SceneXml(pieces, name, floor_friction));
+  for (std::size_t i = 0; i < pieces.heights().size(); ++i) {
+    WriteBinary(folder / (HeightsName(i) + ".hf"), pieces.heights()[i]);
+    WritePng(folder / (HeightsName(i) + ".png"), pieces.heights()[i]);
+  }
+}
+
+}  // namespace understudy

@@ -1,0 +1,19 @@
+// A terrain's pieces as files.
+#ifndef UNDERSTUDY_TERRAIN_FILE_H_
+#define UNDERSTUDY_TERRAIN_FILE_H_
+
+#include <filesystem>
+#include <string>
+
+#include "terrain/pieces.h"
+
+namespace understudy {
+
+// Writes scene.xml and the height fields as WriteTerrain says. `floor_friction` is that of the
+// endless floor. Creates the folder. Throws ModelError when something cannot be written.
+void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, double floor_friction,
+                       const std::filesystem::path& folder);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TERRAIN_FILE_H_

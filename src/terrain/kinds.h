@@ -1,0 +1,65 @@
+// How each kind of ground is built.
+#ifndef UNDERSTUDY_TERRAIN_KINDS_H_
+#define UNDERSTUDY_TERRAIN_KINDS_H_
+
+#include <cstdint>
+#include <random>
+#include <string>
+
+#include "terrain/pieces.h"
+
+namespace understudy {
+
+// Numbers that are the same on every machine: std::mt19937_64 is specified to the bit, and the
+// standard's distributions, which are not, are left out.
+class TerrainRandom {
+ public:
+  explicit TerrainRandom(std::uint64_t seed) : engine_(seed) {}
+
+  // At least `low` and below `high`, in steps of 2^-53 of their distance.
+  double Between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
+  }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+// The place a patch fills: x to x + length, |y| <= width / 2, beginning at height `level` [m].
+struct Stretch {
+  double x = 0;
+  double length = 0;
+  double width = 0;
+  double level = 0;
+  double difficulty = 0;  // 0..1
+  double friction = 0;
+  std::uint64_t seed = 0;
+  std::string image;
+  double image_height = 0;  // m
+};
+
+// Each adds its ground and returns the height [m] at which it ends. docs/terrain.md has the figures
+// and where they come from.
+
+// Blocks (terrain_blocks.cc)
+double AddFlat(const Stretch& s, TerrainPieces* pieces);
+double AddSlopes(const Stretch& s, TerrainPieces* pieces);
+double AddStairsUp(const Stretch& s, TerrainPieces* pieces);
+double AddStairsDown(const Stretch& s, TerrainPieces* pieces);
+double AddFloatingStairs(const Stretch& s, TerrainPieces* pieces);
+double AddGaps(const Stretch& s, TerrainPieces* pieces);
+
+// Scattered blocks (terrain_scatter.cc)
+double AddSteppingStones(const Stretch& s, TerrainPieces* pieces);
+double AddBoxes(const Stretch& s, TerrainPieces* pieces);
+double AddObstacles(const Stretch& s, TerrainPieces* pieces);
+
+// Height fields (terrain_heights.cc)
+double AddRough(const Stretch& s, TerrainPieces* pieces);
+double AddWaves(const Stretch& s, TerrainPieces* pieces);
+// Throws ModelError when the image cannot be read.
+double AddImage(const Stretch& s, TerrainPieces* pieces);
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TERRAIN_KINDS_H_

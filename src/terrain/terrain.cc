@@ -1,0 +1,111 @@
+#include "terrain/terrain.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+#include "base/errors.h"
+#include "terrain/file.h"
+#include "terrain/kinds.h"
+
+namespace understudy {
+namespace {
+
+// A G1 that lies on its back needs 1.3 m; the rest is assumed.
+constexpr double kPlatform = 1.5;     // m before and behind the origin
+constexpr double kPlatformWidth = 3;  // m at least
+constexpr double kLastPlatform = 2;   // m
+constexpr std::size_t kMostPatches = 100;
+
+struct Kind {
+  const char* name;
+  double (*add)(const Stretch&, TerrainPieces*);
+};
+
+constexpr Kind kKinds[] = {
+    {"flat", AddFlat},
+    {"rough", AddRough},
+    {"waves", AddWaves},
+    {"slopes", AddSlopes},
+    {"stairs_up", AddStairsUp},
+    {"stairs_down", AddStairsDown},
+    {"floating_stairs", AddFloatingStairs},
+    {"gaps", AddGaps},
+    {"stepping_stones", AddSteppingStones},
+    {"boxes", AddBoxes},
+    {"obstacles", AddObstacles},
+    {"image", AddImage},
+};
+
+const Kind& FindKind(const std::string& name) {
+  for (const Kind& kind : kKinds) {
+    if (name == kind.name) return kind;
+  }
+  throw ModelError("no kind of terrain '" + name + "'");
+}
+
+// Sebastiano Vigna's splitmix64 of the seed and the patch's number: neighbours have nothing in
+// common, and what a patch looks like does not depend on those before it.
+std::uint64_t PatchSeed(int seed, std::size_t patch) {
+  std::uint64_t z = (static_cast<std::uint64_t>(seed) << 32U) + patch + 0x9e3779b97f4a7c15U;
+  z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
+  z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
+  return z ^ (z >> 31U);
+}
+
+TerrainPieces Build(const std::vector<TerrainPatch>& patches, const TerrainSpec& spec) {
+  TerrainPieces pieces;
+  const double half_width = std::max(spec.size[1], kPlatformWidth) / 2;
+  pieces.AddGround(-kPlatform, kPlatform, -half_width, half_width, 0, spec.friction);
+  double x = kPlatform;
+  double level = 0;
+  for (std::size_t i = 0; i < patches.size(); ++i) {
+    const TerrainPatch& patch = patches[i];
+    const Stretch stretch{.x = x,
+                          .length = patch.length > 0 ? patch.length : spec.size[0],
+                          .width = spec.size[1],
+                          .level = level,
+                          .difficulty = patch.difficulty >= 0 ? patch.difficulty : spec.difficulty,
+                          .friction = patch.friction > 0 ? patch.friction : spec.friction,
+                          .seed = PatchSeed(spec.seed, i),
+                          .image = patch.image.empty() ? spec.image : patch.image,
+                          .image_height = spec.image_height};
+    level = OnHeightLattice(FindKind(patch.kind).add(stretch, &pieces));
+    x += stretch.length;
+  }
+  pieces.AddGround(x, x + kLastPlatform, -half_width, half_width, level, spec.friction);
+  return pieces;
+}
+
+}  // namespace
+
+const std::vector<std::string>& TerrainKinds() {
+  static const std::vector<std::string> kNames = [] {
+    std::vector<std::string> names;
+    for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+    return names;
+  }();
+  return kNames;
+}
+
+bool IsTerrain(const std::string& scene) {
+  const std::vector<std::string>& kinds = TerrainKinds();
+  return scene == kPatchesScene || std::find(kinds.begin(), kinds.end(), scene) != kinds.end();
+}
+
+void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
+                  const std::filesystem::path& folder) {
+  std::vector<TerrainPatch> patches = spec.patches;
+  if (scene != kPatchesScene) {
+    patches.assign(1, {});
+    patches[0].kind = scene;
+  } else if (patches.empty()) {
+    throw ModelError("scene 'row' needs terrain.patches, such as [{kind: rough}, {kind: gaps}]");
+  } else if (patches.size() > kMostPatches) {
+    throw ModelError("terrain.patches has " + std::to_string(patches.size()) +
+                     " patches; expected at most " + std::to_string(kMostPatches));
+  }
+  WriteTerrainFiles(Build(patches, spec), scene, spec.friction, folder);
+}
+
+}  // namespace understudy

@@ -1,0 +1,207 @@
+#include "authority/command_router.h"
+
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+namespace understudy {
+namespace {
+
+constexpr double kService = 7, kLowCmd = 1, kArms = 3, kUser = 5, kStartTorque = -1;
+
+// Torque 7 on every motor, and a list of what it was asked for.
+class RecordingMotion final : public Motion {
+ public:
+  explicit RecordingMotion(std::vector<MotionGoal>* asked) : asked_(asked) {}
+  void Start(const MotionInput&) override { state_ = 0; }
+  MotionVerdict Ask(const MotionGoal& goal) override {
+    asked_->push_back(goal);
+    if (goal.action == MotionAction::kDamp) state_ = 1;
+    return MotionVerdict::kTaken;
+  }
+  void Step(const MotionInput&, double, RobotCommand* command) override {
+    for (MotorCommand& motor : command->motors) motor = {.enabled = true, .tau = kService};
+  }
+  MotionState state() const override { return {.id = state_}; }
+
+ private:
+  std::vector<MotionGoal>* asked_;
+  int state_ = 0;
+};
+
+RobotCommand Of(double tau) { return {.motors = {2, {.enabled = true, .tau = tau}}}; }
+
+class CommandRouterTest : public ::testing::Test {
+ protected:
+  CommandRouterTest() {
+    for (const int slot : {0, 1}) spec_.motors.push_back({.joint = "", .slot = slot});
+    spec_.services = {{.name = "sport", .alias = "ai"}};
+    spec_.arm_sdk.slots = {1};
+    spec_.remote.chords = {{.keys = "L2+R2", .does = "debug"},
+                           {.keys = "L2+B", .does = "damp"},
+                           {.keys = "L2+Y", .does = "zero_torque", .from = {1}}};
+    spec_.remote.speed = {1, 0.5, 2};
+  }
+  void Make() {
+    router_ = std::make_unique<CommandRouter>(spec_, GateConfig{}, config_, Of(kStartTorque),
+                                              std::make_unique<RecordingMotion>(&asked_));
+  }
+  // Torques of both motors in a tick of the service, or in one between.
+  std::pair<double, double> Torques(bool service_due = true) {
+    input_.time += 0.001;
+    const RobotCommand& command = router_->Current(input_, service_due, 0.002);
+    return {command.motors[0].tau, command.motors[1].tau};
+  }
+  Refusal Offer() { return router_->Offer(Of(kLowCmd), Refusal::kNone, input_.time); }
+  void Press(const char* keys) {
+    router_->Obey({.there = true, .keys = *RemoteKeysOf(keys)}, input_.time);
+    router_->Obey({.there = true}, input_.time);
+  }
+  static std::optional<std::uint16_t> RemoteKeysOf(const char* keys) {
+    return MakeChord({.keys = keys, .does = "damp"}, "").keys;
+  }
+
+  using Pair = std::pair<double, double>;
+  RobotSpec spec_;
+  MotionConfig config_;
+  MotionInput input_;
+  std::vector<MotionGoal> asked_;
+  std::unique_ptr<CommandRouter> router_;
+};
+
+TEST_F(CommandRouterTest, FollowsTheServiceAndRefusesLowCmd) {
+  Make();
+  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+  EXPECT_EQ(router_->gate().state(), GateState::kClosed);
+}
+
+TEST_F(CommandRouterTest, HoldsTheStartCommandWithoutAService) {
+  config_.service = kNoService;
+  Make();
+  EXPECT_EQ(Torques(), Pair(kStartTorque, kStartTorque));
+  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
+}
+
+TEST_F(CommandRouterTest, BrakesAfterReleaseUntilLowCmdComes) {
+  Make();
+  Torques();
+  router_->owner().Release();
+  Torques();
+  EXPECT_EQ(router_->gate().state(), GateState::kDamping);
+  EXPECT_EQ(router_->gate().counts().timeouts, 0U);
+  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
+}
+
+TEST_F(CommandRouterTest, GivesTheMotorsBackToASelectedService) {
+  Make();
+  router_->owner().Release();
+  Offer();
+  EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
+  router_->owner().Select("ai");
+  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+}
+
+TEST_F(CommandRouterTest, LetsWhoeverSpokeLastHaveTheMotorsInAFight) {
+  config_.fight = true;
+  Make();
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Torques(false), Pair(kLowCmd, kLowCmd));
+  EXPECT_EQ(Torques(false), Pair(kLowCmd, kLowCmd));
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+}
+
+TEST_F(CommandRouterTest, MixesTheArmsOverTheServiceOnly) {
+  Make();
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
+  EXPECT_EQ(Torques(), Pair(kService, 5));
+  router_->owner().Release();
+  Offer();
+  EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 1, 0), Refusal::kNoMotionService);
+  router_->owner().Select("ai");
+  EXPECT_EQ(Torques(), Pair(kService, kService));  // what came before the service is forgotten
+}
+
+TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
+  Make();
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNotHandedOver);
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+  router_->owner().SetUserControl(true);
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNone);
+  EXPECT_EQ(Torques(), Pair(kUser, kUser));
+  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  router_->owner().SetUserControl(false);
+  EXPECT_EQ(Torques(), Pair(kService, kService));
+}
+
+TEST_F(CommandRouterTest, CountsWhatTheArmsAndTheUserAreRefused) {
+  Make();
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), std::nan(""), 0), Refusal::kNotFinite);
+  RobotCommand harmful = Of(kArms);
+  harmful.motors[0].kp = -1;
+  EXPECT_EQ(router_->OfferArms(harmful, 1, 0), Refusal::kGain);
+  EXPECT_EQ(Torques(), Pair(kService, 5));
+  router_->owner().Release();
+  EXPECT_EQ(router_->OfferUser(Of(kUser), 0), Refusal::kNoMotionService);
+  EXPECT_EQ(router_->arm_counts().accepted, 1U);
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kNotFinite)], 1U);
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kGain)], 1U);
+  EXPECT_EQ(router_->user_counts().refused[static_cast<std::size_t>(Refusal::kNoMotionService)],
+            1U);
+}
+
+TEST_F(CommandRouterTest, PassesChordsToTheService) {
+  Make();
+  Press("L2+Y");  // not from state 0
+  EXPECT_TRUE(asked_.empty());
+  Press("L2+B");
+  ASSERT_EQ(asked_.size(), 1U);
+  EXPECT_EQ(asked_[0].action, MotionAction::kDamp);
+  Press("L2+Y");
+  EXPECT_EQ(asked_.back().action, MotionAction::kZeroTorque);
+}
+
+TEST_F(CommandRouterTest, DebugReleasesAndNoChordLeavesIt) {
+  Make();
+  Press("L2+R2");
+  EXPECT_EQ(router_->owner().active(), "");
+  EXPECT_EQ(router_->gate().state(), GateState::kDamping);
+  Press("L2+Y");
+  EXPECT_EQ(router_->gate().state(), GateState::kLimp);
+  Press("L2+B");
+  EXPECT_EQ(router_->gate().state(), GateState::kDamping);
+  for (const char* keys : {"L2+R2", "L2+UP", "START"}) Press(keys);
+  EXPECT_EQ(router_->owner().active(), "");
+}
+
+TEST_F(CommandRouterTest, ChordsDoNothingToAReleasedRobotWithoutDebug) {
+  spec_.remote.chords.erase(spec_.remote.chords.begin());
+  Make();
+  router_->owner().Release();
+  Torques();
+  Press("L2+Y");
+  EXPECT_EQ(router_->gate().state(), GateState::kDamping);
+}
+
+TEST_F(CommandRouterTest, SticksMoveAndTheirEndStops) {
+  Make();
+  router_->Obey({.there = true, .lx = 0.5, .ly = 1, .rx = -1}, 0);
+  ASSERT_EQ(asked_.size(), 1U);
+  EXPECT_EQ(asked_[0].action, MotionAction::kMove);
+  EXPECT_EQ(asked_[0].value, (std::array<double, 4>{1, -0.25, 2, 0.1}));
+  router_->Obey({.there = true}, 0);
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_EQ(asked_[1].value[0], 0);
+  router_->Obey({.there = true}, 0);
+  EXPECT_EQ(asked_.size(), 2U);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,391 @@
+#include "ctl/command.h"
+
+#include <cstdio>
+#include <sstream>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "base/errors.h"
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "server/server.h"
+#include "tests/support/control.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+using ::testing::ThrowsMessage;
+
+Status Ready() {
+  Status status;
+  status.ready = true;
+  status.steps = 5;
+  return status;
+}
+
+// A robot that notes its orders and answers as it was told.
+class FakeRobot {
+ public:
+  explicit FakeRobot(const std::filesystem::path& socket, Answer answer = {})
+      : ticking_(&inbox_,
+                 [this, answer = std::move(answer)](const Order& order) {
+                   last_ = order;
+                   if (const auto* step = std::get_if<StepRun>(&order); step && answer.empty()) {
+                     Status status = board_.Read();
+                     status.steps += step->steps;
+                     board_.Post(status);
+                   }
+                   return answer;
+                 }),
+        showing_(&frames_),
+        server_(
+            socket,
+            {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_, .frames = &frames_}) {
+  }
+
+  StatusBoard* board() { return &board_; }
+  // Frames so far.
+  std::int64_t shown() const { return showing_.shown(); }
+  // Only after an order was answered.
+  const Order& last() const { return last_; }
+
+ private:
+  Order last_ = ResetRobot{};
+  StatusBoard board_;
+  Inbox inbox_;
+  FrameBoard frames_{Frame{}};
+  test::Ticking ticking_;
+  test::Showing showing_;
+  ControlServer server_;
+};
+
+class CtlCommandTest : public ::testing::Test {
+ protected:
+  // Nobody is to be asked, from wherever the tests are run.
+  CtlCommandTest() { EXPECT_NE(std::freopen("/dev/null", "r", stdin), nullptr); }
+
+  std::filesystem::path Socket(const std::string& name) const {
+    return temp_.path() / (name + ".sock");
+  }
+  // Parses and runs one command line; returns what it printed.
+  static std::string Run(const std::string& line) {
+    CLI::App app;
+    std::ostringstream out;
+    CtlCommand dut(&app, &out);
+    app.parse(line);
+    if (!dut.chosen()) throw std::logic_error("nothing was chosen by: " + line);
+    dut.Run();
+    return out.str();
+  }
+
+  test::TempFolder temp_;
+  test::ScopedEnv folder_{"UNDERSTUDY_RUNTIME_DIR", temp_.path().string()};
+  test::ScopedEnv control_{"UNDERSTUDY_CONTROL", std::nullopt};
+};
+
+TEST_F(CtlCommandTest, ShowsTheStatusOfTheOnlyRobot) {
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  EXPECT_THAT(Run("ctl status"), AllOf(HasSubstr("steps              5\n"), HasSubstr("ready")));
+}
+
+TEST_F(CtlCommandTest, ShowsTheStatusAsOneLineOfJson) {
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  const std::string text = Run("ctl status --json");
+  EXPECT_EQ(nlohmann::json::parse(text)["steps"], 5);
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 1);
+}
+
+TEST_F(CtlCommandTest, WatchesUntilTheRobotIsGone) {
+  auto robot = std::make_unique<FakeRobot>(Socket("one"));
+  std::string why;
+  std::thread watching([&] {
+    try {
+      Run("ctl status --json --watch --socket " + Socket("one").string());
+    } catch (const ControlError& error) {
+      why = error.what();
+    }
+  });
+  robot.reset();
+  watching.join();
+  EXPECT_NE(why, "");
+}
+
+TEST_F(CtlCommandTest, WatchesFramesUntilTheRobotGoes) {
+  std::optional<FakeRobot> robot(std::in_place, Socket("one"));
+  std::ostringstream out;
+  CLI::App app;
+  CtlCommand dut(&app, &out);
+  app.parse("ctl frame --watch --hz 240 --parts com --socket " + Socket("one").string());
+  std::thread watching([&] { EXPECT_THROW(dut.Run(), ControlError); });
+  const std::int64_t before = robot->shown();
+  EXPECT_TRUE(test::Eventually([&] { return robot->shown() > before + 2; }));
+  robot.reset();
+  watching.join();
+  std::istringstream lines(out.str());
+  int seen = 0;
+  for (std::string line; std::getline(lines, line); ++seen) {
+    EXPECT_THAT(line, AllOf(StartsWith("{\"step\":"), HasSubstr("\"com\":")));
+  }
+  EXPECT_GE(seen, 2);
+}
+
+TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
+  const FakeRobot robot(Socket("one"));
+  EXPECT_THAT(Run("ctl frame --parts com"), StartsWith("{\"step\":"));
+  EXPECT_THAT(Run("ctl metrics"), HasSubstr("\nunderstudy_steps_total "));
+  EXPECT_EQ(Run("ctl refusals"), "no command was refused\n");
+}
+
+TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl push \xff\xfe 1 0 0");
+  EXPECT_EQ(std::get<PushBody>(robot.last()).body, "\xef\xbf\xbd\xef\xbf\xbd");
+}
+
+TEST_F(CtlCommandTest, GivesEveryOrder) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl crane lower 0.25");
+  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, 0.25);
+  Run("ctl crane lower -0.5");
+  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, -0.5);
+  Run("ctl crane raise 1");
+  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, -1);
+  Run("ctl crane attach");
+  EXPECT_TRUE(std::holds_alternative<AttachCrane>(robot.last()));
+  Run("ctl crane release");
+  EXPECT_TRUE(std::holds_alternative<ReleaseCrane>(robot.last()));
+  Run("ctl clamp on");
+  EXPECT_TRUE(std::get<ClampBase>(robot.last()).on);
+  Run("ctl clamp off");
+  EXPECT_FALSE(std::get<ClampBase>(robot.last()).on);
+  EXPECT_EQ(Run("ctl reset"), "");
+  EXPECT_TRUE(std::holds_alternative<ResetRobot>(robot.last()));
+}
+
+TEST_F(CtlCommandTest, PausesResumesAndSetsTheSpeed) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl pause");
+  EXPECT_TRUE(std::get<PauseRun>(robot.last()).on);
+  Run("ctl resume");
+  EXPECT_FALSE(std::get<PauseRun>(robot.last()).on);
+  Run("ctl speed 0.5");
+  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0.5);
+  Run("ctl speed max");
+  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0);
+}
+
+TEST_F(CtlCommandTest, StepReturnsWhenTheStepsAreMade) {
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  EXPECT_EQ(Run("ctl step"), "");
+  EXPECT_EQ(robot.board()->Read().steps, 6);
+  EXPECT_EQ(Run("ctl step 250 --json"), "{\"ok\":true}\n");
+  EXPECT_EQ(robot.board()->Read().steps, 256);
+}
+
+TEST_F(CtlCommandTest, ResetsToThePoseThatIsNamed) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl reset hanging");
+  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, StartPose::kHanging);
+  Run("ctl reset");
+  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, std::nullopt);
+}
+
+TEST_F(CtlCommandTest, DragsABodyAndLetsItGo) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl drag trunk 0.1 -0.2 0.6 --at 0 0 -0.05 --for 5");
+  const auto drag = std::get<DragBody>(robot.last());
+  EXPECT_EQ(drag.body, "trunk");
+  EXPECT_EQ(drag.p_WT, Eigen::Vector3d(0.1, -0.2, 0.6));
+  EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0, -0.05));
+  EXPECT_EQ(drag.seconds, 5);
+  Run("ctl drag trunk --release");
+  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "trunk");
+  Run("ctl drag --release");
+  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "");
+}
+
+TEST_F(CtlCommandTest, PushesABody) {
+  FakeRobot robot(Socket("one"));
+  Run("ctl push trunk -40 0 1.5 --for 0.5");
+  const auto push = std::get<PushBody>(robot.last());
+  EXPECT_EQ(push.force, Eigen::Vector3d(-40, 0, 1.5));
+  EXPECT_EQ(push.seconds, 0.5);
+}
+
+TEST_F(CtlCommandTest, AnOrderPrintsTheReplyOnlyAsJson) {
+  const FakeRobot robot(Socket("one"));
+  EXPECT_EQ(Run("ctl pause"), "");
+  EXPECT_EQ(Run("ctl pause --json"), "{\"ok\":true}\n");
+  EXPECT_EQ(Run("ctl crane attach --json"), "{\"ok\":true}\n");
+}
+
+TEST_F(CtlCommandTest, ARefusalIsAnErrorWithTheRobotsReason) {
+  const FakeRobot robot(Socket("one"), "it does not hang");
+  EXPECT_THAT([] { Run("ctl crane lower 1"); }, ThrowsMessage<ControlError>("it does not hang"));
+}
+
+TEST_F(CtlCommandTest, WithoutARobotItSaysHowToStartOne) {
+  EXPECT_THAT([] { Run("ctl status"); },
+              ThrowsMessage<ControlError>(HasSubstr("understudy run g1")));
+}
+
+TEST_F(CtlCommandTest, WithSeveralRobotsItSaysHowToChoose) {
+  const FakeRobot one(Socket("one"));
+  const FakeRobot two(Socket("two"));
+  EXPECT_THAT([] { Run("ctl status"); },
+              ThrowsMessage<ControlError>(AllOf(HasSubstr("one, two"), HasSubstr("--name"))));
+  EXPECT_THAT([] { Run("ctl wait"); }, ThrowsMessage<ControlError>(HasSubstr("one, two")));
+}
+
+TEST_F(CtlCommandTest, ANameChoosesBeforeOrAfterTheSubcommand) {
+  const FakeRobot one(Socket("one"));
+  FakeRobot two(Socket("two"));
+  two.board()->Post(Ready());
+  EXPECT_EQ(nlohmann::json::parse(Run("ctl --name two status --json"))["steps"], 5);
+  EXPECT_EQ(nlohmann::json::parse(Run("ctl status --json --name two"))["steps"], 5);
+  Run("ctl crane attach --name two");
+  EXPECT_TRUE(std::holds_alternative<AttachCrane>(two.last()));
+}
+
+TEST_F(CtlCommandTest, AnUnknownNameIsAnErrorWithTheNearest) {
+  const FakeRobot left(Socket("left"));
+  const FakeRobot right(Socket("right"));
+  EXPECT_THAT([] { Run("ctl status --name rihgt"); },
+              ThrowsMessage<ControlError>(R"(no robot named "rihgt" runs: did you mean "right"?)"));
+}
+
+TEST_F(CtlCommandTest, ANameThatCanBeNoneIsAnError) {
+  EXPECT_THROW(Run("ctl status --name ../x"), ControlError);
+}
+
+TEST_F(CtlCommandTest, TheEnvironmentNamesASocketAndAnOptionOverridesIt) {
+  FakeRobot one(Socket("one"));
+  const FakeRobot two(Socket("two"));
+  one.board()->Post(Ready());
+  const test::ScopedEnv control("UNDERSTUDY_CONTROL", Socket("one").string());
+  EXPECT_EQ(nlohmann::json::parse(Run("ctl status --json"))["steps"], 5);
+  EXPECT_EQ(nlohmann::json::parse(Run("ctl status --json --name two"))["steps"], 0);
+  EXPECT_EQ(
+      nlohmann::json::parse(Run("ctl status --json --socket " + Socket("two").string()))["steps"],
+      0);
+}
+
+TEST_F(CtlCommandTest, WaitReturnsAtOnceWhenTheRobotIsReady) {
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  EXPECT_EQ(Run("ctl wait --timeout 0"), "");
+}
+
+TEST_F(CtlCommandTest, WaitsForTheRobotToAppearAndBecomeReady) {
+  std::thread waiting([] { EXPECT_EQ(Run("ctl wait --timeout 10"), ""); });
+  FakeRobot robot(Socket("one"));
+  robot.board()->Post(Ready());
+  waiting.join();
+}
+
+TEST_F(CtlCommandTest, WaitGivesUpAndSaysWhatWasMissing) {
+  EXPECT_THAT([] { Run("ctl wait --timeout 0.05"); },
+              ThrowsMessage<ControlError>(AllOf(StartsWith("no robot was ready after 50 ms: "),
+                                                HasSubstr("no robot runs"))));
+  const FakeRobot robot(Socket("one"));
+  EXPECT_THAT([] { Run("ctl wait --timeout 0"); },
+              ThrowsMessage<ControlError>(HasSubstr("it is starting")));
+}
+
+TEST_F(CtlCommandTest, ASilencedRobotIsNotReady) {
+  FakeRobot robot(Socket("one"));
+  Status status = Ready();
+  status.silenced = true;
+  robot.board()->Post(status);
+  EXPECT_THAT([] { Run("ctl wait --timeout 0"); },
+              ThrowsMessage<ControlError>(HasSubstr("silenced")));
+}
+
+TEST_F(CtlCommandTest, ListsTheRobots) {
+  EXPECT_EQ(Run("ctl list"), "no robot runs\n");
+  EXPECT_EQ(Run("ctl list --json"), "[]\n");
+  const FakeRobot robot(Socket("one"));
+  EXPECT_THAT(Run("ctl list"), HasSubstr("one   " + std::to_string(::getpid())));
+  const auto list = nlohmann::json::parse(Run("ctl list --json"));
+  EXPECT_EQ(list[0]["name"], "one");
+  EXPECT_EQ(list[0]["socket"], Socket("one").string());
+  EXPECT_EQ(list[0]["pid"], ::getpid());
+}
+
+TEST_F(CtlCommandTest, RefusesNoSubcommand) { EXPECT_THROW(Run("ctl"), CLI::ParseError); }
+
+TEST_F(CtlCommandTest, RefusesAnUnknownSubcommand) {
+  EXPECT_THROW(Run("ctl dance"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesStepsThatAreNone) {
+  EXPECT_THROW(Run("ctl step 0"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl step 1.5"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl step 1000001"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesASpeedOutOfRange) {
+  EXPECT_THROW(Run("ctl speed"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed fast"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed -1"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl speed 0.0001"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesAPoseThatIsNoneWithTheNearest) {
+  EXPECT_THAT([] { Run("ctl reset standin"); },
+              ThrowsMessage<CLI::ParseError>(HasSubstr("did you mean 'standing'?")));
+}
+
+TEST_F(CtlCommandTest, RefusesADragThatSaysTooLittleOrTooMuch) {
+  EXPECT_THROW(Run("ctl drag"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 x"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --for 61"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --at 0 0"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --release"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesPartsThatAreNoWords) {
+  EXPECT_THROW(Run("ctl frame --parts qpos&x=1"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesToWatchTooOften) {
+  EXPECT_THROW(Run("ctl status --watch --every 0"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesACraneOrderWithoutLength) {
+  EXPECT_THROW(Run("ctl crane lower"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesALengthThatIsNoNumber) {
+  EXPECT_THROW(Run("ctl crane lower far"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl crane lower nan"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesALengthBeyondTheLimit) {
+  EXPECT_THROW(Run("ctl crane raise 11"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesAClampNeitherOnNorOff) {
+  EXPECT_THROW(Run("ctl clamp"), CLI::ParseError);
+  EXPECT_THROW(Run("ctl clamp maybe"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesANegativeTimeout) {
+  EXPECT_THROW(Run("ctl wait --timeout -1"), CLI::ParseError);
+}
+
+TEST_F(CtlCommandTest, RefusesANameBesideASocket) {
+  EXPECT_THROW(Run("ctl status --name one --socket /x"), CLI::ParseError);
+}
+
+}  // namespace
+}  // namespace understudy

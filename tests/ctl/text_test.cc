@@ -1,0 +1,124 @@
+#include "ctl/text.h"
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "server/status_json.h"
+
+namespace understudy {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string TextOf(const Status& status) {
+  return StatusText(StatusJson({.robot = "g1", .version = "1.2.3", .pid = 42}, status));
+}
+
+TEST(CtlTextTest, StatusIsLinesOfLabelValueAndUnit) {
+  Status status;
+  status.ready = true;
+  status.time = 12.5;
+  status.pace.worst_lateness = 0.00025;
+  status.crane_tension = 340.25;
+  EXPECT_EQ(TextOf(status), R"(robot              g1
+process            42
+version            1.2.3
+state              ready
+simulated time     12.500  s
+steps              0
+speed wanted       1.000   x real time
+paused             no
+speed              0.000   x real time
+lateness           0.000   ms
+worst lateness     0.250   ms
+overruns           0
+not made up for    0.000   s
+states published   0
+divergences        0
+motion service     none
+motors follow      start
+command writers    0
+commands taken     0
+commands refused   0
+command time-outs  0
+unused slots set   0
+crane              released
+crane length       0.000   m
+crane tension      340.2   N
+base clamped       no
+base height        0.000   m
+base tilt          0.000   rad
+randomized         no
+)");
+}
+
+TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
+  Status status;
+  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
+  status.last_refusal = Refusal::kGain;
+  EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
+}
+
+TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
+  Status status;
+  status.motion_service = {'m', 'c', 'f'};
+  status.motion.id = 1002;
+  EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, state 1002\n"));
+}
+
+TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {
+  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  status["randomization"] = {{"seed", 7}, {"drawn", {}}};
+  EXPECT_THAT(StatusText(status), HasSubstr("randomized         from seed 7\n"));
+}
+
+TEST(CtlTextTest, SaysThatARobotWasSilenced) {
+  Status status;
+  status.ready = true;
+  status.silenced = true;
+  EXPECT_THAT(TextOf(status), HasSubstr("silenced: another robot"));
+}
+
+TEST(CtlTextTest, SpeedZeroIsUnlimited) {
+  Status status;
+  status.speed = 0;
+  EXPECT_THAT(TextOf(status), HasSubstr("unlimited"));
+}
+
+TEST(CtlTextTest, ANullIsADash) {
+  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  status["base"]["tilt"] = nullptr;
+  EXPECT_THAT(StatusText(status), HasSubstr("base tilt          -      rad\n"));
+}
+
+TEST(CtlTextTest, AStatusOfAnotherShapeThrows) {
+  EXPECT_THROW(StatusText({{"robot", "g1"}}), nlohmann::json::exception);
+}
+
+TEST(CtlTextTest, FieldsAreLinesAndListsOfObjectsTables) {
+  const auto object = nlohmann::ordered_json::parse(
+      R"({"total": 3, "late": {"worst": 0.25, "ever": true, "at": null}, "bins": [1, 2],
+          "refusals": [{"topic": "rt/lowcmd", "count": 2}, {"topic": "rt/x"}], "none": []})");
+  EXPECT_EQ(FieldsText(object),
+            "total       3\n"
+            "late.worst  0.25\n"
+            "late.ever   yes\n"
+            "late.at     -\n"
+            "bins        [1,2]\n"
+            "none        []\n"
+            "\n"
+            "TOPIC      COUNT\n"
+            "rt/lowcmd  2\n"
+            "rt/x       -\n");
+}
+
+TEST(CtlTextTest, RobotsAreATable) {
+  EXPECT_EQ(RobotsText({{.name = "left", .socket = "/r/left.sock", .pid = 7},
+                        {.name = "g", .socket = "/r/g.sock", .pid = 0}}),
+            "NAME  PROCESS  SOCKET\n"
+            "left  7        /r/left.sock\n"
+            "g     ?        /r/g.sock\n");
+  EXPECT_EQ(RobotsText({}), "no robot runs\n");
+}
+
+}  // namespace
+}  // namespace understudy

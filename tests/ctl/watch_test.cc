@@ -1,0 +1,68 @@
+#include "ctl/watch.h"
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "server/status_json.h"
+
+namespace understudy {
+namespace {
+
+using std::chrono::milliseconds;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+nlohmann::ordered_json Json(const Status& status) {
+  return StatusJson({.robot = "g1", .version = "", .pid = 42}, status);
+}
+
+Status Running() {
+  Status status;
+  status.ready = true;
+  status.time = 12.5;
+  status.steps = 12'500;
+  status.pace.real_time_factor = 0.75;
+  status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
+  status.last_refusal = Refusal::kGain;
+  return status;
+}
+
+TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
+  Watch dut;
+  Status status = Running();
+  EXPECT_THAT(dut.Text(Json(status), milliseconds(1000)),
+              AllOf(StartsWith("g1, process 42: ready\n12.500 s, 0.75 x real time of 1.000\n"),
+                    HasSubstr("steps              -           12500")));
+  status.steps += 375;
+  status.commands.refused[1] += 50;
+  EXPECT_THAT(dut.Text(Json(status), milliseconds(1500)),
+              AllOf(HasSubstr("steps              750         12875"),
+                    HasSubstr("commands refused   100         53     crc 52, gain 1; last gain")));
+}
+
+TEST(WatchTest, SaysThatTheRobotIsPaused) {
+  Watch dut;
+  Status status = Running();
+  status.paused = true;
+  EXPECT_THAT(dut.Text(Json(status), milliseconds(1)), HasSubstr("12.500 s, paused\n"));
+  status.steps_left = 7;
+  EXPECT_THAT(dut.Text(Json(status), milliseconds(2)), HasSubstr("paused, 7 steps to make\n"));
+}
+
+TEST(WatchTest, ANumberThatIsNotFiniteIsADash) {
+  Watch dut;
+  nlohmann::ordered_json status = Json(Running());
+  status["base"]["tilt"] = nullptr;
+  EXPECT_THAT(dut.Text(status, milliseconds(1)), HasSubstr("tilted by - rad"));
+}
+
+TEST(WatchTest, AStatusOfAnotherShapeThrows) {
+  Watch dut;
+  EXPECT_THROW(dut.Text({{"robot", "g1"}}, milliseconds(1)), nlohmann::json::exception);
+}
+
+TEST(OverTheScreenTest, ClearsWhatWasThereBeyondEachLineAndBelowTheLast) {
+  EXPECT_EQ(OverTheScreen("a\nb\n"), "\033[Ha\033[K\nb\033[K\n\033[J");
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,77 @@
+#include "emulator/hand.h"
+
+#include <array>
+
+#include <gtest/gtest.h>
+
+namespace understudy {
+namespace {
+
+class HandTest : public testing::Test {
+ protected:
+  HandReading Sample(std::span<const double> q, std::span<const double> dq) {
+    HandReading reading;
+    hand_.Sample(q, dq, &reading);
+    return reading;
+  }
+
+  const HandSpec spec_{
+      .name = "left",
+      .motors = {{.joint = "thumb", .torque_limit = 2}, {.joint = "index", .torque_limit = 3}},
+      .timeout = 1,
+      .lock_kd = 0.5,
+      .temperature_c = 41};
+  Hand hand_{spec_, /*lenient=*/false};
+  const std::array<double, 2> q_{0.25, -0.5};
+  const std::array<double, 2> dq_{1, -2};
+};
+
+TEST_F(HandTest, BrakesBeforeTheFirstCommand) {
+  const auto tau = hand_.Step(q_, dq_, 0);
+  ASSERT_EQ(tau.size(), 2U);
+  EXPECT_EQ(tau[0], -0.5);
+  EXPECT_EQ(tau[1], 1);
+}
+
+TEST_F(HandTest, ObeysTheMotorLawWithinTheMotorsTorque) {
+  hand_.Offer({.motors = {{.motor = {.enabled = true, .q = 1.25, .dq = 1, .kp = 1, .kd = 9}},
+                          {.motor = {.enabled = true, .tau = -30}}}},
+              Refusal::kNone, 0);
+  const auto tau = hand_.Step(q_, dq_, 0);
+  EXPECT_EQ(tau[0], 1);
+  EXPECT_EQ(tau[1], -3);
+}
+
+TEST_F(HandTest, TellsAnglesRatesAndTheTorqueThatActs) {
+  hand_.Offer({.motors = {{.motor = {.enabled = true, .tau = 1}}, {}}}, Refusal::kNone, 0);
+  hand_.Step(q_, dq_, 0);
+  const HandReading reading = Sample(q_, dq_);
+  ASSERT_EQ(reading.motors.size(), 2U);
+  EXPECT_TRUE(reading.motors[0].enabled);
+  EXPECT_EQ(reading.motors[0].q, 0.25);
+  EXPECT_EQ(reading.motors[0].dq, 1);
+  EXPECT_EQ(reading.motors[0].tau, 1);
+  EXPECT_EQ(reading.motors[0].casing_c, 41);
+  EXPECT_FALSE(reading.motors[1].enabled);
+  EXPECT_EQ(reading.motors[1].tau, 1);
+  EXPECT_EQ(reading.timed_out[0], 0);
+}
+
+TEST_F(HandTest, TellsThatAMotorHasTimedOut) {
+  hand_.Offer({.motors = {{.motor = {.enabled = true}, .watched = true}, {}}}, Refusal::kNone, 0);
+  hand_.Step(q_, dq_, 1.5);
+  const HandReading reading = Sample(q_, dq_);
+  EXPECT_EQ(reading.timed_out[0], 1);
+  EXPECT_FALSE(reading.motors[0].enabled);
+  EXPECT_EQ(reading.timed_out[1], 0);
+}
+
+TEST_F(HandTest, RemembersTheLastRefusal) {
+  EXPECT_EQ(hand_.last_refusal(), Refusal::kNone);
+  hand_.Offer({}, Refusal::kMotorCount, 0);
+  hand_.Offer({.motors = {{}, {}}}, Refusal::kNone, 0);
+  EXPECT_EQ(hand_.last_refusal(), Refusal::kMotorCount);
+}
+
+}  // namespace
+}  // namespace understudy

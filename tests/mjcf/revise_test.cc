@@ -1,0 +1,149 @@
+#include "mjcf/revise.h"
+
+#include <gmock/gmock.h>
+
+#include "base/errors.h"
+#include "mjcf/compile.h"
+#include "tests/support/mujoco_test.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+// A leg whose thigh has an <inertial> and whose shin has not, with a motor, a sensor of each kind
+// and a tendon that refer to its joints.
+constexpr char kLeg[] = R"(<mujoco>
+  <default><joint armature="0.5"/></default>
+  <worldbody>
+    <body name="thigh" pos="0 0 1">
+      <inertial mass="2" pos="0 0 -0.1" quat="0 1 0 0" diaginertia="0.2 0.2 0.1"/>
+      <joint name="hip" axis="0 1 0"/>
+      <site name="imu" pos="0.1 0 0"/>
+      <body name="shin" pos="0 0 -0.3">
+        <joint name="knee" axis="0 1 0"/>
+        <geom size="0.1" mass="1"/>
+      </body>
+    </body>
+  </worldbody>
+  <tendon><fixed name="rope"><joint joint="hip" coef="1"/><joint joint="knee" coef="1"/></fixed></tendon>
+  <actuator><motor name="knee_motor" joint="knee"/><motor name="hip_motor" joint="hip"/></actuator>
+  <sensor>
+    <jointpos name="knee_pos" joint="knee"/>
+    <actuatorfrc name="knee_frc" actuator="knee_motor"/>
+    <jointpos name="hip_pos" joint="hip"/>
+  </sensor>
+</mujoco>)";
+
+class ReviseTest : public MujocoTest {
+ protected:
+  ModelHandle Revised(const std::string& text = kLeg) {
+    MjcfElement root = ReadMjcf(folder_.Write("leg.xml", text));
+    Revise(spec_, &root);
+    return CompileMjcf(root);
+  }
+  std::string Refusal() {
+    try {
+      Revised();
+    } catch (const ModelError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  static std::vector<double> Three(const mjtNum* x) { return {x[0], x[1], x[2]}; }
+
+  TemporaryFolder folder_;
+  RobotSpec spec_;
+};
+
+TEST_F(ReviseTest, LeavesTheFileAsItIsWhereNothingIsSaid) {
+  const ModelHandle model = Revised();
+  EXPECT_EQ(model->body_mass[1], 2);
+  EXPECT_EQ(model->njnt, 2);
+  EXPECT_EQ(model->nsensor, 3);
+  EXPECT_EQ(model->dof_armature[0], 0.5);
+}
+
+TEST_F(ReviseTest, GivesABodyItsPlaceAndKeepsItsMass) {
+  spec_.bodies = {{.name = "shin", .pos = {0, 0.1, -0.4}}};
+  const ModelHandle model = Revised();
+  EXPECT_THAT(Three(model->body_pos + 6), ElementsAre(0, 0.1, -0.4));
+  EXPECT_EQ(model->body_mass[2], 1);
+}
+
+TEST_F(ReviseTest, GivesABodyItsMassAndKeepsItsInertia) {
+  spec_.bodies = {{.name = "thigh", .mass = 3}};
+  const ModelHandle model = Revised();
+  EXPECT_EQ(model->body_mass[1], 3);
+  EXPECT_THAT(Three(model->body_ipos + 3), ElementsAre(0, 0, -0.1));
+  EXPECT_THAT(Three(model->body_inertia + 3), ElementsAre(0.2, 0.2, 0.1));
+}
+
+// The orientation of the file's own <inertial> goes with its inertia: the new one is in the body's
+// frame.
+TEST_F(ReviseTest, GivesABodyItsCentreAndItsInertiaInItsOwnFrame) {
+  spec_.bodies = {{.name = "thigh", .com = {0.1, 0, 0}, .inertia = {0.3, 0.2, 0.1, 0, 0, 0}}};
+  const ModelHandle model = Revised();
+  EXPECT_EQ(model->body_mass[1], 2);
+  EXPECT_THAT(Three(model->body_ipos + 3), ElementsAre(0.1, 0, 0));
+  EXPECT_THAT(Three(model->body_inertia + 3),
+              testing::Pointwise(testing::DoubleNear(1e-12), {0.3, 0.2, 0.1}));
+  EXPECT_NEAR(std::abs(model->body_iquat[4]), 1, 1e-9);
+}
+
+TEST_F(ReviseTest, GivesABodyWithoutInertialAllOfIt) {
+  spec_.bodies = {
+      {.name = "shin", .mass = 4, .com = {0, 0, 0}, .inertia = {0.3, 0.2, 0.15, 0, 0, 0}}};
+  EXPECT_EQ(Revised()->body_mass[2], 4);
+}
+
+TEST_F(ReviseTest, RefusesPartOfIt) {
+  spec_.bodies = {{.name = "shin", .mass = 4}};
+  EXPECT_THAT(Refusal(), HasSubstr("leg.xml:8: robot.bodies.0: the file leaves mass and inertia of "
+                                   "'shin' to its geoms; expected all of mass, com and inertia"));
+}
+
+TEST_F(ReviseTest, RefusesABodyOrSiteThatIsNotThere) {
+  spec_.bodies = {{.name = "shinn", .mass = 4}};
+  EXPECT_THAT(Refusal(), HasSubstr("no body 'shinn'; did you mean 'shin'? (robot.bodies.0.name "
+                                   "names it)"));
+  spec_.bodies = {};
+  spec_.sites = {{.name = "imuu"}};
+  EXPECT_THAT(Refusal(), HasSubstr("no site 'imuu'; did you mean 'imu'? (robot.sites.0.name"));
+}
+
+TEST_F(ReviseTest, MovesASite) {
+  spec_.sites = {{.name = "imu", .pos = {0, 0, 0.2}}};
+  EXPECT_THAT(Three(Revised()->site_pos), ElementsAre(0, 0, 0.2));
+}
+
+TEST_F(ReviseTest, GivesAMotorsJointItsArmature) {
+  MotorSpec motor;
+  motor.joint = "knee";
+  motor.armature = 0.02;
+  spec_.motors = {motor};
+  const ModelHandle model = Revised();
+  EXPECT_EQ(model->dof_armature[0], 0.5);
+  EXPECT_EQ(model->dof_armature[1], 0.02);
+}
+
+TEST_F(ReviseTest, LocksAJointAndLeavesOutWhatReadsOrDrivesIt) {
+  spec_.locked_joints = {"knee"};
+  const ModelHandle model = Revised();
+  EXPECT_EQ(model->njnt, 1);
+  EXPECT_EQ(model->nbody, 3);
+  EXPECT_EQ(model->nu, 1);
+  EXPECT_EQ(model->nsensor, 1);
+  EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, "hip_pos"), 0);
+  EXPECT_EQ(model->nwrap, 1);
+}
+
+TEST_F(ReviseTest, TakesAJointThatTheModelLacksForLocked) {
+  spec_.locked_joints = {"ankle"};
+  EXPECT_EQ(Revised()->njnt, 2);
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,184 @@
+// What a humanoid works out about its body, against what the simulated world knows.
+#include "motion/humanoid/body_model.h"
+
+#include <filesystem>
+#include <random>
+
+#include "base/errors.h"
+#include "config/load.h"
+#include "physics/world.h"
+#include "physics/world_model.h"
+#include "tests/support/mujoco_test.h"
+
+namespace understudy {
+namespace {
+
+const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
+
+RobotSpec SpecOf(const std::string& robot) { return LoadConfig({.robot = robot}, kData).robot; }
+
+PhysicsWorld WorldOf(const RobotSpec& spec) {
+  return {
+      LoadWorldModel(spec, kData / "models" / spec.model, kData / "models/scene/flat.xml", 0.001),
+      spec};
+}
+
+Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
+
+// The robot in the air, every joint somewhere and everything turning.
+class BodyModelTest : public MujocoTest, public testing::WithParamInterface<const char*> {
+ protected:
+  BodyModelTest() {
+    const mjModel& m = world_.model();
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> any(-0.3, 0.3);
+    for (int i = 0; i < m.nq; ++i) data_->qpos[i] = any(random);
+    for (int i = 0; i < m.nv; ++i) data_->qvel[i] = any(random);
+    data_->qpos[2] = 2;
+    data_->qpos[3] = 1;
+    mju_normalize4(data_->qpos + 3);
+    mj_forward(&m, data_.get());
+    mj_subtreeVel(&m, data_.get());
+    for (const MotorSpec& motor : spec_.motors) {
+      const int joint = mj_name2id(&m, mjOBJ_JOINT, motor.joint.c_str());
+      dof_.push_back(m.jnt_dofadr[joint]);
+      q_.push_back(data_->qpos[m.jnt_qposadr[joint]]);
+      dq_.push_back(data_->qvel[dof_.back()]);
+    }
+    const int site = mj_name2id(&m, mjOBJ_SITE, spec_.imu.site.c_str());
+    mjtNum quat[4], velocity[6];
+    mju_mat2Quat(quat, data_->site_xmat + 9 * site);
+    imu_.R_WI = Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]);
+    mj_objectVelocity(&m, data_.get(), mjOBJ_SITE, site, velocity, 1);
+    imu_.w_WI_I = Vector(velocity);
+    body_.Update(q_, dq_, imu_);
+  }
+
+  // Middle between the centres of the soles; the geoms of a foot are the corners of its sole.
+  PointReading Soles() const {
+    PointReading middle;
+    for (const FootSpec& foot : spec_.feet) {
+      for (const std::string& name : foot.geoms) {
+        const int geom = mj_name2id(&world_.model(), mjOBJ_GEOM, name.c_str());
+        mjtNum velocity[6];
+        mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_GEOM, geom, velocity, 0);
+        const double share = 1.0 / static_cast<double>(2 * foot.geoms.size());
+        middle.p_WP += share * Vector(data_->geom_xpos + 3 * geom);
+        middle.v_WP_W += share * Vector(velocity + 3);
+      }
+    }
+    return middle;
+  }
+  const mjtNum* OfBase(const mjtNum* all) const { return all + 3 * world_.Body(spec_.base_body); }
+
+  RobotSpec spec_ = SpecOf(GetParam());
+  PhysicsWorld world_ = WorldOf(spec_);
+  DataHandle data_{mj_makeData(&world_.model())};
+  BodyModel body_{world_.model(), spec_};
+  std::vector<int> dof_;
+  std::vector<double> q_, dq_;
+  ImuReading imu_;
+};
+
+// The spheres under a sole have their centres a radius over it and are not always symmetrical.
+constexpr double kSphere = 0.03;  // m
+
+TEST_P(BodyModelTest, FindsTheAttitudeOfTheBaseWhereverTheUnitIs) {
+  const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(
+      data_->xmat + 9 * world_.Body(spec_.base_body));
+  EXPECT_LT((body_.attitude() - R_WB).norm(), 1e-9);
+  mjtNum velocity[6];
+  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.Body(spec_.base_body),
+                    velocity, 0);
+  EXPECT_LT((body_.base_rate() - Vector(velocity)).norm(), 1e-9);
+}
+
+TEST_P(BodyModelTest, FindsTheCentreOfMassFromTheSoles) {
+  EXPECT_NEAR(body_.mass() * body_.gravity(), world_.weight(), 1e-9);
+  const Eigen::Vector3d truth = Vector(OfBase(data_->subtree_com)) - Soles().p_WP;
+  EXPECT_LT((body_.com() - truth).norm(), kSphere) << (body_.com() - truth).transpose();
+  const Eigen::Vector3d between = body_.com() - body_.base();
+  const Eigen::Vector3d exactly = Vector(OfBase(data_->subtree_com)) - Vector(OfBase(data_->xpos));
+  EXPECT_LT((between - exactly).norm(), 1e-9);
+}
+
+TEST_P(BodyModelTest, FindsHowFastTheCentreOfMassPassesTheSoles) {
+  const Eigen::Vector3d truth = Vector(OfBase(data_->subtree_linvel)) - Soles().v_WP_W;
+  EXPECT_LT((body_.com_velocity() - truth).norm(), kSphere);
+  mjtNum velocity[6];
+  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.Body(spec_.base_body),
+                    velocity, 0);
+  const Eigen::Vector3d between = body_.com_velocity() - body_.base_velocity();
+  const Eigen::Vector3d exactly = Vector(OfBase(data_->subtree_linvel)) - Vector(velocity + 3);
+  EXPECT_LT((between - exactly).norm(), 1e-9);
+}
+
+TEST_P(BodyModelTest, CarriesWhatHangsFromEachJoint) {
+  mju_zero(data_->qvel, static_cast<int>(world_.model().nv));
+  mj_forward(&world_.model(), data_.get());
+  for (std::size_t i = 0; i < dof_.size(); ++i) {
+    EXPECT_NEAR(body_.GravityTorque(i), data_->qfrc_bias[dof_[i]], 1e-9) << spec_.motors[i].joint;
+  }
+}
+
+TEST_P(BodyModelTest, PressesItsSolesByTheTransposedJacobian) {
+  const mjModel& m = world_.model();
+  const Eigen::Vector3d force(3, -5, 70), moment(2, 1, -4);
+  for (std::size_t foot = 0; foot < 2; ++foot) {
+    std::vector<double> tau(dof_.size());
+    body_.AddGroundReaction(foot, force, moment, tau);
+    // The same wrench where the world has that sole's centre.
+    const Eigen::Vector3d p = Vector(OfBase(data_->xpos)) - body_.base() + body_.soles()[foot].p_OS;
+    const int geom = mj_name2id(&m, mjOBJ_GEOM, spec_.feet[foot].geoms.front().c_str());
+    std::vector<mjtNum> applied(static_cast<std::size_t>(m.nv));
+    mj_applyFT(&m, data_.get(), force.data(), moment.data(), p.data(), m.geom_bodyid[geom],
+               applied.data());
+    for (std::size_t i = 0; i < dof_.size(); ++i) {
+      EXPECT_NEAR(tau[i], -applied[static_cast<std::size_t>(dof_[i])], 1e-9);
+    }
+  }
+}
+
+TEST_P(BodyModelTest, KnowsLegsFromArms) {
+  double legs = 0;
+  for (std::size_t i = 0; i < dof_.size(); ++i) {
+    const std::string& name = spec_.motors[i].joint;
+    const bool leg = name.find("hip") != std::string::npos ||
+                     name.find("knee") != std::string::npos ||
+                     name.find("ankle") != std::string::npos;
+    EXPECT_EQ(body_.IsOfLeg(i), leg) << name;
+    EXPECT_GT(body_.FeltInertia(i), 0.001) << name;
+    legs += leg ? 1 : 0;
+  }
+  EXPECT_GE(legs, 10);
+}
+
+TEST_P(BodyModelTest, FindsSolesOfTheSizeOfAFoot) {
+  ASSERT_EQ(body_.soles().size(), 2U);
+  for (const Sole& sole : body_.soles()) {
+    EXPECT_GT(sole.half_length, 0.06);
+    EXPECT_LT(sole.half_length, 0.16);
+    EXPECT_GT(sole.half_width, 0.01);
+    EXPECT_LT(sole.half_width, 0.05);
+    EXPECT_NEAR(sole.forward.norm(), 1, 1e-9);
+    EXPECT_NEAR(sole.up.norm(), 1, 1e-9);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest,
+                         testing::Values("g1", "g1_23dof", "h1", "h1_2", "r1", "h2"),
+                         [](const auto& test) { return std::string(test.param); });
+
+using BodyModelMisuseTest = MujocoTest;
+
+TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
+  RobotSpec spec = SpecOf("g1");
+  const PhysicsWorld world = WorldOf(spec);
+  spec.feet[1].geoms = {"none"};
+  EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
+  spec.feet.clear();
+  EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
+}
+
+}  // namespace
+}  // namespace understudy

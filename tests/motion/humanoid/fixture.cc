@@ -1,0 +1,154 @@
+#include "tests/motion/humanoid/fixture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <numeric>
+
+#include "config/load.h"
+#include "physics/world_model.h"
+
+namespace understudy {
+namespace {
+
+const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
+
+PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)>& change,
+                       double timestep) {
+  ModelHandle model = LoadWorldModel(spec, kData / "models" / spec.model,
+                                     kData / "models/scene/flat.xml", timestep);
+  if (change) change(*model);
+  return {std::move(model), spec};
+}
+
+}  // namespace
+
+Config HumanoidConfig(const std::string& robot) {
+  const std::size_t space = robot.find(' ');
+  if (space == std::string::npos) return LoadConfig({.robot = robot}, kData);
+  return LoadConfig({.robot = robot.substr(0, space),
+                     .files = {},
+                     .sets = {"robot.revision=" + robot.substr(space + 1)}},
+                    kData);
+}
+
+HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjModel&)>& change,
+                         double timestep)
+    : config_(HumanoidConfig(robot)),
+      world_(MakeWorld(config_.robot, change, timestep)),
+      motors_(config_.robot),
+      battery_(config_.robot.battery),
+      sensors_(SensorConfig{}, config_.robot),
+      motion_(MakeHumanoidMotion(config_.robot, world_)),
+      hook_body_(world_.Body(config_.robot.crane_body)),
+      hook_(config_.robot.crane_point.data()),
+      command_{.motors = std::vector<MotorCommand>(spec().motors.size())},
+      q_(spec().motors.size()),
+      dq_(spec().motors.size()),
+      foot_force_(spec().feet.size()),
+      torque_(spec().motors.size()) {
+  state_.motors.resize(q_.size());
+  state_.foot_force.resize(foot_force_.size());
+  input_.q = q_;
+  input_.dq = dq_;
+  input_.foot_force = foot_force_;
+}
+
+void HumanoidRig::Stand() {
+  world_.Reset(spec().standing);
+  crane_.Release();
+  Sense();
+  motion_->Start(input_);
+}
+
+void HumanoidRig::Hang() {
+  world_.Reset(spec().hanging);
+  crane_.Attach(world_.Point(hook_body_, hook_).p_WP, world_.weight());
+  Sense();
+  motion_->Start(input_);
+}
+
+void HumanoidRig::Sense() {
+  // As in the tick, all of the step before. Forces are not to be had between BeginStep and EndStep.
+  if (noisy) sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    q_[i] = noisy ? state_.motors[i].q : world_.q()[i];
+    dq_[i] = noisy ? state_.motors[i].dq : world_.dq()[i];
+  }
+  world_.FootForces(foot_force_);
+  input_.imu = noisy ? state_.imu : world_.Imu();
+  input_.time = time_;
+}
+
+bool HumanoidRig::Run(double seconds) {
+  const auto steps = static_cast<int>(std::lround(seconds / world_.timestep()));
+  for (int i = 0; i < steps; ++i) {
+    Sense();
+    motion_->Step(input_, world_.timestep(), &command_);
+    if (change_command) change_command(command_);
+    world_.BeginStep();
+    motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
+    for (std::size_t m = 0; m < torque_.size(); ++m) {
+      torque_change = std::max(torque_change, std::abs(motors_.torque()[m] - torque_[m]));
+      torque_[m] = motors_.torque()[m];
+    }
+    const PointReading hook = world_.Point(hook_body_, hook_);
+    world_.AddForce(hook_body_, hook.p_WP, crane_.Step(hook, world_.timestep()));
+    if (push_left_ > 0) {
+      world_.AddForce(hook_body_, hook.p_WP, push_);
+      push_left_ -= world_.timestep();
+    }
+    if (world_.EndStep(motors_.torque()) != StepHealth::kFine) return false;
+    time_ += world_.timestep();
+    if (watch) watch();
+  }
+  return true;
+}
+
+void HumanoidRig::SetDown(int id) {
+  Hang();
+  SetFsm(kDampingId);
+  SetFsm(spec().motion.humanoid.lock_stand);
+  Run(5);
+  crane_.Lower(0.4);
+  Run(4.5);
+  if (id != spec().motion.humanoid.lock_stand) {
+    SetFsm(id);
+    Run(1);
+  }
+  crane_.Release();
+}
+
+void HumanoidRig::Push(const Eigen::Vector3d& impulse, double duration) {
+  push_ = impulse / duration;
+  push_left_ = duration;
+}
+
+double HumanoidRig::Load() const {
+  return std::accumulate(foot_force_.begin(), foot_force_.end(), 0.0);
+}
+
+double HumanoidRig::DeepestSelfContact() const {
+  double deepest = 0;
+  for (int i = 0; i < world_.data().ncon; ++i) {
+    const mjContact& contact = world_.data().contact[i];
+    if (world_.model().geom_bodyid[contact.geom1] == 0) continue;
+    if (world_.model().geom_bodyid[contact.geom2] == 0) continue;
+    deepest = std::max(deepest, -contact.dist);
+  }
+  return deepest;
+}
+
+double HumanoidRig::FastestJoint() const {
+  double fastest = 0;
+  for (const double dq : world_.dq()) fastest = std::max(fastest, std::abs(dq));
+  return fastest;
+}
+
+double HumanoidRig::q(const std::string& joint) const {
+  const auto found = std::find_if(spec().motors.begin(), spec().motors.end(),
+                                  [&](const MotorSpec& m) { return m.joint == joint; });
+  return world_.q()[static_cast<std::size_t>(found - spec().motors.begin())];
+}
+
+}  // namespace understudy

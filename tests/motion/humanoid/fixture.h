@@ -1,0 +1,86 @@
+// A humanoid on flat ground with its own motion service, its motors, its sensors and a crane.
+#ifndef UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_
+#define UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/humanoid/motion.h"
+#include "physics/crane.h"
+#include "physics/world.h"
+#include "robot/battery.h"
+#include "robot/motor.h"
+#include "sensors/sensors.h"
+#include "tests/support/mujoco_test.h"
+
+namespace understudy {
+
+// config/robots/<robot>.yaml; "g1 6" is its hardware revision 6.
+Config HumanoidConfig(const std::string& robot);
+
+class HumanoidRig {
+ public:
+  // `change_model` may alter the compiled model, as other motors or another floor would.
+  explicit HumanoidRig(const std::string& robot,
+                       const std::function<void(mjModel&)>& change_model = {},
+                       double timestep = 0.001);
+
+  // Puts the robot on the ground standing, or on the crane, and starts the service.
+  void Stand();
+  void Hang();
+
+  // Step by step for `seconds` of simulated time. False when the physics diverges.
+  bool Run(double seconds);
+  MotionVerdict Ask(MotionAction action, double value = 0) {
+    return motion_->Ask({.action = action, .value = {value, 0, 0, 0}});
+  }
+  MotionVerdict SetFsm(int id) { return Ask(MotionAction::kSetFsm, id); }
+  // From the crane to the ground into the state `id`, the crane gone.
+  void SetDown(int id);
+  void Push(const Eigen::Vector3d& impulse, double duration = 0.1);  // N·s, at the crane's hook
+
+  bool standing() const { return world_.tilt() < 0.4 && height() > 0.75 * spec().standing.height; }
+  double height() const { return world_.base().p_WB.z(); }
+  double Load() const;                // N on the feet
+  double DeepestSelfContact() const;  // m, 0 when it does not touch itself
+  double FastestJoint() const;        // rad/s
+  double q(const std::string& joint) const;
+
+  const RobotSpec& spec() const { return config_.robot; }
+  const PhysicsWorld& world() const { return world_; }
+  Crane& crane() { return crane_; }
+  Motion& motion() { return *motion_; }
+  int id() const { return motion_->state().id; }
+
+  bool noisy = false;        // the service sees what the sensors make of the world
+  double torque_change = 0;  // N·m, largest between two steps of any motor since set to 0
+  std::function<void(RobotCommand&)> change_command;  // between service and motors
+  std::function<void()> watch;                        // after every step
+
+ private:
+  void Sense();
+
+  Config config_;
+  PhysicsWorld world_;
+  MotorBank motors_;
+  Battery battery_;
+  Sensors sensors_;
+  Crane crane_{CraneConfig{}};
+  std::unique_ptr<Motion> motion_;
+  int hook_body_;
+  Eigen::Vector3d hook_;
+  RobotCommand command_;
+  RobotState state_;
+  std::vector<double> q_, dq_, foot_force_, torque_;
+  MotionInput input_;
+  Eigen::Vector3d push_{0, 0, 0};
+  double push_left_ = 0;
+  double time_ = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_

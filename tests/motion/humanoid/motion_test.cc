@@ -1,0 +1,273 @@
+// The state machine of a G1 on its way through simulated states, and its arms.
+
+#include <cmath>
+
+#include "tests/motion/humanoid/fixture.h"
+
+namespace understudy {
+namespace {
+
+constexpr auto kTaken = MotionVerdict::kTaken;
+constexpr auto kNotNow = MotionVerdict::kNotNow;
+
+class HumanoidMotionTest : public MujocoTest {
+ protected:
+  void Balance() {
+    rig_.Stand();
+    rig_.Run(1);
+    ASSERT_EQ(rig_.SetFsm(500), kTaken);
+    rig_.Run(0.5);
+  }
+  MotionState state() { return rig_.motion().state(); }
+  MotionVerdict Act(int id) { return rig_.Ask(MotionAction::kArmAction, id); }
+
+  HumanoidRig rig_{"g1"};
+};
+
+TEST_F(HumanoidMotionTest, ComesUpLimp) {
+  rig_.Hang();
+  EXPECT_EQ(rig_.id(), 0);
+  double torque = 0;
+  rig_.change_command = [&](const RobotCommand& command) {
+    for (const MotorCommand& m : command.motors) torque += std::abs(m.tau) + m.kp + m.kd;
+    EXPECT_TRUE(command.motors[0].enabled);
+  };
+  rig_.Run(0.1);
+  EXPECT_EQ(torque, 0);
+}
+
+TEST_F(HumanoidMotionTest, HoldsARobotItFindsStanding) {
+  rig_.Stand();
+  EXPECT_EQ(rig_.id(), 4);
+  rig_.Run(5);
+  EXPECT_EQ(rig_.id(), 4);
+  EXPECT_TRUE(rig_.standing());
+}
+
+TEST_F(HumanoidMotionTest, BrakesInDamping) {
+  rig_.Hang();
+  rig_.SetFsm(1);
+  rig_.change_command = [&](const RobotCommand& command) {
+    for (const MotorCommand& m : command.motors) {
+      EXPECT_EQ(m.kp, 0);
+      EXPECT_EQ(m.tau, 0);
+      EXPECT_GT(m.kd, 0);
+    }
+  };
+  rig_.Run(0.05);
+}
+
+TEST_F(HumanoidMotionTest, ReachesLockStandInTheAirWithinFiveSecondsCalmly) {
+  rig_.Hang();
+  rig_.SetFsm(1);
+  ASSERT_EQ(rig_.SetFsm(4), kTaken);
+  double fastest = 0;
+  rig_.watch = [&] { fastest = std::max(fastest, rig_.FastestJoint()); };
+  rig_.Run(1);
+  EXPECT_EQ(state().mode, 1);
+  EXPECT_EQ(state().progress, 1);
+  EXPECT_EQ(rig_.SetFsm(500), kNotNow);
+  rig_.Run(4);
+  EXPECT_EQ(state().mode, 0);
+  EXPECT_LT(fastest, 0.7);
+  for (std::size_t i = 0; i < rig_.spec().motors.size(); ++i) {
+    EXPECT_NEAR(rig_.world().q()[i], rig_.spec().standing.q[i], 0.02) << i;
+  }
+  fastest = 0;
+  rig_.Run(1);
+  EXPECT_LT(fastest, 0.05);
+}
+
+TEST_F(HumanoidMotionTest, SquatsAndRisesWithLockedJoints) {
+  rig_.Stand();
+  rig_.Run(1);
+  ASSERT_EQ(rig_.SetFsm(2), kTaken);
+  rig_.Run(5);
+  EXPECT_EQ(state().mode, 0);
+  EXPECT_LT(rig_.height(), 0.55);
+  EXPECT_LT(rig_.world().tilt(), 0.4);
+  ASSERT_EQ(rig_.SetFsm(4), kTaken);
+  rig_.Run(5);
+  EXPECT_TRUE(rig_.standing());
+}
+
+TEST_F(HumanoidMotionTest, LocksItsJointsAsOnAChair) {
+  rig_.Hang();
+  rig_.SetFsm(1);
+  ASSERT_EQ(rig_.SetFsm(3), kTaken);
+  rig_.Run(5);
+  EXPECT_EQ(rig_.id(), 3);
+  EXPECT_NEAR(rig_.q("left_hip_pitch_joint"), -1.5, 0.05);
+  EXPECT_NEAR(rig_.q("left_knee_joint"), 1.5, 0.05);
+}
+
+TEST_F(HumanoidMotionTest, SquatsBalancedAndRisesToWhereItWas) {
+  Balance();
+  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  rig_.Run(1);
+  EXPECT_EQ(state().mode, 1);
+  EXPECT_EQ(Act(26), kNotNow);
+  rig_.Run(3);
+  EXPECT_EQ(rig_.id(), 706);
+  EXPECT_EQ(state().mode, 0);
+  EXPECT_LT(rig_.height(), 0.55);
+  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  rig_.Run(4);
+  EXPECT_EQ(rig_.id(), 500);
+  EXPECT_TRUE(rig_.standing());
+}
+
+TEST_F(HumanoidMotionTest, TakesZeroTorqueOnItsFeetAndStaysAsItIs) {
+  rig_.Stand();
+  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  EXPECT_EQ(rig_.id(), 4);
+  rig_.Run(1);
+  rig_.SetFsm(500);
+  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  rig_.Run(1);
+  EXPECT_EQ(rig_.id(), 500);
+  EXPECT_TRUE(rig_.standing());
+}
+
+TEST_F(HumanoidMotionTest, GoesLimpByWayOfDamping) {
+  Balance();
+  EXPECT_EQ(rig_.SetFsm(1), kTaken);
+  EXPECT_EQ(rig_.id(), 1);
+  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  EXPECT_EQ(rig_.id(), 0);
+}
+
+TEST_F(HumanoidMotionTest, DampsItsFall) {
+  Balance();
+  rig_.Push({60, 0, 0});
+  rig_.Run(2);
+  EXPECT_EQ(rig_.id(), 1);
+}
+
+TEST_F(HumanoidMotionTest, ListensToTheGoalsOfARemote) {
+  rig_.Hang();
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), kNotNow);
+  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), kTaken);
+  EXPECT_EQ(rig_.Ask(MotionAction::kZeroTorque), kTaken);
+  rig_.Ask(MotionAction::kDamp);
+  EXPECT_EQ(rig_.Ask(MotionAction::kBalanceStand), kNotNow);
+  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(MotionAction::kSit), kTaken);
+  EXPECT_EQ(rig_.id(), 3);
+  rig_.Run(4.1);
+  EXPECT_EQ(rig_.Ask(MotionAction::kRiseSit), kTaken);
+  EXPECT_EQ(rig_.id(), 4);
+  rig_.Run(4.1);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), kTaken);
+  EXPECT_EQ(rig_.id(), 2);
+  EXPECT_EQ(rig_.Ask(MotionAction::kHello), MotionVerdict::kUnknown);
+}
+
+TEST_F(HumanoidMotionTest, DoesNotWalk) {
+  EXPECT_EQ(rig_.Ask(MotionAction::kMove, 0.3), kNotNow);
+  Balance();
+  EXPECT_EQ(rig_.Ask(MotionAction::kMove, 0.3), MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStopMove), kTaken);
+  EXPECT_EQ(rig_.Ask(MotionAction::kSetBalanceMode, 0), kTaken);
+  EXPECT_EQ(rig_.Ask(MotionAction::kSetBalanceMode, 1), MotionVerdict::kUnable);
+}
+
+TEST_F(HumanoidMotionTest, RefusesValuesThatAreNotFinite) {
+  Balance();
+  EXPECT_EQ(rig_.Ask(MotionAction::kSetStandHeight, std::nan("")), MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(MotionAction::kSetFsm, HUGE_VAL), MotionVerdict::kUnknown);
+}
+
+TEST_F(HumanoidMotionTest, StandsLowerAndHigher) {
+  Balance();
+  const double high = rig_.height();
+  ASSERT_EQ(rig_.Ask(MotionAction::kSetStandHeight, 0), kTaken);
+  rig_.Run(2.5);
+  EXPECT_LT(rig_.height(), high - 0.05);
+  EXPECT_NEAR(state().body_height, rig_.height(), 0.005);
+  ASSERT_EQ(rig_.Ask(MotionAction::kSetStandHeight, 5), kTaken);
+  rig_.Run(2.5);
+  EXPECT_NEAR(rig_.height(), high, 0.005);
+}
+
+TEST_F(HumanoidMotionTest, WavesAndLetsItsArmDown) {
+  Balance();
+  EXPECT_EQ(Act(26), kTaken);
+  EXPECT_EQ(state().arm_action, 26);
+  EXPECT_EQ(Act(27), kNotNow);
+  EXPECT_EQ(Act(99), kNotNow);
+  rig_.Run(2);
+  EXPECT_LT(rig_.q("right_shoulder_pitch_joint"), -2);
+  EXPECT_EQ(state().progress, 1);
+  rig_.Run(3);
+  EXPECT_EQ(state().arm_action, 0);
+  EXPECT_EQ(state().progress, 0);
+  EXPECT_NEAR(rig_.q("right_shoulder_pitch_joint"), 0, 0.03);
+}
+
+TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
+  Balance();
+  Act(26);
+  rig_.Run(1);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStopArmAction), kTaken);
+  rig_.Run(2);
+  EXPECT_EQ(state().arm_action, 0);
+  EXPECT_NEAR(rig_.q("right_shoulder_pitch_joint"), 0, 0.03);
+}
+
+TEST_F(HumanoidMotionTest, ActsOnlyWhileItBalances) {
+  rig_.Stand();
+  EXPECT_EQ(Act(26), kNotNow);
+  EXPECT_EQ(Act(77), MotionVerdict::kUnknown);
+  EXPECT_EQ(Act(99), kNotNow);
+}
+
+TEST_F(HumanoidMotionTest, NeverLooksAtTheTruthAboutItsBase) {
+  // The fixture leaves MotionInput::base at its default; a service that used it would fall.
+  Balance();
+  rig_.Push({3, 3, 0});
+  rig_.Run(2);
+  EXPECT_TRUE(rig_.standing());
+}
+
+class ArmActionsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  rig.Stand();
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(static_cast<int>(rig.spec().motion.humanoid.balance.front())), kTaken);
+  double deepest = 0, tilt = 0;
+  rig.watch = [&] {
+    deepest = std::max(deepest, rig.DeepestSelfContact());
+    tilt = std::max(tilt, rig.world().tilt());
+  };
+  for (int id = 11; id <= 33; ++id) {
+    const ArmAction* action = FindArmAction(id);
+    if (action == nullptr) continue;
+    SCOPED_TRACE(id);
+    ASSERT_EQ(rig.Ask(MotionAction::kArmAction, id), kTaken);
+    double duration = 0.4;
+    for (const ArmKey& key : action->keys) duration += key.duration;
+    rig.Run(duration);
+    ASSERT_EQ(rig.motion().state().arm_holding, action->holds);
+    if (action->holds) {
+      const ArmPose* right = action->keys.back().right;
+      EXPECT_NEAR(rig.q("right_shoulder_pitch_joint"), (*right)[0], 0.1);
+      EXPECT_NEAR(rig.q("right_elbow_joint"), (*right)[3], 0.1);
+      ASSERT_EQ(rig.Ask(MotionAction::kArmAction, id), kTaken);
+      rig.Run(1.5);
+    }
+    ASSERT_EQ(rig.motion().state().arm_action, 0);
+    ASSERT_TRUE(rig.standing());
+    EXPECT_LT(tilt, 0.06);
+    EXPECT_LT(deepest, 0.006);  // m
+    deepest = tilt = 0;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest, testing::Values("g1", "g1_23dof", "h2"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace understudy

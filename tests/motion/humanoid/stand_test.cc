@@ -1,0 +1,188 @@
+// Standing balance in simulated physics: from the crane, against pushes, with noise, friction and
+// drives unlike those it was made with.
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/motion/humanoid/fixture.h"
+
+namespace understudy {
+namespace {
+
+int Balanced(const HumanoidRig& rig) {
+  return static_cast<int>(rig.spec().motion.humanoid.balance.front());
+}
+
+class HumanoidStandTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+// A push at the crane's hook, near the shoulders.
+void SurvivesPushes(HumanoidRig* rig, double impulse) {
+  for (const Eigen::Vector3d& direction : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0),
+                                           Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0)}) {
+    rig->Push(impulse * direction);
+    ASSERT_TRUE(rig->Run(3));
+    ASSERT_TRUE(rig->standing()) << direction.transpose();
+    EXPECT_LT(rig->world().tilt(), 0.03) << direction.transpose();
+  }
+}
+
+TEST_P(HumanoidStandTest, StandsReleasedFromTheCrane) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  rig.SetDown(Balanced(rig));
+  ASSERT_TRUE(rig.Run(20));
+  EXPECT_EQ(rig.id(), Balanced(rig));
+  EXPECT_TRUE(rig.standing());
+  EXPECT_LT(rig.FastestJoint(), 0.02);
+  EXPECT_NEAR(rig.Load(), rig.world().weight(), 1);
+}
+
+TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  rig.Stand();
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(Balanced(rig)), MotionVerdict::kTaken);
+  rig.Run(2);
+  SurvivesPushes(&rig, 5);
+}
+
+TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  rig.SetDown(rig.spec().motion.humanoid.lock_stand);
+  ASSERT_TRUE(rig.Run(5));
+  EXPECT_TRUE(rig.standing());
+}
+
+class G1SquatTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  const int squat = rig.spec().motion.humanoid.balanced_squat;
+  rig.Stand();
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(Balanced(rig)), MotionVerdict::kTaken);
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  rig.Run(4);
+  EXPECT_LT(rig.height(), 0.7 * rig.spec().standing.height);
+  EXPECT_LT(rig.world().tilt(), 0.4);
+  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  rig.Run(4);
+  EXPECT_EQ(rig.id(), Balanced(rig));
+  EXPECT_TRUE(rig.standing());
+}
+
+// "g1 13" stands on the revision 13; gtest wants a name of letters.
+std::string Name(std::string robot) {
+  std::replace(robot.begin(), robot.end(), ' ', '_');
+  return robot;
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
+                         testing::Values("g1", "g1_23dof", "g1_29dof_dex3", "h1", "h1_2", "r1",
+                                         "h2"),
+                         [](const auto& test) { return std::string(test.param); });
+
+const auto kRevisions = testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
+                                        "g1 15", "g1 16", "g1_23dof 1", "g1_23dof 10");
+
+INSTANTIATE_TEST_SUITE_P(Revisions, HumanoidStandTest, kRevisions,
+                         [](const auto& test) { return Name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Revisions, G1SquatTest, kRevisions,
+                         [](const auto& test) { return Name(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, G1SquatTest, testing::Values("g1", "g1_23dof"),
+                         [](const auto& test) { return Name(test.param); });
+
+class HumanoidLastsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(HumanoidLastsTest, StandsForAMinute) {
+  HumanoidRig rig(GetParam(), {}, 0.002);
+  rig.Stand();
+  rig.Run(1);
+  rig.SetFsm(Balanced(rig));
+  rig.Run(5);
+  const Eigen::Vector3d start = rig.world().base().p_WB;
+  ASSERT_TRUE(rig.Run(60));
+  EXPECT_TRUE(rig.standing());
+  EXPECT_LT((rig.world().base().p_WB - start).norm(), 0.01);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidLastsTest, testing::Values("g1", "h1"),
+                         [](const auto& test) { return std::string(test.param); });
+
+// Noise and lattices of the sensors; 1 ms, as the robot runs.
+class HumanoidNoiseTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
+  HumanoidRig rig(GetParam());
+  rig.noisy = true;
+  rig.Stand();
+  rig.Run(1);
+  rig.SetFsm(Balanced(rig));
+  rig.Run(2);
+  rig.torque_change = 0;
+  double fastest = 0;
+  rig.watch = [&] { fastest = std::max(fastest, rig.FastestJoint()); };
+  rig.Run(3);
+  const auto strongest = std::max_element(
+      rig.spec().motors.begin(), rig.spec().motors.end(),
+      [](const auto& a, const auto& b) { return a.torque_limit < b.torque_limit; });
+  EXPECT_LT(rig.torque_change, 0.02 * strongest->torque_limit);
+  EXPECT_LT(fastest, 0.1);
+  SurvivesPushes(&rig, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidNoiseTest, testing::Values("g1", "h1"),
+                         [](const auto& test) { return std::string(test.param); });
+
+struct Drives {
+  double friction;  // N·m, of every joint
+  double damping;   // of the ankles, as a share of what is commanded
+};
+
+class HumanoidDrivesTest : public MujocoTest, public testing::WithParamInterface<Drives> {};
+
+TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
+  HumanoidRig rig(
+      "g1",
+      [](mjModel& model) {
+        std::fill(model.dof_frictionloss + 6, model.dof_frictionloss + model.nv,
+                  GetParam().friction);
+      },
+      0.002);
+  rig.change_command = [&](RobotCommand& command) {
+    for (std::size_t i = 0; i < command.motors.size(); ++i) {
+      const bool ankle = rig.spec().motors[i].joint.find("ankle") != std::string::npos;
+      if (ankle) command.motors[i].kd *= GetParam().damping;
+    }
+  };
+  rig.noisy = true;
+  rig.SetDown(500);
+  ASSERT_TRUE(rig.Run(3));
+  SurvivesPushes(&rig, 5);
+}
+
+INSTANTIATE_TEST_SUITE_P(FrictionAndDamping, HumanoidDrivesTest,
+                         testing::Values(Drives{0, 0.5}, Drives{0, 1.5}, Drives{2, 0.5},
+                                         Drives{2, 1.5}));
+
+TEST(HumanoidHangsTest, BalancesInTheAirWithoutKicking) {
+  HumanoidRig rig("g1");
+  rig.Hang();
+  rig.SetFsm(1);
+  rig.SetFsm(4);
+  rig.Run(5);
+  ASSERT_EQ(rig.SetFsm(500), MotionVerdict::kTaken);
+  double fastest = 0;
+  rig.watch = [&] { fastest = std::max(fastest, rig.FastestJoint()); };
+  rig.Run(2);
+  EXPECT_LT(fastest, 0.2);
+  rig.watch = {};
+  rig.crane().Lower(0.4);
+  rig.Run(4.5);
+  rig.crane().Release();
+  rig.Run(3);
+  EXPECT_TRUE(rig.standing());
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,160 @@
+// What one kind of quadruped does otherwise than the rest, or is known to do.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "motion/quadruped/motion.h"
+#include "tests/motion/quadruped/rig.h"
+#include "tests/support/allocations.h"
+
+namespace understudy {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kDegree = 0.017453;  // rad
+constexpr int kLocked = 1002;         // error_code of the vendor's sport service page
+
+// The vendor's page of the Go2-W.
+class WheeledMotionTest : public testing::TestWithParam<const char*> {
+ protected:
+  QuadrupedRig rig_{GetParam()};
+};
+
+TEST_P(WheeledMotionTest, LiesDownFromLockOrDampingOnly) {
+  rig_.BalanceStand();
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kTaken);
+  rig_.Run(2);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kTaken);
+  rig_.Run(4);
+  for (const MotorCommand& motor : rig_.command().motors) {
+    EXPECT_EQ(motor.kp, 0) << "idle";
+    EXPECT_EQ(motor.kd, 0);
+  }
+  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kTaken);
+}
+
+TEST_P(WheeledMotionTest, RecoversFromDampingOrLyingOnly) {
+  rig_.StandUp();
+  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kNotNow);
+  rig_.Ask(MotionAction::kDamp);
+  rig_.Run(2);
+  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, WheeledMotionTest, testing::Values("go2w", "b2w"),
+                         [](const auto& test) { return test.param; });
+
+class Go2MotionTest : public testing::Test {
+ protected:
+  QuadrupedRig rig_{"go2"};
+};
+
+TEST_F(Go2MotionTest, SaysAllByAnglesAsTheRealOneDoes) {
+  rig_.BalanceStand();
+  for (const MotorCommand& motor : rig_.command().motors) {
+    EXPECT_EQ(motor.kp, 40);
+    EXPECT_EQ(motor.kd, 1);
+    EXPECT_EQ(motor.dq, 0);
+    EXPECT_EQ(motor.tau, 0);
+  }
+}
+
+// measured.md, section c: 0.78 to 0.82 and -1.43 to -1.48 rad in a lock, hips within 0.06.
+TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
+  rig_.StandUp();
+  for (std::size_t i = 0; i < 12; i += 3) {
+    EXPECT_NEAR(rig_.world().q()[i], 0, 0.06);
+    EXPECT_NEAR(rig_.world().q()[i + 1], 0.80, 0.08);
+    EXPECT_NEAR(rig_.world().q()[i + 2], -1.455, 0.1) << "0.33 m is a little lower";
+  }
+}
+
+TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
+  rig_.StartLying();
+  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kNotNow);
+  rig_.StandUp();
+  const double x = rig_.world().base().p_WB.x();
+  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kTaken);
+  rig_.Run(1);
+  EXPECT_NEAR(rig_.world().base().p_WB.x(), x, 0.01);
+  EXPECT_EQ(rig_.state().id, kLocked);
+  rig_.Ask(MotionAction::kBalanceStand);
+  rig_.Run(1);
+  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kUnable);
+}
+
+TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
+  const std::array kSpecial{MotionAction::kHello, MotionAction::kStretch,
+                            MotionAction::kSit,   MotionAction::kPose,
+                            MotionAction::kEuler, MotionAction::kBodyHeight};
+  rig_.StartLying();
+  for (const MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "lying";
+  }
+  EXPECT_EQ(rig_.Ask(MotionAction::kBalanceStand), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(MotionAction::kRiseSit), MotionVerdict::kNotNow);
+  rig_.StandUp();
+  for (const MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "locked";
+  }
+  rig_.BalanceStand();
+  EXPECT_EQ(rig_.Ask(MotionAction::kStretch), MotionVerdict::kTaken);
+  for (const MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "before the last has ended";
+  }
+  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
+}
+
+TEST_F(Go2MotionTest, FollowsAnglesThatChangeAllTheTime) {
+  rig_.BalanceStand();
+  double worst = 0;
+  for (int i = 0; i < 400; ++i) {
+    const double t = 0.01 * i;
+    rig_.Ask(MotionAction::kEuler, {0, 0.3 * std::sin(2 * t), 0});
+    rig_.Run(0.01);
+    // A critically damped follower of 8 rad/s lags a slow wave by 2/8 s.
+    if (t > 1) worst = std::max(worst, std::abs(rig_.rpy()[1] - 0.3 * std::sin(2 * (t - 0.25))));
+  }
+  EXPECT_LT(worst, 0.06);
+}
+
+TEST_F(Go2MotionTest, CarriesALoadLevelAndAtItsHeight) {
+  rig_.BalanceStand();
+  rig_.Push(Vector3d(0, 0, -40), 8);
+  EXPECT_NEAR(rig_.height(), 0.33, 0.01);
+  EXPECT_LT(rig_.tilt(), kDegree);
+}
+
+TEST_F(Go2MotionTest, StepAllocatesNothing) {
+  rig_.StartLying();
+  const MotionAction kWay[] = {MotionAction::kStandUp, MotionAction::kBalanceStand,
+                               MotionAction::kHello, MotionAction::kDamp,
+                               MotionAction::kRecoveryStand};
+  for (const MotionAction action : kWay) {
+    const std::uint64_t before = Allocations();
+    rig_.Ask(action);
+    rig_.Run(4);
+    EXPECT_EQ(Allocations(), before);
+  }
+}
+
+TEST(Go2LongStandTest, StandsAMinuteLockedAndBalanced) {
+  QuadrupedRig rig("go2", {"physics.timestep=0.002"});
+  for (const bool balanced : {false, true}) {
+    balanced ? rig.BalanceStand() : rig.StandUp();
+    const Vector3d before = rig.world().base().p_WB;
+    rig.Run(30);
+    EXPECT_LT((rig.world().base().p_WB - before).norm(), 0.02);
+    EXPECT_LT(rig.tilt(), 2 * kDegree);
+    EXPECT_LT(rig.longest_saturation(), 0.05);
+  }
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,51 @@
+// Balance Stand holds the body level whatever the ground, at its height over it.
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/quadruped/rig.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+constexpr double kDegree = 0.017453;  // rad
+
+class QuadrupedGroundTest : public testing::TestWithParam<const char*> {
+ protected:
+  // A plane whose height grows by these slopes along x and y.
+  std::filesystem::path Slope(double x, double y) {
+    return folder_.Write("slope.xml",
+                         "<mujoco><worldbody><geom type='plane' size='0 0 1' condim='3' "
+                         "friction='0.8 0.005 0.0001' zaxis='" +
+                             std::to_string(-x) + " " + std::to_string(-y) +
+                             " 1'/></worldbody></mujoco>");
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
+  for (const auto& [x, y] : {std::pair(0.14, 0.0), std::pair(-0.14, 0.0), std::pair(0.07, 0.1)}) {
+    QuadrupedRig rig(GetParam(), {}, Slope(x, y));
+    rig.StandUp();
+    EXPECT_GT(rig.tilt(), 4 * kDegree) << "a lock stands as the ground does";
+    rig.Ask(MotionAction::kBalanceStand);
+    rig.Run(3);
+    EXPECT_LT(rig.tilt(), 1.5 * kDegree) << x << " " << y;
+    EXPECT_NEAR(rig.state().body_height, rig.spec().motion.quadruped.stand_height, 0.015);
+    const Eigen::Vector3d before = rig.world().base().p_WB;
+    rig.Run(2);
+    EXPECT_LT((rig.world().base().p_WB - before).norm(), 0.03) << "stays in its place";
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedGroundTest,
+                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,125 @@
+#include "motion/quadruped/leg.h"
+
+#include <array>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
+
+#include "motion/quadruped/body.h"
+#include "tests/motion/quadruped/rig.h"
+
+namespace understudy {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const std::array<Vector3d, 4> kAngles{Vector3d(0, 0.8, -1.5), Vector3d(0.4, 1.2, -2.2),
+                                      Vector3d(-0.6, 0.3, -0.9), Vector3d(-0.2, 2.4, -1.8)};
+
+class QuadrupedLegTest : public testing::TestWithParam<const char*> {
+ protected:
+  QuadrupedLegTest() : rig_(GetParam()), figures_(ReadQuadruped(rig_.world(), rig_.spec())) {}
+
+  QuadrupedRig rig_;
+  QuadrupedFigures figures_;
+};
+
+TEST_P(QuadrupedLegTest, PutsTheFootWhereTheModelHasIt) {
+  for (const Vector3d& q : kAngles) {
+    PoseSpec pose = rig_.spec().standing;
+    for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
+    pose.height = 2;
+    rig_.world().Reset(pose);
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const mjModel& model = rig_.world().model();
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, rig_.spec().feet[leg].geoms[0].c_str());
+      const Vector3d there(rig_.world().data().geom_xpos + 3 * geom);
+      const Vector3d foot =
+          QuadrupedLeg(figures_.legs[leg]).Place(q).foot + rig_.world().base().p_WB;
+      EXPECT_LT((foot - there).norm(), 1e-6) << "leg " << leg;
+    }
+  }
+}
+
+TEST_P(QuadrupedLegTest, ReachesEveryPlaceItsFootCanBe) {
+  for (const LegFigures& figures : figures_.legs) {
+    const QuadrupedLeg leg(figures);
+    for (const Vector3d& q : kAngles) {
+      Vector3d found;
+      EXPECT_TRUE(leg.Reach(leg.Place(q).foot, &found));
+      EXPECT_LT((found - q).norm(), 1e-6) << found.transpose() << " for " << q.transpose();
+    }
+  }
+}
+
+TEST_P(QuadrupedLegTest, StretchesTowardsWhatIsOutOfReach) {
+  const QuadrupedLeg leg(figures_.legs[0]);
+  Vector3d q;
+  EXPECT_FALSE(leg.Reach(figures_.legs[0].hip + Vector3d(0, 0, -3), &q));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_GE(q[static_cast<Eigen::Index>(i)], figures_.legs[0].low[i]);
+    EXPECT_LE(q[static_cast<Eigen::Index>(i)], figures_.legs[0].high[i]);
+  }
+  EXPECT_LT(leg.Place(q).foot.z(), -0.8 * leg.length());
+}
+
+TEST_P(QuadrupedLegTest, JacobianIsTheFootsRate) {
+  constexpr double kStep = 1e-6;
+  for (const LegFigures& figures : figures_.legs) {
+    const QuadrupedLeg leg(figures);
+    for (const Vector3d& q : kAngles) {
+      const Matrix3d jacobian = FootJacobian(leg.Place(q));
+      for (int i = 0; i < 3; ++i) {
+        const Vector3d step = kStep * Vector3d::Unit(i);
+        const Vector3d rate = (leg.Place(q + step).foot - leg.Place(q - step).foot) / (2 * kStep);
+        EXPECT_LT((rate - jacobian.col(i)).norm(), 1e-6);
+      }
+    }
+  }
+}
+
+// The work of lifting is what the torque does: its potential energy's slope.
+TEST_P(QuadrupedLegTest, HoldsItsOwnWeight) {
+  constexpr double kStep = 1e-6;
+  const Vector3d up = Vector3d(0.2, -0.3, 0.9).normalized();
+  for (const LegFigures& figures : figures_.legs) {
+    const QuadrupedLeg leg(figures);
+    for (const Vector3d& q : kAngles) {
+      const Vector3d torque = leg.HoldingTorque(leg.Place(q), up, 10);
+      for (int i = 0; i < 3; ++i) {
+        const Vector3d step = kStep * Vector3d::Unit(i);
+        const double rise =
+            (leg.MassMoment(leg.Place(q + step)) - leg.MassMoment(leg.Place(q - step))).dot(up);
+        EXPECT_NEAR(torque[i], 10 * rise / (2 * kStep), 1e-6);
+      }
+    }
+  }
+}
+
+TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {
+  double mass = figures_.trunk.mass;
+  for (const LegFigures& leg : figures_.legs) mass += QuadrupedLeg(leg).mass();
+  EXPECT_NEAR(mass, figures_.mass, 1e-9);
+  EXPECT_NEAR(mass * 9.81, rig_.world().weight(), 0.01);
+}
+
+TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
+  const QuadrupedBody body(figures_);
+  PoseSpec pose = rig_.spec().standing;
+  rig_.world().Reset(pose);
+  const PhysicsWorld& world = rig_.world();
+  const QuadrupedReading reading = body.Read(
+      {.q = world.q(), .dq = world.dq(), .imu = world.Imu(), .base = {}, .foot_force = {}});
+  const int base = rig_.world().Body(rig_.spec().base_body);
+  const Vector3d com(rig_.world().data().subtree_com + 3 * base);
+  EXPECT_LT((reading.com + rig_.world().base().p_WB - com).norm(), 1e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest,
+                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace understudy

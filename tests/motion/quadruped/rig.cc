@@ -1,0 +1,126 @@
+#include "tests/motion/quadruped/rig.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/load.h"
+#include "physics/world_model.h"
+
+namespace understudy {
+namespace {
+
+const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
+
+PhysicsWorld MakeWorld(const Config& config, const std::filesystem::path& scene) {
+  return {LoadWorldModel(config.robot, kRoot / "models" / config.robot.model, scene,
+                         config.physics.timestep),
+          config.robot};
+}
+
+}  // namespace
+
+std::filesystem::path QuadrupedRig::FlatScene() { return kRoot / "models" / "scene" / "flat.xml"; }
+
+QuadrupedRig::QuadrupedRig(const std::string& robot, const std::vector<std::string>& settings,
+                           const std::filesystem::path& scene)
+    : config_(LoadConfig({.robot = robot, .sets = settings}, kRoot)),
+      world_(MakeWorld(config_, scene)),
+      motors_(config_.robot),
+      battery_(config_.robot.battery),
+      sensors_(config_.sensors, config_.robot),
+      q_(spec().motors.size()),
+      dq_(spec().motors.size()),
+      motion_(MakeQuadrupedMotion(spec(), world_)),
+      saturated_(spec().motors.size()) {
+  command_.motors.resize(spec().motors.size());
+  StartLying();
+}
+
+void QuadrupedRig::Start(const PoseSpec& pose) {
+  world_.Reset(pose);
+  std::fill(command_.motors.begin(), command_.motors.end(), MotorCommand{});
+  std::fill(saturated_.begin(), saturated_.end(), 0.0);
+  longest_ = 0;
+  sensors_.Sample(world_, motors_, command_, battery_, 0, &sensed_);
+  motion_->Start(Input());
+}
+
+void QuadrupedRig::StandUp() {
+  StartLying();
+  Run(0.2);
+  Ask(MotionAction::kStandUp);
+  Run(3);
+}
+
+void QuadrupedRig::BalanceStand() {
+  StandUp();
+  Ask(MotionAction::kBalanceStand);
+  Run(2);
+}
+
+MotionVerdict QuadrupedRig::Ask(MotionAction action, std::array<double, 4> value) {
+  return motion_->Ask({.action = action, .value = value});
+}
+
+void QuadrupedRig::Run(double seconds) {
+  const int steps = static_cast<int>(std::lround(seconds / world_.timestep()));
+  for (int i = 0; i < steps; ++i) Tick();
+}
+
+bool QuadrupedRig::RunUntil(int id, double seconds) {
+  const int steps = static_cast<int>(std::lround(seconds / world_.timestep()));
+  for (int i = 0; i < steps && state().id != id; ++i) Tick();
+  return state().id == id;
+}
+
+void QuadrupedRig::Push(const Eigen::Vector3d& force, double seconds) {
+  push_ = force;
+  Run(seconds);
+  push_.setZero();
+}
+
+Eigen::Vector3d QuadrupedRig::rpy() const {
+  const Eigen::Matrix3d R = world_.Imu().R_WI.toRotationMatrix();
+  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
+          std::atan2(R(1, 0), R(0, 0))};
+}
+
+double QuadrupedRig::fastest() const {
+  double speed = 0;
+  for (const double dq : world_.dq()) speed = std::max(speed, std::abs(dq));
+  return speed;
+}
+
+MotionInput QuadrupedRig::Input() {
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    q_[i] = sensed_.motors[i].q;
+    dq_[i] = sensed_.motors[i].dq;
+  }
+  return {.time = time_,
+          .q = q_,
+          .dq = dq_,
+          .imu = sensed_.imu,
+          .base = sensed_.base,
+          .foot_force = sensed_.foot_force};
+}
+
+// The service sees the sample of the step before, as one on the robot's own computer does.
+void QuadrupedRig::Tick() {
+  const double dt = world_.timestep();
+  motion_->Step(Input(), dt, &command_);
+  world_.BeginStep();
+  const std::span<const double> tau = motors_.Step(command_, world_.q(), world_.dq(), dt);
+  if (!push_.isZero()) {
+    world_.AddForce(world_.Body(spec().base_body), world_.base().p_WB, push_);
+  }
+  (void)world_.EndStep(tau);
+  sensors_.Sample(world_, motors_, command_, battery_, 0, &sensed_);
+  time_ += dt;
+  for (std::size_t i = 0; i < saturated_.size(); ++i) {
+    const bool full = std::abs(tau[i]) >= 0.999 * spec().motors[i].torque_limit;
+    saturated_[i] = full ? saturated_[i] + dt : 0;
+    longest_ = std::max(longest_, saturated_[i]);
+  }
+}
+
+}  // namespace understudy

@@ -1,0 +1,78 @@
+// A quadruped under its motion service: physics, motors, sensors with their noise, and nothing
+// else.
+#ifndef UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
+#define UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "config/config.h"
+#include "motion/quadruped/motion.h"
+#include "physics/world.h"
+#include "robot/battery.h"
+#include "robot/motor.h"
+#include "sensors/sensors.h"
+
+namespace understudy {
+
+class QuadrupedRig {
+ public:
+  // One of config/robots with the settings ("KEY=VALUE") given, at rest in its lying pose.
+  explicit QuadrupedRig(const std::string& robot, const std::vector<std::string>& settings = {},
+                        const std::filesystem::path& scene = FlatScene());
+
+  static std::filesystem::path FlatScene();
+
+  // The service starts with the robot at rest in that pose.
+  void Start(const PoseSpec& pose);
+  void StartLying() { Start(spec().lying); }
+  void StartStanding() { Start(spec().standing); }
+  // In the stand that Stand Up leads to, and on to a balanced one.
+  void StandUp();
+  void BalanceStand();
+
+  MotionVerdict Ask(MotionAction action, std::array<double, 4> value = {});
+  void Run(double seconds);
+  // Runs until the service is in that state; false when it is not after `seconds`.
+  bool RunUntil(int id, double seconds);
+  // A force [N] on the base's origin, in the world, for a time [s].
+  void Push(const Eigen::Vector3d& force, double seconds);
+
+  double height() const { return world_.base().p_WB.z(); }
+  // Of the base in the world, rad. Yaw counts from the start.
+  Eigen::Vector3d rpy() const;
+  double tilt() const { return world_.tilt(); }
+  double fastest() const;  // rad/s, over all joints
+  MotionState state() const { return motion_->state(); }
+  // Seconds, of any one motor, that it gave all it has without a break: the longest since Start.
+  double longest_saturation() const { return longest_; }
+
+  const RobotSpec& spec() const { return config_.robot; }
+  PhysicsWorld& world() { return world_; }
+  const RobotCommand& command() const { return command_; }
+  Motion& motion() { return *motion_; }
+
+ private:
+  void Tick();
+  MotionInput Input();
+
+  Config config_;
+  PhysicsWorld world_;
+  MotorBank motors_;
+  Battery battery_;
+  Sensors sensors_;
+  RobotCommand command_;
+  RobotState sensed_;
+  std::vector<double> q_, dq_;
+  std::unique_ptr<Motion> motion_;
+  double time_ = 0;
+  Eigen::Vector3d push_{0, 0, 0};
+  std::vector<double> saturated_;  // s, by motor
+  double longest_ = 0;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include "physics/crane.h"
+#include "tests/support/fixture_robot.h"
+#include "tests/support/mujoco_test.h"
+
+namespace understudy {
+namespace {
+
+// The fixture robot of 60 N on the crane.
+class CraneWorldTest : public MujocoTest {
+ protected:
+  CraneWorldTest() {
+    world_.Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
+    crane_.Attach(Hook().p_WP, world_.weight());
+  }
+
+  PointReading Hook() const { return world_.Point(world_.Body("base"), {0, 0, 0.1}); }
+
+  void Step() {
+    world_.BeginStep();
+    const PointReading hook = Hook();
+    world_.AddForce(world_.Body("base"), hook.p_WP, crane_.Step(hook, world_.timestep()));
+    ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+  }
+  double Height() const { return world_.base().p_WB.z(); }
+
+  const RobotSpec spec_ = FixtureRobot();
+  PhysicsWorld world_ = FixtureWorld(spec_);
+  Crane crane_{CraneConfig{}};
+};
+
+TEST_F(CraneWorldTest, HangsInEquilibriumFromTheFirstStep) {
+  for (int i = 0; i < 2000; ++i) {
+    Step();
+    ASSERT_NEAR(Height(), 1, 1e-6) << i;
+    ASSERT_NEAR(crane_.tension(), 60, 0.1) << i;
+  }
+}
+
+TEST_F(CraneWorldTest, FeelsTheTetherAsItFeelsTheGround) {
+  Step();
+  EXPECT_LT((world_.Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 1e-6);
+}
+
+TEST_F(CraneWorldTest, FollowsTheWinchDown) {
+  crane_.Lower(0.3);
+  for (int i = 0; i < 1000; ++i) Step();
+  EXPECT_NEAR(world_.base().v_WB_W.z(), -0.1, 0.01);
+  EXPECT_NEAR(Height(), 0.9, 0.01);
+  for (int i = 0; i < 4000; ++i) Step();
+  EXPECT_NEAR(Height(), 0.7, 0.001);
+}
+
+TEST_F(CraneWorldTest, StandsWithASlackTetherWhenItIsLoweredFarEnough) {
+  crane_.Lower(1);
+  for (int i = 0; i < 12'000; ++i) Step();
+  EXPECT_NEAR(Height(), 0.3, 0.01);
+  EXPECT_EQ(crane_.tension(), 0);
+  EXPECT_LT(world_.tilt(), 0.01);
+}
+
+TEST_F(CraneWorldTest, FallsWhenItIsReleased) {
+  crane_.Release();
+  for (int i = 0; i < 200; ++i) Step();
+  EXPECT_NEAR(Height(), 0.8, 0.01);  // 10 / 2 · 0.2²
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,335 @@
+// The server's TCP door and its WebSockets, and clients without manners at both.
+#include <fstream>
+#include <list>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "client/client.h"
+#include "client/control_stream.h"
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "server/server.h"
+#include "tests/support/control.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr std::string_view kUpgrade =
+    "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
+
+class DoorsTest : public ::testing::Test {
+ protected:
+  DoorsTest() {
+    std::ofstream(temp_.path() / "index.html") << "<html>";
+    Start();
+  }
+  void Start(const ServerLimits& limits = {}) {
+    dut_.reset();
+    dut_.emplace(path_,
+                 Plane{.identity = {.robot = "g1"},
+                       .board = &board_,
+                       .inbox = &inbox_,
+                       .frames = &frames_,
+                       .files = StaticFiles(temp_.path())},
+                 limits, &panel_);
+  }
+  std::string token() const { return dut_->url().substr(dut_->url().find('=') + 1); }
+  std::string HostLine() const { return "Host: " + panel_.host() + "\r\n"; }
+  // The reply to a request at the TCP door: its first line and the rest, without the blank line.
+  std::string Ask(const std::string& first, const std::string& fields) const {
+    const auto client = test::RawSocket::ToPort(panel_.port());
+    client->Send(first + " HTTP/1.1\r\nConnection: close\r\n" + fields + "\r\n");
+    return client->ReceiveAll();
+  }
+  // A WebSocket at the TCP door, once it is open.
+  std::unique_ptr<test::RawSocket> Open(const std::string& target) const {
+    auto client = test::RawSocket::ToPort(panel_.port());
+    client->Send("GET " + target + " HTTP/1.1\r\n" + HostLine() + std::string{kUpgrade});
+    EXPECT_THAT(client->Receive("\r\n\r\n"), StartsWith("HTTP/1.1 101"));
+    return client;
+  }
+  ControlStream Watch(const std::string& target) const {
+    return ControlStream(path_, target, test::kBound);
+  }
+  bool StillServes() const { return Call(path_, "GET", "/status", "", test::kBound).status == 200; }
+
+  test::TempFolder temp_;
+  const std::filesystem::path path_ = temp_.path() / "g1.sock";
+  StatusBoard board_;
+  Inbox inbox_;
+  FrameBoard frames_{Frame{}};
+  const PanelSocket panel_{"127.0.0.1", 0};
+  std::optional<ControlServer> dut_;
+};
+
+TEST_F(DoorsTest, TellsItsAddressWithTheTokenAtTheUnixSocketOnly) {
+  const ControlReply reply = Call(path_, "GET", "/panel", "", test::kBound);
+  EXPECT_EQ(json::parse(reply.body)["url"], dut_->url());
+  EXPECT_THAT(dut_->url(), StartsWith("http://" + panel_.host() + "/#token="));
+  EXPECT_THAT(Ask("GET /panel", HostLine()), StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(Ask("GET /panel", HostLine() + "Authorization: Bearer " + token() + "\r\n"),
+              HasSubstr(token()));
+}
+
+TEST_F(DoorsTest, TheSameRoutesAreOnTcp) {
+  EXPECT_THAT(Ask("GET /status", HostLine()), HasSubstr("\"robot\":\"g1\""));
+  EXPECT_THAT(Ask("GET /", HostLine()), HasSubstr("<html>"));
+  EXPECT_THAT(Ask("GET /nothing", HostLine()), StartsWith("HTTP/1.1 404"));
+}
+
+TEST_F(DoorsTest, RefusesAWriteWithoutTheToken) {
+  const test::Ticking ticking(&inbox_, [](const Order&) { return Answer{}; });
+  EXPECT_THAT(Ask("POST /reset", HostLine()), StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer 0123\r\n"),
+              StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer " + token() + "\r\n"),
+              StartsWith("HTTP/1.1 200"));
+}
+
+TEST_F(DoorsTest, RefusesAPageThatIsNotItsOwn) {
+  EXPECT_THAT(Ask("GET /status", "Host: evil.example\r\n"), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(Ask("GET /status", ""), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(Ask("GET /status", HostLine() + "Origin: http://evil.example\r\n"),
+              StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(Ask("GET /frames", HostLine() + "Origin: null\r\n" + std::string{kUpgrade}),
+              StartsWith("HTTP/1.1 403"));
+}
+
+TEST_F(DoorsTest, AFrameIsFilledInByTheTick) {
+  const test::Showing tick(&frames_);
+  const ControlReply reply = Call(path_, "GET", "/frame?parts=com", "", test::kBound);
+  EXPECT_EQ(reply.status, 200u);
+  EXPECT_EQ(json::parse(reply.body)["step"], 1);
+  EXPECT_EQ(json::parse(reply.body).size(), 5u);
+}
+
+TEST_F(DoorsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
+  Start({.patience = std::chrono::milliseconds{20}});
+  EXPECT_EQ(Call(path_, "GET", "/frame", "", test::kBound).status, 503u);
+  const test::Showing tick(&frames_);
+  EXPECT_TRUE(test::Eventually(
+      [&] { return Call(path_, "GET", "/frame", "", test::kBound).status == 200; }));
+}
+
+TEST_F(DoorsTest, FramesComeOnAWebSocketOneAfterTheOther) {
+  const test::Showing tick(&frames_);
+  ControlStream stream = Watch("/frames?hz=240&parts=com");
+  std::int64_t last = 0;
+  for (int i = 0; i < 5; ++i) {
+    const std::int64_t step = json::parse(stream.Next())["step"];
+    EXPECT_GT(step, last);
+    last = step;
+  }
+}
+
+TEST_F(DoorsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
+  const test::Showing tick(&frames_);
+  ControlStream slow = Watch("/frames?hz=1");
+  slow.Next();
+  ControlStream quick = Watch("/frames?hz=240");
+  for (int i = 0; i < 20; ++i) quick.Next();  // nothing is filled in for the slow one meanwhile
+  const std::int64_t quickest = json::parse(quick.Next())["step"];
+  EXPECT_LE(quickest, 60);
+}
+
+TEST_F(DoorsTest, AnyNumberWatchAtOnce) {
+  const test::Showing tick(&frames_);
+  std::list<ControlStream> watchers;
+  for (int i = 0; i < 20; ++i) watchers.push_back(Watch("/frames?hz=60"));
+  for (ControlStream& watcher : watchers) EXPECT_THAT(watcher.Next(), StartsWith("{\"step\":"));
+}
+
+TEST_F(DoorsTest, WhoWatchesOnTcpNeedsNoToken) {
+  const test::Showing tick(&frames_);
+  EXPECT_THAT(Open("/frames?parts=com")->Receive("}"), HasSubstr("\"step\":1"));
+}
+
+TEST_F(DoorsTest, SaysWhyAWebSocketIsRefused) {
+  try {
+    Watch("/frames?parts=motor");
+    FAIL();
+  } catch (const ControlError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("did you mean 'motors'?"));
+  }
+}
+
+TEST_F(DoorsTest, OrdersOnAWebSocketAreAnsweredInTheirTurn) {
+  const test::Ticking ticking(&inbox_, [](const Order& order) {
+    return std::holds_alternative<ResetRobot>(order) ? Answer{"not now"} : Answer{};
+  });
+  ControlStream stream = Watch("/orders");
+  stream.Send(R"({"path": "/crane", "body": {"lower": 0.1}, "id": 1})");
+  stream.Send(R"({"path": "/reset", "id": "two"})");
+  stream.Send(R"({"path": "/clamp", "body": {"on": 3}})");
+  EXPECT_EQ(stream.Next(), R"({"id":1,"status":200,"ok":true})");
+  EXPECT_EQ(stream.Next(), R"({"id":"two","status":409,"error":"not now"})");
+  EXPECT_EQ(stream.Next(),
+            R"({"id":null,"status":400,"error":"\"on\": expected true or false, got 3"})");
+}
+
+TEST_F(DoorsTest, WhatIsNoOrderIsAnsweredWithTheReason) {
+  ControlStream stream = Watch("/orders");
+  const std::string deep(30'000, '[');
+  for (const std::string& message :
+       {std::string{"x"}, std::string{}, std::string{"[]"}, std::string{"{}"}, deep,
+        "{\"path\": \"/push\", \"body\": " + deep + "}", std::string{R"({"path": 1})"}}) {
+    stream.Send(message);
+    EXPECT_EQ(json::parse(stream.Next())["status"], 400) << message.substr(0, 40);
+  }
+  stream.Send(R"({"path": "/status"})");
+  EXPECT_EQ(json::parse(stream.Next())["status"], 405);
+  stream.Send(R"({"path": "/nothing"})");
+  EXPECT_EQ(json::parse(stream.Next())["status"], 404);
+}
+
+TEST_F(DoorsTest, OrdersOnTcpNeedTheToken) {
+  EXPECT_THAT(Ask("GET /orders", HostLine() + std::string{kUpgrade}), StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(Ask("GET /orders?token=0", HostLine() + std::string{kUpgrade}),
+              StartsWith("HTTP/1.1 401"));
+  Open("/orders?token=" + token());
+}
+
+TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
+  const test::Showing tick(&frames_);
+  for (const std::string_view bytes :
+       {std::string_view{"\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff", 14},
+        std::string_view{"\x81\x05hello", 7},                                      // not masked
+        std::string_view{"\x81\xff\x7f\xff\xff\xff\xff\xff\xff\xff\0\0\0\0", 14},  // of 2^63 bytes
+        std::string_view{"\x83\x80\0\0\0\0", 6}, std::string_view{"\xc1\x80\0\0\0\0", 6},
+        std::string_view{"\x89\xfe\xff\xff\0\0\0\0", 8},     // a ping of 64 kB
+        std::string_view{"\x81\x82\0\0\0\0\xff\xfe", 8}}) {  // no UTF-8
+    for (const std::string target : {"/frames?parts=com", "/orders?token="}) {
+      const auto client = Open(target.ends_with('=') ? target + token() : target);
+      client->Send(bytes);
+      client->ReceiveAll();
+    }
+  }
+  EXPECT_TRUE(StillServes());
+}
+
+TEST_F(DoorsTest, AMessageTooLongEndsItsWebSocketAlone) {
+  ControlStream stream = Watch("/orders");
+  EXPECT_THROW(
+      {
+        stream.Send(std::string(65 * 1024, ' '));
+        stream.Next();
+      },
+      ControlError);
+  EXPECT_TRUE(StillServes());
+}
+
+TEST_F(DoorsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
+  Start({.idle = std::chrono::milliseconds{300}});
+  const test::Showing tick(&frames_);
+  const auto deaf = Open("/frames?hz=240");
+  ControlStream other = Watch("/frames?hz=240");
+  for (int i = 0; i < 10; ++i) other.Next();
+  // It answers no ping.
+  const std::string all = deaf->ReceiveAll();
+  EXPECT_THAT(all, HasSubstr("\"step\""));
+}
+
+TEST_F(DoorsTest, AWatcherThatReadsStays) {
+  Start({.idle = std::chrono::milliseconds{500}});
+  const test::Showing tick(&frames_);
+  ControlStream stream = Watch("/frames?hz=100");
+  for (int i = 0; i < 60; ++i) stream.Next();
+}
+
+TEST_F(DoorsTest, OutlivesWatchersThatGoWithoutAWord) {
+  const test::Showing tick(&frames_);
+  for (int i = 0; i < 20; ++i) Open("/frames?hz=240")->Close();
+  for (int i = 0; i < 20; ++i) Open("/orders?token=" + token())->Close();
+  EXPECT_TRUE(StillServes());
+}
+
+TEST_F(DoorsTest, EndsWhileItIsWatched) {
+  const test::Showing tick(&frames_);
+  ControlStream watched = Watch("/frames");
+  watched.Next();
+  ControlStream ordering = Watch("/orders");
+  ordering.Send(R"({"path": "/reset"})");
+  dut_.reset();
+  EXPECT_THROW(for (;;) watched.Next(), ControlError);
+}
+
+TEST_F(DoorsTest, AFullDoorLeavesTheOtherOpen) {
+  Start({.connections = 2});
+  const auto one = test::RawSocket::ToPort(panel_.port());
+  const auto two = test::RawSocket::ToPort(panel_.port());
+  EXPECT_TRUE(
+      test::Eventually([&] { return Ask("GET /status", HostLine()).starts_with("HTTP/1.1 503"); }));
+  EXPECT_TRUE(StillServes());
+}
+
+TEST_F(DoorsTest, OutlivesThousandsOfConnections) {
+  for (int i = 0; i < 3000; ++i) test::RawSocket::ToPort(panel_.port())->Send("GET ");
+  EXPECT_TRUE(
+      test::Eventually([&] { return Ask("GET /status", HostLine()).starts_with("HTTP/1.1 200"); }));
+}
+
+TEST_F(DoorsTest, WhoSendsFarTooMuchReadsWhyOnceItIsSent) {
+  const auto client = test::RawSocket::ToPort(panel_.port());
+  const std::string body(20 << 20, ' ');
+  client->Send("POST /push HTTP/1.1\r\n" + HostLine() +
+               "Content-Length: " + std::to_string(body.size()) + "\r\n\r\n");
+  client->Send(body);
+  EXPECT_THAT(client->ReceiveAll(), StartsWith("HTTP/1.1 413"));
+}
+
+TEST_F(DoorsTest, AHugeHeaderIs431) {
+  EXPECT_THAT(Ask("GET /status", HostLine() + "X: " + std::string(9 * 1024, 'x') + "\r\n"),
+              StartsWith("HTTP/1.1 431"));
+}
+
+TEST(PanelSocketTest, TakesTheFirstPortThatIsFree) {
+  const PanelSocket one("127.0.0.1", 0);
+  const PanelSocket two("127.0.0.1", 0);
+  EXPECT_GE(one.port(), kFirstPanelPort);
+  EXPECT_GT(two.port(), one.port());
+  EXPECT_EQ(one.host(), "127.0.0.1:" + std::to_string(one.port()));
+}
+
+TEST(PanelSocketTest, APortInUseIsAnErrorThatNamesIt) {
+  const PanelSocket one("127.0.0.1", 0);
+  try {
+    PanelSocket("127.0.0.1", one.port());
+    FAIL();
+  } catch (const SocketError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("control.port " + std::to_string(one.port())));
+    EXPECT_THAT(error.what(), HasSubstr("in use"));
+  }
+}
+
+TEST(PanelSocketTest, WhatIsNoAddressIsAnErrorThatNamesTheKey) {
+  try {
+    PanelSocket("lo", 0);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("control.address: expected an IP address"));
+  }
+}
+
+TEST(PanelSocketTest, CallsAnAddressAsABrowserWillThoughItWasWrittenOtherwise) {
+  try {
+    const PanelSocket dut("0:0:0:0:0:0:0:1", 0);
+    EXPECT_EQ(dut.address(), "::1");
+    EXPECT_THAT(dut.host(), StartsWith("[::1]:"));
+  } catch (const SocketError& error) {
+    // A machine without IPv6 says whose address it does not have.
+    EXPECT_THAT(error.what(), HasSubstr("control.address 0:0:0:0:0:0:0:1"));
+  }
+}
+
+TEST(PanelSocketTest, TellsABrowserOfThisMachineWhereToGo) {
+  EXPECT_THAT(PanelSocket("0.0.0.0", 0).host(), StartsWith("127.0.0.1:"));
+}
+
+}  // namespace
+}  // namespace understudy

@@ -1,0 +1,79 @@
+// That docs/openapi.yaml documents what there is, and nothing else.
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include <yaml-cpp/yaml.h>
+
+#include "gtest/gtest.h"
+#include "server/frame_json.h"
+#include "server/routes.h"
+#include "server/status_json.h"
+
+namespace understudy {
+namespace {
+
+const YAML::Node& Document() {
+  static const YAML::Node kDocument =
+      YAML::LoadFile(std::string{UNDERSTUDY_SOURCE_DIR} + "/docs/openapi.yaml");
+  return kDocument;
+}
+
+TEST(OpenApiTest, HasEveryRouteAndNoOther) {
+  std::set<std::string> served;
+  for (const RouteName& route : AllRoutes()) {
+    std::string method{route.method};
+    std::ranges::transform(method, method.begin(),
+                           [](char c) { return static_cast<char>(c - 'A' + 'a'); });
+    served.insert(method + " " + std::string{route.path});
+  }
+  std::set<std::string> documented;
+  for (const auto& path : Document()["paths"]) {
+    for (const auto& method : path.second) {
+      documented.insert(method.first.as<std::string>() + " " + path.first.as<std::string>());
+    }
+  }
+  EXPECT_EQ(documented, served);
+}
+
+TEST(OpenApiTest, HasEveryPartOfAFrameAndNoOther) {
+  std::set<std::string> documented;
+  for (const auto& key : Document()["components"]["schemas"]["Frame"]["properties"]) {
+    documented.insert(key.first.as<std::string>());
+  }
+  std::set<std::string> sent{"step", "time", "speed", "paused"};
+  for (const FramePartName& part : kFrameParts) sent.emplace(part.name);
+  EXPECT_EQ(documented, sent);
+}
+
+// The keys of `sent`, and of the objects in it whose keys are documented.
+void ExpectDocumented(const YAML::Node& schema, const nlohmann::ordered_json& sent,
+                      const std::string& where) {
+  const YAML::Node properties = schema["properties"];
+  if (!sent.is_object() || !properties) return;
+  std::set<std::string> documented;
+  for (const auto& key : properties) documented.insert(key.first.as<std::string>());
+  std::set<std::string> keys;
+  for (const auto& [key, value] : sent.items()) {
+    keys.insert(key);
+    ExpectDocumented(properties[key], value, where + "/" + key);
+  }
+  EXPECT_EQ(documented, keys) << where;
+}
+
+TEST(OpenApiTest, HasEveryFieldOfAStatusAndNoOther) {
+  ExpectDocumented(Document()["components"]["schemas"]["Status"],
+                   StatusJson({.robot = "g1", .version = "", .pid = 1}, {}), "Status");
+}
+
+TEST(OpenApiTest, WhatWritesAsksForTheToken) {
+  for (const auto& path : Document()["paths"]) {
+    const YAML::Node post = path.second["post"];
+    if (post) {
+      EXPECT_TRUE(post["security"][0]["token"]) << path.first.as<std::string>();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace understudy

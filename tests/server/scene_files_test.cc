@@ -1,0 +1,99 @@
+#include "server/scene_files.h"
+
+#include <nlohmann/json.hpp>
+
+#include "gmock/gmock.h"
+#include "gtest/gtest.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy {
+namespace {
+
+using nlohmann::json;
+using ::testing::HasSubstr;
+
+constexpr char kModel[] = R"(<mujoco>
+  <compiler angle="radian"/>
+  <asset><mesh name="wedge" vertex="0 0 0  1 0 0  0 1 0  0 0 1"/></asset>
+  <worldbody>
+    <body name="trunk">
+      <joint name="knee" range="-1 2" limited="true"/>
+      <joint name="wheel"/>
+      <geom type="mesh" mesh="wedge" mass="1"/>
+    </body>
+  </worldbody>
+</mujoco>)";
+
+class SceneFilesTest : public ::testing::Test {
+ protected:
+  SceneFilesTest() {
+    robot_.name = "two_joints";
+    robot_.base_body = "trunk";
+    robot_.hands = {{.name = "left", .motors = {{.joint = "thumb", .slot = 9}, {.joint = "knee"}}}};
+    robot_.motors = {{.joint = "knee", .slot = 3, .torque_limit = 23.5}, {.joint = "wheel"}};
+    robot_.imu.site = "imu";
+    robot_.feet = {{.name = "FR", .geoms = {}}};
+  }
+
+  TemporaryFolder temp_;
+  std::string file_ = temp_.Write("model.xml", kModel).string();
+  SceneReader reader_{[this] {
+    std::string why(300, '\0');
+    return ModelHandle(mj_loadXML(file_.c_str(), nullptr, why.data(), 300));
+  }};
+  RobotSpec robot_;
+  SceneFiles dut_{&reader_, &robot_};
+};
+
+TEST_F(SceneFilesTest, NamesWhatFramesHaveByNumber) {
+  const json scene = json::parse(dut_.Scene().content());
+  EXPECT_EQ(scene["robot"], "two_joints");
+  EXPECT_EQ(scene["base"], 1);
+  EXPECT_EQ(scene["bodies"][1]["name"], "trunk");
+  EXPECT_EQ(scene["motors"][0]["name"], "knee");
+  EXPECT_EQ(scene["motors"][0]["slot"], 3);
+  EXPECT_EQ(scene["motors"][0]["range"], json({-1.0, 2.0}));
+  EXPECT_EQ(scene["motors"][0]["torque_limit"], 23.5);
+  EXPECT_EQ(scene["motors"][1]["range"], nullptr);
+  EXPECT_EQ(scene["motors"][1]["qpos"], 1);
+  ASSERT_EQ(scene["motors"].size(), 4u);
+  EXPECT_FALSE(scene["motors"][1].contains("hand"));
+  EXPECT_EQ(scene["motors"][2]["name"], "thumb");
+  EXPECT_EQ(scene["motors"][3]["hand"], "left");
+  EXPECT_EQ(scene["motors"][3]["slot"], 1);
+  EXPECT_EQ(scene["imus"], json({"imu"}));
+  EXPECT_EQ(scene["feet"], json({"FR"}));
+  EXPECT_EQ(scene["poses"], json({"lying", "standing", "hanging", "clamped"}));
+}
+
+TEST_F(SceneFilesTest, SendsMeshesByTheirNumber) {
+  const HttpReply mesh = dut_.Mesh("0");
+  EXPECT_EQ(mesh.status, 200u);
+  EXPECT_EQ(mesh.type, "application/octet-stream");
+  EXPECT_EQ(mesh.content(), reader_.Mesh(0));
+}
+
+TEST_F(SceneFilesTest, ANumberThatIsNoneIs404) {
+  for (const char* index : {"1", "-1", "", "x", "0x", "00000000000000000000", "1e0", "+0", "0/"}) {
+    const unsigned status = dut_.Mesh(index).status;
+    EXPECT_EQ(status, std::string{index} == "00000000000000000000" ? 200u : 404u) << index;
+  }
+  EXPECT_THAT(dut_.HeightField("0").body, HasSubstr("no height field 0: the scene has 0"));
+}
+
+TEST_F(SceneFilesTest, AModelSaysForWhichVersionItIs) {
+  const HttpReply model = dut_.Model();
+  EXPECT_EQ(model.fields.at(0).first, "X-Mujoco-Version");
+  EXPECT_EQ(model.fields.at(0).second, mj_versionString());
+}
+
+TEST_F(SceneFilesTest, OneCopyIsSentToAllWhoReadItAndNoneIsKept) {
+  HttpReply one = dut_.Model();
+  const std::weak_ptr<const std::string> kept = one.shared;
+  EXPECT_EQ(dut_.Model().shared, one.shared);
+  one = {};
+  EXPECT_TRUE(kept.expired());
+}
+
+}  // namespace
+}  // namespace understudy

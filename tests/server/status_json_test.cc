@@ -1,0 +1,127 @@
+#include "server/status_json.h"
+
+#include <limits>
+
+#include "gtest/gtest.h"
+
+namespace understudy {
+namespace {
+
+const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42};
+
+Status EveryFieldSet() {
+  Status status;
+  status.ready = true;
+  status.silenced = true;
+  status.time = 12.5;
+  status.steps = 12500;
+  status.speed = 0.5;
+  status.paused = true;
+  status.steps_left = 9;
+  status.pace = {.overruns = 3,
+                 .lateness = 0.25,
+                 .worst_lateness = 0.75,
+                 .latenesses = {},
+                 .shifts = 2,
+                 .shifted = 1.5,
+                 .real_time_factor = 0.9375};
+  status.gate = GateState::kFollowing;
+  status.commands.accepted = 100;
+  status.commands.timeouts = 2;
+  status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
+  status.arm_commands.accepted = 41;
+  status.user_commands.timeouts = 42;
+  status.orders.Add({.kind = OrderKind::kReset, .time = 1.5, .what = {'l', 'y'}});
+  status.hands[0].name = {'l', 'e', 'f', 't'};
+  status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
+  status.hands[0].last_refusal = Refusal::kMotorMode;
+  status.last_refusal = Refusal::kModePr;
+  status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
+  status.command_writers = 1;
+  status.motion_service = {'m', 'c', 'f'};
+  status.motion = {.id = 1001, .mode = 7};
+  status.arm_weight = 0.25;
+  status.remote = {.there = true, .keys = 0x220, .lx = 1, .ly = 0.5, .rx = -1, .ry = -0.5};
+  status.stick_wish = {1, 2, 3};
+  status.script_done = 3;
+  status.script_refused = 1;
+  status.script_refusal = {'n', 'o'};
+  status.published = 12499;
+  status.divergences = 4;
+  status.crane_attached = true;
+  status.crane_length = 0.625;
+  status.crane_tension = 340.5;
+  status.clamped = true;
+  status.base_height = 0.75;
+  status.tilt = 0.125;
+  status.recording = {.state = RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
+  return status;
+}
+
+TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
+  const std::string kNone =
+      R"({"crc":0,"head":0,"mode_machine":0,"mode_pr":0,"motor_mode":0,"motor_count":0,)"
+      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0})";
+  EXPECT_EQ(
+      StatusJson(kG1, EveryFieldSet()).dump(),
+      R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
+      R"("steps":12500,"speed":0.5,"paused":true,"steps_left":9,)"
+      R"("pace":{"real_time_factor":0.9375,"overruns":3,)"
+      R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
+      R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
+      R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18,)"
+      R"("no_motion_service":0,"not_handed_over":0},"last_refusal":"mode_pr","unused_slots":6,)"
+      R"("unset_heads":7,)"
+      R"("writers":1},)"
+      R"("arm_sdk":{"accepted":41,"refused":)" +
+          kNone + R"(},"user_lowcmd":{"accepted":0,"timeouts":42,"refused":)" + kNone +
+          R"(},)"
+          R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
+          R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
+          R"("no_motion_service":0,"not_handed_over":0},)"
+          R"("last_refusal":"motor_mode"}],"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
+          R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
+          R"("orders":[{"number":0,"time":1.5,"kind":"reset","text":"reset to ly"}],)"
+          R"("script":{"done":3,"refused":1,"refusal":"no"},)"
+          R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
+          R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
+          R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
+}
+
+TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
+  Status status;
+  status.gate = GateState::kStart;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "start");
+  status.gate = GateState::kFollowing;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "following");
+  status.gate = GateState::kDamping;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "damping");
+  status.gate = GateState::kLimp;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "limp");
+  status.gate = GateState::kClosed;
+  EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "motion_service");
+}
+
+TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {
+  const auto json = StatusJson(kG1, StatusBoard{}.Read());
+  EXPECT_EQ(json["ready"], false);
+  EXPECT_EQ(json["commands"]["last_refusal"], "none");
+  EXPECT_EQ(json["commands"]["refused"]["crc"], 0);
+}
+
+TEST(StatusJsonTest, ANumberThatIsNotFiniteBecomesNull) {
+  Status status;
+  status.tilt = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_NE(StatusJson(kG1, status).dump().find(R"("tilt":null)"), std::string::npos);
+}
+
+TEST(StatusJsonTest, TellsWhatTheRunLeftToChance) {
+  RobotIdentity identity = kG1;
+  identity.draws = {.seed = 7,
+                    .values = {{"friction", "", 0.5}, {"mass", "a", 1.25}, {"mass", "b", 0.75}}};
+  EXPECT_EQ(StatusJson(identity, {})["randomization"].dump(),
+            R"({"seed":7,"drawn":{"friction":0.5,"mass":{"a":1.25,"b":0.75}}})");
+}
+
+}  // namespace
+}  // namespace understudy
