@@ -51,38 +51,38 @@ int Main(int argc, char** argv) {
   app.set_version_flag("--version", std::string("understudy ") + kVersion);
   std::function<int()> chosen;
 
-  RunArguments run_arguments, exec_arguments;
-  AddRunCommand(&app, &run_arguments)->callback([&] {
-    chosen = [&] { return RunCommand(run_arguments); };
+  commands::RunArguments run_arguments, exec_arguments;
+  commands::AddRunCommand(&app, &run_arguments)->callback([&] {
+    chosen = [&] { return commands::RunCommand(run_arguments); };
   });
-  AddExecCommand(&app, &exec_arguments)->callback([&] {
-    chosen = [&] { return ExecCommand(exec_arguments); };
+  commands::AddExecCommand(&app, &exec_arguments)->callback([&] {
+    chosen = [&] { return commands::ExecCommand(exec_arguments); };
   });
-  CtlCommand ctl(&app, &std::cout);
-  TerrainArguments terrain_arguments;
-  AddTerrainCommand(&app, &terrain_arguments)->callback([&] {
-    chosen = [&] { return TerrainCommand(terrain_arguments); };
+  ctl::CtlCommand ctl(&app, &std::cout);
+  commands::TerrainArguments terrain_arguments;
+  commands::AddTerrainCommand(&app, &terrain_arguments)->callback([&] {
+    chosen = [&] { return commands::TerrainCommand(terrain_arguments); };
   });
 
-  ViewArguments view;
-  SnapshotArguments snapshot;
-  FilmArguments film;
-  RemoteArguments remote;
+  viewer::ViewArguments view;
+  viewer::SnapshotArguments snapshot;
+  viewer::FilmArguments film;
+  remote::RemoteArguments remote;
   constexpr char kView[] = "understudy-view";
-  const Companion companions[] = {
-      {AddViewCommand(&app, &view), kView, kViewerMissing},
-      {AddSnapshotCommand(&app, &snapshot), kView, kViewerMissing},
-      {AddFilmCommand(&app, &film), kView, kViewerMissing},
-      {AddRemoteCommand(&app, &remote), "understudy-remote", kRemoteMissing},
+  const commands::Companion companions[] = {
+      {viewer::AddViewCommand(&app, &view), kView, viewer::kViewerMissing},
+      {viewer::AddSnapshotCommand(&app, &snapshot), kView, viewer::kViewerMissing},
+      {viewer::AddFilmCommand(&app, &film), kView, viewer::kViewerMissing},
+      {remote::AddRemoteCommand(&app, &remote), "understudy-remote", remote::kRemoteMissing},
   };
 
-  PlayArguments play_arguments;
-  AddPlayCommand(&app, &play_arguments)->callback([&] {
-    chosen = [&] { return PlayCommand(play_arguments); };
+  commands::PlayArguments play_arguments;
+  commands::AddPlayCommand(&app, &play_arguments)->callback([&] {
+    chosen = [&] { return commands::PlayCommand(play_arguments); };
   });
-  PlotArguments plot_arguments;
-  AddPlotCommand(&app, &plot_arguments)->callback([&] {
-    chosen = [&] { return PlotCommand(plot_arguments); };
+  commands::PlotArguments plot_arguments;
+  commands::AddPlotCommand(&app, &plot_arguments)->callback([&] {
+    chosen = [&] { return commands::PlotCommand(plot_arguments); };
   });
 
   bool json = false;
@@ -97,14 +97,15 @@ int Main(int argc, char** argv) {
       "  understudy recording walk.mcap         topics, counts, duration, robot\n"
       "  understudy recording walk.mcap --json\n"
       "A recording is made by understudy run ROBOT --record FILE.mcap.");
-  recording->callback([&] { chosen = [&] { return RecordingCommand(recording_file, json); }; });
+  recording->callback(
+      [&] { chosen = [&] { return commands::RecordingCommand(recording_file, json); }; });
 
   CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
   robots->add_flag("--json", json, "As a JSON array");
   robots->footer(
       "Example: understudy robots --json\n"
       "A robot of your own: understudy run my_robot.yaml, checked by understudy check.");
-  robots->callback([&] { chosen = [&] { return RobotsCommand(json); }; });
+  robots->callback([&] { chosen = [&] { return commands::RobotsCommand(json); }; });
 
   std::vector<std::string> files;
   CLI::App* check =
@@ -114,19 +115,19 @@ int Main(int argc, char** argv) {
   check->footer(
       "Example: understudy check my_robot.yaml my_robot.xml\n"
       "Exits with 3 or 4, as `run` would, when a file is unsound.");
-  check->callback([&] { chosen = [&] { return CheckCommand(files, json); }; });
+  check->callback([&] { chosen = [&] { return commands::CheckCommand(files, json); }; });
 
   CLI::App* version = app.add_subcommand("version", "Say which version this is");
   version->add_flag("--json", json, "As a JSON object");
   version->footer("Example: understudy version --json");
-  version->callback([&] { chosen = [&] { return VersionCommand(json); }; });
+  version->callback([&] { chosen = [&] { return commands::VersionCommand(json); }; });
 
   CLI::App* services =
       app.add_subcommand("services", "Print what every robot's services answer, as Markdown");
   services->footer("Example: understudy services > docs/services.md");
   services->callback([&] {
     chosen = [&] {
-      std::fputs(ServicesReference().c_str(), stdout);
+      std::fputs(services::ServicesReference().c_str(), stdout);
       return 0;
     };
   });
@@ -143,7 +144,8 @@ int Main(int argc, char** argv) {
       "  source <(understudy completions zsh)          in ~/.zshrc");
   completions->callback([&] {
     chosen = [&] {
-      std::fputs(Completions(app, shell, RobotNames(DataDir())).c_str(), stdout);
+      std::fputs(commands::Completions(app, shell, config::RobotNames(config::DataDir())).c_str(),
+                 stdout);
       return 0;
     };
   });
@@ -153,7 +155,8 @@ int Main(int argc, char** argv) {
   } catch (const CLI::RequiredError& error) {
     if (argc == 1) {
       std::fputs(app.help().c_str(), stderr);
-    } else if (const std::string missing = MissingCommand(app, argc, argv); !missing.empty()) {
+    } else if (const std::string missing = commands::MissingCommand(app, argc, argv);
+               !missing.empty()) {
       std::fprintf(stderr, "%s\nRun with --help for more information.\n", missing.c_str());
     } else {
       app.exit(error);
@@ -163,8 +166,8 @@ int Main(int argc, char** argv) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }
-  for (const Companion& companion : companions) {
-    if (companion.command->parsed()) BecomeCompanion(companion, argv);
+  for (const commands::Companion& companion : companions) {
+    if (companion.command->parsed()) commands::BecomeCompanion(companion, argv);
   }
   if (!ctl.chosen()) return chosen();
   ctl.Run();
@@ -177,6 +180,6 @@ int Main(int argc, char** argv) {
 int main(int argc, char** argv) {
   understudy::OpenClosedStreams();
   const int code = understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
-  understudy::StopLog();
+  understudy::commands::StopLog();
   return code;
 }

@@ -5,7 +5,7 @@
 
 #include "authority/command_gate.h"
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 // tau + kp (q* - q) + kd (dq* - dq) as constant - kp q - kd dq.
@@ -13,14 +13,14 @@ struct Line {
   double constant = 0, kp = 0, kd = 0;
 };
 
-Line LineOf(const MotorCommand& command) {
+Line LineOf(const robot::MotorCommand& command) {
   if (!command.enabled) return {};
   Line line{.constant = command.tau};
-  if (command.q != kNoPosition) {
+  if (command.q != robot::kNoPosition) {
     line.kp = command.kp;
     line.constant += command.kp * command.q;
   }
-  if (command.dq != kNoVelocity) {
+  if (command.dq != robot::kNoVelocity) {
     line.kd = command.kd;
     line.constant += command.kd * command.dq;
   }
@@ -29,20 +29,21 @@ Line LineOf(const MotorCommand& command) {
 
 }  // namespace
 
-MotorCommand Mix(const MotorCommand& under, const MotorCommand& over, double weight) {
+robot::MotorCommand Mix(const robot::MotorCommand& under, const robot::MotorCommand& over,
+                        double weight) {
   if (weight <= 0) return under;
   if (weight >= 1) return over;
   const Line a = LineOf(under), b = LineOf(over);
-  MotorCommand mixed{.enabled = under.enabled || over.enabled};
+  robot::MotorCommand mixed{.enabled = under.enabled || over.enabled};
   mixed.kp = (1 - weight) * a.kp + weight * b.kp;
   mixed.kd = (1 - weight) * a.kd + weight * b.kd;
   mixed.tau = (1 - weight) * a.constant + weight * b.constant;
   return mixed;
 }
 
-ArmOverlay::ArmOverlay(const RobotSpec& spec)
+ArmOverlay::ArmOverlay(const robot::RobotSpec& spec)
     : timeout_(spec.arm_sdk.timeout),
-      command_{.motors = std::vector<MotorCommand>(spec.motors.size())} {
+      command_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& slots = spec.arm_sdk.slots;
     if (std::find(slots.begin(), slots.end(), spec.motors[i].slot) != slots.end()) {
@@ -51,20 +52,20 @@ ArmOverlay::ArmOverlay(const RobotSpec& spec)
   }
 }
 
-Refusal ArmOverlay::Offer(const RobotCommand& command, double weight, double t) {
-  if (!std::isfinite(weight)) return Refusal::kNotFinite;
-  if (const Refusal harm = HarmIn(command); harm != Refusal::kNone) return harm;
+robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double weight, double t) {
+  if (!std::isfinite(weight)) return robot::Refusal::kNotFinite;
+  if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   command_ = command;
   weight_ = std::clamp(weight, 0.0, 1.0);
   at_ = t;
-  return Refusal::kNone;
+  return robot::Refusal::kNone;
 }
 
 double ArmOverlay::weight(double t) const {
   return timeout_ > 0 && t - at_ > timeout_ ? 0 : weight_;
 }
 
-void ArmOverlay::MixOver(double t, RobotCommand* command) const {
+void ArmOverlay::MixOver(double t, robot::RobotCommand* command) const {
   const double weight = this->weight(t);
   if (weight <= 0) return;
   for (const std::size_t i : motors_) {
@@ -72,4 +73,4 @@ void ArmOverlay::MixOver(double t, RobotCommand* command) const {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -8,7 +8,7 @@
 #include "base/nearest_word.h"
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 constexpr const char* kDebug = "debug";
@@ -41,10 +41,10 @@ const std::vector<std::string>& ChordActions() {
   return kActions;
 }
 
-Chord MakeChord(const ChordSpec& spec, const std::string& where) {
+Chord MakeChord(const robot::ChordSpec& spec, const std::string& where) {
   Chord chord;
   chord.clicks = spec.clicks;
-  const std::optional<std::uint16_t> keys = RemoteKeys(spec.keys);
+  const std::optional<std::uint16_t> keys = robot::RemoteKeys(spec.keys);
   if (!keys) {
     throw ConfigError(where + ".keys: expected keys joined by +, as in L2+B, got '" + spec.keys +
                       "'");
@@ -83,4 +83,4 @@ bool ChordReader::knows_debug() const {
   return std::any_of(chords_.begin(), chords_.end(), [](const Chord& c) { return !c.goal; });
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -11,7 +11,7 @@
 #include "authority/motion.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // A chord of the robot's table, ready to act.
 struct Chord {
@@ -25,7 +25,7 @@ struct Chord {
 const std::vector<std::string>& ChordActions();
 
 // Throws ConfigError for keys or a word that do not exist; `where` begins what it says.
-Chord MakeChord(const ChordSpec& spec, const std::string& where);
+Chord MakeChord(const robot::ChordSpec& spec, const std::string& where);
 
 // Finds chords in the keys as they are pressed. A chord is there when a key goes down and exactly
 // its keys are down; one of two clicks when that happens twice within kDoubleClick. Where a chord
@@ -50,6 +50,6 @@ class ChordReader {
   double last_at_ = -kDoubleClick;
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_CHORD_H_

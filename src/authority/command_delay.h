@@ -9,17 +9,17 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // Allocates in the constructor only, as long as every command is for as many motors as `start`.
 class CommandDelay {
  public:
   // `start`: what motors follow until the first command has got through.
-  CommandDelay(std::size_t steps, const RobotCommand& start)
+  CommandDelay(std::size_t steps, const robot::RobotCommand& start)
       : out_(start), waiting_(steps, start) {}
 
   // The command of `steps` calls ago for that of now. Valid until the next call.
-  const RobotCommand& Pass(const RobotCommand& command) {
+  const robot::RobotCommand& Pass(const robot::RobotCommand& command) {
     if (waiting_.empty()) return command;
     std::swap(out_, waiting_[next_]);
     waiting_[next_] = command;
@@ -28,14 +28,14 @@ class CommandDelay {
   }
 
   // Forgets what waits; `start` as at the beginning.
-  void Restart(const RobotCommand& start) { std::ranges::fill(waiting_, start); }
+  void Restart(const robot::RobotCommand& start) { std::ranges::fill(waiting_, start); }
 
  private:
-  RobotCommand out_;
-  std::vector<RobotCommand> waiting_;  // a ring; the oldest is at next_
+  robot::RobotCommand out_;
+  std::vector<robot::RobotCommand> waiting_;  // a ring; the oldest is at next_
   std::size_t next_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_COMMAND_DELAY_H_

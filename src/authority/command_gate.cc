@@ -3,56 +3,58 @@
 #include <cmath>
 #include <utility>
 
-namespace understudy {
+namespace understudy::authority {
 // What no program can mean. That a robot refuses it too is assumed: nothing is published.
-Refusal HarmIn(const MotorCommand& m) {
+robot::Refusal HarmIn(const robot::MotorCommand& m) {
   if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
       !std::isfinite(m.kp) || !std::isfinite(m.kd)) {
-    return Refusal::kNotFinite;
+    return robot::Refusal::kNotFinite;
   }
-  return m.kp < 0 || m.kd < 0 ? Refusal::kGain : Refusal::kNone;
+  return m.kp < 0 || m.kd < 0 ? robot::Refusal::kGain : robot::Refusal::kNone;
 }
 
-Refusal HarmIn(const RobotCommand& command) {
-  for (const MotorCommand& motor : command.motors) {
-    if (const Refusal harm = HarmIn(motor); harm != Refusal::kNone) return harm;
+robot::Refusal HarmIn(const robot::RobotCommand& command) {
+  for (const robot::MotorCommand& motor : command.motors) {
+    if (const robot::Refusal harm = HarmIn(motor); harm != robot::Refusal::kNone) return harm;
   }
-  return Refusal::kNone;
+  return robot::Refusal::kNone;
 }
 
-RobotCommand DampingCommand(std::size_t motors, double kd) {
-  RobotCommand command;
-  command.motors.assign(motors, MotorCommand{.enabled = true, .q = kNoPosition, .kd = kd});
+robot::RobotCommand DampingCommand(std::size_t motors, double kd) {
+  robot::RobotCommand command;
+  command.motors.assign(motors,
+                        robot::MotorCommand{.enabled = true, .q = robot::kNoPosition, .kd = kd});
   return command;
 }
 
-CommandGate::CommandGate(const GateConfig& config, RobotCommand start)
+CommandGate::CommandGate(const GateConfig& config, robot::RobotCommand start)
     : config_(config),
       start_(std::move(start)),
       taken_(start_),
       damping_(DampingCommand(start_.motors.size(), config.damping_kd)),
-      limp_{.motors = std::vector<MotorCommand>(start_.motors.size())} {}
+      limp_{.motors = std::vector<robot::MotorCommand>(start_.motors.size())} {}
 
-Refusal CommandGate::Offer(const RobotCommand& command, Refusal wire, double t) {
-  const Refusal harm = HarmIn(command);
-  if (wire != Refusal::kNone) ++counts_.refused[static_cast<std::size_t>(wire)];
-  if (wire != Refusal::kNone && !config_.lenient) return wire;
-  if (harm != Refusal::kNone) {
+robot::Refusal CommandGate::Offer(const robot::RobotCommand& command, robot::Refusal wire,
+                                  double t) {
+  const robot::Refusal harm = HarmIn(command);
+  if (wire != robot::Refusal::kNone) ++counts_.refused[static_cast<std::size_t>(wire)];
+  if (wire != robot::Refusal::kNone && !config_.lenient) return wire;
+  if (harm != robot::Refusal::kNone) {
     ++counts_.refused[static_cast<std::size_t>(harm)];
     return harm;
   }
   if (state_ == GateState::kClosed) {
-    ++counts_.refused[static_cast<std::size_t>(Refusal::kMotionService)];
-    return Refusal::kMotionService;
+    ++counts_.refused[static_cast<std::size_t>(robot::Refusal::kMotionService)];
+    return robot::Refusal::kMotionService;
   }
   ++counts_.accepted;
   taken_ = command;
   taken_at_ = t;
   state_ = GateState::kFollowing;
-  return Refusal::kNone;
+  return robot::Refusal::kNone;
 }
 
-const RobotCommand& CommandGate::Current(double t) {
+const robot::RobotCommand& CommandGate::Current(double t) {
   if (state_ == GateState::kFollowing && t - taken_at_ > config_.timeout) {
     state_ = GateState::kDamping;
     ++counts_.timeouts;
@@ -73,9 +75,9 @@ const RobotCommand& CommandGate::Current(double t) {
 
 void CommandGate::Restart() { state_ = GateState::kStart; }
 
-void CommandGate::Restart(const RobotCommand& start) {
+void CommandGate::Restart(const robot::RobotCommand& start) {
   start_ = start;
   Restart();
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

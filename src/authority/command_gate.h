@@ -9,7 +9,7 @@
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 struct GateConfig {
   bool lenient = false;   // take commands whose form is wrong; they are counted all the same
@@ -35,8 +35,8 @@ constexpr std::string_view Name(GateState state) {
 
 struct GateCounts {
   std::uint64_t accepted = 0;
-  std::array<std::uint64_t, kRefusals> refused{};  // by Refusal; kNone stays 0
-  std::uint64_t timeouts = 0;                      // times that commands stopped
+  std::array<std::uint64_t, robot::kRefusals> refused{};  // by Refusal; kNone stays 0
+  std::uint64_t timeouts = 0;                             // times that commands stopped
 };
 
 // Takes commands or refuses them with a reason. There is always a current command, never "none":
@@ -49,19 +49,19 @@ struct GateCounts {
 class CommandGate {
  public:
   // `start` is what the motors do before the first command; its size is the number of motors.
-  CommandGate(const GateConfig& config, RobotCommand start);
+  CommandGate(const GateConfig& config, robot::RobotCommand start);
 
   // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
   // Returns kNone when taken, else the reason. `command` must hold as many motors as the start
   // command.
-  Refusal Offer(const RobotCommand& command, Refusal wire, double t);
+  robot::Refusal Offer(const robot::RobotCommand& command, robot::Refusal wire, double t);
 
   // What the motors follow at time t [s], not before the last call's t.
-  const RobotCommand& Current(double t);
+  const robot::RobotCommand& Current(double t);
 
   // Back to the start command, or to another one, and open; counters kept.
   void Restart();
-  void Restart(const RobotCommand& start);
+  void Restart(const robot::RobotCommand& start);
 
   // The motion service takes the motors; Current means nothing until it lets go.
   void Close() { state_ = GateState::kClosed; }
@@ -73,22 +73,22 @@ class CommandGate {
 
  private:
   GateConfig config_;
-  RobotCommand start_;
-  RobotCommand taken_;
-  RobotCommand damping_;
-  RobotCommand limp_;
+  robot::RobotCommand start_;
+  robot::RobotCommand taken_;
+  robot::RobotCommand damping_;
+  robot::RobotCommand limp_;
   GateState state_ = GateState::kStart;
   GateCounts counts_;
   double taken_at_ = 0;
 };
 
 // The first thing in a command that would harm, whatever its form: kNotFinite, kGain, or kNone.
-Refusal HarmIn(const MotorCommand& command);
-Refusal HarmIn(const RobotCommand& command);
+robot::Refusal HarmIn(const robot::MotorCommand& command);
+robot::Refusal HarmIn(const robot::RobotCommand& command);
 
 // A command under which every motor only brakes: kd [N·m·s/rad] on its rate.
-RobotCommand DampingCommand(std::size_t motors, double kd);
+robot::RobotCommand DampingCommand(std::size_t motors, double kd);
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_

@@ -5,12 +5,12 @@
 
 #include "authority/onboard.h"
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts, *assumed*; renewed each tick
 
-std::vector<Chord> ChordsOf(const RobotSpec& spec) {
+std::vector<Chord> ChordsOf(const robot::RobotSpec& spec) {
   std::vector<Chord> chords;
   for (std::size_t i = 0; i < spec.remote.chords.size(); ++i) {
     chords.push_back(MakeChord(spec.remote.chords[i], "robot.remote.chords." + std::to_string(i)));
@@ -19,16 +19,16 @@ std::vector<Chord> ChordsOf(const RobotSpec& spec) {
 }
 
 // Gives `refusal` back.
-Refusal Count(Refusal refusal, GateCounts* counts) {
-  ++(refusal == Refusal::kNone ? counts->accepted
-                               : counts->refused[static_cast<std::size_t>(refusal)]);
+robot::Refusal Count(robot::Refusal refusal, GateCounts* counts) {
+  ++(refusal == robot::Refusal::kNone ? counts->accepted
+                                      : counts->refused[static_cast<std::size_t>(refusal)]);
   return refusal;
 }
 
 }  // namespace
 
-CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
-                             const MotionConfig& config, const RobotCommand& start,
+CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate,
+                             const MotionConfig& config, const robot::RobotCommand& start,
                              std::unique_ptr<Motion> motion)
     : fight_(config.fight),
       stick_speed_(spec.remote.speed),
@@ -42,7 +42,7 @@ CommandRouter::CommandRouter(const RobotSpec& spec, const GateConfig& gate,
   Restart(start);
 }
 
-void CommandRouter::Restart(const RobotCommand& start) {
+void CommandRouter::Restart(const robot::RobotCommand& start) {
   gate_.Restart(start);
   owner_.Restart();
   arms_.Clear();
@@ -51,23 +51,26 @@ void CommandRouter::Restart(const RobotCommand& start) {
   if (was_on_ && !fight_) gate_.Close();
 }
 
-Refusal CommandRouter::Offer(const RobotCommand& command, Refusal wire, double t) {
+robot::Refusal CommandRouter::Offer(const robot::RobotCommand& command, robot::Refusal wire,
+                                    double t) {
   FollowOwner();
-  const Refusal refusal = gate_.Offer(command, wire, t);
-  if (refusal == Refusal::kNone) fresh_lowcmd_ = true;
+  const robot::Refusal refusal = gate_.Offer(command, wire, t);
+  if (refusal == robot::Refusal::kNone) fresh_lowcmd_ = true;
   return refusal;
 }
 
-Refusal CommandRouter::OfferArms(const RobotCommand& command, double weight, double t) {
+robot::Refusal CommandRouter::OfferArms(const robot::RobotCommand& command, double weight,
+                                        double t) {
   FollowOwner();
-  return Count(service_on() ? arms_.Offer(command, weight, t) : Refusal::kNoMotionService,
+  return Count(service_on() ? arms_.Offer(command, weight, t) : robot::Refusal::kNoMotionService,
                &arm_counts_);
 }
 
-Refusal CommandRouter::OfferUser(const RobotCommand& command, double t) {
+robot::Refusal CommandRouter::OfferUser(const robot::RobotCommand& command, double t) {
   FollowOwner();
-  Refusal refusal = service_on() ? Refusal::kNotHandedOver : Refusal::kNoMotionService;
-  if (owner_.user_control()) refusal = user_gate_.Offer(command, Refusal::kNone, t);
+  robot::Refusal refusal =
+      service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
+  if (owner_.user_control()) refusal = user_gate_.Offer(command, robot::Refusal::kNone, t);
   return Count(refusal, &user_counts_);
 }
 
@@ -77,7 +80,7 @@ GateCounts CommandRouter::user_counts() const {
   return counts;
 }
 
-void CommandRouter::Obey(const RemoteReading& remote, double t) {
+void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
   FollowOwner();
   const bool released = !service_on();
   const int resting = gate_.state() == GateState::kLimp ? 0 : 1;
@@ -102,7 +105,8 @@ void CommandRouter::Obey(const RemoteReading& remote, double t) {
   sticks_moved_ = moved;
 }
 
-const RobotCommand& CommandRouter::Current(const MotionInput& input, bool service_due, double dt) {
+const robot::RobotCommand& CommandRouter::Current(const MotionInput& input, bool service_due,
+                                                  double dt) {
   FollowOwner();
   if (!service_on()) return gate_.Current(input.time);
   if (service_due) {
@@ -136,4 +140,4 @@ void CommandRouter::FollowOwner() {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -14,7 +14,7 @@
 #include "authority/motion_config.h"
 #include "authority/motor_owner.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // While a motion service is on it moves the motors, the gate is closed and rt/arm_sdk counts; while
 // it has handed them over, rt/user_lowcmd. Once it lets go, motors brake until rt/lowcmd comes
@@ -23,30 +23,30 @@ class CommandRouter {
  public:
   // `spec` and `config` have been validated. `start` is what the motors do when no service is on
   // and nobody has commanded.
-  CommandRouter(const RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
-                const RobotCommand& start, std::unique_ptr<Motion> motion);
+  CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
+                const robot::RobotCommand& start, std::unique_ptr<Motion> motion);
 
   // The robot is back in a pose that it can start in, `start` is what its motors do there; whoever
   // moves them begins anew.
-  void Restart(const RobotCommand& start);
+  void Restart(const robot::RobotCommand& start);
 
   // A command of rt/lowcmd at time t [s]; `wire` as for CommandGate::Offer, and so is the answer.
-  Refusal Offer(const RobotCommand& command, Refusal wire, double t);
+  robot::Refusal Offer(const robot::RobotCommand& command, robot::Refusal wire, double t);
   // The same for rt/arm_sdk and rt/user_lowcmd, on which nothing is asked of the form.
-  Refusal OfferArms(const RobotCommand& command, double weight, double t);
-  Refusal OfferUser(const RobotCommand& command, double t);
+  robot::Refusal OfferArms(const robot::RobotCommand& command, double weight, double t);
+  robot::Refusal OfferUser(const robot::RobotCommand& command, double t);
   // The remote controller at time t [s].
-  void Obey(const RemoteReading& remote, double t);
+  void Obey(const robot::RemoteReading& remote, double t);
 
   // What the motors follow at input.time. With `service_due` the motion service, if one is on,
   // makes a step of `dt` seconds first.
-  const RobotCommand& Current(const MotionInput& input, bool service_due, double dt);
+  const robot::RobotCommand& Current(const MotionInput& input, bool service_due, double dt);
 
   MotorOwner& owner() { return owner_; }
   const MotorOwner& owner() const { return owner_; }
   bool service_on() const { return !owner_.active().empty(); }
   // What the motion service tells; none while none is on.
-  std::optional<MotionState> motion() const {
+  std::optional<robot::MotionState> motion() const {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
@@ -68,8 +68,8 @@ class CommandRouter {
   GateCounts arm_counts_;
   GateCounts user_counts_;  // but for the time-outs
   ChordReader chords_;
-  RobotCommand own_;    // the motion service's last
-  RobotCommand mixed_;  // the same with the arms
+  robot::RobotCommand own_;    // the motion service's last
+  robot::RobotCommand mixed_;  // the same with the arms
   bool was_on_ = false;
   bool was_user_ = false;
   bool fresh_lowcmd_ = false;  // one has been taken in this tick
@@ -78,6 +78,6 @@ class CommandRouter {
   std::array<double, 3> stick_wish_{};
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_

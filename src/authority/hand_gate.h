@@ -9,7 +9,7 @@
 #include "authority/command_gate.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // Takes commands to a hand or refuses them with a reason. Before the first one its motors are
 // locked, as they are when a command says so: they brake with spec.lock_kd. After that each motor
@@ -24,15 +24,15 @@ namespace understudy {
 class HandGate {
  public:
   // `spec` must outlive the gate.
-  HandGate(const HandSpec& spec, bool lenient);
+  HandGate(const robot::HandSpec& spec, bool lenient);
 
   // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
   // Returns kNone when taken, else the reason. A refused command changes nothing but the counts.
-  Refusal Offer(const HandCommand& command, Refusal wire, double t);
+  robot::Refusal Offer(const robot::HandCommand& command, robot::Refusal wire, double t);
 
   // What each motor follows at time t [s], not before the last call's t, in motor order. All are
   // enabled: a locked one is told to brake. Valid until the next call.
-  std::span<const MotorCommand> Current(double t);
+  std::span<const robot::MotorCommand> Current(double t);
 
   bool locked(std::size_t motor) const { return motors_[motor].locked; }
   bool timed_out(std::size_t motor) const { return motors_[motor].timed_out; }
@@ -52,14 +52,14 @@ class HandGate {
 
   void Lock(std::size_t motor);
 
-  const HandSpec& spec_;
+  const robot::HandSpec& spec_;
   bool lenient_;
   std::vector<Motor> motors_;
-  std::vector<MotorCommand> current_;
+  std::vector<robot::MotorCommand> current_;
   GateCounts counts_;
   double taken_at_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_HAND_GATE_H_

@@ -8,7 +8,7 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // What the services, the remote controller and scripts may ask for. What `value` holds stands
 // beside each; the rest is 0.
@@ -54,8 +54,8 @@ enum class MotionVerdict : std::uint8_t {
 struct MotionInput {
   double time = 0;                // simulated s
   std::span<const double> q, dq;  // rad, rad/s, motor order
-  ImuReading imu;                 // LowState's unit
-  BaseReading base;
+  robot::ImuReading imu;          // LowState's unit
+  robot::BaseReading base;
   std::span<const double> foot_force;  // N, RobotSpec::feet order
 };
 
@@ -72,11 +72,11 @@ class Motion {
 
   // Every dt seconds: what the motors are to do until the next call. `command` has the robot's
   // size. Allocates nothing.
-  virtual void Step(const MotionInput& input, double dt, RobotCommand* command) = 0;
+  virtual void Step(const MotionInput& input, double dt, robot::RobotCommand* command) = 0;
 
-  virtual MotionState state() const = 0;
+  virtual robot::MotionState state() const = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_MOTION_H_

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::authority {
 
 inline constexpr const char* kNoService = "none";
 
@@ -13,6 +13,6 @@ struct MotionConfig {
   bool fight = false;   // follow rt/lowcmd although a motion service is on
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace understudy {
+namespace understudy::authority {
 
 MotorOwner::MotorOwner(std::vector<OnboardService> services, std::string form,
                        std::unique_ptr<Motion> motion)
@@ -54,15 +54,15 @@ MotionVerdict MotorOwner::Ask(const MotionGoal& goal) {
   return active().empty() ? MotionVerdict::kNotNow : motion_->Ask(goal);
 }
 
-MotionState MotorOwner::state() const {
-  return active().empty() ? MotionState{} : motion_->state();
+robot::MotionState MotorOwner::state() const {
+  return active().empty() ? robot::MotionState{} : motion_->state();
 }
 
-bool MotorOwner::Step(const MotionInput& input, double dt, RobotCommand* command) {
+bool MotorOwner::Step(const MotionInput& input, double dt, robot::RobotCommand* command) {
   if (active().empty()) return false;
   if (std::exchange(fresh_, false)) motion_->Start(input);
   motion_->Step(input, dt, command);
   return true;
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -10,7 +10,7 @@
 
 #include "authority/motion.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // A program on the robot's own computer, as `robot_state` lists it.
 struct OnboardService {
@@ -65,11 +65,11 @@ class MotorOwner {
   // Hands a goal to the service that is on; kNotNow when none is.
   MotionVerdict Ask(const MotionGoal& goal);
   // That of the motion service; default values when none is on.
-  MotionState state() const;
+  robot::MotionState state() const;
 
   // One step of the service that is on. Returns false, `command` untouched, when none is. After a
   // change of owner the service starts anew.
-  bool Step(const MotionInput& input, double dt, RobotCommand* command);
+  bool Step(const MotionInput& input, double dt, robot::RobotCommand* command);
 
  private:
   std::vector<OnboardService> services_;
@@ -80,6 +80,6 @@ class MotorOwner {
   bool fresh_ = true;  // the service has not started yet
 };
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_MOTOR_OWNER_H_

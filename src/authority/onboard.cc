@@ -2,29 +2,29 @@
 
 #include "robot/firmware.h"
 
-namespace understudy {
+namespace understudy::authority {
 
-std::vector<std::string> MotionServices(const RobotSpec& spec) {
+std::vector<std::string> MotionServices(const robot::RobotSpec& spec) {
   std::vector<std::string> aliases;
-  for (const ServiceSpec& service : spec.services) {
-    if (!service.alias.empty() && HasService(spec.firmware, service)) {
+  for (const robot::ServiceSpec& service : spec.services) {
+    if (!service.alias.empty() && robot::HasService(spec.firmware, service)) {
       aliases.push_back(service.alias);
     }
   }
   return aliases;
 }
 
-std::string StartService(const RobotSpec& spec, const MotionConfig& config) {
+std::string StartService(const robot::RobotSpec& spec, const MotionConfig& config) {
   if (config.service == kNoService) return {};
   if (!config.service.empty()) return config.service;
   const std::vector<std::string> aliases = MotionServices(spec);
   return aliases.empty() ? std::string() : aliases.front();
 }
 
-std::vector<OnboardService> OnboardServices(const RobotSpec& spec, std::string_view on) {
+std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::string_view on) {
   std::vector<OnboardService> services;
-  for (const ServiceSpec& service : spec.services) {
-    if (!HasService(spec.firmware, service)) continue;
+  for (const robot::ServiceSpec& service : spec.services) {
+    if (!robot::HasService(spec.firmware, service)) continue;
     services.push_back({.name = service.name,
                         .alias = service.alias,
                         .on = service.alias.empty() ? service.on : service.alias == on,
@@ -33,4 +33,4 @@ std::vector<OnboardService> OnboardServices(const RobotSpec& spec, std::string_v
   return services;
 }
 
-}  // namespace understudy
+}  // namespace understudy::authority

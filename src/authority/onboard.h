@@ -10,18 +10,18 @@
 #include "authority/motor_owner.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::authority {
 
 // Aliases of the motion services that the robot's firmware has, in the order of its description.
-std::vector<std::string> MotionServices(const RobotSpec& spec);
+std::vector<std::string> MotionServices(const robot::RobotSpec& spec);
 
 // Which of them is on at the start; "" for none. `config.service` must be one of them, kNoService
 // or "".
-std::string StartService(const RobotSpec& spec, const MotionConfig& config);
+std::string StartService(const robot::RobotSpec& spec, const MotionConfig& config);
 
 // All services of that firmware, of the motion services only the one `on` on.
-std::vector<OnboardService> OnboardServices(const RobotSpec& spec, std::string_view on);
+std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::string_view on);
 
-}  // namespace understudy
+}  // namespace understudy::authority
 
 #endif  // UNDERSTUDY_AUTHORITY_ONBOARD_H_

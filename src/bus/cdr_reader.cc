@@ -7,7 +7,7 @@
 
 #include "bus/qos.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 CdrSample::CdrSample(ddsi_serdata* owned, WriterHandle writer)
     : serdata_(owned), source_time_(owned->timestamp.v), writer_(writer) {
@@ -59,4 +59,4 @@ int CdrReader::TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid) {
   return count;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

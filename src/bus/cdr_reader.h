@@ -16,7 +16,7 @@
 
 struct ddsi_serdata;
 
-namespace understudy {
+namespace understudy::bus {
 
 // One message as bytes, shared with Cyclone, not copied.
 class CdrSample {
@@ -76,6 +76,6 @@ class CdrReader {
   Entity reader_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_CDR_READER_H_

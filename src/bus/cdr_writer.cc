@@ -8,7 +8,7 @@
 
 #include "bus/qos.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 constexpr std::size_t kHead = 4;  // of a message, which says how it is encoded
@@ -54,4 +54,4 @@ bool CdrWriter::Write(std::span<const std::byte> bytes) {
   return written;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

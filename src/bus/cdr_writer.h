@@ -10,7 +10,7 @@
 #include "bus/participant.h"
 #include "bus/topic.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // Sends as a Writer does: reliable, and nobody holds it up.
 class CdrWriter {
@@ -34,6 +34,6 @@ class CdrWriter {
   std::vector<char> message_;  // the type's C struct
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_CDR_WRITER_H_

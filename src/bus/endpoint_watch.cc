@@ -7,7 +7,7 @@
 
 #include <dds/dds.h>
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 constexpr std::size_t kAtOnce = 16;
@@ -54,4 +54,4 @@ std::vector<TopicOnBus> EndpointWatch::Poll() {
   return topics;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -8,7 +8,7 @@
 
 #include "bus/participant.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // A topic under one type. Names are as on the wire.
 struct TopicOnBus {
@@ -37,6 +37,6 @@ class EndpointWatch {
   Entity readers_;  // reader of DCPSSubscription
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_ENDPOINT_WATCH_H_

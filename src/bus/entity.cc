@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 static_assert(std::is_same_v<dds_entity_t, std::int32_t>);
 
@@ -18,4 +18,4 @@ Entity::~Entity() {
   if (handle_ > 0) dds_delete(handle_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace understudy {
+namespace understudy::bus {
 
 // Owns one Cyclone entity and deletes it, and with it the entities created below it. Deleting after
 // the parent has gone is harmless.
@@ -28,6 +28,6 @@ class Entity {
   std::int32_t handle_;  // 0 once moved from
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_ENTITY_H_

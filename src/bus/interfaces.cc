@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 std::vector<NetworkInterface> ListInterfaces() {
   ifaddrs* head = nullptr;
@@ -48,4 +48,4 @@ NetworkInterface FindInterface(const std::string& name) {
   return *found;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

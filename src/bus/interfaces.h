@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::bus {
 
 struct NetworkInterface {
   std::string name;
@@ -21,6 +21,6 @@ std::vector<NetworkInterface> ListInterfaces();
 // names what is wrong, the interfaces there are and the nearest of them.
 NetworkInterface FindInterface(const std::string& name);
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_INTERFACES_H_

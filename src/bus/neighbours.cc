@@ -6,7 +6,7 @@
 
 #include <dds/dds.h>
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 constexpr std::size_t kAtOnce = 16;
@@ -93,4 +93,4 @@ void NeighbourWatch::Note(const void* publication) {
   Introduce(participants_.handle(), &neighbour);
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -7,7 +7,7 @@
 
 #include "bus/participant.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // A foreign writer. Of its participant's properties, those it does not tell are "": Cyclone's tell
 // all of them, other DDS implementations and the vendor's robots may not.
@@ -47,6 +47,6 @@ class NeighbourWatch {
   std::vector<Neighbour> neighbours_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_NEIGHBOURS_H_

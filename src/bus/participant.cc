@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 // Keeps the last line that Cyclone would have printed, instead of printing it, for as long as it
@@ -71,4 +71,4 @@ Participant::Participant(const std::string& interface, int domain)
   std::ranges::copy(guid.v, key_.begin());
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

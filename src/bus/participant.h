@@ -9,7 +9,7 @@
 #include "bus/entity.h"
 #include "bus/interfaces.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // Names a participant on the whole network: its DDS GUID.
 using ParticipantKey = std::array<std::uint8_t, 16>;
@@ -45,6 +45,6 @@ class Participant {
   ParticipantKey key_{};
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_PARTICIPANT_H_

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 QosPtr CommonQos(int depth) {
@@ -32,4 +32,4 @@ QosPtr ReaderQos(const ReaderOptions& options) {
   return qos;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

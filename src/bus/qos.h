@@ -8,7 +8,7 @@
 
 #include "bus/reader.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 struct QosDeleter {
   void operator()(dds_qos_t* qos) const { dds_delete_qos(qos); }
@@ -23,6 +23,6 @@ QosPtr WriterQos();
 // Takes what C++, Python and ROS 2 writers offer: VOLATILE, XCDR1 and XCDR2.
 QosPtr ReaderQos(const ReaderOptions& options);
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_QOS_H_

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "bus/qos.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ListenerPtr = std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)>;
@@ -70,4 +70,4 @@ ReaderCore::Loan::~Loan() {
   if (size_ > 0) dds_return_loan(reader_, samples_.data(), size_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

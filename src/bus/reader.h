@@ -12,7 +12,7 @@
 #include "bus/participant.h"
 #include "bus/topic.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // Names a matched writer within this process.
 using WriterHandle = std::uint64_t;
@@ -115,6 +115,6 @@ class Reader : public ReaderCore {
   }
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_READER_H_

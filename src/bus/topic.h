@@ -4,7 +4,7 @@
 
 struct dds_topic_descriptor;
 
-namespace understudy {
+namespace understudy::bus {
 
 // `Msg` is the C struct that idlc made of the message type and `descriptor` its <Msg>_desc.
 template <typename Msg>
@@ -13,6 +13,6 @@ struct Topic {
   const dds_topic_descriptor* descriptor;
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_TOPIC_H_

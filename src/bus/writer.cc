@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "bus/qos.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using Readers = std::atomic<std::uint32_t>;
@@ -75,4 +75,4 @@ bool WriterCore::WriteMessage(const void* message) noexcept {
   return written;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -9,7 +9,7 @@
 #include "bus/participant.h"
 #include "bus/topic.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 // The part of Writer that does not know the message.
 class WriterCore {
@@ -62,6 +62,6 @@ class Writer : public WriterCore {
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
 };
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_BUS_WRITER_H_

@@ -14,7 +14,7 @@
 #include "client/control_folder.h"
 #include "client/listening_socket.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 namespace asio = boost::asio;
@@ -114,4 +114,4 @@ ControlReply Call(const std::filesystem::path& socket, const std::string& method
   return Connection(socket, timeout).Ask(method, path, body, timeout, true);
 }
 
-}  // namespace understudy
+}  // namespace understudy::client

@@ -10,7 +10,7 @@
 
 #include <sys/types.h>
 
-namespace understudy {
+namespace understudy::client {
 
 struct RunningRobot {
   std::string name;
@@ -54,6 +54,6 @@ ControlReply Call(const std::filesystem::path& socket, const std::string& method
                   const std::string& path, const std::string& body,
                   std::chrono::milliseconds timeout);
 
-}  // namespace understudy
+}  // namespace understudy::client
 
 #endif  // UNDERSTUDY_CLIENT_CLIENT_H_

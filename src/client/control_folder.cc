@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 constexpr std::size_t kLongestName = 64;
@@ -95,4 +95,4 @@ void CheckSocketPath(const std::filesystem::path& socket) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::client

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace understudy {
+namespace understudy::client {
 
 // The first of these: $UNDERSTUDY_RUNTIME_DIR; understudy/ in $XDG_RUNTIME_DIR if that is a folder;
 // understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
@@ -28,6 +28,6 @@ std::string DefaultName(const std::string& robot);
 // Throws SocketError if `socket` has more bytes than the address of a Unix socket holds (107).
 void CheckSocketPath(const std::filesystem::path& socket);
 
-}  // namespace understudy
+}  // namespace understudy::client
 
 #endif  // UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_

@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "client/control_folder.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 namespace asio = boost::asio;
@@ -104,4 +104,4 @@ std::string ControlStream::Next() { return impl_->Next(); }
 
 void ControlStream::Send(const std::string& message) { impl_->Send(message); }
 
-}  // namespace understudy
+}  // namespace understudy::client

@@ -7,7 +7,7 @@
 #include <memory>
 #include <string>
 
-namespace understudy {
+namespace understudy::client {
 
 // One WebSocket, of one thread.
 class ControlStream {
@@ -31,6 +31,6 @@ class ControlStream {
   std::unique_ptr<Impl> impl_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::client
 
 #endif  // UNDERSTUDY_CLIENT_CONTROL_STREAM_H_

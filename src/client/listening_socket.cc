@@ -14,7 +14,7 @@
 #include "base/errors.h"
 #include "client/control_folder.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 class Descriptor {
@@ -169,4 +169,4 @@ ListeningSocket::~ListeningSocket() {
   ::close(fd_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::client

@@ -6,7 +6,7 @@
 
 #include <sys/types.h>
 
-namespace understudy {
+namespace understudy::client {
 
 enum class SocketState {
   kAbsent,   // no such file
@@ -49,6 +49,6 @@ class ListeningSocket {
   ino_t inode_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::client
 
 #endif  // UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_

@@ -12,7 +12,7 @@
 #include "client/client.h"
 #include "client/control_folder.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 std::vector<std::string> NamesOf(const std::vector<RunningRobot>& robots) {
@@ -86,4 +86,4 @@ std::filesystem::path ChosenSocket(const RobotChoice& choice) {
   return *place.socket;
 }
 
-}  // namespace understudy
+}  // namespace understudy::client

@@ -12,7 +12,7 @@ namespace CLI {
 class App;
 }
 
-namespace understudy {
+namespace understudy::client {
 
 // What --name and --socket said; without either $UNDERSTUDY_CONTROL (a socket's path), else the
 // only robot that runs.
@@ -43,6 +43,6 @@ RobotPlace FindRobot(const RobotChoice& choice);
 // not.
 std::filesystem::path ChosenSocket(const RobotChoice& choice);
 
-}  // namespace understudy
+}  // namespace understudy::client
 
 #endif  // UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_

@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 std::filesystem::path CompanionFile(const std::string& program) {
   std::error_code ignored;
@@ -25,4 +25,4 @@ void BecomeCompanion(const Companion& companion, char** argv) {
   throw SetupError(error == ENOENT ? what + "; " + companion.missing : what);
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -9,7 +9,7 @@ namespace CLI {
 class App;
 }
 
-namespace understudy {
+namespace understudy::commands {
 
 struct Companion {
   const CLI::App* command;  // has the options, for --help, completions and a first check
@@ -24,6 +24,6 @@ std::filesystem::path CompanionFile(const std::string& program);
 // name. Throws SetupError when it is not there or cannot be run.
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_COMPANION_H_

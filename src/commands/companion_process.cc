@@ -6,7 +6,7 @@
 
 #include "commands/companion.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 CompanionProcess::CompanionProcess(std::string what, const char* program, const char* missing,
                                    const std::vector<std::string>& words)
@@ -20,7 +20,7 @@ CompanionProcess::CompanionProcess(std::string what, const char* program, const 
   command.insert(command.end(), words.begin(), words.end());
   try {
     child_.emplace(command);
-  } catch (const CommandError& error) {
+  } catch (const exec::CommandError& error) {
     why_not_ = error.what();
   }
 }
@@ -29,7 +29,7 @@ void CompanionProcess::Release() {
   if (child_) {
     try {
       child_->Release();
-    } catch (const CommandError& error) {
+    } catch (const exec::CommandError& error) {
       why_not_ = error.what();
       child_.reset();
     }
@@ -49,4 +49,4 @@ void CompanionProcess::Watch() {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -8,7 +8,7 @@
 
 #include "exec/child_process.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 // Whatever becomes of it, the robot goes on.
 class CompanionProcess {
@@ -25,10 +25,10 @@ class CompanionProcess {
 
  private:
   std::string what_;
-  std::optional<ChildProcess> child_;  // nothing where there is nothing to watch (any more)
-  std::string why_not_;                // it could not be started
+  std::optional<exec::ChildProcess> child_;  // nothing where there is nothing to watch (any more)
+  std::string why_not_;                      // it could not be started
 };
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_

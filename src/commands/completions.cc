@@ -5,7 +5,7 @@
 
 #include "robot/start_pose.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 // A subcommand as the user types it, with the words that may follow.
@@ -25,7 +25,7 @@ void Collect(const CLI::App& app, const std::string& path, const std::vector<std
       branch.words.insert(branch.words.end(), robots.begin(), robots.end());
     }
     if (option->get_name() == "POSE") {
-      branch.words.insert(branch.words.end(), kStartPoses.begin(), kStartPoses.end());
+      branch.words.insert(branch.words.end(), robot::kStartPoses.begin(), robot::kStartPoses.end());
     }
   }
   branches->push_back(branch);
@@ -103,4 +103,4 @@ std::string Completions(const CLI::App& app, const std::string& shell,
   throw std::invalid_argument("no completions for '" + shell + "': bash, zsh or fish");
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -6,13 +6,13 @@
 
 #include <CLI/CLI.hpp>
 
-namespace understudy {
+namespace understudy::commands {
 
 // A script for `bash`, `zsh` or `fish` that completes subcommands, options and, where a robot is
 // wanted, `robots`. Throws std::invalid_argument for another shell.
 std::string Completions(const CLI::App& app, const std::string& shell,
                         const std::vector<std::string>& robots);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_COMPLETIONS_H_

@@ -15,12 +15,14 @@
 #include "script/script.h"
 #include "version.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 using nlohmann::json;
 
-const char* Family(WireFamily family) { return family == WireFamily::kGo ? "go" : "hg"; }
+const char* Family(robot::WireFamily family) {
+  return family == robot::WireFamily::kGo ? "go" : "hg";
+}
 
 // "; --revision 2, [5], 6": in brackets the one that is played unless another is asked for.
 std::string Listed(const std::vector<std::string>& revisions, const std::string& own) {
@@ -32,10 +34,12 @@ std::string Listed(const std::vector<std::string>& revisions, const std::string&
 }
 
 // Throws ModelError where the robot does not fit its model. `notes` may be null.
-void CheckFits(const Config& config, const SceneFile& scene, LoadNotes* notes) {
-  const RobotSpec& robot = config.robot;
+void CheckFits(const config::Config& config, const config::SceneFile& scene,
+               physics::LoadNotes* notes) {
+  const robot::RobotSpec& robot = config.robot;
   try {
-    LoadWorldModel(robot, ModelFile(robot), scene.path(), config.physics.timestep, notes);
+    physics::LoadWorldModel(robot, config::ModelFile(robot), scene.path(), config.physics.timestep,
+                            notes);
   } catch (const ModelError& error) {
     if (robot.revision.empty()) throw;
     throw ModelError("revision " + robot.revision + ": " + error.what());
@@ -44,26 +48,29 @@ void CheckFits(const Config& config, const SceneFile& scene, LoadNotes* notes) {
 
 // What a sound file holds, in one line. Throws SetupError for an unsound one. Of a model, `notes`
 // has what loading it brought up.
-std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
+std::string CheckFile(const std::filesystem::path& file, physics::LoadNotes* notes) {
   const std::string extension = file.extension();
   if (extension == ".xml") {
-    const ModelHandle model = LoadModelFile(file, notes);
+    const mjcf::ModelHandle model = physics::LoadModelFile(file, notes);
     return "MJCF, " + std::to_string(model->nbody - 1) + " bodies, " + std::to_string(model->njnt) +
            " joints, " + std::to_string(model->nu) + " actuators";
   }
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
-  if (const YamlValue document = ReadYamlFile(file); IsScript(document)) {
-    return "script, " + std::to_string(ReadScript(document).size()) + " events";
+  if (const config::YamlValue document = config::ReadYamlFile(file); script::IsScript(document)) {
+    return "script, " + std::to_string(script::ReadScript(document).size()) + " events";
   }
-  const Config config = LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, DataDir());
-  const SceneFile scene("flat", {});
+  const config::Config config =
+      config::LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, config::DataDir());
+  const config::SceneFile scene("flat", {});
   CheckFits(config, scene, notes);
-  for (const std::string& revision : ReadRobotFile(file.string(), DataDir()).RevisionNames()) {
+  for (const std::string& revision :
+       config::ReadRobotFile(file.string(), config::DataDir()).RevisionNames()) {
     const std::vector<std::string> sets{"robot.revision=" + revision};
-    CheckFits(LoadConfig({.robot = file.string(), .files = {}, .sets = sets}, DataDir()), scene,
-              nullptr);
+    CheckFits(
+        config::LoadConfig({.robot = file.string(), .files = {}, .sets = sets}, config::DataDir()),
+        scene, nullptr);
   }
   notes->looks.clear();  // of interest where one checks a model
   const std::size_t hands = config.robot.hands.size();
@@ -73,10 +80,11 @@ std::string CheckFile(const std::filesystem::path& file, LoadNotes* notes) {
 
 // One file's result. A refusal's text names file and line by itself; that of an included file does
 // not name the one that was asked for.
-json Entry(const std::string& file, const std::string& text, bool ok, const LoadNotes& notes) {
+json Entry(const std::string& file, const std::string& text, bool ok,
+           const physics::LoadNotes& notes) {
   json entry = {{"file", file}, {"ok", ok}, {"text", text}};
   entry["rewrites"] = json::array();
-  for (const Rewrite& rewrite : notes.rewrites) {
+  for (const mjcf::Rewrite& rewrite : notes.rewrites) {
     entry["rewrites"].push_back({{"file", rewrite.place.file},
                                  {"line", rewrite.place.line},
                                  {"what", rewrite.what},
@@ -88,7 +96,8 @@ json Entry(const std::string& file, const std::string& text, bool ok, const Load
   return entry;
 }
 
-void Print(const std::string& file, const std::string& text, bool ok, const LoadNotes& notes) {
+void Print(const std::string& file, const std::string& text, bool ok,
+           const physics::LoadNotes& notes) {
   const bool names_file = !ok && text.starts_with(file);
   std::string line = (ok ? "ok   " : "FAIL ") + (names_file ? "" : file + ": ") + text;
   if (!notes.rewrites.empty()) {
@@ -96,7 +105,8 @@ void Print(const std::string& file, const std::string& text, bool ok, const Load
             mj_versionString();
   }
   std::printf("%s\n", line.c_str());
-  for (const Rewrite& rewrite : notes.rewrites) std::printf("     %s\n", rewrite.text().c_str());
+  for (const mjcf::Rewrite& rewrite : notes.rewrites)
+    std::printf("     %s\n", rewrite.text().c_str());
   for (const std::string& note : notes.warnings) std::printf("     %s\n", note.c_str());
   for (const std::string& looks : notes.looks) std::printf("     %s\n", looks.c_str());
   for (const std::string& unknown : notes.unknown) {
@@ -111,12 +121,13 @@ ExitCode CodeOf(const SetupError& error) {
 }  // namespace
 
 int RobotsCommand(bool as_json) {
-  const std::filesystem::path data = DataDir();
+  const std::filesystem::path data = config::DataDir();
   json list = json::array();
-  for (const std::string& name : RobotNames(data)) {
-    const Config config = LoadConfig({.robot = name, .files = {}, .sets = {}}, data);
-    const RobotSpec& robot = config.robot;
-    const std::vector<std::string> revisions = ReadRobotFile(name, data).RevisionNames();
+  for (const std::string& name : config::RobotNames(data)) {
+    const config::Config config =
+        config::LoadConfig({.robot = name, .files = {}, .sets = {}}, data);
+    const robot::RobotSpec& robot = config.robot;
+    const std::vector<std::string> revisions = config::ReadRobotFile(name, data).RevisionNames();
     if (as_json) {
       list.push_back({{"name", name},
                       {"description", robot.description},
@@ -151,7 +162,7 @@ int CheckCommand(const std::vector<std::string>& files, bool as_json) {
   ExitCode code = ExitCode::kOk;
   json list = json::array();
   for (const std::string& file : files) {
-    LoadNotes notes;
+    physics::LoadNotes notes;
     std::string text;
     bool ok = true;
     try {
@@ -171,4 +182,4 @@ int CheckCommand(const std::vector<std::string>& files, bool as_json) {
   return static_cast<int>(code);
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::commands {
 
 // Each prints to standard output, as aligned text or as one JSON document, and returns the exit
 // code.
@@ -16,6 +16,6 @@ int VersionCommand(bool json);
 // for each whether it is fit to use; the exit code is that of the first that is not.
 int CheckCommand(const std::vector<std::string>& files, bool json);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_

@@ -7,7 +7,7 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 class JsonFormatter final : public spdlog::formatter {
@@ -47,4 +47,4 @@ void StartLog(const LogOptions& options) {
 
 void StopLog() { spdlog::shutdown(); }
 
-}  // namespace understudy
+}  // namespace understudy::commands

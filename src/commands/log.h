@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::commands {
 
 struct LogOptions {
   std::string level = "info";  // debug | info | warn | error
@@ -19,6 +19,6 @@ void StartLog(const LogOptions& options);
 // Writes what is queued and ends the thread.
 void StopLog();
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_LOG_H_

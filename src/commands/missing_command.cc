@@ -4,7 +4,7 @@
 
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 // Whether the word is an option that takes the next one as its value. `path`: the program and the
@@ -46,4 +46,4 @@ std::string MissingCommand(const CLI::App& app, int argc, const char* const* arg
   return what + DidYouMean(typed, words);
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -22,7 +22,7 @@
 #include "time/pace.h"
 #include "wire/strangers.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 using std::chrono::milliseconds;
@@ -38,7 +38,7 @@ double SpeedOf(const std::string& text) { return text == "max" ? 0 : std::stod(t
 
 std::string CheckSpeed(const std::string& text) {
   double speed = 0;
-  const bool number = CLI::detail::lexical_cast(text, speed) && speed > 0 && IsSpeed(speed);
+  const bool number = CLI::detail::lexical_cast(text, speed) && speed > 0 && time::IsSpeed(speed);
   if (text == "max" || number) return {};
   return "expected a number from 0.001 to 1000 or max, found '" + text + "'";
 }
@@ -53,7 +53,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  void Update(double at, std::uint64_t messages, Clock::Time now) {
+  void Update(double at, std::uint64_t messages, time::Clock::Time now) {
     if (!shown_ || (drawn_ && now - drawn_at_ < kDrawEvery)) return;
     std::fprintf(stderr, "\r\033[K%.1f of %.1f s  %llu messages", at, to_,
                  static_cast<unsigned long long>(messages));
@@ -66,26 +66,26 @@ class Progress {
   bool shown_;
   double to_;
   bool drawn_ = false;
-  Clock::Time drawn_at_{};
+  time::Clock::Time drawn_at_{};
 };
 
 // A writer for every topic of the player's, by channel.
 class Wire {
  public:
-  Wire(const Participant& participant, const Player& player) {
+  Wire(const bus::Participant& participant, const record::Player& player) {
     for (const auto& [channel, topic] : player.topics()) {
       const MessageType* type = FindMessageType(topic.type);
       if (type == nullptr) {
         spdlog::warn("{} is left out: its type is none of the vendor's", topic.topic);
         continue;
       }
-      writers_.emplace(channel, CdrWriter(participant, topic.topic, *type->descriptor));
+      writers_.emplace(channel, bus::CdrWriter(participant, topic.topic, *type->descriptor));
     }
   }
 
   // Until somebody hears `all` topics, or any; those who come later miss the beginning.
-  void WaitForReaders(bool all, Clock* clock) const {
-    const Clock::Time end = clock->Now() + kMatchPatience;
+  void WaitForReaders(bool all, time::Clock* clock) const {
+    const time::Clock::Time end = clock->Now() + kMatchPatience;
     const auto is_heard = [](const auto& writer) { return writer.second.matched_readers() > 0; };
     while (clock->Now() < end && StopSignal() == 0 &&
            !(all ? std::ranges::all_of(writers_, is_heard)
@@ -95,7 +95,7 @@ class Wire {
     clock->SleepUntil(clock->Now() + kMutual);
   }
 
-  void Write(const McapMessage& message) {
+  void Write(const record::McapMessage& message) {
     const auto writer = writers_.find(message.channel_id);
     if (writer == writers_.end()) return;
     if (writer->second.Write(message.data)) {
@@ -108,13 +108,14 @@ class Wire {
   std::uint64_t damaged() const { return damaged_; }
 
  private:
-  std::map<std::uint16_t, CdrWriter> writers_;
+  std::map<std::uint16_t, bus::CdrWriter> writers_;
   std::uint64_t sent_ = 0, damaged_ = 0;
 };
 
 // Somebody writes rt/lowstate, and has the time of the guard to be found.
-void WaitForRobot(StrangerWatch* watch, const Participant& participant, Clock* clock) {
-  const Clock::Time end = clock->Now() + kMatchPatience;
+void WaitForRobot(wire::StrangerWatch* watch, const bus::Participant& participant,
+                  time::Clock* clock) {
+  const time::Clock::Time end = clock->Now() + kMatchPatience;
   while (watch->Poll().spoke.empty() && watch->speaking().empty()) {
     if (clock->Now() > end) {
       throw BusError("no robot speaks on " + participant.interface() + ", domain " +
@@ -164,16 +165,16 @@ CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments) {
 }
 
 int PlayCommand(const PlayArguments& arguments) {
-  PlayOptions options = arguments.options;
-  options.side = arguments.commands ? PlayedSide::kClients : PlayedSide::kRobot;
+  record::PlayOptions options = arguments.options;
+  options.side = arguments.commands ? record::PlayedSide::kClients : record::PlayedSide::kRobot;
   options.speed = SpeedOf(arguments.speed);
-  const McapReader reader(arguments.file);
-  const double end = options.to > 0 ? options.to : Duration(reader.contents());
+  const record::McapReader reader(arguments.file);
+  const double end = options.to > 0 ? options.to : record::Duration(reader.contents());
   if (!(options.from < end)) {  // nor "nan"
     throw RecordError(arguments.file + ": --from is past the end, " + std::to_string(end) + " s");
   }
-  SteadyClock clock;
-  Player player(&reader, options, &clock);
+  time::SteadyClock clock;
+  record::Player player(&reader, options, &clock);
   const bool terminal = isatty(STDERR_FILENO) == 1 && !arguments.json;
   StartLog({.level = "info", .json = arguments.json, .status_line = terminal});
   CatchStopSignals();
@@ -181,12 +182,12 @@ int PlayCommand(const PlayArguments& arguments) {
     spdlog::warn("the recording was cut short: {}", reader.contents().cut_short);
   }
 
-  const Participant participant(arguments.network.interface, arguments.network.domain);
-  StrangerWatch watch(participant);
+  const bus::Participant participant(arguments.network.interface, arguments.network.domain);
+  wire::StrangerWatch watch(participant);
   if (arguments.commands) {
     WaitForRobot(&watch, participant, &clock);
   } else {
-    RefuseToStartBeside(&watch, clock.Now(), participant, GuardConfig{}, &clock);
+    run::RefuseToStartBeside(&watch, clock.Now(), participant, config::GuardConfig{}, &clock);
   }
   Wire wire(participant, player);
   wire.WaitForReaders(arguments.commands, &clock);
@@ -195,12 +196,13 @@ int PlayCommand(const PlayArguments& arguments) {
 
   Progress progress(terminal, end);
   ExitCode code = ExitCode::kOk;
-  player.Play([&](double at, const McapMessage* message) {
+  player.Play([&](double at, const record::McapMessage* message) {
     if (message != nullptr) wire.Write(*message);
     progress.Update(at, wire.sent(), clock.Now());
     if (StopSignal() != 0) return false;
     if (const auto news = watch.Poll(); !arguments.commands && !news.spoke.empty()) {
-      spdlog::critical("another robot speaks on this network: {}; we stop", Describe(news.spoke));
+      spdlog::critical("another robot speaks on this network: {}; we stop",
+                       wire::Describe(news.spoke));
       code = ExitCode::kNeighbour;
       return false;
     }
@@ -213,4 +215,4 @@ int PlayCommand(const PlayArguments& arguments) {
   return static_cast<int>(code);
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

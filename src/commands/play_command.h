@@ -9,15 +9,15 @@
 #include "config/config.h"
 #include "record/player.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 // The command line, as typed.
 struct PlayArguments {
   std::string file;
   bool commands = false;
   std::string speed = "1";
-  PlayOptions options;
-  NetworkConfig network;
+  record::PlayOptions options;
+  config::NetworkConfig network;
   bool json = false;
 };
 
@@ -27,6 +27,6 @@ CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments);
 // Plays to the end or until Ctrl-C; returns the exit code. Throws SetupError.
 int PlayCommand(const PlayArguments& arguments);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_

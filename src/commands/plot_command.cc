@@ -5,7 +5,7 @@
 
 #include "ctl/check.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 constexpr double kLongest = 1e9;  // s; a recording says where it ends
@@ -27,7 +27,7 @@ std::string ReadSize(const std::string& text, int* width, int* height) {
 }  // namespace
 
 CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
-  PlotOptions& options = arguments->options;
+  record::PlotOptions& options = arguments->options;
   CLI::App* plot = app->add_subcommand("plot", "Draw the picture of a recording");
   plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
   plot->add_option("--out", arguments->out,
@@ -46,10 +46,10 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
       ->delimiter(',');
   plot->add_option("--from", options.from, "Second of simulated time to begin at [0]")
       ->type_name("S")
-      ->check(NumberWithin(0, kLongest));
+      ->check(ctl::NumberWithin(0, kLongest));
   plot->add_option("--to", options.to, "Second of simulated time to end at [the recording's end]")
       ->type_name("S")
-      ->check(NumberWithin(0, kLongest));
+      ->check(ctl::NumberWithin(0, kLongest));
   plot->add_option("--size", arguments->size, "Pixels [1600 wide, as high as its panels]")
       ->type_name("WxH")
       ->check([&options](const std::string& text) {
@@ -69,13 +69,13 @@ int PlotCommand(const PlotArguments& arguments) {
   const std::filesystem::path picture =
       arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(".png")
                             : std::filesystem::path(arguments.out);
-  const McapReader reader(arguments.file);
+  const record::McapReader reader(arguments.file);
   if (!reader.contents().cut_short.empty()) {
     std::fprintf(stderr, "the recording was cut short: %s\n", reader.contents().cut_short.c_str());
   }
-  DrawPage(MakePage(reader, arguments.options), picture);
+  record::DrawPage(record::MakePage(reader, arguments.options), picture);
   std::printf("%s\n", picture.c_str());
   return 0;
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

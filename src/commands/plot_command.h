@@ -8,14 +8,14 @@
 
 #include "record/plot.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 // The command line, as typed.
 struct PlotArguments {
   std::string file;
   std::string out;
   std::string size;
-  PlotOptions options;
+  record::PlotOptions options;
 };
 
 // Adds the subcommand. `arguments` is filled by parsing and must outlive the app.
@@ -24,6 +24,6 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments);
 // Draws the picture and says where it is; returns the exit code. Throws SetupError.
 int PlotCommand(const PlotArguments& arguments);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_

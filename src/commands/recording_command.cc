@@ -8,32 +8,32 @@
 #include "record/mcap_reader.h"
 #include "record/player.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json Describe(const McapReader& reader) {
-  const McapContents& contents = reader.contents();
+ordered_json Describe(const record::McapReader& reader) {
+  const record::McapContents& contents = reader.contents();
   ordered_json channels = ordered_json::array();
   for (const auto& [id, channel] : contents.channels) {
-    const McapSchema* schema = reader.SchemaOf(channel);
+    const record::McapSchema* schema = reader.SchemaOf(channel);
     const auto count = contents.counts.find(id);
     const auto from = channel.metadata.find("from");
-    channels.push_back({{"topic", TopicOnWire(channel)},
+    channels.push_back({{"topic", record::TopicOnWire(channel)},
                         {"type", schema == nullptr ? "" : schema->name},
                         {"from", from == channel.metadata.end() ? "" : from->second},
                         {"messages", count == contents.counts.end() ? 0 : count->second}});
   }
   ordered_json attachments = ordered_json::array();
-  for (const McapAttachment& attachment : contents.attachments) {
+  for (const record::McapAttachment& attachment : contents.attachments) {
     attachments.push_back({{"name", attachment.name}, {"bytes", attachment.size}});
   }
   const auto about = contents.metadata.find("understudy");
   return {{"file", reader.path().string()},
           {"library", contents.library},
-          {"about", about == contents.metadata.end() ? StringMap() : about->second},
-          {"seconds", Duration(contents)},
+          {"about", about == contents.metadata.end() ? record::StringMap() : about->second},
+          {"seconds", record::Duration(contents)},
           {"messages", contents.messages},
           {"cut_short", contents.cut_short},
           {"channels", channels},
@@ -55,7 +55,7 @@ std::string TextOf(const ordered_json& object, const char* key) {
 }  // namespace
 
 int RecordingCommand(const std::string& file, bool json) {
-  const McapReader reader(file);
+  const record::McapReader reader(file);
   const ordered_json told = Describe(reader);
   if (json) {
     std::puts(told.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
@@ -93,4 +93,4 @@ int RecordingCommand(const std::string& file, bool json) {
   return 0;
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

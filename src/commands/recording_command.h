@@ -4,11 +4,11 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::commands {
 
 // Prints it; returns the exit code. Throws RecordError.
 int RecordingCommand(const std::string& file, bool json);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_

@@ -25,7 +25,7 @@
 #include "server/panel_socket.h"
 #include "viewer/arguments.h"
 
-namespace understudy {
+namespace understudy::commands {
 namespace {
 
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
@@ -58,7 +58,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
       "--released",
       [arguments] {
         arguments->sets.insert(arguments->sets.begin(),
-                               std::string("motion.service=") + kNoService);
+                               std::string("motion.service=") + authority::kNoService);
       },
       "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
   app->add_flag_callback(
@@ -87,24 +87,26 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_flag("--json", arguments->json, "Log as one JSON object a line");
 }
 
-Config Load(const RunArguments& arguments) {
-  return LoadConfig(
+config::Config Load(const RunArguments& arguments) {
+  return config::LoadConfig(
       {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets},
-      DataDir());
+      config::DataDir());
 }
 
-std::vector<ScriptEvent> LoadEvents(const RunArguments& arguments) {
-  return arguments.script.empty() ? std::vector<ScriptEvent>() : LoadScript(arguments.script);
+std::vector<emulator::ScriptEvent> LoadEvents(const RunArguments& arguments) {
+  return arguments.script.empty() ? std::vector<emulator::ScriptEvent>()
+                                  : script::LoadScript(arguments.script);
 }
 
 // Whoever asks for a certain address gets that or an error; the panel that nobody asked for is no
 // reason to fail: `missing` says why there is none.
-std::unique_ptr<PanelSocket> MakePanelSocket(const ControlConfig& config, std::string* missing) {
+std::unique_ptr<server::PanelSocket> MakePanelSocket(const config::ControlConfig& config,
+                                                     std::string* missing) {
   if (!config.panel) return nullptr;
   try {
-    return std::make_unique<PanelSocket>(config.address, config.port);
+    return std::make_unique<server::PanelSocket>(config.address, config.port);
   } catch (const SocketError& error) {
-    if (config.port != 0 || config.address != ControlConfig{}.address) throw;
+    if (config.port != 0 || config.address != config::ControlConfig{}.address) throw;
     *missing = error.what();
     return nullptr;
   }
@@ -114,7 +116,7 @@ void SayWhatIsMissing(const std::string& panel) {
   if (!panel.empty()) spdlog::info("no panel: {}", panel);
 }
 
-RecordingOptions RecordingOf(const RunArguments& arguments) {
+run::RecordingOptions RecordingOf(const RunArguments& arguments) {
   return {.file = arguments.record, .overwrite = arguments.overwrite};
 }
 
@@ -123,20 +125,22 @@ std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
                                           const std::string& socket) {
   std::deque<CompanionProcess> companions;
   if (arguments.view) {
-    companions.emplace_back("the window", "understudy-view", kViewerMissing,
+    companions.emplace_back("the window", "understudy-view", viewer::kViewerMissing,
                             std::vector<std::string>{"view", "--socket", socket});
   }
   if (arguments.gamepad) {
     companions.emplace_back(
-        "the gamepad's program", "understudy-remote", kRemoteMissing,
+        "the gamepad's program", "understudy-remote", remote::kRemoteMissing,
         std::vector<std::string>{"remote", "--no-keyboard", "--socket", socket});
   }
   return companions;
 }
 
-std::filesystem::path MakeControlSocket(const RunArguments& arguments, const Config& config) {
-  MakeControlFolder(ControlFolder());
-  return ControlSocket(arguments.name.empty() ? DefaultName(config.robot.name) : arguments.name);
+std::filesystem::path MakeControlSocket(const RunArguments& arguments,
+                                        const config::Config& config) {
+  client::MakeControlFolder(client::ControlFolder());
+  return client::ControlSocket(arguments.name.empty() ? client::DefaultName(config.robot.name)
+                                                      : arguments.name);
 }
 
 }  // namespace
@@ -185,15 +189,15 @@ CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments) {
 
 int RunCommand(const RunArguments& arguments) {
   if (arguments.help_config) {
-    std::fputs(ConfigReference().c_str(), stdout);
+    std::fputs(config::ConfigReference().c_str(), stdout);
     return 0;
   }
-  const Config config = Load(arguments);
+  const config::Config config = Load(arguments);
   if (arguments.print_config) {
-    std::fputs(PrintConfig(config, true).c_str(), stdout);
+    std::fputs(config::PrintConfig(config, true).c_str(), stdout);
     return 0;
   }
-  RunOptions options;
+  run::RunOptions options;
   options.script = LoadEvents(arguments);
   options.recording = RecordingOf(arguments);
   options.control_socket = MakeControlSocket(arguments, config);
@@ -214,24 +218,24 @@ int RunCommand(const RunArguments& arguments) {
     for (CompanionProcess& companion : companions) companion.Watch();
     return StopSignal() != 0;
   };
-  return static_cast<int>(RunRobot(config, options));
+  return static_cast<int>(run::RunRobot(config, options));
 }
 
 int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
-  const Config config = Load(arguments);
-  RunOptions options;
+  const config::Config config = Load(arguments);
+  run::RunOptions options;
   options.script = LoadEvents(arguments);
   // In the machine's network, where the browser is.
   std::string missing;
   const auto panel = MakePanelSocket(config.control, &missing);
   options.panel = panel.get();
   options.recording = RecordingOf(arguments);
-  if (arguments.network == "private") EnterPrivateNetwork();
+  if (arguments.network == "private") exec::EnterPrivateNetwork();
 
   // The command is forked before any thread exists, and runs nothing until the robot is ready.
   const std::filesystem::path control = MakeControlSocket(arguments, config);
-  ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
+  exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
@@ -255,7 +259,7 @@ int ExecCommand(const RunArguments& arguments) {
     code = child.Poll();
     return code.has_value();
   };
-  const ExitCode robot = RunRobot(config, options);
+  const ExitCode robot = run::RunRobot(config, options);
   if (!code) {
     child.Terminate(kGrace);
     code = child.Wait();
@@ -263,4 +267,4 @@ int ExecCommand(const RunArguments& arguments) {
   return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

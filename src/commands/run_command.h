@@ -9,7 +9,7 @@
 
 #include "commands/set_options.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 // The command line of a run, as typed.
 struct RunArguments : SetArguments {
@@ -38,6 +38,6 @@ CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments);
 int RunCommand(const RunArguments& arguments);
 int ExecCommand(const RunArguments& arguments);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_RUN_COMMAND_H_

@@ -1,6 +1,6 @@
 #include "commands/set_options.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
                             const std::string& key, const std::string& type,
@@ -30,4 +30,4 @@ void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& co
       ->take_all();
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace understudy {
+namespace understudy::commands {
 
 // What they gather, as typed.
 struct SetArguments {
@@ -26,6 +26,6 @@ CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::s
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_SET_OPTIONS_H_

@@ -9,7 +9,7 @@
 #include "physics/world_model.h"
 #include "terrain/terrain.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments) {
   CLI::App* terrain = app->add_subcommand("terrain", "Write a run's ground as MJCF and pictures");
@@ -42,17 +42,18 @@ CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments) {
 int TerrainCommand(const TerrainArguments& arguments) {
   std::vector<std::string> sets = arguments.sets;
   sets.insert(sets.begin(), "scene=" + arguments.scene);
-  const Config config = LoadScene({.robot = {}, .files = arguments.config_files, .sets = sets});
-  if (!IsTerrain(config.scene)) {
-    std::vector<std::string> scenes = TerrainKinds();
-    scenes.emplace_back(kPatchesScene);
+  const config::Config config =
+      config::LoadScene({.robot = {}, .files = arguments.config_files, .sets = sets});
+  if (!terrain::IsTerrain(config.scene)) {
+    std::vector<std::string> scenes = terrain::TerrainKinds();
+    scenes.emplace_back(terrain::kPatchesScene);
     throw ModelError("no terrain '" + config.scene + "'" + DidYouMean(config.scene, scenes));
   }
-  WriteTerrain(config.scene, config.terrain, arguments.out);
+  terrain::WriteTerrain(config.scene, config.terrain, arguments.out);
   const std::filesystem::path file = std::filesystem::path(arguments.out) / "scene.xml";
-  LoadModelFile(file);  // what we say is there loads
+  physics::LoadModelFile(file);  // what we say is there loads
   std::printf("%s\n", file.c_str());
   return 0;
 }
 
-}  // namespace understudy
+}  // namespace understudy::commands

@@ -9,7 +9,7 @@
 
 #include "commands/set_options.h"
 
-namespace understudy {
+namespace understudy::commands {
 
 // The command line, as typed.
 struct TerrainArguments : SetArguments {
@@ -23,6 +23,6 @@ CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments);
 // Writes the files and says where; returns the exit code. Throws SetupError.
 int TerrainCommand(const TerrainArguments& arguments);
 
-}  // namespace understudy
+}  // namespace understudy::commands
 
 #endif  // UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 template <class... Fs>
@@ -143,4 +143,4 @@ std::string Allowed(const Row& row, const Slot& slot) {
                     slot);
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -14,7 +14,7 @@
 #include <variant>
 #include <vector>
 
-namespace understudy {
+namespace understudy::config {
 
 // Both ends belong to it. Values outside and values that are not finite are refused.
 struct Range {
@@ -136,6 +136,6 @@ std::string Expected(const Row& row, const Slot& slot);
 // What a value may be, for tables: "0 to 10", "strict, lenient", "text".
 std::string Allowed(const Row& row, const Slot& slot);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_ARCHIVE_H_

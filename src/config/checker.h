@@ -7,7 +7,7 @@
 #include "base/errors.h"
 #include "config/reader.h"
 
-namespace understudy {
+namespace understudy::config {
 
 class Checker {
  public:
@@ -29,6 +29,6 @@ class Checker {
   const Places& places_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_CHECKER_H_

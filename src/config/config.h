@@ -14,7 +14,7 @@
 #include "sensors/sensors.h"
 #include "terrain/terrain.h"
 
-namespace understudy {
+namespace understudy::config {
 
 struct NetworkConfig {
   std::string interface = "lo";
@@ -61,17 +61,17 @@ struct Config {
   ControlConfig control;
   TimeConfig time;
   PhysicsConfig physics;
-  SensorConfig sensors;
-  GateConfig gate;
-  MotionConfig motion;
-  CraneConfig crane;
+  sensors::SensorConfig sensors;
+  authority::GateConfig gate;
+  authority::MotionConfig motion;
+  physics::CraneConfig crane;
   StartConfig start;
   std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path
-  TerrainSpec terrain;
-  RandomizationSpec randomization;
-  RobotSpec robot;
+  terrain::TerrainSpec terrain;
+  robot::RandomizationSpec randomization;
+  robot::RobotSpec robot;
 };
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_CONFIG_H_

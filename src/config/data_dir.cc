@@ -5,7 +5,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 bool Holds(const std::filesystem::path& directory) {
@@ -51,4 +51,4 @@ std::filesystem::path PanelDir() { return Served("panel", "src/panel/web"); }
 
 std::filesystem::path OpenApiFile() { return Served("openapi.yaml", "docs/openapi.yaml"); }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace understudy {
+namespace understudy::config {
 
 // The directory that holds config/robots and models: $UNDERSTUDY_DATA_DIR where that is set, else
 // share/understudy beside the program's bin, else the source tree this was built from. Throws
@@ -21,6 +21,6 @@ std::filesystem::path FindDataDir(const char* variable, const std::filesystem::p
 std::filesystem::path PanelDir();
 std::filesystem::path OpenApiFile();
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_DATA_DIR_H_

@@ -2,7 +2,7 @@
 
 #include "config/randomization_keys.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 void DescribeNetwork(Archive& a, NetworkConfig& c) {
@@ -59,13 +59,13 @@ void DescribePhysics(Archive& a, PhysicsConfig& c) {
            &c.on_divergence);
 }
 
-void DescribeSensors(Archive& a, SensorConfig& c) {
+void DescribeSensors(Archive& a, sensors::SensorConfig& c) {
   a.Key({"quantise", "Round readings to the lattices of the real sensors"}, &c.quantise);
   a.Key({"noise", "Add the noise of the real sensors"}, &c.noise);
   a.Key({"seed", "", {0, kMaxInt}, "Seed of that noise"}, &c.seed);
 }
 
-void DescribeGate(Archive& a, GateConfig& c) {
+void DescribeGate(Archive& a, authority::GateConfig& c) {
   a.Choice({"mode",
             "Whether a command that is wrong in form (crc, head, mode_machine, mode_pr, "
             "motor mode) is refused or counted and taken"},
@@ -80,7 +80,7 @@ void DescribeGate(Archive& a, GateConfig& c) {
         &c.damping_kd);
 }
 
-void DescribeMotion(Archive& a, MotionConfig& c) {
+void DescribeMotion(Archive& a, authority::MotionConfig& c) {
   a.Key({"service",
          "Motion service that moves the robot at the start, by its alias in robot.services; none: "
          "rt/lowcmd does; \"\": the first that robot.firmware has"},
@@ -90,7 +90,7 @@ void DescribeMotion(Archive& a, MotionConfig& c) {
         &c.fight);
 }
 
-void DescribeCrane(Archive& a, CraneConfig& c) {
+void DescribeCrane(Archive& a, physics::CraneConfig& c) {
   a.Key({"length",
          "m",
          {0.05, 20},
@@ -141,4 +141,4 @@ void Describe(Archive& a, Config& c) {
             [&] { Describe(a, c.robot); });
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

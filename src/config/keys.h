@@ -9,7 +9,7 @@
 #include "config/archive.h"
 #include "config/config.h"
 
-namespace understudy {
+namespace understudy::config {
 
 inline constexpr double kMaxInt = std::numeric_limits<int>::max();
 
@@ -17,10 +17,10 @@ inline constexpr double kMaxInt = std::numeric_limits<int>::max();
 const std::vector<std::string>& StartPoses();
 
 void Describe(Archive& archive, Config& config);
-void Describe(Archive& archive, RobotSpec& robot);
+void Describe(Archive& archive, robot::RobotSpec& robot);
 // `scene` and `terrain` alone, which is what a scene's own YAML file may hold.
 void DescribeScene(Archive& archive, Config& config);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_KEYS_H_

@@ -16,7 +16,7 @@
 #include "config/yaml_document.h"
 #include "robot/drop_motor.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 // "robot.motors.3.slot=4" as the tree {robot: {motors: {3: {slot: 4}}}}.
@@ -59,7 +59,7 @@ std::string LastScene(const std::vector<YamlValue>& trees) {
 
 // A scene's own file lies below all other layers.
 void ReadSceneFile(const std::string& file, Config* config, Places* places) {
-  config->scene = kPatchesScene;
+  config->scene = terrain::kPatchesScene;
   const YamlValue tree = ReadYamlFile(file);
   Reader reader(tree, places);
   DescribeScene(reader, *config);
@@ -70,20 +70,20 @@ void ReadSceneFile(const std::string& file, Config* config, Places* places) {
 }
 
 // Takes out the motors of joints that are locked, whose names go to `left_out`.
-void LeaveOutLocked(RobotSpec* robot, std::set<std::string>* left_out) {
+void LeaveOutLocked(robot::RobotSpec* robot, std::set<std::string>* left_out) {
   for (const std::string& joint : robot->locked_joints) {
     const auto motor = std::find_if(robot->motors.begin(), robot->motors.end(),
-                                    [&](const MotorSpec& m) { return m.joint == joint; });
+                                    [&](const robot::MotorSpec& m) { return m.joint == joint; });
     if (motor == robot->motors.end()) continue;
     left_out->insert(joint);
-    DropMotor(static_cast<std::size_t>(motor - robot->motors.begin()), robot);
+    robot::DropMotor(static_cast<std::size_t>(motor - robot->motors.begin()), robot);
   }
 }
 
-void CheckLocked(const RobotSpec& robot, const std::set<std::string>& left_out,
+void CheckLocked(const robot::RobotSpec& robot, const std::set<std::string>& left_out,
                  const Places& places) {
   std::vector<std::string> joints(left_out.begin(), left_out.end());
-  for (const MotorSpec& motor : robot.motors) joints.push_back(motor.joint);
+  for (const robot::MotorSpec& motor : robot.motors) joints.push_back(motor.joint);
   for (const std::string& joint : robot.locked_joints) {
     if (left_out.contains(joint)) continue;
     throw ConfigError(places.at("robot.locked_joints") +
@@ -202,7 +202,7 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
   Places places;
   Config config = ReadLayers(trees, &places);
   if (LeavesJointsToAnotherModel(trees, own)) {
-    config.robot.dynamics.use = DynamicsSource::kCatalogue;
+    config.robot.dynamics.use = robot::DynamicsSource::kCatalogue;
   }
   Validate(config, places);
   return config;
@@ -224,4 +224,4 @@ std::string PrintConfig(const Config& config, bool with_comments) {
   return printer.text();
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -8,7 +8,7 @@
 
 #include "config/config.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // What a run is told, weakest first; all of it over the defaults in the structs.
 struct Layers {
@@ -36,6 +36,6 @@ Config LoadScene(const Layers& layers);
 // configuration, number by number. With comments, meaning, unit and range stand above each key.
 std::string PrintConfig(const Config& config, bool with_comments);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_LOAD_H_

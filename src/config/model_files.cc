@@ -9,7 +9,7 @@
 #include "base/nearest_word.h"
 #include "config/data_dir.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 std::filesystem::path MakeFolder() {
@@ -28,8 +28,8 @@ std::filesystem::path FindFile(const std::string& scene) {
   std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
   if (std::filesystem::is_regular_file(file)) return file;
   if (path.has_extension()) throw ModelError("scene " + scene + ": no such file");
-  std::vector<std::string> scenes = TerrainKinds();
-  scenes.emplace_back(kPatchesScene);
+  std::vector<std::string> scenes = terrain::TerrainKinds();
+  scenes.emplace_back(terrain::kPatchesScene);
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     if (entry.path().extension() != ".xml") continue;
     const std::string name = entry.path().stem();
@@ -45,19 +45,19 @@ void Remove(const std::filesystem::path& folder) {
 
 }  // namespace
 
-std::filesystem::path ModelFile(const RobotSpec& robot) {
+std::filesystem::path ModelFile(const robot::RobotSpec& robot) {
   return DataDir() / "models" / robot.model;  // an absolute path replaces what is before it
 }
 
-SceneFile::SceneFile(const std::string& scene, const TerrainSpec& terrain) {
-  if (!IsTerrain(scene)) {
+SceneFile::SceneFile(const std::string& scene, const terrain::TerrainSpec& terrain) {
+  if (!terrain::IsTerrain(scene)) {
     path_ = FindFile(scene);
     return;
   }
   made_ = MakeFolder();
   path_ = made_ / "scene.xml";
   try {
-    WriteTerrain(scene, terrain, made_);
+    terrain::WriteTerrain(scene, terrain, made_);
   } catch (...) {
     Remove(made_);
     throw;
@@ -66,4 +66,4 @@ SceneFile::SceneFile(const std::string& scene, const TerrainSpec& terrain) {
 
 SceneFile::~SceneFile() { Remove(made_); }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace understudy {
+namespace understudy::config {
 
 void Printer::Comment(const Row& row, const std::string& allowed) {
   if (!with_comments_) return;
@@ -77,4 +77,4 @@ bool Printer::Enter(const Row& row, std::string_view) {
   return true;
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -7,7 +7,7 @@
 
 #include "config/archive.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // Lists of structs get one line per element, lists within an element and all. With comments,
 // meaning, unit and range stand above each key, and above a list once for all its elements.
@@ -38,6 +38,6 @@ class Printer : public Archive {
   std::string element_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_PRINTER_H_

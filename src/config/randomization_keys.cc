@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <array>
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 constexpr Range kScale{0, 100};
 constexpr Range kPositiveScale{0.01, 100};  // of what has no meaning at 0
 
-using Spec = RandomizationSpec;
+using Spec = robot::RandomizationSpec;
 
 const std::array<RandomRange, 15> kRanges{{
     {{"friction", "", kPositiveScale, "Sliding friction of every contact: factor on the model's"},
@@ -52,12 +52,12 @@ const std::array<RandomRange, 15> kRanges{{
 
 std::span<const RandomRange> RandomRanges() { return kRanges; }
 
-bool IsRandom(const RandomizationSpec& spec) {
+bool IsRandom(const robot::RandomizationSpec& spec) {
   return std::ranges::any_of(
       kRanges, [&spec](const RandomRange& range) { return !(spec.*range.limits).empty(); });
 }
 
-void DescribeRandomization(Archive& a, RandomizationSpec& r) {
+void DescribeRandomization(Archive& a, robot::RandomizationSpec& r) {
   a.Key({"seed",
          "",
          {-1, kMaxInt},
@@ -66,4 +66,4 @@ void DescribeRandomization(Archive& a, RandomizationSpec& r) {
   for (const RandomRange& range : kRanges) a.Key(range.row, &(r.*range.limits));
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

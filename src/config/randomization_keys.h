@@ -8,20 +8,20 @@
 #include "config/keys.h"
 #include "robot/randomization.h"
 
-namespace understudy {
+namespace understudy::config {
 
 struct RandomRange {
   Row row;
-  RandomizationSpec::Limits RandomizationSpec::*limits;
+  robot::RandomizationSpec::Limits robot::RandomizationSpec::*limits;
 };
 
 std::span<const RandomRange> RandomRanges();
 
 // Whether anything is to be drawn.
-bool IsRandom(const RandomizationSpec& spec);
+bool IsRandom(const robot::RandomizationSpec& spec);
 
-void DescribeRandomization(Archive& a, RandomizationSpec& r);
+void DescribeRandomization(Archive& a, robot::RandomizationSpec& r);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_RANDOMIZATION_KEYS_H_

@@ -12,7 +12,7 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using Kind = YamlValue::Kind;
@@ -210,4 +210,4 @@ void Reader::Leave() {
   open_.pop_back();
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -11,7 +11,7 @@
 #include "config/archive.h"
 #include "config/yaml_document.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // Where each key that has been read stands, by its dotted path ("robot.motors.3.slot").
 using Places = std::map<std::string, std::string>;
@@ -56,6 +56,6 @@ class Reader : public Archive {
   std::deque<YamlValue> made_;  // mappings that a bare word stood for
 };
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_READER_H_

@@ -5,7 +5,7 @@
 #include "config/archive.h"
 #include "config/keys.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 // A bar would end the cell of a Markdown table.
@@ -90,4 +90,4 @@ std::string ConfigReference() { return Described().Text(); }
 
 std::vector<std::string> ConfigKeys() { return Described().keys(); }
 
-}  // namespace understudy
+}  // namespace understudy::config

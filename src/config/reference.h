@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::config {
 
 // One Markdown table per section: key, unit, allowed values, default, meaning. Keys are dotted, as
 // --set takes them; [] in a key stands for the index of a list element.
@@ -14,6 +14,6 @@ std::string ConfigReference();
 // All keys of that table, in its order.
 std::vector<std::string> ConfigKeys();
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_REFERENCE_H_

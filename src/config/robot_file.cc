@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using std::filesystem::path;
@@ -154,4 +154,4 @@ RobotFile ReadRobotFile(const std::string& robot, const path& data_dir) {
   return file;
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -19,7 +19,7 @@
 
 #include "config/yaml_document.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // A hardware revision: layers that go right over those of the robot, weakest first.
 struct RobotRevision {
@@ -49,6 +49,6 @@ YamlValue ReadLayer(const std::filesystem::path& file);
 // mappings or take away what is not there.
 RobotFile ReadRobotFile(const std::string& robot, const std::filesystem::path& data_dir);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_ROBOT_FILE_H_

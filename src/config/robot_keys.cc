@@ -3,11 +3,11 @@
 #include "authority/chord.h"
 #include "config/keys.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 // What motors of hands have too.
-void DescribeDrive(Archive& a, MotorSpec& m) {
+void DescribeDrive(Archive& a, robot::MotorSpec& m) {
   a.Key({"torque_limit", "N·m", kNotNegative, "Most torque at the joint"}, &m.torque_limit);
   a.Key({"knee_speed", "rad/s", kNotNegative,
          "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"},
@@ -16,7 +16,7 @@ void DescribeDrive(Archive& a, MotorSpec& m) {
         &m.no_load_speed);
 }
 
-void DescribeMotor(Archive& a, MotorSpec& m) {
+void DescribeMotor(Archive& a, robot::MotorSpec& m) {
   a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
   a.Key({"slot", "", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"}, &m.slot);
   DescribeDrive(a, m);
@@ -35,7 +35,7 @@ void DescribeMotor(Archive& a, MotorSpec& m) {
   a.Key({"kd_scale", "", {0, 100}, "How much of a commanded kd acts"}, &m.kd_scale);
 }
 
-void DescribeBody(Archive& a, BodySpec& b) {
+void DescribeBody(Archive& a, robot::BodySpec& b) {
   a.Key({"name", "Body of the model"}, &b.name);
   a.Key({"pos", "m", {-10, 10}, "Its place in its parent's frame; none is the model's"}, &b.pos);
   a.Key({"mass", "kg", {0, 1000}, "Its mass; 0 is the model's"}, &b.mass);
@@ -48,12 +48,12 @@ void DescribeBody(Archive& a, BodySpec& b) {
         &b.inertia);
 }
 
-void DescribeSite(Archive& a, SiteSpec& s) {
+void DescribeSite(Archive& a, robot::SiteSpec& s) {
   a.Key({"name", "Site of the model"}, &s.name);
   a.Key({"pos", "m", {-10, 10}, "Its place in its body's frame"}, &s.pos, 3);
 }
 
-void DescribeParallel(Archive& a, ParallelSpec& p) {
+void DescribeParallel(Archive& a, robot::ParallelSpec& p) {
   a.Key({"pitch", "", {0, 34}, "Motor order index of the pitch joint; its slot carries motor B"},
         &p.pitch);
   a.Key({"roll", "", {0, 34}, "Motor order index of the roll joint; its slot carries motor A"},
@@ -62,7 +62,7 @@ void DescribeParallel(Archive& a, ParallelSpec& p) {
         &p.roll_ratio);
 }
 
-void DescribeFitted(Archive& a, FittedDynamicsSpec& f) {
+void DescribeFitted(Archive& a, robot::FittedDynamicsSpec& f) {
   constexpr Range kOrModel{-1, std::numeric_limits<double>::infinity()};
   a.Key({"slots",
          "",
@@ -82,7 +82,7 @@ void DescribeFitted(Archive& a, FittedDynamicsSpec& f) {
         &f.kd_share);
 }
 
-void DescribeDynamics(Archive& a, DynamicsSpec& d) {
+void DescribeDynamics(Archive& a, robot::DynamicsSpec& d) {
   a.Choice({"use",
             "Figures of joints and drives: catalogue, those of the model's file, or fitted to "
             "recordings of real robots; another robot.model has its own unless this is said again"},
@@ -96,17 +96,17 @@ void DescribeDynamics(Archive& a, DynamicsSpec& d) {
         &d.delay);
 }
 
-void DescribeHandMotor(Archive& a, MotorSpec& m) {
+void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
   a.Key({"joint", "Joint of the model that it drives"}, &m.joint);
   DescribeDrive(a, m);
 }
 
-void DescribePad(Archive& a, PadSpec& p) {
+void DescribePad(Archive& a, robot::PadSpec& p) {
   a.Key({"taxels", "", {0, 11}, "Places in pressure that it has; the others show no value"},
         &p.taxels);
 }
 
-void DescribeHand(Archive& a, HandSpec& h) {
+void DescribeHand(Archive& a, robot::HandSpec& h) {
   a.Key({"name", "Its name"}, &h.name);
   a.Key({"topic", "Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"},
         &h.topic);
@@ -124,7 +124,7 @@ void DescribeHand(Archive& a, HandSpec& h) {
   a.Key({"supply_v", "V", {0, 100}, "Voltage that power_v shows"}, &h.supply_v);
 }
 
-void DescribeFoot(Archive& a, FootSpec& f) {
+void DescribeFoot(Archive& a, robot::FootSpec& f) {
   a.Key({"name", "Its name"}, &f.name);
   a.Key({"geoms", "Geoms of the model whose contacts are this foot's"}, &f.geoms);
   a.Key(
@@ -136,13 +136,13 @@ void DescribeFoot(Archive& a, FootSpec& f) {
       &f.axis);
 }
 
-void DescribePose(Archive& a, PoseSpec& p) {
+void DescribePose(Archive& a, robot::PoseSpec& p) {
   a.Key({"q", "rad", {-10, 10}, "Joint angles in motor order"}, &p.q);
   a.Key({"height", "m", {0, 10}, "Height of the base"}, &p.height);
   a.Key({"quat", "", {-1, 1}, "Orientation of the base, w x y z"}, &p.quat);
 }
 
-void DescribeRates(Archive& a, RateSpec& r) {
+void DescribeRates(Archive& a, robot::RateSpec& r) {
   constexpr Range kHz{1, 10000};
   a.Key({"lowstate_hz", "Hz", kHz, "Rate of rt/lowstate and rt/secondary_imu"}, &r.lowstate_hz);
   a.Key({"motion_hz", "Hz", kHz, "Rate of rt/sportmodestate or rt/odommodestate"}, &r.motion_hz);
@@ -152,7 +152,7 @@ void DescribeRates(Archive& a, RateSpec& r) {
         &r.service_hz);
 }
 
-void DescribeService(Archive& a, ServiceSpec& s) {
+void DescribeService(Archive& a, robot::ServiceSpec& s) {
   a.Key({"name", "Its name, as robot_state lists it"}, &s.name);
   a.Key({"alias", "What motion_switcher calls it; \"\" when it moves no motors"}, &s.alias);
   a.Key({"on", "Whether it runs after boot; of motion services, motion.service says which"}, &s.on);
@@ -161,7 +161,7 @@ void DescribeService(Archive& a, ServiceSpec& s) {
   a.Key({"before", "Firmware from which on it is gone; \"\" is never"}, &s.before);
 }
 
-void DescribeArmSdk(Archive& a, ArmSdkSpec& s) {
+void DescribeArmSdk(Archive& a, robot::ArmSdkSpec& s) {
   a.Key({"slots", "", {0, 34}, "Slots of the motors it moves; none where there is no rt/arm_sdk"},
         &s.slots);
   a.Key({"weight_slot", "", {0, 34}, "Slot whose q is the weight, 0 to 1"}, &s.weight_slot);
@@ -171,22 +171,22 @@ void DescribeArmSdk(Archive& a, ArmSdkSpec& s) {
         &s.timeout);
 }
 
-void DescribeChord(Archive& a, ChordSpec& c) {
+void DescribeChord(Archive& a, robot::ChordSpec& c) {
   a.Key({"keys", "Keys that are held, as in L2+B"}, &c.keys);
   a.Key({"clicks", "", {1, 2}, "How often the last of them is pressed within half a second"},
         &c.clicks);
-  a.Word({"does", "What the robot is asked for"}, ChordActions(), &c.does);
+  a.Word({"does", "What the robot is asked for"}, authority::ChordActions(), &c.does);
   a.Key({"value", "", {0, 1e6}, "State or action id, where that takes one"}, &c.value);
   a.Key({"from", "", {0, 1e6}, "Ids of the states in which it works; none is all"}, &c.from);
 }
 
-void DescribeRemote(Archive& a, RemoteSpec& r) {
+void DescribeRemote(Archive& a, robot::RemoteSpec& r) {
   a.List({"chords", "What keys do while the motion service is on"}, &r.chords, DescribeChord);
   a.Key({"speed", "m/s, rad/s", {0, 10}, "Forward, left and turning speed of sticks fully moved"},
         &r.speed, 3);
 }
 
-void DescribeImu(Archive& a, ImuSpec& i) {
+void DescribeImu(Archive& a, robot::ImuSpec& i) {
   a.Key({"site", "Site of the model where LowState's unit is"}, &i.site);
   a.Key({"secondary_site", "Site of the second unit; \"\" where there is none"}, &i.secondary_site);
   a.Key({"gyro_step", "rad/s", kNotNegative, "Lattice of the gyroscope; 0 is none"}, &i.gyro_step);
@@ -199,20 +199,20 @@ void DescribeImu(Archive& a, ImuSpec& i) {
   a.Key({"temperature_c", "°C", {-100, 150}, "Temperature it shows when warm"}, &i.temperature_c);
 }
 
-void DescribeEncoderNoise(Archive& a, EncoderNoiseSpec& n) {
+void DescribeEncoderNoise(Archive& a, robot::EncoderNoiseSpec& n) {
   constexpr Range kSteps{0, 1000};
   a.Key({"q_steps", "steps", kSteps, "Standard deviation of the angle"}, &n.q_steps);
   a.Key({"dq_steps", "steps", kSteps, "Standard deviation of the rate"}, &n.dq_steps);
   a.Key({"tau_steps", "steps", kSteps, "Standard deviation of the torque"}, &n.tau_steps);
 }
 
-void DescribeFootSensor(Archive& a, FootSensorSpec& f) {
+void DescribeFootSensor(Archive& a, robot::FootSensorSpec& f) {
   a.Key({"offset_counts", "counts", {0, 4095}, "Raw value of an unloaded foot"}, &f.offset_counts);
   a.Key({"counts_per_newton", "counts/N", kNotNegative, "Slope of the raw value"},
         &f.counts_per_newton);
 }
 
-void DescribeBattery(Archive& a, BatterySpec& b) {
+void DescribeBattery(Archive& a, robot::BatterySpec& b) {
   a.Key({"cells", "", {0, 40}, "Cells in series"}, &b.cells);
   a.Key({"capacity_ah", "A·h", kNotNegative, "Capacity"}, &b.capacity_ah);
   a.Key({"start_soc", "", {0, 1}, "State of charge at the start, 1 is full"}, &b.start_soc);
@@ -224,7 +224,7 @@ void DescribeBattery(Archive& a, BatterySpec& b) {
         &b.watt_per_nm2);
 }
 
-void DescribeThermal(Archive& a, ThermalSpec& t) {
+void DescribeThermal(Archive& a, robot::ThermalSpec& t) {
   a.Key({"ambient_c", "°C", {-50, 80}, "Air temperature"}, &t.ambient_c);
   a.Key({"rest_rise_c", "°C", kNotNegative, "How much warmer an idle motor is"}, &t.rest_rise_c);
   a.Key({"rise_per_nm2_c", "°C/(N·m)²", kNotNegative, "Steady rise per square of its torque"},
@@ -232,7 +232,7 @@ void DescribeThermal(Archive& a, ThermalSpec& t) {
   a.Key({"time_constant", "s", {1, 1e6}, "Time constant of the rise"}, &t.time_constant);
 }
 
-void DescribeHumanoidMotion(Archive& a, HumanoidMotionSpec& h) {
+void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   constexpr Range kId{-1, 1000};
   a.Key({"lock_stand", "", kId, "State with joints locked, standing; -1 is not a humanoid"},
         &h.lock_stand);
@@ -247,7 +247,7 @@ void DescribeHumanoidMotion(Archive& a, HumanoidMotionSpec& h) {
   a.Key({"arm_actions", "Whether the robot has the arm action service"}, &h.arm_actions);
 }
 
-void DescribeQuadrupedMotion(Archive& a, QuadrupedMotionSpec& m) {
+void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Key({"stand_height", "m", {0, 2}, "Height of the base standing; 0 is not a quadruped"},
         &m.stand_height);
   a.Key({"foot_x", "m", {-1, 1}, "How far the feet stand ahead of the hips"}, &m.foot_x);
@@ -268,7 +268,7 @@ void DescribeQuadrupedMotion(Archive& a, QuadrupedMotionSpec& m) {
 
 }  // namespace
 
-void Describe(Archive& a, RobotSpec& r) {
+void Describe(Archive& a, robot::RobotSpec& r) {
   a.Key({"name", "Short name"}, &r.name);
   a.Key({"description", "What it is, in a line"}, &r.description);
   a.Key({"model", "Model file: absolute, seen from the YAML that names it, or below models"},
@@ -293,11 +293,11 @@ void Describe(Archive& a, RobotSpec& r) {
        "every pose, and the model holds them fast where it has them"},
       &r.locked_joints);
   a.List({"bodies", "Bodies that differ from the model file"}, &r.bodies, DescribeBody,
-         &BodySpec::name);
+         &robot::BodySpec::name);
   a.List({"sites", "Sites that differ from the model file"}, &r.sites, DescribeSite,
-         &SiteSpec::name);
+         &robot::SiteSpec::name);
   a.List({"motors", "Motors in motor order, which is ascending slot"}, &r.motors, DescribeMotor,
-         &MotorSpec::joint);
+         &robot::MotorSpec::joint);
   a.List({"parallel", "Pairs of joints that two parallel motors drive together"}, &r.parallel,
          DescribeParallel);
   a.Section(
@@ -307,12 +307,13 @@ void Describe(Archive& a, RobotSpec& r) {
   a.Section({"imu", "Inertial units"}, [&] { DescribeImu(a, r.imu); });
   a.Section({"encoder_noise", "Noise of motor readings, in steps of the motor's own lattice"},
             [&] { DescribeEncoderNoise(a, r.encoder_noise); });
-  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot, &FootSpec::name);
+  a.List({"feet", "Feet, in the order of foot_force"}, &r.feet, DescribeFoot,
+         &robot::FootSpec::name);
   a.Section({"foot_sensor", "What foot_force shows"},
             [&] { DescribeFootSensor(a, r.foot_sensor); });
   a.Section({"rates", "How often topics are written"}, [&] { DescribeRates(a, r.rates); });
   a.List({"services", "Programs on the robot's own computer"}, &r.services, DescribeService,
-         &ServiceSpec::name);
+         &robot::ServiceSpec::name);
   a.Section({"arm_sdk", "rt/arm_sdk: commands mixed over the motion service's"},
             [&] { DescribeArmSdk(a, r.arm_sdk); });
   a.Key({"user_lowcmd", "Whether the motion service can hand the motors to rt/user_lowcmd"},
@@ -335,4 +336,4 @@ void Describe(Archive& a, RobotSpec& r) {
          &r.default_start);
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -1,10 +1,10 @@
 #include "config/keys.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
-void DescribePatch(Archive& a, TerrainPatch& p) {
-  a.Word({"kind", "What it is"}, TerrainKinds(), &p.kind);
+void DescribePatch(Archive& a, terrain::TerrainPatch& p) {
+  a.Word({"kind", "What it is"}, terrain::TerrainKinds(), &p.kind);
   a.Key({"difficulty", "", {-1, 1}, "From 0 to 1; below 0 is terrain.difficulty"}, &p.difficulty);
   a.Key({"friction", "", {0, 5}, "As terrain.friction, which 0 stands for"}, &p.friction);
   a.Key({"length", "m", {0, 100}, "Along +x, at least 2; 0 is the first of terrain.size"},
@@ -12,7 +12,7 @@ void DescribePatch(Archive& a, TerrainPatch& p) {
   a.Key({"image", "As terrain.image, which \"\" stands for"}, &p.image);
 }
 
-void DescribeTerrain(Archive& a, TerrainSpec& t) {
+void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
   a.Key({"difficulty",
          "",
          {0, 1},
@@ -48,4 +48,4 @@ void DescribeScene(Archive& a, Config& c) {
             [&] { DescribeTerrain(a, c.terrain); });
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -14,13 +14,13 @@
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 void CheckRandomization(const Config& config, const Checker& checker) {
-  const RandomizationSpec& spec = config.randomization;
+  const robot::RandomizationSpec& spec = config.randomization;
   for (const RandomRange& range : RandomRanges()) {
-    const RandomizationSpec::Limits& limits = spec.*range.limits;
+    const robot::RandomizationSpec::Limits& limits = spec.*range.limits;
     const std::string key = "randomization." + std::string(range.row.name);
     checker.Check(limits.empty() || limits.size() == 2, key,
                   "expected [least, most], or [] to draw nothing, got " +
@@ -29,8 +29,8 @@ void CheckRandomization(const Config& config, const Checker& checker) {
                   "expected least before most, got " + NumberText(limits.empty() ? 0 : limits[0]) +
                       " before " + NumberText(limits.empty() ? 0 : limits[1]));
   }
-  const RateSpec& rates = config.robot.rates;
-  checker.Check(spec.timestep.empty() || !PossibleTimesteps(spec.timestep, rates).empty(),
+  const robot::RateSpec& rates = config.robot.rates;
+  checker.Check(spec.timestep.empty() || !robot::PossibleTimesteps(spec.timestep, rates).empty(),
                 "randomization.timestep",
                 "no step in it divides the periods of " + NumberText(rates.lowstate_hz) + " and " +
                     NumberText(rates.service_hz) + " Hz, as 0.001, 0.0005 and 0.00025 s may");
@@ -42,7 +42,7 @@ bool IsWhole(double ratio) {
 }
 
 void CheckRates(const Config& config, const Checker& checker) {
-  const RateSpec& rates = config.robot.rates;
+  const robot::RateSpec& rates = config.robot.rates;
   const double steps = 1 / config.physics.timestep;
   checker.Check(IsWhole(steps / rates.lowstate_hz), "robot.rates.lowstate_hz",
                 "expected a rate whose period is a whole number of physics steps of " +
@@ -63,8 +63,8 @@ void CheckRates(const Config& config, const Checker& checker) {
 
 void CheckMotionService(const Config& config, const Checker& checker) {
   const std::string& wanted = config.motion.service;
-  std::vector<std::string> words = MotionServices(config.robot);
-  words.emplace_back(kNoService);
+  std::vector<std::string> words = authority::MotionServices(config.robot);
+  words.emplace_back(authority::kNoService);
   const bool known = wanted.empty() || std::find(words.begin(), words.end(), wanted) != words.end();
   checker.Check(known, "motion.service",
                 "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
@@ -76,9 +76,9 @@ void CheckMotionService(const Config& config, const Checker& checker) {
 void ValidateTerrain(const Config& config, const Places& places) {
   constexpr double kShortest = 2;  // m
   const Checker checker(places);
-  const TerrainSpec& terrain = config.terrain;
+  const terrain::TerrainSpec& terrain = config.terrain;
   checker.Check(terrain.size.size() == 2, "terrain.size", "expected length and width");
-  checker.Check(config.scene != kPatchesScene || !terrain.patches.empty(), "scene",
+  checker.Check(config.scene != terrain::kPatchesScene || !terrain.patches.empty(), "scene",
                 "'row' needs terrain.patches, as in [{kind: rough}, {kind: gaps}]");
   checker.Check(terrain.patches.empty() || places.empty() || places.contains("scene"),
                 "terrain.patches", "nothing asks for them; set scene to row");
@@ -102,4 +102,4 @@ void Validate(const Config& config, const Places& places) {
                 "expected 0 to 232");
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -5,7 +5,7 @@
 #include "config/config.h"
 #include "config/reader.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // Throws ConfigError at the first thing that does not fit: what ValidateTerrain and ValidateRobot
 // refuse; rates that are no whole number of physics steps, or that rt/lowstate's rate is no
@@ -17,6 +17,6 @@ void Validate(const Config& config, const Places& places = {});
 // too small.
 void ValidateTerrain(const Config& config, const Places& places = {});
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_VALIDATE_H_

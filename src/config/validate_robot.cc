@@ -14,7 +14,7 @@
 #include "config/keys.h"
 #include "robot/firmware.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 // Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
@@ -23,7 +23,7 @@ constexpr int kHgSlots = 35;
 constexpr std::size_t kHandMotors = 16;  // that the mode byte of a hand tells apart
 
 // `key`: of the motor, with a dot behind. `joints`: those that have a motor already.
-void CheckMotor(const MotorSpec& m, const std::string& key, std::set<std::string>* joints,
+void CheckMotor(const robot::MotorSpec& m, const std::string& key, std::set<std::string>* joints,
                 const Checker& checker) {
   checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
   checker.Check(joints->insert(m.joint).second, key + "joint",
@@ -34,8 +34,9 @@ void CheckMotor(const MotorSpec& m, const std::string& key, std::set<std::string
                     NumberText(m.knee_speed));
 }
 
-void CheckMotors(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
-  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
+void CheckMotors(const robot::RobotSpec& robot, std::set<std::string>* joints,
+                 const Checker& checker) {
+  const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
   int last = -1;
   checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
@@ -61,7 +62,7 @@ bool IsTopic(const std::string& topic) {
          topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
 }
 
-void CheckHand(const HandSpec& hand, const std::string& key, std::set<std::string>* joints,
+void CheckHand(const robot::HandSpec& hand, const std::string& key, std::set<std::string>* joints,
                const Checker& checker) {
   checker.Check(!hand.name.empty(), key + "name", "expected a name");
   checker.Check(IsTopic(hand.topic), key + "topic",
@@ -81,15 +82,16 @@ void CheckHand(const HandSpec& hand, const std::string& key, std::set<std::strin
   }
 }
 
-void CheckHands(const RobotSpec& robot, std::set<std::string>* joints, const Checker& checker) {
-  checker.Check(robot.hands.empty() || robot.family == WireFamily::kHg, "robot.hands",
+void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
+                const Checker& checker) {
+  checker.Check(robot.hands.empty() || robot.family == robot::WireFamily::kHg, "robot.hands",
                 "the go family has no messages for them");
-  checker.Check(robot.hands.size() <= kMostHands, "robot.hands",
-                "expected at most " + std::to_string(kMostHands) + ", got " +
+  checker.Check(robot.hands.size() <= robot::kMostHands, "robot.hands",
+                "expected at most " + std::to_string(robot::kMostHands) + ", got " +
                     std::to_string(robot.hands.size()));
   std::set<std::string> topics;
   for (std::size_t i = 0; i < robot.hands.size(); ++i) {
-    const HandSpec& hand = robot.hands[i];
+    const robot::HandSpec& hand = robot.hands[i];
     const std::string key = "robot.hands." + std::to_string(i) + ".";
     CheckHand(hand, key, joints, checker);
     checker.Check(topics.insert(hand.topic).second, key + "topic",
@@ -97,7 +99,7 @@ void CheckHands(const RobotSpec& robot, std::set<std::string>* joints, const Che
   }
 }
 
-void CheckParallel(const RobotSpec& robot, const Checker& checker) {
+void CheckParallel(const robot::RobotSpec& robot, const Checker& checker) {
   const int motors = static_cast<int>(robot.motors.size());
   std::set<int> taken;
   for (std::size_t i = 0; i < robot.parallel.size(); ++i) {
@@ -115,9 +117,9 @@ void CheckParallel(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
-void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
-  const DynamicsSpec& dynamics = robot.dynamics;
-  if (dynamics.use != DynamicsSource::kFitted) return;
+void CheckDynamics(const robot::RobotSpec& robot, const Checker& checker) {
+  const robot::DynamicsSpec& dynamics = robot.dynamics;
+  if (dynamics.use != robot::DynamicsSource::kFitted) return;
   checker.Check(!dynamics.fitted.empty(), "robot.dynamics.use",
                 "robot '" + robot.name + "' has no fitted figures; choose catalogue");
   std::set<double> taken;
@@ -126,7 +128,7 @@ void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
     const std::vector<double>& slots = dynamics.fitted[i].slots;
     // Some may be empty: a robot's next of kin has fewer motors.
     checker.Check(std::any_of(robot.motors.begin(), robot.motors.end(),
-                              [&slots](const MotorSpec& motor) {
+                              [&slots](const robot::MotorSpec& motor) {
                                 return std::find(slots.begin(), slots.end(), motor.slot) !=
                                        slots.end();
                               }),
@@ -138,7 +140,7 @@ void CheckDynamics(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
-void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors,
+void CheckPose(const robot::PoseSpec& pose, const std::string& name, std::size_t motors,
                const Checker& checker) {
   checker.Check(pose.q.size() == motors, "robot." + name + ".q",
                 "expected one angle per motor, " + std::to_string(motors) + ", got " +
@@ -149,8 +151,8 @@ void CheckPose(const PoseSpec& pose, const std::string& name, std::size_t motors
                 "expected four numbers w, x, y, z of length 1");
 }
 
-void CheckHumanoid(const RobotSpec& robot, const Checker& checker) {
-  const HumanoidMotionSpec& humanoid = robot.motion.humanoid;
+void CheckHumanoid(const robot::RobotSpec& robot, const Checker& checker) {
+  const robot::HumanoidMotionSpec& humanoid = robot.motion.humanoid;
   const std::string section = "robot.motion.humanoid.";
   const auto check_ids = [&](const std::vector<double>& ids, const std::string& key) {
     for (const double id : ids) {
@@ -172,7 +174,7 @@ void CheckHumanoid(const RobotSpec& robot, const Checker& checker) {
   check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
 }
 
-void CheckFeet(const RobotSpec& robot, const Checker& checker) {
+void CheckFeet(const robot::RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < robot.feet.size(); ++i) {
     checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
                   "expected three numbers");
@@ -180,9 +182,9 @@ void CheckFeet(const RobotSpec& robot, const Checker& checker) {
 }
 
 // What a robot says of its model's bodies: whole vectors or none.
-void CheckBodies(const RobotSpec& robot, const Checker& checker) {
+void CheckBodies(const robot::RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
-    const BodySpec& body = robot.bodies[i];
+    const robot::BodySpec& body = robot.bodies[i];
     const std::string key = "robot.bodies." + std::to_string(i) + ".";
     const auto check = [&](const std::vector<double>& values, std::size_t length,
                            const std::string& name) {
@@ -201,15 +203,15 @@ void CheckBodies(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
-void CheckFirmware(const RobotSpec& robot, const Checker& checker) {
+void CheckFirmware(const robot::RobotSpec& robot, const Checker& checker) {
   const auto check = [&](const std::string& version, const std::string& key) {
-    checker.Check(version.empty() || IsFirmware(version), key,
+    checker.Check(version.empty() || robot::IsFirmware(version), key,
                   "expected numbers between dots, as in 1.1.6, got '" + version + "'");
   };
   check(robot.firmware, "robot.firmware");
   check(robot.state_id_since, "robot.state_id_since");
   for (std::size_t i = 0; i < robot.services.size(); ++i) {
-    const ServiceSpec& service = robot.services[i];
+    const robot::ServiceSpec& service = robot.services[i];
     const std::string key = "robot.services." + std::to_string(i) + ".";
     checker.Check(!service.name.empty(), key + "name", "expected a name");
     check(service.since, key + "since");
@@ -217,13 +219,13 @@ void CheckFirmware(const RobotSpec& robot, const Checker& checker) {
   }
 }
 
-void CheckArmSdk(const RobotSpec& robot, const Checker& checker) {
-  const int slots = robot.family == WireFamily::kGo ? kGoSlots : kHgSlots;
-  const ArmSdkSpec& arms = robot.arm_sdk;
+void CheckArmSdk(const robot::RobotSpec& robot, const Checker& checker) {
+  const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
+  const robot::ArmSdkSpec& arms = robot.arm_sdk;
   for (std::size_t i = 0; i < arms.slots.size(); ++i) {
     const double slot = arms.slots[i];
     const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
-                                 [&](const MotorSpec& motor) { return motor.slot == slot; });
+                                 [&](const robot::MotorSpec& motor) { return motor.slot == slot; });
     checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + NumberText(slot));
   }
   checker.Check(arms.weight_slot < slots, "robot.arm_sdk.weight_slot",
@@ -231,15 +233,15 @@ void CheckArmSdk(const RobotSpec& robot, const Checker& checker) {
                     std::to_string(arms.weight_slot));
 }
 
-void CheckRemote(const RobotSpec& robot, const Checker& checker) {
+void CheckRemote(const robot::RobotSpec& robot, const Checker& checker) {
   checker.Check(robot.remote.speed.size() == 3, "robot.remote.speed", "expected three numbers");
   for (std::size_t i = 0; i < robot.remote.chords.size(); ++i) {
     const std::string key = "robot.remote.chords." + std::to_string(i);
-    MakeChord(robot.remote.chords[i], checker.Where(key + ".keys") + key);
+    authority::MakeChord(robot.remote.chords[i], checker.Where(key + ".keys") + key);
   }
 }
 
-void CheckBattery(const BatterySpec& battery, const Checker& checker) {
+void CheckBattery(const robot::BatterySpec& battery, const Checker& checker) {
   checker.Check(battery.cell_empty_v < battery.cell_full_v, "robot.battery.cell_empty_v",
                 "expected less than cell_full_v");
   checker.Check(battery.cells > 0, "robot.battery.cells", "expected at least one cell");
@@ -254,7 +256,7 @@ void CheckStartPose(const std::string& pose, const std::string& key, const Check
                 "no pose '" + pose + "'" + DidYouMean(pose, poses));
 }
 
-void ValidateRobot(const RobotSpec& robot, const Checker& checker) {
+void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   checker.Check(!robot.name.empty(), "robot.name", "expected a name");
   checker.Check(!robot.model.empty(), "robot.model", "expected a model file");
   checker.Check(!robot.base_body.empty(), "robot.base_body", "expected the name of a body");
@@ -283,4 +285,4 @@ void ValidateRobot(const RobotSpec& robot, const Checker& checker) {
   CheckBattery(robot.battery, checker);
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

@@ -16,7 +16,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1 << 20;
@@ -275,4 +275,4 @@ YamlValue ReadYamlFile(const std::filesystem::path& path) {
   return ParseYaml(text, name);
 }
 
-}  // namespace understudy
+}  // namespace understudy::config

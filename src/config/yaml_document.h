@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace understudy {
+namespace understudy::config {
 
 // One value. Anchors, aliases and merge keys (`<<: *name`) are resolved already.
 struct YamlValue {
@@ -44,6 +44,6 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
 // it cannot be read.
 YamlValue ReadYamlFile(const std::filesystem::path& path);
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_CONFIG_YAML_DOCUMENT_H_

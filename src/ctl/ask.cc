@@ -4,13 +4,13 @@
 
 #include "client/client.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using nlohmann::json;
 
 // The "error" of a reply that was not 200.
-std::string ReasonOf(const ControlReply& reply) {
+std::string ReasonOf(const client::ControlReply& reply) {
   const json body = json::parse(reply.body, nullptr, false);
   if (body.is_object() && body.contains("error") && body["error"].is_string()) {
     return body["error"];
@@ -23,7 +23,7 @@ std::string ReasonOf(const ControlReply& reply) {
 std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 const std::string& path, const std::string& body,
                 std::chrono::milliseconds timeout) {
-  ControlReply reply = Call(socket, method, path, body, timeout);
+  client::ControlReply reply = client::Call(socket, method, path, body, timeout);
   if (reply.status != 200) throw ControlError(ReasonOf(reply));
   return std::move(reply.body);
 }
@@ -33,4 +33,4 @@ ControlError NotOurVersion(const json::exception& error) {
                       error.what());
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -10,7 +10,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::ctl {
 
 // Longer than the server's patience with the tick, so that it is the server who says why.
 inline constexpr std::chrono::milliseconds kCallTimeout{5'000};
@@ -23,6 +23,6 @@ std::string Ask(const std::filesystem::path& socket, const std::string& method,
 // What to throw where a reply is not made as expected.
 ControlError NotOurVersion(const nlohmann::json::exception& error);
 
-}  // namespace understudy
+}  // namespace understudy::ctl
 
 #endif  // UNDERSTUDY_CTL_ASK_H_

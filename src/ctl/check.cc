@@ -7,7 +7,7 @@
 #include "base/nearest_word.h"
 #include "time/pace.h"
 
-namespace understudy {
+namespace understudy::ctl {
 
 CLI::Validator NumberWithin(double low, double high) {
   return {[=](std::string& text) -> std::string {
@@ -24,8 +24,8 @@ CLI::Validator SpeedWord() {
   return {[](std::string& text) -> std::string {
             if (text == "max") text = "0";
             double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && IsSpeed(value)) return {};
-            return std::string("expected ") + kSpeedRange + ", or max, got " + text;
+            if (CLI::detail::lexical_cast(text, value) && time::IsSpeed(value)) return {};
+            return std::string("expected ") + time::kSpeedRange + ", or max, got " + text;
           },
           ""};
 }
@@ -38,4 +38,4 @@ CLI::Validator OneOf(std::vector<std::string> words) {
           ""};
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -7,7 +7,7 @@
 
 #include <CLI/CLI.hpp>
 
-namespace understudy {
+namespace understudy::ctl {
 
 // A finite number from `low` to `high`.
 CLI::Validator NumberWithin(double low, double high);
@@ -18,6 +18,6 @@ CLI::Validator SpeedWord();
 // One of `words`; the nearest is named where it is none.
 CLI::Validator OneOf(std::vector<std::string> words);
 
-}  // namespace understudy
+}  // namespace understudy::ctl
 
 #endif  // UNDERSTUDY_CTL_CHECK_H_

@@ -17,7 +17,7 @@
 #include "ctl/text.h"
 #include "ctl/watch.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using nlohmann::json;
@@ -53,7 +53,7 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
       "  understudy ctl --name left crane lower 0.2\n"
       "Where several robots run it asks which, on a terminal.\n"
       "Exits with 1 when there is no such robot, or several, or it refuses.");
-  AddRobotChoice(ctl, &robot_);
+  client::AddRobotChoice(ctl, &robot_);
   AddReading(ctl);
   AddPace(ctl);
   AddReset(ctl);
@@ -115,7 +115,7 @@ void CtlCommand::AddReading(CLI::App* ctl) {
     Show("/timings", FieldsText);
   })->footer("Example: understudy ctl timings");
   AddAction(ctl, "metrics", "Print its figures as Prometheus reads them", [this] {
-    *out_ << Ask(ChosenSocket(robot_), "GET", "/metrics", "");
+    *out_ << Ask(client::ChosenSocket(robot_), "GET", "/metrics", "");
   })->footer("Example: understudy ctl metrics | grep winding");
   AddAction(ctl, "panel", "Print the address of the robot's page for a browser", [this] {
     Show("/panel", UrlOf);
@@ -132,7 +132,7 @@ CLI::App* CtlCommand::AddAction(CLI::App* parent, const std::string& name, const
 }
 
 void CtlCommand::ShowStatus() const {
-  const std::filesystem::path socket = ChosenSocket(robot_);
+  const std::filesystem::path socket = client::ChosenSocket(robot_);
   if (watch_) return WatchStatus(socket);
   const std::string status = Ask(socket, "GET", "/status", "");
   try {
@@ -166,18 +166,18 @@ void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
 void CtlCommand::ShowFrames() const {
   const std::string parts = parts_.empty() ? "" : "parts=" + parts_;
   if (!watch_) return Show("/frame?" + parts, JsonLine);
-  ControlStream frames(ChosenSocket(robot_), "/frames?hz=" + std::to_string(hz_) + "&" + parts,
-                       kCallTimeout);
+  client::ControlStream frames(client::ChosenSocket(robot_),
+                               "/frames?hz=" + std::to_string(hz_) + "&" + parts, kCallTimeout);
   while (true) *out_ << frames.Next() << '\n' << std::flush;
 }
 
 void CtlCommand::AwaitReady() const {
   const auto patience = milliseconds{std::llround(timeout_ * 1000)};
   const auto until = steady_clock::now() + patience;
-  RobotChoice robot = robot_;
+  client::RobotChoice robot = robot_;
   std::string why;
   do {
-    const RobotPlace place = FindRobot(robot);
+    const client::RobotPlace place = client::FindRobot(robot);
     why = place.why;
     if (place.socket) {
       robot = {.name = {}, .socket = *place.socket};  // found, or chosen, once
@@ -199,20 +199,20 @@ void CtlCommand::AwaitReady() const {
 }
 
 void CtlCommand::ShowRobots() const {
-  const std::vector<RunningRobot> robots = FindRobots();
+  const std::vector<client::RunningRobot> robots = client::FindRobots();
   if (!json_) {
     *out_ << RobotsText(robots);
     return;
   }
   ordered_json list = ordered_json::array();
-  for (const RunningRobot& robot : robots) {
+  for (const client::RunningRobot& robot : robots) {
     list.push_back({{"name", robot.name}, {"socket", robot.socket.string()}, {"pid", robot.pid}});
   }
   *out_ << list << '\n';
 }
 
 void CtlCommand::Show(const std::string& path, Teller tell) const {
-  const std::string reply = Ask(ChosenSocket(robot_), "GET", path, "");
+  const std::string reply = Ask(client::ChosenSocket(robot_), "GET", path, "");
   try {
     *out_ << (json_ ? reply : tell(ordered_json::parse(reply)));
   } catch (const json::exception& error) {
@@ -223,8 +223,8 @@ void CtlCommand::Show(const std::string& path, Teller tell) const {
 void CtlCommand::GiveOrder(const std::string& path, const json& body) const {
   // What is no UTF-8 on the command line is a name that the robot does not know.
   const std::string text = body.dump(-1, ' ', false, json::error_handler_t::replace);
-  const std::string reply = Ask(ChosenSocket(robot_), "POST", path, text);
+  const std::string reply = Ask(client::ChosenSocket(robot_), "POST", path, text);
   if (json_) *out_ << reply;
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -17,7 +17,7 @@ namespace CLI {
 class App;
 }
 
-namespace understudy {
+namespace understudy::ctl {
 
 // Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
 //
@@ -74,7 +74,7 @@ class CtlCommand {
 
   std::ostream* out_;
   std::function<void()> action_;
-  RobotChoice robot_;
+  client::RobotChoice robot_;
   bool json_ = false;
   bool watch_ = false;
   bool release_ = false;
@@ -90,6 +90,6 @@ class CtlCommand {
   std::vector<std::string> axes_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::ctl
 
 #endif  // UNDERSTUDY_CTL_COMMAND_H_

@@ -11,7 +11,7 @@
 #include "ctl/command.h"
 #include "server/order_json.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using nlohmann::json;
@@ -44,7 +44,7 @@ void CtlCommand::AddPace(CLI::App* ctl) {
                 [this] { MakeSteps(); });
   step->add_option("N", steps_, "How many, of 1 ms unless configured")
       ->capture_default_str()
-      ->check(NumberWithin(1, static_cast<double>(kMostSteps)));
+      ->check(NumberWithin(1, static_cast<double>(server::kMostSteps)));
   step->footer("Example: understudy ctl step 1000           a second, at the speed that is set");
 
   CLI::App* speed = AddAction(ctl, "speed", "Set how fast simulated time goes", [this] {
@@ -64,7 +64,7 @@ void CtlCommand::AddReset(CLI::App* ctl) {
     GiveOrder("/reset", pose_.empty() ? json::object() : json{{"pose", pose_}});
   });
   reset->add_option("POSE", pose_, "lying, standing, hanging or clamped [the start pose]")
-      ->check(OneOf({kStartPoses.begin(), kStartPoses.end()}));
+      ->check(OneOf({robot::kStartPoses.begin(), robot::kStartPoses.end()}));
   reset->footer("Example: understudy ctl reset hanging");
 }
 
@@ -86,9 +86,9 @@ void CtlCommand::AddPush(CLI::App* ctl) {
   push->add_option("FORCE", vector_, "FX FY FZ in N")
       ->required()
       ->expected(3)
-      ->check(NumberWithin(-kMostForce, kMostForce));
+      ->check(NumberWithin(-server::kMostForce, server::kMostForce));
   push->add_option("--for", seconds_, "Simulated seconds that it acts [0.1]")
-      ->check(NumberWithin(0.0001, kMostSeconds));
+      ->check(NumberWithin(0.0001, server::kMostSeconds));
   push->footer(
       "Examples:\n"
       "  understudy ctl push base_link 100 0 0 --for 0.2\n"
@@ -101,13 +101,13 @@ void CtlCommand::AddDrag(CLI::App* ctl) {
   drag->add_option("BODY", body_, "A body of the model, such as base_link");
   drag->add_option("TO", vector_, "X Y Z in the world, m")
       ->expected(3)
-      ->check(NumberWithin(-kFarthestInWorld, kFarthestInWorld));
+      ->check(NumberWithin(-server::kFarthestInWorld, server::kFarthestInWorld));
   drag->add_option("--at", at_,
                    "X Y Z of the point that is dragged, in the body's frame, m [0 0 0]")
       ->expected(3)
-      ->check(NumberWithin(-kFarthestOnBody, kFarthestOnBody));
+      ->check(NumberWithin(-server::kFarthestOnBody, server::kFarthestOnBody));
   drag->add_option("--for", seconds_, "Simulated seconds that it lasts [0.5]")
-      ->check(NumberWithin(0.0001, kLongestDrag));
+      ->check(NumberWithin(0.0001, server::kLongestDrag));
   drag->add_flag("--release", release_, "Let go of BODY, or of all");
   drag->footer(
       "A spring as strong as the mass that hangs on the body; again within its time renews it.\n"
@@ -142,7 +142,7 @@ void CtlCommand::AddRemote(CLI::App* ctl) {
     return action;
   };
   const auto add_time = [&](CLI::App* action, const char* help) {
-    action->add_option("--for", seconds_, help)->check(NumberWithin(0, kMostSeconds));
+    action->add_option("--for", seconds_, help)->check(NumberWithin(0, server::kMostSeconds));
   };
   add_time(add_keys("press", "Press keys together and let them go"),
            "Simulated seconds that they stay down [0.1]");
@@ -162,7 +162,7 @@ void CtlCommand::AddCrane(CLI::App* ctl) {
       "Examples:\n"
       "  understudy ctl crane lower 0.2          at crane.speed, 0.1 m/s unless configured\n"
       "  understudy ctl crane release            the robot drops");
-  const CLI::Validator length = NumberWithin(-kMostCraneOrder, kMostCraneOrder);
+  const CLI::Validator length = NumberWithin(-server::kMostCraneOrder, server::kMostCraneOrder);
   AddAction(crane, "lower", "Pay out M metres",
             [this] {
               GiveOrder("/crane", {{"lower", metres_}});
@@ -187,7 +187,7 @@ void CtlCommand::AddCrane(CLI::App* ctl) {
 
 // Returns once the robot has made them, so that whoever reads on reads what they led to.
 void CtlCommand::MakeSteps() const {
-  const std::filesystem::path socket = ChosenSocket(robot_);
+  const std::filesystem::path socket = client::ChosenSocket(robot_);
   const auto made = [&] {
     try {
       return json::parse(Ask(socket, "GET", "/status", "")).at("steps").get<std::int64_t>();
@@ -238,4 +238,4 @@ void CtlCommand::MoveSticks() const {
   GiveOrder("/remote", {{"sticks", sticks}, {"seconds", seconds_}});
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <utility>
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using nlohmann::ordered_json;
@@ -187,13 +187,13 @@ std::string FieldsText(const ordered_json& object) {
   return text;
 }
 
-std::string RobotsText(const std::vector<RunningRobot>& robots) {
+std::string RobotsText(const std::vector<client::RunningRobot>& robots) {
   if (robots.empty()) return "no robot runs\n";
   std::vector<Cells> rows = {{"NAME", "PROCESS", "SOCKET"}};
-  for (const RunningRobot& robot : robots) {
+  for (const client::RunningRobot& robot : robots) {
     rows.push_back({robot.name, robot.pid == 0 ? "?" : std::to_string(robot.pid), robot.socket});
   }
   return Aligned(rows);
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -9,7 +9,7 @@
 
 #include "client/client.h"
 
-namespace understudy {
+namespace understudy::ctl {
 
 using Cells = std::vector<std::string>;
 
@@ -30,8 +30,8 @@ std::string StatusText(const nlohmann::ordered_json& status);
 std::string FieldsText(const nlohmann::ordered_json& object);
 
 // Lines of name, process and socket under a heading; a sentence when there are no robots.
-std::string RobotsText(const std::vector<RunningRobot>& robots);
+std::string RobotsText(const std::vector<client::RunningRobot>& robots);
 
-}  // namespace understudy
+}  // namespace understudy::ctl
 
 #endif  // UNDERSTUDY_CTL_TEXT_H_

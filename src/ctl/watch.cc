@@ -6,7 +6,7 @@
 
 #include "ctl/text.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using nlohmann::ordered_json;
@@ -94,4 +94,4 @@ std::string OverTheScreen(const std::string& text) {
   return screen + "\033[J";
 }
 
-}  // namespace understudy
+}  // namespace understudy::ctl

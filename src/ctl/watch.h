@@ -7,7 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::ctl {
 
 // Turns one status after another into text.
 class Watch {
@@ -24,6 +24,6 @@ class Watch {
 // `text`, of whole lines, in place of what is on a terminal's screen.
 std::string OverTheScreen(const std::string& text);
 
-}  // namespace understudy
+}  // namespace understudy::ctl
 
 #endif  // UNDERSTUDY_CTL_WATCH_H_

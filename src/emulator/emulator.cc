@@ -7,30 +7,30 @@
 
 #include "motion/make_motion.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 // What holds `q` against gravity with the gains the robot's description names.
-RobotCommand HoldCommand(const RobotSpec& spec, const std::vector<double>& q) {
-  RobotCommand command;
+robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
+  robot::RobotCommand command;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    const MotorSpec& motor = spec.motors[i];
+    const robot::MotorSpec& motor = spec.motors[i];
     command.motors.push_back(
         {.enabled = true, .q = q[i], .kp = motor.hold_kp, .kd = motor.hold_kd});
   }
   return command;
 }
 
-std::size_t DelaySteps(const Config& config) {
+std::size_t DelaySteps(const config::Config& config) {
   return static_cast<std::size_t>(
       std::llround(config.robot.dynamics.delay / config.physics.timestep));
 }
 
 // Validated, so it is one.
-StartPose StartPoseOf(const Config& config) {
+robot::StartPose StartPoseOf(const config::Config& config) {
   const std::string& word =
       config.start.pose.empty() ? config.robot.default_start : config.start.pose;
-  return FindStartPose(word).value_or(StartPose::kLying);
+  return robot::FindStartPose(word).value_or(robot::StartPose::kLying);
 }
 
 // Cut to what there is room for, with a zero at the end.
@@ -41,7 +41,8 @@ void Copy(std::string_view text, std::array<char, kRoom>* to) {
 
 }  // namespace
 
-Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, Inbox* inbox)
+Emulator::Emulator(const config::Config& config, physics::PhysicsWorld world, wire::RobotPort* port,
+                   Inbox* inbox)
     : config_(config),
       start_pose_(StartPoseOf(config_)),
       starts_(StartsOf(config_)),
@@ -54,7 +55,7 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       sensors_(config_.sensors, config_.robot),
       crane_(config_.crane),
       router_(config_.robot, config_.gate, config_.motion, start().command,
-              MakeMotion(config_.robot, world_, config_.gate.damping_kd)),
+              motion::MakeMotion(config_.robot, world_, config_.gate.damping_kd)),
       crane_body_(world_.Body(config_.robot.crane_body)),
       crane_point_(config_.robot.crane_point.data()),
       step_ns_(std::llround(config_.physics.timestep * 1e9)),
@@ -67,12 +68,13 @@ Emulator::Emulator(const Config& config, PhysicsWorld world, RobotPort* port, In
       command_(&start().command),
       offered_(start().command),
       foot_force_(config_.robot.feet.size()) {
-  for (const HandSpec& hand : config_.robot.hands) hands_.emplace_back(hand, config_.gate.lenient);
+  for (const robot::HandSpec& hand : config_.robot.hands)
+    hands_.emplace_back(hand, config_.gate.lenient);
   state_.hands.resize(hands_.size());
   To(start());
 }
 
-StepHealth Emulator::Tick() {
+physics::StepHealth Emulator::Tick() {
   const double t = time();
   FollowScript(t);
   TakeOrders();
@@ -84,13 +86,13 @@ StepHealth Emulator::Tick() {
   motors_.Step(*command_, world_.q(), world_.dq(), world_.timestep());
   MoveHands(t);
   PushAndPull(t);
-  const StepHealth health = world_.EndStep(motors_.torque());
+  const physics::StepHealth health = world_.EndStep(motors_.torque());
   battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
 
-  if (health == StepHealth::kDiverged) {
+  if (health == physics::StepHealth::kDiverged) {
     ++divergences_;
-    if (config_.physics.on_divergence == DivergenceAction::kReset) To(start());
-  } else if (const Due due = DueNow(); due.any()) {
+    if (config_.physics.on_divergence == config::DivergenceAction::kReset) To(start());
+  } else if (const wire::Due due = DueNow(); due.any()) {
     Sample(t);
     if (!silenced_) {
       port_->Publish(state_, due);
@@ -106,28 +108,29 @@ void Emulator::TakeCommands(double t) {
   router_.Obey(remote_.Read(t), t);
   double weight = 0;
   while (port_->TakeArmCommand(&offered_, &weight)) {
-    refusals_.Add(kArmSdkTopic, router_.OfferArms(offered_, weight, t), t);
+    refusals_.Add(robot::kArmSdkTopic, router_.OfferArms(offered_, weight, t), t);
   }
   while (port_->TakeUserCommand(&offered_)) {
-    refusals_.Add(kUserLowCmdTopic, router_.OfferUser(offered_, t), t);
+    refusals_.Add(robot::kUserLowCmdTopic, router_.OfferUser(offered_, t), t);
   }
-  for (Refusal wire = Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
-    const Refusal refusal = router_.Offer(offered_, wire, t);
-    if (refusal != Refusal::kNone) last_refusal_ = refusal;
-    refusals_.Add(kLowCmdTopic, refusal, t);
+  for (robot::Refusal wire = robot::Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
+    const robot::Refusal refusal = router_.Offer(offered_, wire, t);
+    if (refusal != robot::Refusal::kNone) last_refusal_ = refusal;
+    refusals_.Add(robot::kLowCmdTopic, refusal, t);
   }
 }
 
 void Emulator::TakeHandCommands(double t) {
   for (std::size_t i = 0; i < hands_.size(); ++i) {
-    for (Refusal wire = Refusal::kNone; port_->TakeHandCommand(i, &offered_hand_, &wire);) {
-      refusals_.Add(kFirstHandTopic + i, hands_[i].Offer(offered_hand_, wire, t), t);
+    for (robot::Refusal wire = robot::Refusal::kNone;
+         port_->TakeHandCommand(i, &offered_hand_, &wire);) {
+      refusals_.Add(robot::kFirstHandTopic + i, hands_[i].Offer(offered_hand_, wire, t), t);
     }
   }
 }
 
 // All that a motion service knows is of the step before, as a robot's own computer has it.
-const RobotCommand& Emulator::Decide(double t) {
+const robot::RobotCommand& Emulator::Decide(double t) {
   const bool service_due = step_ % service_every_ == 0;
   input_.time = t;
   if (service_due && router_.service_on()) {
@@ -182,9 +185,10 @@ Status Emulator::status() const {
   return status;
 }
 
-std::vector<Emulator::Start> Emulator::StartsOf(const Config& config) {
-  const RobotSpec& robot = config.robot;
-  const RobotCommand damping = DampingCommand(robot.motors.size(), config.gate.damping_kd);
+std::vector<Emulator::Start> Emulator::StartsOf(const config::Config& config) {
+  const robot::RobotSpec& robot = config.robot;
+  const robot::RobotCommand damping =
+      authority::DampingCommand(robot.motors.size(), config.gate.damping_kd);
   return {{.command = damping, .pose = robot.lying},
           {.command = HoldCommand(robot, robot.standing.q), .pose = robot.standing},
           {.command = damping, .pose = robot.hanging, .on_crane = true},
@@ -207,7 +211,7 @@ void Emulator::To(const Start& start) {
   world_.Clamp(start.clamped);
 }
 
-Due Emulator::DueNow() const {
+wire::Due Emulator::DueNow() const {
   return {.lowstate = step_ % lowstate_every_ == 0,
           .motion = step_ % motion_every_ == 0,
           .hands = !hands_.empty() && step_ % hand_every_ == 0,
@@ -233,7 +237,7 @@ void Emulator::PushAndPull(double t) {
   pushes_.Act(t, &world_);
   drags_.Act(t, &world_);
   if (!crane_.attached()) return;
-  const PointReading hook = world_.Point(crane_body_, crane_point_);
+  const physics::PointReading hook = world_.Point(crane_body_, crane_point_);
   world_.AddForce(crane_body_, hook.p_WP, crane_.Step(hook, world_.timestep()));
 }
 
@@ -241,4 +245,4 @@ void Emulator::HangFromCrane() {
   crane_.Attach(world_.Point(crane_body_, crane_point_).p_WP, world_.weight());
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

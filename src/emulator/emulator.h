@@ -26,7 +26,7 @@
 #include "time/pace.h"
 #include "wire/robot_port.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // Owns every part of one robot but the port and the inbox. Knows no wall clock: who calls Tick
 // decides the pace. The integer step count is the master of time. Two emulators with equal config
@@ -35,7 +35,8 @@ class Emulator {
  public:
   // `config` has been validated, `world` was made for config.robot; `port` and `inbox` must outlive
   // the emulator.
-  Emulator(const Config& config, PhysicsWorld world, RobotPort* port, Inbox* inbox);
+  Emulator(const config::Config& config, physics::PhysicsWorld world, wire::RobotPort* port,
+           Inbox* inbox);
   Emulator(const Emulator&) = delete;
   Emulator& operator=(const Emulator&) = delete;
 
@@ -46,20 +47,20 @@ class Emulator {
   // One physics step. After the first few it allocates nothing. On kDiverged nothing was sent for
   // this step and, with on_divergence = reset, the robot is back at its start pose while time goes
   // on.
-  StepHealth Tick();
+  physics::StepHealth Tick();
 
   // Carries out the orders that wait, but none of the script: between ticks, so that people are
   // answered however far away the next one is.
   void TakeOrders();
 
   // How orders have it that Tick be called. Keeping to it is up to who calls it.
-  const Pace& pace() const { return pace_; }
+  const time::Pace& pace() const { return pace_; }
 
   // Stops or resumes sending; the robot goes on moving.
   void Silence(bool on) { silenced_ = on; }
 
   // Who moves the motors. For services, between ticks.
-  MotorOwner& owner() { return router_.owner(); }
+  authority::MotorOwner& owner() { return router_.owner(); }
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
@@ -67,12 +68,14 @@ class Emulator {
   Status status() const;
 
   // What the robot is, for whoever looks on; valid as long as the emulator, changed by its calls.
-  const PhysicsWorld& world() const { return world_; }
+  const physics::PhysicsWorld& world() const { return world_; }
   // At the joints in the last step, in motor order [N·m].
   std::span<const double> torque() const { return motors_.torque(); }
-  const RobotCommand& command() const { return *command_; }  // that the motors followed last
-  std::span<const AppliedForce> pushes() const { return pushes_.forces(); }  // of the last step
-  std::span<const AppliedForce> drags() const { return drags_.forces(); }
+  const robot::RobotCommand& command() const { return *command_; }  // that the motors followed last
+  std::span<const physics::AppliedForce> pushes() const {
+    return pushes_.forces();
+  }  // of the last step
+  std::span<const physics::AppliedForce> drags() const { return drags_.forces(); }
 
   // A frame with room for all that Show fills in.
   Frame MakeFrame() const;
@@ -82,21 +85,21 @@ class Emulator {
 
  private:
   struct Start {
-    RobotCommand command;
-    PoseSpec pose;
+    robot::RobotCommand command;
+    robot::PoseSpec pose;
     bool on_crane = false;
     bool clamped = false;
   };
 
-  static std::vector<Start> StartsOf(const Config& config);
+  static std::vector<Start> StartsOf(const config::Config& config);
   std::int64_t Every(double hz) const;
   const Start& start() const { return starts_[static_cast<std::size_t>(start_pose_)]; }
   void To(const Start& start);
-  Due DueNow() const;
+  wire::Due DueNow() const;
   void FollowScript(double t);
   void TakeCommands(double t);
   void TakeHandCommands(double t);
-  const RobotCommand& Decide(double t);
+  const robot::RobotCommand& Decide(double t);
   void MoveHands(double t);
   void PushAndPull(double t);
   void Sample(double t);
@@ -107,19 +110,19 @@ class Emulator {
   Answer EndDrag(const ReleaseDrag& release);
   Answer MakeSteps(const StepRun& step);
 
-  Config config_;
-  StartPose start_pose_;
+  config::Config config_;
+  robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
-  PhysicsWorld world_;
-  RobotPort* port_;
+  physics::PhysicsWorld world_;
+  wire::RobotPort* port_;
   Inbox* inbox_;
-  CommandDelay delay_;
-  MotorBank motors_;
-  Battery battery_;
-  Sensors sensors_;
-  Crane crane_;
+  authority::CommandDelay delay_;
+  robot::MotorBank motors_;
+  robot::Battery battery_;
+  sensors::Sensors sensors_;
+  physics::Crane crane_;
   Remote remote_;
-  CommandRouter router_;
+  authority::CommandRouter router_;
   std::vector<Hand> hands_;
   int crane_body_;
   Eigen::Vector3d crane_point_;
@@ -131,23 +134,23 @@ class Emulator {
   std::size_t script_next_ = 0;
   std::size_t script_refused_ = 0;
   std::string script_refusal_;
-  Pace pace_;
-  Pushes pushes_;
-  Drags drags_;
-  const RobotCommand* command_;
-  RobotCommand offered_;
-  HandCommand offered_hand_;
-  MotionInput input_;
+  time::Pace pace_;
+  physics::Pushes pushes_;
+  physics::Drags drags_;
+  const robot::RobotCommand* command_;
+  robot::RobotCommand offered_;
+  robot::HandCommand offered_hand_;
+  authority::MotionInput input_;
   std::vector<double> foot_force_;
-  RobotState state_;
+  robot::RobotState state_;
   bool silenced_ = false;
-  Refusal last_refusal_ = Refusal::kNone;
+  robot::Refusal last_refusal_ = robot::Refusal::kNone;
   RefusalLog refusals_;
   OrderNotes orders_;
   std::uint64_t published_ = 0;
   std::uint64_t divergences_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_EMULATOR_H_

@@ -3,7 +3,7 @@
 
 #include "emulator/emulator.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 bool Has(const Frame& frame, FramePart part) { return (frame.parts & part) != 0; }
@@ -16,15 +16,16 @@ std::array<double, 3> Array(const Eigen::Vector3d& vector) {
 
 Frame Emulator::MakeFrame() const {
   Frame frame;
-  frame.positions.resize(PositionCount(world_));
-  frame.body_names = BodyNames(world_);
-  for (const MotorSpec& motor : config_.robot.motors) frame.motor_names.push_back(motor.joint);
-  frame.command_topics.assign(kCommandTopicNames.begin(), kCommandTopicNames.end());
-  if (config_.robot.arm_sdk.slots.empty()) frame.command_topics[kArmSdkTopic].clear();
-  if (!config_.robot.user_lowcmd) frame.command_topics[kUserLowCmdTopic].clear();
-  for (const HandSpec& hand : config_.robot.hands) {
+  frame.positions.resize(physics::PositionCount(world_));
+  frame.body_names = physics::BodyNames(world_);
+  for (const robot::MotorSpec& motor : config_.robot.motors)
+    frame.motor_names.push_back(motor.joint);
+  frame.command_topics.assign(robot::kCommandTopicNames.begin(), robot::kCommandTopicNames.end());
+  if (config_.robot.arm_sdk.slots.empty()) frame.command_topics[robot::kArmSdkTopic].clear();
+  if (!config_.robot.user_lowcmd) frame.command_topics[robot::kUserLowCmdTopic].clear();
+  for (const robot::HandSpec& hand : config_.robot.hands) {
     frame.command_topics.push_back("rt/" + hand.topic + "/cmd");
-    for (const MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
+    for (const robot::MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
   }
   frame.bodies.resize(frame.body_names.size());
   frame.contacts.reserve(kMostFrameContacts);
@@ -42,14 +43,14 @@ void Emulator::Show(Frame* frame) const {
   frame->time = time();
   frame->speed = pace_.speed;
   frame->paused = pace_.paused;
-  if (Has(*frame, kPartPositions)) ReadPositions(world_, frame->positions);
-  if (Has(*frame, kPartBodies)) ReadBodies(world_, frame->bodies);
+  if (Has(*frame, kPartPositions)) physics::ReadPositions(world_, frame->positions);
+  if (Has(*frame, kPartBodies)) physics::ReadBodies(world_, frame->bodies);
   if (Has(*frame, kPartContacts)) {
     frame->contacts.resize(kMostFrameContacts);
-    frame->contacts.resize(ReadContacts(world_, frame->contacts));
+    frame->contacts.resize(physics::ReadContacts(world_, frame->contacts));
   }
   if (Has(*frame, kPartCom)) {
-    frame->com = SubtreeCenterOfMass(world_, world_.FindBody(config_.robot.base_body));
+    frame->com = physics::SubtreeCenterOfMass(world_, world_.FindBody(config_.robot.base_body));
   }
   if (Has(*frame, kPartCrane)) {
     frame->crane = {.attached = crane_.attached(),
@@ -60,7 +61,7 @@ void Emulator::Show(Frame* frame) const {
   if (Has(*frame, kPartPushes)) {
     frame->pushes.clear();
     for (const auto& forces : {pushes(), drags()}) {
-      for (const AppliedForce& force : forces) {
+      for (const physics::AppliedForce& force : forces) {
         frame->pushes.push_back(
             {.body = force.body, .at = Array(force.p_WP), .force = Array(force.force_W)});
       }
@@ -84,4 +85,4 @@ void Emulator::Show(Frame* frame) const {
   if (Has(*frame, kPartRefusals)) refusals_.CopyTo(&frame->refusals);
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

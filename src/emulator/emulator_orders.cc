@@ -7,7 +7,7 @@
 #include "emulator/emulator.h"
 #include "physics/world_reading.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 template <class... Visitors>
@@ -17,8 +17,8 @@ struct Overloaded : Visitors... {
 template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
-std::string NoBody(const PhysicsWorld& world, const std::string& name) {
-  const std::string nearest = NearestWord(name, BodyNames(world));
+std::string NoBody(const physics::PhysicsWorld& world, const std::string& name) {
+  const std::string nearest = NearestWord(name, physics::BodyNames(world));
   const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
   return "the model has no body '" + name + "'" + hint;
 }
@@ -167,4 +167,4 @@ Answer Emulator::MakeSteps(const StepRun& step) {
   return {};
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -14,7 +14,7 @@
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // What a frame can hold, by bit; step, time, speed and paused are always there.
 enum FramePart : std::uint32_t {
@@ -66,8 +66,8 @@ struct FramePush {
 // Refused commands of one topic for one reason, one after another.
 struct RefusedCommands {
   double first = 0, last = 0;  // simulated s
-  std::size_t topic = kLowCmdTopic;
-  Refusal reason = Refusal::kNone;
+  std::size_t topic = robot::kLowCmdTopic;
+  robot::Refusal reason = robot::Refusal::kNone;
   std::uint64_t count = 0;
 };
 
@@ -89,23 +89,23 @@ struct Frame {
   double speed = 1;  // wanted; 0 = as fast as possible
   bool paused = false;
   std::vector<double> positions;  // MuJoCo's qpos, a step on from the rest
-  std::vector<BodyPose> bodies;
-  std::vector<ContactReading> contacts;
+  std::vector<physics::BodyPose> bodies;
+  std::vector<physics::ContactReading> contacts;
   std::array<double, 3> com{};  // of the robot
   FrameCrane crane;
   std::vector<FramePush> pushes;  // drags too
   // As last told on the wire, as are the next four; the hands' behind the body's.
-  std::vector<MotorReading> motors;
-  std::array<ImuReading, 2> imus;
+  std::vector<robot::MotorReading> motors;
+  std::array<robot::ImuReading, 2> imus;
   std::size_t imu_count = 1;
-  BatteryReading battery;
+  robot::BatteryReading battery;
   std::vector<double> feet;  // N
-  RemoteReading remote;
+  robot::RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
-  std::vector<MotorCommand> command;      // that the body's motors follow
-  std::vector<RefusedCommands> refusals;  // oldest first
+  std::vector<robot::MotorCommand> command;  // that the body's motors follow
+  std::vector<RefusedCommands> refusals;     // oldest first
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_FRAME_H_

@@ -8,7 +8,7 @@
 
 #include "emulator/frame.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // One frame that goes to and fro between one thread that asks and the one that ticks, whose it is
 // by turns: no lock, no copy, nothing to allocate. While nobody asks, the tick reads one flag.
@@ -42,6 +42,6 @@ class FrameBoard {
   Frame frame_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_FRAME_BOARD_H_

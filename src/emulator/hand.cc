@@ -2,28 +2,29 @@
 
 #include "robot/motor.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
-Hand::Hand(const HandSpec& spec, bool lenient)
+Hand::Hand(const robot::HandSpec& spec, bool lenient)
     : spec_(spec), gate_(spec, lenient), torque_(spec.motors.size()) {}
 
-Refusal Hand::Offer(const HandCommand& command, Refusal wire, double t) {
-  const Refusal refusal = gate_.Offer(command, wire, t);
-  if (refusal != Refusal::kNone) last_refusal_ = refusal;
+robot::Refusal Hand::Offer(const robot::HandCommand& command, robot::Refusal wire, double t) {
+  const robot::Refusal refusal = gate_.Offer(command, wire, t);
+  if (refusal != robot::Refusal::kNone) last_refusal_ = refusal;
   return refusal;
 }
 
 std::span<const double> Hand::Step(std::span<const double> q, std::span<const double> dq,
                                    double t) {
-  const std::span<const MotorCommand> commands = gate_.Current(t);
+  const std::span<const robot::MotorCommand> commands = gate_.Current(t);
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    torque_[i] = AvailableTorque(spec_.motors[i], DesiredTorque(commands[i], q[i], dq[i]), dq[i]);
+    torque_[i] = robot::AvailableTorque(spec_.motors[i],
+                                        robot::DesiredTorque(commands[i], q[i], dq[i]), dq[i]);
   }
   return torque_;
 }
 
 void Hand::Sample(std::span<const double> q, std::span<const double> dq,
-                  HandReading* reading) const {
+                  robot::HandReading* reading) const {
   reading->motors.resize(torque_.size());
   reading->timed_out.resize(torque_.size());
   for (std::size_t i = 0; i < torque_.size(); ++i) {
@@ -37,4 +38,4 @@ void Hand::Sample(std::span<const double> q, std::span<const double> dq,
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

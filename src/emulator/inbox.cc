@@ -1,6 +1,6 @@
 #include "emulator/inbox.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 std::optional<std::future<Answer>> Inbox::Put(const Order& order, WallTime until) {
   const std::lock_guard lock(mutex_);
@@ -8,4 +8,4 @@ std::optional<std::future<Answer>> Inbox::Put(const Order& order, WallTime until
   return waiting_.emplace_back(Entry{order, until, {}}).answer.get_future();
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

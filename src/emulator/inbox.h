@@ -13,7 +13,7 @@
 
 #include "emulator/order.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // "" when done, else why not.
 using Answer = std::string;
@@ -61,6 +61,6 @@ class Inbox {
   std::deque<Entry> waiting_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_INBOX_H_

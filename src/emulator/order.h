@@ -12,7 +12,7 @@
 #include "robot/robot_values.h"
 #include "robot/start_pose.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 struct LowerCrane {
   double by = 0;  // m; negative raises
@@ -25,7 +25,7 @@ struct ClampBase {
 // Back to a pose, the start pose unless one is named, command gate included; services stay on or
 // off.
 struct ResetRobot {
-  std::optional<StartPose> pose{};
+  std::optional<robot::StartPose> pose{};
 };
 
 // A force [N], world axes, on a body's centre of mass for a time.
@@ -78,8 +78,8 @@ struct MoveSticks {
 // where it says. Whoever holds it says so again and again: after `seconds` without another order
 // all is let go, so that a program that died or hangs leaves nothing held.
 struct SetRemote {
-  RemoteReading reading{};  // `there` is left aside: it is
-  double seconds = 0;       // simulated
+  robot::RemoteReading reading{};  // `there` is left aside: it is
+  double seconds = 0;              // simulated
 };
 struct SwitchRemote {  // off: keys and sticks are let go and nothing is received
   bool on = true;
@@ -96,6 +96,6 @@ struct ScriptEvent {
   std::string where{};  // "stand.yaml:3"
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_ORDER_H_

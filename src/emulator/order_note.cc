@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 using nlohmann::ordered_json;
@@ -21,12 +21,12 @@ std::array<double, 3> Array(const Eigen::Vector3d& vector) {
 
 struct Noter {
   std::string_view base;
-  StartPose start;
+  robot::StartPose start;
   OrderNote note;
 
   void operator()(const ResetRobot& reset) {
     note.kind = OrderKind::kReset;
-    Copy(kStartPoses[static_cast<std::size_t>(reset.pose.value_or(start))], &note.what);
+    Copy(robot::kStartPoses[static_cast<std::size_t>(reset.pose.value_or(start))], &note.what);
   }
   void operator()(const PushBody& push) {
     note.kind = OrderKind::kPush;
@@ -67,7 +67,7 @@ std::string Text(const std::array<double, 3>& vector) {
 
 }  // namespace
 
-OrderNote NoteOf(const Order& order, double time, std::string_view base, StartPose start) {
+OrderNote NoteOf(const Order& order, double time, std::string_view base, robot::StartPose start) {
   Noter noter{.base = base, .start = start, .note = {.time = time}};
   std::visit(noter, order);
   return noter.note;
@@ -116,4 +116,4 @@ ordered_json DetailOf(const OrderNote& note) {
   return ordered_json::object();
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

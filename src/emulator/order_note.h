@@ -12,7 +12,7 @@
 
 #include "emulator/order.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // The kinds of orders that leave no other trace in a Status.
 enum class OrderKind : std::uint8_t { kNone, kReset, kPush, kDrag, kLetGo, kStep, kLowerCrane };
@@ -36,7 +36,7 @@ struct OrderNote {
 // The note of an order that was carried out at `time` [s]; kNone for what a Status shows anyway.
 // `base` is who is pushed where no body is named, `start` the pose where none is. Allocates
 // nothing.
-OrderNote NoteOf(const Order& order, double time, std::string_view base, StartPose start);
+OrderNote NoteOf(const Order& order, double time, std::string_view base, robot::StartPose start);
 
 // "push base_link by 0 50 0 N for 0.1 s"
 std::string Describe(const OrderNote& note);
@@ -56,6 +56,6 @@ struct OrderNotes {
   const OrderNote& operator[](std::uint64_t number) const { return newest[number % newest.size()]; }
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_ORDER_NOTE_H_

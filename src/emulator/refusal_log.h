@@ -9,15 +9,15 @@
 
 #include "emulator/frame.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // Of one thread. Allocates nothing. Refusals of the same topic for the same reason that follow each
 // other are one entry; the oldest entries go first.
 class RefusalLog {
  public:
   // kNone is none.
-  void Add(std::size_t topic, Refusal reason, double t) {
-    if (reason == Refusal::kNone) return;
+  void Add(std::size_t topic, robot::Refusal reason, double t) {
+    if (reason == robot::Refusal::kNone) return;
     if (count_ > 0) {
       RefusedCommands& newest = entries_[(count_ - 1) % entries_.size()];
       if (newest.topic == topic && newest.reason == reason) {
@@ -44,6 +44,6 @@ class RefusalLog {
   std::size_t count_ = 0;  // since start
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_REFUSAL_LOG_H_

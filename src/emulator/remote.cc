@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 constexpr double kForever = std::numeric_limits<double>::infinity();
@@ -44,7 +44,7 @@ void Remote::Move(const MoveSticks& order, double t) {
 
 void Remote::Set(const SetRemote& order, double t) {
   reading_.there = true;
-  const RemoteReading& to = order.reading;
+  const robot::RemoteReading& to = order.reading;
   const double until = t + order.seconds;
   for (std::size_t key = 0; key < down_until_.size(); ++key) {
     down_until_[key] = Has(to.keys, key) ? until : 0;
@@ -60,7 +60,7 @@ void Remote::Switch(const SwitchRemote& order) {
   reading_.there = order.on;
 }
 
-const RemoteReading& Remote::Read(double t) {
+const robot::RemoteReading& Remote::Read(double t) {
   if (!reading_.there) return reading_;
   unsigned keys = 0;
   for (std::size_t key = 0; key < down_until_.size(); ++key) {
@@ -75,4 +75,4 @@ const RemoteReading& Remote::Read(double t) {
   return reading_;
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

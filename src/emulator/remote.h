@@ -7,7 +7,7 @@
 #include "emulator/order.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // Not there until the first order. Times are simulated and never go back. Allocates nothing.
 class Remote {
@@ -20,7 +20,7 @@ class Remote {
   void Switch(const SwitchRemote& order);
 
   // What it sends at time t [s].
-  const RemoteReading& Read(double t);
+  const robot::RemoteReading& Read(double t);
 
  private:
   struct Stick {
@@ -30,9 +30,9 @@ class Remote {
 
   std::array<double, 16> down_until_{};  // s, by key
   std::array<Stick, 4> sticks_{};        // lx, ly, rx, ry
-  RemoteReading reading_;
+  robot::RemoteReading reading_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_REMOTE_H_

@@ -15,13 +15,13 @@
 #include "robot/robot_values.h"
 #include "time/pacer.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // Of one hand.
 struct HandStatus {
   std::array<char, 16> name{};  // "" where the robot has no such hand
-  GateCounts commands;
-  Refusal last_refusal = Refusal::kNone;
+  authority::GateCounts commands;
+  robot::Refusal last_refusal = robot::Refusal::kNone;
 };
 
 // Of all services, since start.
@@ -54,21 +54,21 @@ struct Status {
   double speed = 1;  // wanted; 0 = as fast as possible
   bool paused = false;
   std::int64_t steps_left = 0;  // to be made although paused
-  PaceReading pace;
-  Histogram ticks;  // wall time of each, since start
+  time::PaceReading pace;
+  time::Histogram ticks;  // wall time of each, since start
   ServiceCounts services;
-  GateState gate = GateState::kStart;
+  authority::GateState gate = authority::GateState::kStart;
   std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
-  MotionState motion;                     // of that service
+  robot::MotionState motion;              // of that service
   double arm_weight = 0;                  // of rt/arm_sdk, 0..1
-  RemoteReading remote;
+  robot::RemoteReading remote;
   std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
-  GateCounts commands;
-  Refusal last_refusal = Refusal::kNone;
-  GateCounts arm_commands;   // of rt/arm_sdk
-  GateCounts user_commands;  // of rt/user_lowcmd
-  std::array<HandStatus, kMostHands> hands;
-  PortCounts port;
+  authority::GateCounts commands;
+  robot::Refusal last_refusal = robot::Refusal::kNone;
+  authority::GateCounts arm_commands;   // of rt/arm_sdk
+  authority::GateCounts user_commands;  // of rt/user_lowcmd
+  std::array<HandStatus, robot::kMostHands> hands;
+  robot::PortCounts port;
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;
@@ -86,11 +86,11 @@ struct Status {
 };
 
 // What came by that topic.
-inline const GateCounts& CommandCounts(const Status& status, std::size_t topic) {
-  if (topic == kLowCmdTopic) return status.commands;
-  if (topic == kArmSdkTopic) return status.arm_commands;
-  if (topic == kUserLowCmdTopic) return status.user_commands;
-  return status.hands[topic - kFirstHandTopic].commands;
+inline const authority::GateCounts& CommandCounts(const Status& status, std::size_t topic) {
+  if (topic == robot::kLowCmdTopic) return status.commands;
+  if (topic == robot::kArmSdkTopic) return status.arm_commands;
+  if (topic == robot::kUserLowCmdTopic) return status.user_commands;
+  return status.hands[topic - robot::kFirstHandTopic].commands;
 }
 
 // One writer, the tick, which never waits: a post that finds the board being read is left out. Any
@@ -112,6 +112,6 @@ class StatusBoard {
   Status status_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_EMULATOR_STATUS_H_

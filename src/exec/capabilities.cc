@@ -7,7 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 using CapabilityWords = std::array<__user_cap_data_struct, _LINUX_CAPABILITY_U32S_3>;
@@ -54,4 +54,4 @@ bool Capabilities::Apply() const {
   return ::syscall(SYS_capset, &header, words.data()) == 0;
 }
 
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-namespace understudy {
+namespace understudy::exec {
 
 // One bit per capability number of capabilities(7). The ambient set is left out: entering a user
 // namespace empties it.
@@ -26,6 +26,6 @@ struct Capabilities {
   [[nodiscard]] bool Apply() const;
 };
 
-}  // namespace understudy
+}  // namespace understudy::exec
 
 #endif  // UNDERSTUDY_EXEC_CAPABILITIES_H_

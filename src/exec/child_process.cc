@@ -13,7 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 constexpr std::string_view kDefaultPath = "/bin:/usr/bin";  // as execvp(3) takes it without PATH
@@ -195,4 +195,4 @@ int ChildProcess::Wait() {
   return *exit_code_;
 }
 
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -13,7 +13,7 @@
 #include "base/unique_fd.h"
 #include "exec/command.h"
 
-namespace understudy {
+namespace understudy::exec {
 
 // One child process. It waits behind a gate from construction on and becomes the command at
 // Release(). It was forked early, so the command inherits nothing of what we do to ourselves in
@@ -82,6 +82,6 @@ class ChildProcess {
   std::optional<std::chrono::steady_clock::time_point> kill_at_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::exec
 
 #endif  // UNDERSTUDY_EXEC_CHILD_PROCESS_H_

@@ -8,7 +8,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 // 0, or the errno that exec(2) would give.
@@ -49,4 +49,4 @@ std::string FindProgram(const std::string& name, const std::string& search_path)
   throw CommandError("cannot run `" + name + "`: no such program in PATH", kExitNotFound);
 }
 
-}  // namespace understudy
+}  // namespace understudy::exec

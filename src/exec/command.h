@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::exec {
 
 // Exit codes of our own beside the command's, as env(1) has them.
 inline constexpr int kExitOwnFailure = 125;     // the command was never tried
@@ -34,6 +34,6 @@ int ExitCodeOfFailedExec(int error);
 // Throws CommandError: nothing of that name (127), or only what we may not execute (126).
 std::string FindProgram(const std::string& name, const std::string& search_path);
 
-}  // namespace understudy
+}  // namespace understudy::exec
 
 #endif  // UNDERSTUDY_EXEC_COMMAND_H_

@@ -5,7 +5,7 @@
 #include <system_error>
 #include <vector>
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 std::optional<std::int64_t> ReadNumber(const char* path) {
@@ -96,4 +96,4 @@ std::string ExplainRefusal(const std::string& step, int error, const NamespacePo
   return line + "; or share the machine's network with --network host";
 }
 
-}  // namespace understudy
+}  // namespace understudy::exec

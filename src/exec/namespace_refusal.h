@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-namespace understudy {
+namespace understudy::exec {
 
 // What this machine says about namespaces. Empty: the kernel has no such setting.
 struct NamespacePolicy {
@@ -25,6 +25,6 @@ struct NamespacePolicy {
 // Where nothing in `policy` explains it, the line lists the usual suspects instead.
 std::string ExplainRefusal(const std::string& step, int error, const NamespacePolicy& policy);
 
-}  // namespace understudy
+}  // namespace understudy::exec
 
 #endif  // UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_

@@ -21,7 +21,7 @@
 #include "exec/capabilities.h"
 #include "exec/namespace_refusal.h"
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 [[noreturn]] void Refuse(const std::string& step, int error) {
@@ -131,4 +131,4 @@ void EnterPrivateNetwork() {
   if (!privileged && !before.Apply()) Refuse("giving the namespace's capabilities back", errno);
 }
 
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -2,7 +2,7 @@
 #ifndef UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 #define UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 
-namespace understudy {
+namespace understudy::exec {
 
 // Moves this process into a new network namespace whose only interface is `lo`, up, with multicast
 // and a route 224.0.0.0/4 through it: DDS discovery and every other IPv4 multicast works as on a
@@ -32,6 +32,6 @@ namespace understudy {
 // without a network and can only end.
 void EnterPrivateNetwork();
 
-}  // namespace understudy
+}  // namespace understudy::exec
 
 #endif  // UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_

@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 std::string NameOf(const MjcfElement& element) {
@@ -144,4 +144,4 @@ void RenameTorqueSensors(MjcfElement* root, const MjcfDefaults& defaults, MjcfJo
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -7,7 +7,7 @@
 #include "mjcf/joints.h"
 #include "mjcf/rewrite.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // actuatorfrcrange of a joint with one actuator of gear g becomes the actuator's forcerange: the
 // range divided by g, intersected with the forcerange the actuator has. Exact for qfrc_actuator of
@@ -33,6 +33,6 @@ void RenameTorqueSensors(MjcfElement* root, const MjcfDefaults& defaults, MjcfJo
 void SpellOutPositionGains(MjcfElement* root, const MjcfDefaults& defaults, MjcfJoints* joints,
                            std::vector<Rewrite>* rewrites);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_ACTUATORS_H_

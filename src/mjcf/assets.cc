@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using std::filesystem::path;
@@ -104,4 +104,4 @@ void RequireAssets(const MjcfElement& root) {
   throw ModelError(text);
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -7,7 +7,7 @@
 
 #include "mjcf/document.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // Makes the file names of textures (file, fileright, ...), meshes, height fields, skins, flexible
 // bodies and attached models absolute: they are looked for from `folder` and from the <compiler>'s
@@ -22,6 +22,6 @@ std::string WhatAssetLacks(const MjcfElement& element);
 // there are is said as well.
 void RequireAssets(const MjcfElement& root);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_ASSETS_H_

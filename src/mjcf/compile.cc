@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 // A file that MuJoCo finds by name instead of on disk.
@@ -111,4 +111,4 @@ std::vector<std::string> UnknownWords(MjcfElement root) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -8,7 +8,7 @@
 #include "mjcf/document.h"
 #include "mjcf/mujoco_handles.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // Throws ModelError with MuJoCo's message and the file and line of the element it is about, or only
 // the root's file where MuJoCo names no line.
@@ -18,6 +18,6 @@ ModelHandle CompileMjcf(const MjcfElement& root);
 // the order in which it refuses them. Empty where only something else is wrong, or nothing.
 std::vector<std::string> UnknownWords(MjcfElement root);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_COMPILE_H_

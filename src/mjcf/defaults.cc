@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 MjcfDefaults::MjcfDefaults(const MjcfElement& root) {
   classes_[""];
@@ -60,4 +60,4 @@ std::optional<MjcfSetting> MjcfDefaults::Find(const MjcfElement& element,
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -11,7 +11,7 @@
 
 #include "mjcf/document.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // A setting and the element that makes it, itself or a default.
 struct MjcfSetting {
@@ -44,6 +44,6 @@ class MjcfDefaults {
   std::map<std::string, Class> classes_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_DEFAULTS_H_

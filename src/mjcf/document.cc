@@ -11,7 +11,7 @@
 #include "base/errors.h"
 #include "mjcf/assets.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using std::filesystem::path;
@@ -201,4 +201,4 @@ MjcfText WriteMjcf(const MjcfElement& root) {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

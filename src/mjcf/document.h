@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace understudy {
+namespace understudy::mjcf {
 
 struct MjcfPlace {
   std::string file;
@@ -49,6 +49,6 @@ MjcfElement ReadMjcf(const std::filesystem::path& file);
 // One line for the start and one for the end of each element.
 MjcfText WriteMjcf(const MjcfElement& root);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_DOCUMENT_H_

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 constexpr char kLooks[] = "changes looks only";
@@ -140,4 +140,4 @@ void SayAutolimits(MjcfElement* root, std::vector<Rewrite>* rewrites) {
   root->children.push_back(std::move(compiler));
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

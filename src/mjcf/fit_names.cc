@@ -5,7 +5,7 @@
 
 #include "robot/drop_motor.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 constexpr std::string_view kJoint = "_joint";
@@ -53,7 +53,7 @@ std::string OtherSpelling(const std::string& joint) {
   return joint.substr(0, joint.size() - kJoint.size());
 }
 
-void FitBodies(const mjModel& model, RobotSpec* spec, std::vector<std::string>* notes) {
+void FitBodies(const mjModel& model, robot::RobotSpec* spec, std::vector<std::string>* notes) {
   if (!Has(model, mjOBJ_BODY, spec->base_body)) {
     const std::string free = FreeBody(model);
     if (free.empty()) return;
@@ -68,12 +68,12 @@ void FitBodies(const mjModel& model, RobotSpec* spec, std::vector<std::string>* 
   spec->crane_point = {0, 0, 0};
 }
 
-void FitImu(const mjModel& model, RobotSpec* spec, std::vector<std::string>* notes) {
+void FitImu(const mjModel& model, robot::RobotSpec* spec, std::vector<std::string>* notes) {
   const int base = mj_name2id(&model, mjOBJ_BODY, spec->base_body.c_str());
   const auto note = [&](const std::string& what, const std::string& was, const std::string& is) {
     notes->push_back(what + " '" + was + "': the model calls it '" + is + "'");
   };
-  ImuSpec& imu = spec->imu;
+  robot::ImuSpec& imu = spec->imu;
   if (!Has(model, mjOBJ_SITE, imu.site)) {
     std::string site = OnlyImu(model, [](int) { return true; });
     if (site.empty()) site = OnlyImu(model, [base](int body) { return body == base; });
@@ -93,7 +93,7 @@ void FitImu(const mjModel& model, RobotSpec* spec, std::vector<std::string>* not
   imu.secondary_site = other;
 }
 
-void FitMotors(const mjModel& model, RobotSpec* spec, std::vector<std::string>* notes) {
+void FitMotors(const mjModel& model, robot::RobotSpec* spec, std::vector<std::string>* notes) {
   std::vector<std::size_t> without;
   int renamed = 0;
   for (std::size_t i = 0; i < spec->motors.size(); ++i) {
@@ -111,20 +111,21 @@ void FitMotors(const mjModel& model, RobotSpec* spec, std::vector<std::string>* 
   }
   if (2 * without.size() >= spec->motors.size()) return;  // another robot
   for (auto i = without.rbegin(); i != without.rend(); ++i) {
-    const MotorSpec& motor = spec->motors[*i];
+    const robot::MotorSpec& motor = spec->motors[*i];
     notes->push_back("the model has no joint '" + motor.joint + "': slot " +
                      std::to_string(motor.slot) + " has no motor");
-    DropMotor(*i, spec);
+    robot::DropMotor(*i, spec);
   }
 }
 
 }  // namespace
 
-RobotSpec FitNames(RobotSpec spec, const mjModel& model, std::vector<std::string>* notes) {
+robot::RobotSpec FitNames(robot::RobotSpec spec, const mjModel& model,
+                          std::vector<std::string>* notes) {
   FitBodies(model, &spec, notes);
   FitMotors(model, &spec, notes);
   FitImu(model, &spec, notes);
   return spec;
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -9,7 +9,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // The description with this model's names where the model lacks the description's own:
 //   base body      the one root body with a free joint
@@ -21,8 +21,9 @@ namespace understudy {
 //                  joint for them: fewer than half
 // What is not found stays as it is, for RequireWhatSpecNames to refuse. Each change is a line in
 // `notes`.
-RobotSpec FitNames(RobotSpec spec, const mjModel& model, std::vector<std::string>* notes);
+robot::RobotSpec FitNames(robot::RobotSpec spec, const mjModel& model,
+                          std::vector<std::string>* notes);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_FIT_NAMES_H_

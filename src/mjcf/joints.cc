@@ -5,7 +5,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 void CollectBody(MjcfElement* body, std::string child_class, const MjcfDefaults& defaults,
@@ -111,4 +111,4 @@ std::optional<MjcfRange> FindRange(const MjcfDefaults& defaults, const MjcfEleme
   return MjcfRange{numbers[0], numbers[1]};
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -12,7 +12,7 @@
 #include "mjcf/defaults.h"
 #include "mjcf/document.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 using MjcfRange = std::array<double, 2>;
 
@@ -60,6 +60,6 @@ std::optional<MjcfRange> FindRange(const MjcfDefaults& defaults, const MjcfEleme
                                    std::span<const char* const> kinds, const char* range,
                                    const char* limited);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_JOINTS_H_

@@ -9,7 +9,7 @@
 #include "mjcf/defaults.h"
 #include "mjcf/joints.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 constexpr std::array<const char*, 1> kGeomKinds = {"geom"};
@@ -143,4 +143,4 @@ LeftOutLooks LeaveOutLooks(MjcfElement* root) {
   return left_out;
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

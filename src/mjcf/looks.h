@@ -7,7 +7,7 @@
 
 #include "mjcf/document.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 struct LeftOutLooks {
   int geoms = 0, meshes = 0, textures = 0;
@@ -24,6 +24,6 @@ struct LeftOutLooks {
 // (inertiafromgeom="true") all geoms stay.
 LeftOutLooks LeaveOutLooks(MjcfElement* root);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_LOOKS_H_

@@ -8,7 +8,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // By way of a file, in memory: into a buffer MuJoCo 2.2.2 writes less than it says it needs, does
 // not say how much, and loads nothing that has more behind it.
@@ -24,4 +24,4 @@ std::string ModelBytes(const mjModel& model) {
   return bytes;
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

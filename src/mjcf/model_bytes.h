@@ -6,11 +6,11 @@
 
 #include "mjcf/mujoco_handles.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // As mj_saveModel writes it: only the same version of MuJoCo reads it. Throws ModelError.
 std::string ModelBytes(const mjModel& model);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_MODEL_BYTES_H_

@@ -6,7 +6,7 @@
 
 #include <mujoco/mujoco.h>
 
-namespace understudy {
+namespace understudy::mjcf {
 
 struct ModelDeleter {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -17,6 +17,6 @@ struct DataDeleter {
 using ModelHandle = std::unique_ptr<mjModel, ModelDeleter>;
 using DataHandle = std::unique_ptr<mjData, DataDeleter>;
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_MUJOCO_HANDLES_H_

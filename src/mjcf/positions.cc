@@ -5,7 +5,7 @@
 #include "mjcf/actuators.h"
 #include "mjcf/compile.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 constexpr std::array<const char*, 1> kPositionKinds = {"position"};
@@ -117,4 +117,4 @@ void SpellOutPositionGains(MjcfElement* root, const MjcfDefaults& defaults, Mjcf
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -6,10 +6,10 @@
 
 #include "mjcf/mujoco_handles.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
-using Limits = RandomizationSpec::Limits;
+using Limits = robot::RandomizationSpec::Limits;
 
 constexpr const char* kAxes[] = {"x", "y", "z"};
 
@@ -27,7 +27,8 @@ bool IsBelow(const mjModel& model, int body, int ancestor) {
   return body == ancestor;
 }
 
-void RandomizeBodies(const RandomizationSpec& ranges, int base, Dice* dice, mjModel* model) {
+void RandomizeBodies(const robot::RandomizationSpec& ranges, int base, robot::Dice* dice,
+                     mjModel* model) {
   for (int body = base; body < static_cast<int>(model->nbody); ++body) {
     if (!IsBelow(*model, body, base) || model->body_mass[body] <= 0) continue;
     const std::string name = BodyName(*model, body);
@@ -52,7 +53,7 @@ void ForgetCoincidences(int body, mjModel* model) {
 #endif
 }
 
-void MoveCentreOfMass(const Limits& limits, int base, Dice* dice, mjModel* model) {
+void MoveCentreOfMass(const Limits& limits, int base, robot::Dice* dice, mjModel* model) {
   if (limits.empty()) return;
   mjtNum offset[3];
   for (int i = 0; i < 3; ++i) offset[i] = dice->DrawOr("base_com", kAxes[i], limits, 0);
@@ -60,9 +61,9 @@ void MoveCentreOfMass(const Limits& limits, int base, Dice* dice, mjModel* model
   ForgetCoincidences(base, model);
 }
 
-void RandomizeJoints(const RandomizationSpec& ranges, const RobotSpec& robot, Dice* dice,
-                     mjModel* model) {
-  for (const MotorSpec& motor : robot.motors) {
+void RandomizeJoints(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
+                     robot::Dice* dice, mjModel* model) {
+  for (const robot::MotorSpec& motor : robot.motors) {
     const std::string& name = motor.joint;
     const int dof = model->jnt_dofadr[Find(*model, mjOBJ_JOINT, name)];
     model->dof_damping[dof] *= dice->DrawOr("damping", name, ranges.damping, 1);
@@ -72,7 +73,7 @@ void RandomizeJoints(const RandomizationSpec& ranges, const RobotSpec& robot, Di
 }
 
 // One factor for all geoms, since the larger friction of two counts.
-void RandomizeFriction(const Limits& limits, Dice* dice, mjModel* model) {
+void RandomizeFriction(const Limits& limits, robot::Dice* dice, mjModel* model) {
   const double factor = dice->DrawOr("friction", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
     model->geom_friction[3 * geom] *= factor;
@@ -94,7 +95,7 @@ void Soften(double factor, mjtNum* solref) {
   }
 }
 
-void RandomizeSoftness(const Limits& limits, Dice* dice, mjModel* model) {
+void RandomizeSoftness(const Limits& limits, robot::Dice* dice, mjModel* model) {
   if (limits.empty()) return;
   const double factor = dice->DrawOr("floor_softness", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
@@ -105,7 +106,8 @@ void RandomizeSoftness(const Limits& limits, Dice* dice, mjModel* model) {
   }
 }
 
-void TurnImu(const Limits& limits, const std::string& site_name, Dice* dice, mjModel* model) {
+void TurnImu(const Limits& limits, const std::string& site_name, robot::Dice* dice,
+             mjModel* model) {
   if (limits.empty() || site_name.empty()) return;
   const int site = Find(*model, mjOBJ_SITE, site_name);
   mjtNum rotation[3];
@@ -120,7 +122,7 @@ void TurnImu(const Limits& limits, const std::string& site_name, Dice* dice, mjM
   model->site_sameframe[site] = 0;
 }
 
-void TiltGravity(const Limits& limits, Dice* dice, mjModel* model) {
+void TiltGravity(const Limits& limits, robot::Dice* dice, mjModel* model) {
   if (limits.empty()) return;
   const double angle = dice->DrawOr("gravity_tilt", "angle", limits, 0);
   const double side = dice->Draw("gravity_tilt", "side", 0, 2 * std::numbers::pi);
@@ -133,8 +135,8 @@ void TiltGravity(const Limits& limits, Dice* dice, mjModel* model) {
 
 }  // namespace
 
-void RandomizeModel(const RandomizationSpec& ranges, const RobotSpec& robot, Dice* dice,
-                    mjModel* model) {
+void RandomizeModel(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
+                    robot::Dice* dice, mjModel* model) {
   const int base = Find(*model, mjOBJ_BODY, robot.base_body);
   RandomizeFriction(ranges.friction, dice, model);
   RandomizeBodies(ranges, base, dice, model);
@@ -148,4 +150,4 @@ void RandomizeModel(const RandomizationSpec& ranges, const RobotSpec& robot, Dic
   mj_setConst(model, data.get());
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

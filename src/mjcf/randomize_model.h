@@ -6,14 +6,14 @@
 
 #include "robot/randomization.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // Draws all that `ranges` asks of the model and puts it in. Bodies are the robot's: the base and
 // what hangs from it, those that weigh something; joints its motors'. What MuJoCo derives from
 // masses is derived anew. `model` is LoadWorldModel's for the same spec.
-void RandomizeModel(const RandomizationSpec& ranges, const RobotSpec& robot, Dice* dice,
-                    mjModel* model);
+void RandomizeModel(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
+                    robot::Dice* dice, mjModel* model);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_

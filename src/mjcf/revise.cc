@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 std::string Text(const std::vector<double>& values) {
@@ -51,7 +51,7 @@ MjcfElement& Require(MjcfElement* root, const std::string& kind, const std::stri
                    ".name names it)");
 }
 
-void ReviseBody(const BodySpec& spec, const std::string& key, MjcfElement* root) {
+void ReviseBody(const robot::BodySpec& spec, const std::string& key, MjcfElement* root) {
   MjcfElement& body = Require(root, "body", spec.name, key);
   if (!spec.pos.empty()) body.Set("pos", Text(spec.pos));
   const bool all = spec.mass > 0 && !spec.com.empty() && !spec.inertia.empty();
@@ -105,7 +105,7 @@ void Lock(const std::vector<std::string>& joints, MjcfElement* root) {
 
 }  // namespace
 
-void Revise(const RobotSpec& spec, MjcfElement* root) {
+void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
   for (std::size_t i = 0; i < spec.bodies.size(); ++i) {
     ReviseBody(spec.bodies[i], "robot.bodies." + std::to_string(i), root);
   }
@@ -113,7 +113,7 @@ void Revise(const RobotSpec& spec, MjcfElement* root) {
     const std::string key = "robot.sites." + std::to_string(i);
     Require(root, "site", spec.sites[i].name, key).Set("pos", Text(spec.sites[i].pos));
   }
-  for (const MotorSpec& motor : spec.motors) {
+  for (const robot::MotorSpec& motor : spec.motors) {
     if (motor.armature == 0) continue;
     // A joint that is missing is refused, or called otherwise, once the model is compiled.
     MjcfElement* joint = FindNamed(root, "joint", motor.joint);
@@ -122,4 +122,4 @@ void Revise(const RobotSpec& spec, MjcfElement* root) {
   if (!spec.locked_joints.empty()) Lock(spec.locked_joints, root);
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -5,7 +5,7 @@
 #include "mjcf/document.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // Gives bodies, sites and motors' joints the figures of spec.bodies, spec.sites and
 // spec.motors[].armature, and takes spec.locked_joints out with what reads or drives them, where
@@ -14,8 +14,8 @@ namespace understudy {
 //
 // Throws ModelError with the key when the model has no such body or site, or when only part of
 // mass, com and inertia is said of a body whose file leaves them to its geoms.
-void Revise(const RobotSpec& spec, MjcfElement* root);
+void Revise(const robot::RobotSpec& spec, MjcfElement* root);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_REVISE_H_

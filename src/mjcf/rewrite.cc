@@ -3,7 +3,7 @@
 #include "mjcf/actuators.h"
 #include "mjcf/drop.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites) {
   DropWhatChangesNothing(root, rewrites);
@@ -16,4 +16,4 @@ void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites) {
   SpellOutPositionGains(root, defaults, &joints, rewrites);
 }
 
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -16,7 +16,7 @@
 
 #include "mjcf/document.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 
 // One thing that was said otherwise.
 struct Rewrite {
@@ -35,6 +35,6 @@ struct Rewrite {
 // dampratio of such an actuator.
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites);
 
-}  // namespace understudy
+}  // namespace understudy::mjcf
 
 #endif  // UNDERSTUDY_MJCF_REWRITE_H_

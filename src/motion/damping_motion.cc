@@ -1,21 +1,23 @@
 #include "motion/damping_motion.h"
 
-namespace understudy {
+namespace understudy::motion {
 
-MotionVerdict DampingMotion::Ask(const MotionGoal& goal) {
-  const bool by_id = goal.action == MotionAction::kSetFsm;
-  const bool damp = goal.action == MotionAction::kDamp || (by_id && goal.value[0] == damped_.id);
+authority::MotionVerdict DampingMotion::Ask(const authority::MotionGoal& goal) {
+  const bool by_id = goal.action == authority::MotionAction::kSetFsm;
+  const bool damp =
+      goal.action == authority::MotionAction::kDamp || (by_id && goal.value[0] == damped_.id);
   const bool limp =
-      goal.action == MotionAction::kZeroTorque || (by_id && goal.value[0] == limp_.id);
-  if (!damp && !limp) return MotionVerdict::kUnable;
+      goal.action == authority::MotionAction::kZeroTorque || (by_id && goal.value[0] == limp_.id);
+  if (!damp && !limp) return authority::MotionVerdict::kUnable;
   is_limp_ = !damp;
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-void DampingMotion::Step(const MotionInput&, double, RobotCommand* command) {
-  command->joint_space = JointSpace::kPitchRoll;
-  const MotorCommand damped{.enabled = true, .q = kNoPosition, .kd = kd_};
-  for (MotorCommand& motor : command->motors) motor = is_limp_ ? MotorCommand{} : damped;
+void DampingMotion::Step(const authority::MotionInput&, double, robot::RobotCommand* command) {
+  command->joint_space = robot::JointSpace::kPitchRoll;
+  const robot::MotorCommand damped{.enabled = true, .q = robot::kNoPosition, .kd = kd_};
+  for (robot::MotorCommand& motor : command->motors)
+    motor = is_limp_ ? robot::MotorCommand{} : damped;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

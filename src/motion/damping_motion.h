@@ -4,26 +4,26 @@
 
 #include "authority/motion.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Damps, or lets the joints hang, and can do nothing else.
-class DampingMotion final : public Motion {
+class DampingMotion final : public authority::Motion {
  public:
   // `damped` and `limp` are what state() says in either state; `kd` [N·m·s/rad] damps each joint.
-  DampingMotion(const MotionState& damped, const MotionState& limp, double kd)
+  DampingMotion(const robot::MotionState& damped, const robot::MotionState& limp, double kd)
       : damped_(damped), limp_(limp), kd_(kd) {}
 
-  void Start(const MotionInput&) override { is_limp_ = false; }
-  MotionVerdict Ask(const MotionGoal& goal) override;
-  void Step(const MotionInput& input, double dt, RobotCommand* command) override;
-  MotionState state() const override { return is_limp_ ? limp_ : damped_; }
+  void Start(const authority::MotionInput&) override { is_limp_ = false; }
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) override;
+  void Step(const authority::MotionInput& input, double dt, robot::RobotCommand* command) override;
+  robot::MotionState state() const override { return is_limp_ ? limp_ : damped_; }
 
  private:
-  MotionState damped_, limp_;
+  robot::MotionState damped_, limp_;
   double kd_;
   bool is_limp_ = false;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_DAMPING_MOTION_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::motion {
 
 double SmoothStep(double s) {
   s = std::clamp(s, 0.0, 1.0);
@@ -31,4 +31,4 @@ double JointMove::dq(std::size_t joint) const {
   return SmoothStepRate(elapsed_ / duration_) / duration_ * (to_[joint] - from_[joint]);
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

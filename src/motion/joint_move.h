@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace understudy {
+namespace understudy::motion {
 
 // How far a smooth move has come at the fraction `s` of its time: 0 up to s = 0, 1 from s = 1, with
 // no rate and no acceleration at both ends (10 s³ - 15 s⁴ + 6 s⁵).
@@ -33,6 +33,6 @@ class JointMove {
   double elapsed_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_JOINT_MOVE_H_

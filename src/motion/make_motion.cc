@@ -5,19 +5,20 @@
 #include "motion/humanoid/motion.h"
 #include "motion/quadruped/motion.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 // Ids of the vendor: Go2 motion services V2.0, where `mode` is that of firmware before 1.1.6, and
 // the humanoids' loco services. That other quadrupeds have the Go2's is *assumed*.
-constexpr MotionState kQuadrupedDamped{.id = 1001, .mode = 7};
-constexpr MotionState kHumanoidDamped{.id = 1};
-constexpr MotionState kHumanoidLimp{.id = 0};
+constexpr robot::MotionState kQuadrupedDamped{.id = 1001, .mode = 7};
+constexpr robot::MotionState kHumanoidDamped{.id = 1};
+constexpr robot::MotionState kHumanoidLimp{.id = 0};
 
 }  // namespace
 
-std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
-                                   double damping_kd) {
+std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
+                                              const physics::PhysicsWorld& world,
+                                              double damping_kd) {
   try {
     if (spec.motion.humanoid.lock_stand >= 0) return MakeHumanoidMotion(spec, world);
     if (spec.motion.quadruped.stand_height > 0) return MakeQuadrupedMotion(spec, world);
@@ -29,4 +30,4 @@ std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& wo
                                          four_feet ? kQuadrupedDamped : kHumanoidLimp, damping_kd);
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

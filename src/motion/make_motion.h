@@ -8,13 +8,14 @@
 #include "physics/world.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Never null. `spec` and the world's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
 // that can only damp: those without a controller, and a model in which its feet are not found.
-std::unique_ptr<Motion> MakeMotion(const RobotSpec& spec, const PhysicsWorld& world,
-                                   double damping_kd);
+std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
+                                              const physics::PhysicsWorld& world,
+                                              double damping_kd);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_MAKE_MOTION_H_

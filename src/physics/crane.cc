@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // m, assumed; the winch stops here, so that a taut tether always has a direction.
@@ -38,4 +38,4 @@ Eigen::Vector3d Crane::Step(const PointReading& hook, double dt) {
   return tension_ * up;
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

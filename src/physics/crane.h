@@ -4,7 +4,7 @@
 
 #include "physics/world.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 struct CraneConfig {
   double length = 0.6;       // m of tether between anchor and hook at the start
@@ -53,6 +53,6 @@ class Crane {
   double tension_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_CRANE_H_

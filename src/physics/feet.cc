@@ -5,7 +5,7 @@
 
 #include "physics/geom_extent.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 constexpr double kSameSole = 0.01;  // m, assumed: less than a calf's other geoms are above its foot
@@ -14,9 +14,10 @@ constexpr double kSameSole = 0.01;  // m, assumed: less than a calf's other geom
 std::string Side(const std::string& name) { return name.substr(0, name.find('_')); }
 
 // The colliding geoms that the joints of that side's motors move.
-std::vector<int> GeomsOfSide(const mjModel& model, const RobotSpec& spec, const std::string& side) {
+std::vector<int> GeomsOfSide(const mjModel& model, const robot::RobotSpec& spec,
+                             const std::string& side) {
   std::vector<int> geoms;
-  for (const MotorSpec& motor : spec.motors) {
+  for (const robot::MotorSpec& motor : spec.motors) {
     if (Side(motor.joint) != side) continue;
     const int joint = mj_name2id(&model, mjOBJ_JOINT, motor.joint.c_str());
     if (joint < 0) continue;
@@ -30,7 +31,7 @@ std::vector<int> GeomsOfSide(const mjModel& model, const RobotSpec& spec, const 
 
 }  // namespace
 
-std::vector<int> FindFeet(const mjModel& model, const mjData& data, const RobotSpec& spec) {
+std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec) {
   std::vector<int> foot_of_geom(static_cast<std::size_t>(model.ngeom), -1);
   for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
     bool named = false;
@@ -55,4 +56,4 @@ std::vector<int> FindFeet(const mjModel& model, const mjData& data, const RobotS
   return foot_of_geom;
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

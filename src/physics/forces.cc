@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 constexpr double kStiffness = 100;  // 1/s², mjModel.vis.map.stiffness unless a model sets it
@@ -82,4 +82,4 @@ void Drags::Act(double t, PhysicsWorld* world) {
   AddAll(forces_, world);
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

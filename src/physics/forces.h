@@ -7,7 +7,7 @@
 
 #include "physics/world.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 // What acted on a body in a step, world axes.
 struct AppliedForce {
@@ -81,6 +81,6 @@ class Drags {
   std::vector<AppliedForce> forces_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_FORCES_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::physics {
 
 bool Collides(const mjModel& model, int geom) {
   return model.geom_contype[geom] != 0 || model.geom_conaffinity[geom] != 0;
@@ -43,4 +43,4 @@ double LowestPoint(const mjModel& model, const mjData& data, int geom) {
   return data.geom_xpos[3 * geom + 2] - Reach(model, geom, down);
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

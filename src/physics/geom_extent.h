@@ -4,7 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
-namespace understudy {
+namespace understudy::physics {
 
 bool Collides(const mjModel& model, int geom);
 
@@ -16,6 +16,6 @@ double Reach(const mjModel& model, int geom, const mjtNum direction[3]);
 // shapes that may move; for planes and height fields that of their middle.
 double LowestPoint(const mjModel& model, const mjData& data, int geom);
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_

@@ -4,7 +4,7 @@
 
 #include "mjcf/mujoco_handles.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 void SetIfGiven(double figure, mjtNum* value) {
@@ -13,19 +13,19 @@ void SetIfGiven(double figure, mjtNum* value) {
 
 }  // namespace
 
-void UseFittedDynamics(const RobotSpec& spec, mjModel* model) {
-  if (spec.dynamics.use != DynamicsSource::kFitted) return;
-  for (const MotorSpec& motor : spec.motors) {
+void UseFittedDynamics(const robot::RobotSpec& spec, mjModel* model) {
+  if (spec.dynamics.use != robot::DynamicsSource::kFitted) return;
+  for (const robot::MotorSpec& motor : spec.motors) {
     const int dof = model->jnt_dofadr[mj_name2id(model, mjOBJ_JOINT, motor.joint.c_str())];
-    for (const FittedDynamicsSpec& fit : spec.dynamics.fitted) {
+    for (const robot::FittedDynamicsSpec& fit : spec.dynamics.fitted) {
       if (std::ranges::find(fit.slots, motor.slot) == fit.slots.end()) continue;
       if (motor.armature == 0) SetIfGiven(fit.armature, model->dof_armature + dof);
       SetIfGiven(fit.damping, model->dof_damping + dof);
       SetIfGiven(fit.frictionloss, model->dof_frictionloss + dof);
     }
   }
-  const DataHandle data(mj_makeData(model));
+  const mjcf::DataHandle data(mj_makeData(model));
   mj_setConst(model, data.get());
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -8,7 +8,7 @@
 
 #include "mjcf/model_bytes.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "what is sent is little endian");
@@ -159,6 +159,6 @@ std::string SceneReader::HeightField(int hfield) {
   return bytes;
 }
 
-std::string SceneReader::Model() { return ModelBytes(model()); }
+std::string SceneReader::Model() { return mjcf::ModelBytes(model()); }
 
-}  // namespace understudy
+}  // namespace understudy::physics

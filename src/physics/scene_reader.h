@@ -11,7 +11,7 @@
 
 #include "mjcf/mujoco_handles.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 struct SceneBody {
   std::string name;
@@ -79,7 +79,7 @@ struct Scene {
 // the making does.
 class SceneReader {
  public:
-  using MakeModel = std::function<ModelHandle()>;
+  using MakeModel = std::function<mjcf::ModelHandle()>;
 
   explicit SceneReader(MakeModel make) : make_(std::move(make)) {}
 
@@ -100,9 +100,9 @@ class SceneReader {
   static Scene DescribeScene(const mjModel& model);
 
   MakeModel make_;
-  ModelHandle model_;
+  mjcf::ModelHandle model_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_SCENE_READER_H_

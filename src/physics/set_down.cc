@@ -6,7 +6,7 @@
 
 #include "physics/geom_extent.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 constexpr double kUpwards = 0.05;     // m per step in search of a free place
@@ -75,7 +75,7 @@ class SetDown {
     double lowest = std::numeric_limits<double>::infinity();
     for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {
       if (Collides(model_, geom) && IsRobots(geom)) {
-        lowest = std::min(lowest, understudy::LowestPoint(model_, *data_, geom));
+        lowest = std::min(lowest, physics::LowestPoint(model_, *data_, geom));
       }
     }
     return lowest;
@@ -94,4 +94,4 @@ double LiftOntoGround(const mjModel& model, mjData* data, int base_body, int bas
   return SetDown(model, data, base_body, base_q).Lift();
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

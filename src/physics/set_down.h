@@ -4,7 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
-namespace understudy {
+namespace understudy::physics {
 
 // How far [m] to raise the robot around `base_body`, whose free joint's position begins at
 // qpos[base_q], so that it has the room below it that it would have over ground at z = 0: the
@@ -18,6 +18,6 @@ namespace understudy {
 // Leaves qpos as it was and `data` otherwise in need of mj_forward. Allocates nothing.
 double LiftOntoGround(const mjModel& model, mjData* data, int base_body, int base_q);
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_SET_DOWN_H_

@@ -8,7 +8,7 @@
 #include "physics/set_down.h"
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // MuJoCo resets the state by itself when it finds one of these, and counts it.
@@ -27,19 +27,19 @@ auto* Active(mjModel*, mjData* data) { return data->eq_active; }
 
 }  // namespace
 
-PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
+PhysicsWorld::PhysicsWorld(mjcf::ModelHandle model, const robot::RobotSpec& spec)
     : model_(std::move(model)),
       data_(mj_makeData(model_.get())),
       motors_(spec.motors.size()),
       hand_begin_{motors_} {
   FindJoints(spec.motors);
-  for (const HandSpec& hand : spec.hands) {
+  for (const robot::HandSpec& hand : spec.hands) {
     FindJoints(hand.motors);
     hand_begin_.push_back(q_address_.size());
   }
   q_.resize(q_address_.size());
   dq_.resize(dq_address_.size());
-  for (const FootSpec& foot : spec.feet) foot_axis_.emplace_back(foot.axis.data());
+  for (const robot::FootSpec& foot : spec.feet) foot_axis_.emplace_back(foot.axis.data());
   mj_kinematics(model_.get(), data_.get());
   foot_of_geom_ = FindFeet(*model_, *data_, spec);
   base_body_ = Body(spec.base_body);
@@ -55,7 +55,7 @@ PhysicsWorld::PhysicsWorld(ModelHandle model, const RobotSpec& spec)
   ReadKinematics();
 }
 
-void PhysicsWorld::Reset(const PoseSpec& pose) {
+void PhysicsWorld::Reset(const robot::PoseSpec& pose) {
   mj_resetData(model_.get(), data_.get());
   Clamp(false);
   if (!has_fixed_base()) {
@@ -179,8 +179,8 @@ PhysicsWorld::ImuAddress PhysicsWorld::FindImu(const std::string& site, const ch
   return {mj_name2id(model_.get(), mjOBJ_SITE, site.c_str()), address(gyro), address(accel)};
 }
 
-ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
-  ImuReading imu;
+robot::ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
+  robot::ImuReading imu;
   if (address.site < 0) return imu;
   mjtNum quat[4];
   mju_mat2Quat(quat, data_->site_xmat + 9 * address.site);
@@ -194,8 +194,8 @@ ImuReading PhysicsWorld::Read(const ImuAddress& address) const {
   return imu;
 }
 
-void PhysicsWorld::FindJoints(const std::vector<MotorSpec>& motors) {
-  for (const MotorSpec& motor : motors) {
+void PhysicsWorld::FindJoints(const std::vector<robot::MotorSpec>& motors) {
+  for (const robot::MotorSpec& motor : motors) {
     const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
     q_address_.push_back(model_->jnt_qposadr[joint]);
     dq_address_.push_back(model_->jnt_dofadr[joint]);
@@ -215,4 +215,4 @@ void PhysicsWorld::ReadKinematics() {
   base_.v_WB_W = Vector(data_->qvel + base_dq_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -9,7 +9,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 // A point fixed to a body, as it is now, in the world frame.
 struct PointReading {
@@ -35,11 +35,11 @@ enum class StepHealth {
 class PhysicsWorld {
  public:
   // `model` comes from LoadWorldModel with the same spec.
-  PhysicsWorld(ModelHandle model, const RobotSpec& spec);
+  PhysicsWorld(mjcf::ModelHandle model, const robot::RobotSpec& spec);
 
   // Puts the robot at rest over the origin in that pose, as high over the ground that is there as
   // the pose says (LiftOntoGround). A fixed base stays where its file has it.
-  void Reset(const PoseSpec& pose);
+  void Reset(const robot::PoseSpec& pose);
 
   void BeginStep();
 
@@ -72,10 +72,12 @@ class PhysicsWorld {
   std::span<const double> dq() const { return std::span(dq_).first(motors_); }
   std::span<const double> hand_q(std::size_t hand) const { return OfHand(hand, q_); }
   std::span<const double> hand_dq(std::size_t hand) const { return OfHand(hand, dq_); }
-  const BaseReading& base() const { return base_; }
+  const robot::BaseReading& base() const { return base_; }
   double tilt() const;  // rad between the base's up and the world's
-  ImuReading Imu() const { return Read(imu_); }
-  ImuReading SecondaryImu() const { return Read(secondary_imu_); }  // default where there is none
+  robot::ImuReading Imu() const { return Read(imu_); }
+  robot::ImuReading SecondaryImu() const {
+    return Read(secondary_imu_);
+  }  // default where there is none
   // What the contacts press on each foot [N], in spec order: the part of their normal forces along
   // FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
@@ -95,17 +97,17 @@ class PhysicsWorld {
   };
 
   ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
-  ImuReading Read(const ImuAddress& address) const;
+  robot::ImuReading Read(const ImuAddress& address) const;
   void ReadKinematics();
   bool has_fixed_base() const { return clamp_ < 0; }
-  void FindJoints(const std::vector<MotorSpec>& motors);
+  void FindJoints(const std::vector<robot::MotorSpec>& motors);
   template <typename T>
   std::span<const T> OfHand(std::size_t hand, const std::vector<T>& all) const {
     return std::span(all).subspan(hand_begin_[hand], hand_begin_[hand + 1] - hand_begin_[hand]);
   }
 
-  ModelHandle model_;
-  DataHandle data_;
+  mjcf::ModelHandle model_;
+  mjcf::DataHandle data_;
   std::size_t motors_;
   std::vector<std::size_t> hand_begin_;      // where each hand begins in what follows, and the end
   std::vector<int> q_address_, dq_address_;  // in motor order, then hand by hand
@@ -116,9 +118,9 @@ class PhysicsWorld {
   int clamp_ = -1;                  // likewise
   ImuAddress imu_, secondary_imu_;
   std::vector<double> q_, dq_;
-  BaseReading base_;
+  robot::BaseReading base_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_WORLD_H_

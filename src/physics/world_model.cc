@@ -18,7 +18,7 @@
 #include "physics/geom_extent.h"
 #include "physics/joint_dynamics.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // MuJoCo's hooks are plain C globals, so what they note is one too.
@@ -34,30 +34,30 @@ void OnMujocoWarning(const char* message) {
   std::strncpy(last_warning.data(), message, last_warning.size() - 1);
 }
 
-MjcfElement Element(const std::string& name,
-                    std::vector<std::pair<std::string, std::string>> attributes) {
+mjcf::MjcfElement Element(const std::string& name,
+                          std::vector<std::pair<std::string, std::string>> attributes) {
   return {.name = name, .attributes = std::move(attributes), .children = {}, .place = {}};
 }
 
 void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
-                   MjcfElement* section) {
+                   mjcf::MjcfElement* section) {
   if (site.empty()) return;
   section->children.push_back(Element("gyro", {{"name", gyro}, {"site", site}}));
   section->children.push_back(Element("accelerometer", {{"name", accel}, {"site", site}}));
 }
 
 // What the emulator needs of the robot beyond its file.
-void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
+void AddOurs(const robot::RobotSpec& spec, bool has_free_base, mjcf::MjcfElement* root) {
   if (has_free_base) {
     // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
-    MjcfElement equality = Element("equality", {});
+    mjcf::MjcfElement equality = Element("equality", {});
     equality.children.push_back(Element("weld", {{"name", kClampName},
                                                  {"body1", spec.base_body},
                                                  {"active", "false"},
                                                  {"solref", "0.004 1"}}));
     root->children.push_back(std::move(equality));
   }
-  MjcfElement sensor = Element("sensor", {});
+  mjcf::MjcfElement sensor = Element("sensor", {});
   AddImuSensors(spec.imu.site, kImuGyroName, kImuAccelName, &sensor);
   AddImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName, &sensor);
   root->children.push_back(std::move(sensor));
@@ -65,7 +65,7 @@ void AddOurs(const RobotSpec& spec, bool has_free_base, MjcfElement* root) {
 
 // Room for contacts. MuJoCo 2 makes it once, before it knows what will touch; MuJoCo 3 when it is
 // needed. The most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
-void MakeRoom(const mjModel& robot, MjcfElement* root) {
+void MakeRoom(const mjModel& robot, mjcf::MjcfElement* root) {
 #if mjVERSION_HEADER < 300
   constexpr int kContacts = 300, kRows = 1200;
   root->children.push_back(
@@ -131,7 +131,7 @@ class NameCheck {
   std::string file_;
 };
 
-void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
+void RequireBase(const mjModel& model, const robot::RobotSpec& spec, const NameCheck& check) {
   check.Require(mjOBJ_BODY, "base body", spec.base_body, "robot.base_body");
   const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
   if (HasFreeBase(model, base) || model.body_weldid[base] == 0) return;
@@ -141,7 +141,7 @@ void RequireBase(const mjModel& model, const RobotSpec& spec, const NameCheck& c
 }
 
 // `list`: the key of the motors.
-void RequireMotors(const mjModel& model, const std::vector<MotorSpec>& motors,
+void RequireMotors(const mjModel& model, const std::vector<robot::MotorSpec>& motors,
                    const std::string& list, const NameCheck& check) {
   for (std::size_t i = 0; i < motors.size(); ++i) {
     const std::string& name = motors[i].joint;
@@ -153,7 +153,7 @@ void RequireMotors(const mjModel& model, const std::vector<MotorSpec>& motors,
   }
 }
 
-void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
+void RequireFeet(const robot::RobotSpec& spec, const NameCheck& check) {
   for (std::size_t i = 0; i < spec.feet.size(); ++i) {
     for (const std::string& geom : spec.feet[i].geoms) {
       check.Require(mjOBJ_GEOM, "geom of foot " + spec.feet[i].name, geom,
@@ -162,7 +162,8 @@ void RequireFeet(const RobotSpec& spec, const NameCheck& check) {
   }
 }
 
-void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const NameCheck& check) {
+void RequireWhatSpecNames(const mjModel& model, const robot::RobotSpec& spec,
+                          const NameCheck& check) {
   RequireBase(model, spec, check);
   RequireMotors(model, spec.motors, "robot.motors", check);
   for (std::size_t i = 0; i < spec.hands.size(); ++i) {
@@ -177,8 +178,8 @@ void RequireWhatSpecNames(const mjModel& model, const RobotSpec& spec, const Nam
 }
 
 // Says of each foot of another hand's model what stands for it.
-void NoteFeet(const mjModel& model, const RobotSpec& spec, LoadNotes* notes) {
-  const DataHandle data(mj_makeData(&model));
+void NoteFeet(const mjModel& model, const robot::RobotSpec& spec, LoadNotes* notes) {
+  const mjcf::DataHandle data(mj_makeData(&model));
   mj_kinematics(&model, data.get());
   const std::vector<int> foot_of_geom = FindFeet(model, *data, spec);
   for (std::size_t foot = 0; foot < spec.feet.size(); ++foot) {
@@ -210,45 +211,47 @@ void NoteFeet(const mjModel& model, const RobotSpec& spec, LoadNotes* notes) {
 // Whether what is only looked at is compiled too.
 enum class Looks { kLeftOut, kKept };
 
-MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks kept, LoadNotes* notes) {
+mjcf::MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks kept,
+                       LoadNotes* notes) {
   LoadNotes unread;
   if (notes == nullptr) notes = &unread;
-  MjcfElement root = ReadMjcf(file);
+  mjcf::MjcfElement root = mjcf::ReadMjcf(file);
 #if mjVERSION_HEADER < 300
   // MuJoCo 2.2.2 also takes its time over what nobody sees.
-  const LeftOutLooks looks = kept == Looks::kLeftOut ? LeaveOutLooks(&root) : LeftOutLooks();
+  const mjcf::LeftOutLooks looks =
+      kept == Looks::kLeftOut ? mjcf::LeaveOutLooks(&root) : mjcf::LeftOutLooks();
   if (!looks.text().empty()) notes->looks.push_back(file.string() + ": " + looks.text());
   for (const std::string& missing : looks.missing) {
     notes->warnings.push_back(missing + "; it was only looked at and is left out");
   }
-  RewriteForMujoco2(&root, &notes->rewrites);
+  mjcf::RewriteForMujoco2(&root, &notes->rewrites);
 #endif
-  RequireAssets(root);
+  mjcf::RequireAssets(root);
   return root;
 }
 
 // The robot's tree and what it compiles to by itself, which makes every message name the right
 // file.
 struct LoadedRobot {
-  MjcfElement tree;
-  ModelHandle model;
+  mjcf::MjcfElement tree;
+  mjcf::ModelHandle model;
 };
 
-LoadedRobot LoadRobot(const RobotSpec& spec, const std::filesystem::path& file, Looks looks,
+LoadedRobot LoadRobot(const robot::RobotSpec& spec, const std::filesystem::path& file, Looks looks,
                       LoadNotes* notes) {
   InstallMujocoHooks();
-  MjcfElement tree = Read(file, looks, notes);
-  Revise(spec, &tree);
-  ModelHandle model = CompileMjcf(tree);
+  mjcf::MjcfElement tree = Read(file, looks, notes);
+  mjcf::Revise(spec, &tree);
+  mjcf::ModelHandle model = mjcf::CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
 }
 
-ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
-                    const std::filesystem::path& robot_file,
-                    const std::filesystem::path& scene_file, double timestep, Looks looks,
-                    LoadNotes* notes) {
+mjcf::ModelHandle Compose(LoadedRobot robot, const robot::RobotSpec& spec,
+                          const std::filesystem::path& robot_file,
+                          const std::filesystem::path& scene_file, double timestep, Looks looks,
+                          LoadNotes* notes) {
   RequireWhatSpecNames(*robot.model, spec, NameCheck(*robot.model, robot_file));
-  MjcfElement& world = robot.tree;
+  mjcf::MjcfElement& world = robot.tree;
   const int base = mj_name2id(robot.model.get(), mjOBJ_BODY, spec.base_body.c_str());
   world.Set("model", spec.name);
   AddOurs(spec, HasFreeBase(*robot.model, base), &world);
@@ -259,15 +262,15 @@ ModelHandle Compose(LoadedRobot robot, const RobotSpec& spec,
       notes->warnings.push_back(place + " brings its own ground; the run's scene is left out");
     }
   } else {
-    MjcfElement scene = Read(scene_file, looks, notes);
-    CompileMjcf(scene);
+    mjcf::MjcfElement scene = Read(scene_file, looks, notes);
+    mjcf::CompileMjcf(scene);
     std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
     place += " in " + scene_file.string();
   }
   MakeRoom(*robot.model, &world);
-  ModelHandle model;
+  mjcf::ModelHandle model;
   try {
-    model = CompileMjcf(world);
+    model = mjcf::CompileMjcf(world);
   } catch (const ModelError& error) {
     throw ModelError(place + ": " + error.what());
   }
@@ -296,27 +299,29 @@ std::optional<std::string> TakeMujocoWarning() {
   return text;
 }
 
-ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
+mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
   InstallMujocoHooks();
-  const MjcfElement root = Read(file, Looks::kLeftOut, notes);
+  const mjcf::MjcfElement root = Read(file, Looks::kLeftOut, notes);
   try {
-    return CompileMjcf(root);
+    return mjcf::CompileMjcf(root);
   } catch (const ModelError&) {
-    if (notes != nullptr) notes->unknown = UnknownWords(root);
+    if (notes != nullptr) notes->unknown = mjcf::UnknownWords(root);
     throw;
   }
 }
 
-ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep,
-                           LoadNotes* notes) {
+mjcf::ModelHandle LoadWorldModel(const robot::RobotSpec& spec,
+                                 const std::filesystem::path& robot_file,
+                                 const std::filesystem::path& scene_file, double timestep,
+                                 LoadNotes* notes) {
   LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
   RequireFeet(spec, NameCheck(*robot.model, robot_file));
   return Compose(std::move(robot), spec, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
 }
 
-ModelHandle LoadSightModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep) {
+mjcf::ModelHandle LoadSightModel(const robot::RobotSpec& spec,
+                                 const std::filesystem::path& robot_file,
+                                 const std::filesystem::path& scene_file, double timestep) {
   const auto load = [&](Looks looks) {
     return Compose(LoadRobot(spec, robot_file, looks, nullptr), spec, robot_file, scene_file,
                    timestep, looks, nullptr);
@@ -328,15 +333,15 @@ ModelHandle LoadSightModel(const RobotSpec& spec, const std::filesystem::path& r
   }
 }
 
-FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+FittedModel LoadFittedModel(const robot::RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,
                             LoadNotes* notes) {
   LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
-  RobotSpec fitted = FitNames(spec, *robot.model, &notes->warnings);
+  robot::RobotSpec fitted = mjcf::FitNames(spec, *robot.model, &notes->warnings);
   NoteFeet(*robot.model, fitted, notes);
-  ModelHandle model =
+  mjcf::ModelHandle model =
       Compose(std::move(robot), fitted, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
   return {std::move(fitted), std::move(model)};
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -12,7 +12,7 @@
 #include "mjcf/rewrite.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 // Names that composing adds to the user's model.
 inline constexpr char kClampName[] = "understudy_clamp";
@@ -23,10 +23,10 @@ inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 
 // What a user should hear about a model.
 struct LoadNotes {
-  std::vector<Rewrite> rewrites;      // what was said otherwise for this MuJoCo, file by file
-  std::vector<std::string> warnings;  // what the run does without or takes instead, one line each
-  std::vector<std::string> looks;     // what nobody sees and was left out, one line per file
-  std::vector<std::string> unknown;   // from LoadModelFile that throws: see UnknownWords
+  std::vector<mjcf::Rewrite> rewrites;  // what was said otherwise for this MuJoCo, file by file
+  std::vector<std::string> warnings;    // what the run does without or takes instead, one line each
+  std::vector<std::string> looks;       // what nobody sees and was left out, one line per file
+  std::vector<std::string> unknown;     // from LoadModelFile that throws: see UnknownWords
 };
 
 // Compiles the robot in the scene at the given time step [s], where the spec differs from the file
@@ -43,31 +43,33 @@ struct LoadNotes {
 // model (with the nearest name that is and the key that names it), when a motor's joint is not a
 // hinge or slide, when the base is neither free nor fixed to the world, or when the integrator is
 // RK4, which cannot be split around the motor law.
-ModelHandle LoadWorldModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep,
-                           LoadNotes* notes = nullptr);
+mjcf::ModelHandle LoadWorldModel(const robot::RobotSpec& spec,
+                                 const std::filesystem::path& robot_file,
+                                 const std::filesystem::path& scene_file, double timestep,
+                                 LoadNotes* notes = nullptr);
 
 // The same world for whoever looks on: with what is only to be looked at, where all of that can be
 // read. Bodies, joints and positions are those of the world, geoms are not. `spec` is the one that
 // the world was loaded with, or fitted to. Throws as above.
-ModelHandle LoadSightModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
-                           const std::filesystem::path& scene_file, double timestep);
+mjcf::ModelHandle LoadSightModel(const robot::RobotSpec& spec,
+                                 const std::filesystem::path& robot_file,
+                                 const std::filesystem::path& scene_file, double timestep);
 
 struct FittedModel {
-  RobotSpec spec;  // with the names of the model
-  ModelHandle model;
+  robot::RobotSpec spec;  // with the names of the model
+  mjcf::ModelHandle model;
 };
 
 // The same for a model that another hand has written of the robot: the spec takes its names where
 // it lacks the spec's own (mjcf/fit_names.h), and feet are looked for (physics/feet.h), each
 // with a warning in `notes`. Throws as above for what is not found.
-FittedModel LoadFittedModel(const RobotSpec& spec, const std::filesystem::path& robot_file,
+FittedModel LoadFittedModel(const robot::RobotSpec& spec, const std::filesystem::path& robot_file,
                             const std::filesystem::path& scene_file, double timestep,
                             LoadNotes* notes);
 
 // Compiles one MJCF file, rewritten as above where this MuJoCo needs that. `notes` may be null.
 // Throws ModelError with MuJoCo's message and the file and line it is about.
-ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
+mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
 
 // Sends MuJoCo's errors and warnings to us: an error becomes a ModelError, the last warning is kept
 // for TakeMujocoWarning(). Without it the library waits for Enter on the terminal and writes
@@ -77,6 +79,6 @@ void InstallMujocoHooks();
 // The last warning since the last call, if any.
 std::optional<std::string> TakeMujocoWarning();
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_WORLD_MODEL_H_

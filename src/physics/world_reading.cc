@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::physics {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::array<double, 3> SubtreeCenterOfMass(const PhysicsWorld& world, int body) {
   return com;
 }
 
-}  // namespace understudy
+}  // namespace understudy::physics

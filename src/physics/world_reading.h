@@ -10,7 +10,7 @@
 
 #include "physics/world.h"
 
-namespace understudy {
+namespace understudy::physics {
 
 // Where a body's frame is in the world: x, y, z [m], then the quaternion w, x, y, z.
 using BodyPose = std::array<double, 7>;
@@ -35,6 +35,6 @@ std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to
 // Of all that is below `body`, itself included [m].
 std::array<double, 3> SubtreeCenterOfMass(const PhysicsWorld& world, int body);
 
-}  // namespace understudy
+}  // namespace understudy::physics
 
 #endif  // UNDERSTUDY_PHYSICS_WORLD_READING_H_

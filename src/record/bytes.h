@@ -14,7 +14,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::record {
 
 static_assert(std::endian::native == std::endian::little);
 
@@ -110,6 +110,6 @@ class BytesIn {
   std::size_t at_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_BYTES_H_

@@ -9,7 +9,7 @@
 #include "base/nearest_word.h"
 #include "record/ros2msg.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 constexpr std::size_t kHead = 4;
@@ -132,4 +132,4 @@ std::optional<double> ReadField(const CdrField& field, ByteSpan message) {
   return std::nullopt;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

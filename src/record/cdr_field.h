@@ -9,7 +9,7 @@
 
 #include "record/bytes.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // Where a number stands in every message of a type.
 struct CdrField {
@@ -26,6 +26,6 @@ CdrField FindField(std::string_view ros_type_name, std::string_view path);
 // not little-endian XCDR1.
 std::optional<double> ReadField(const CdrField& field, ByteSpan message);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_CDR_FIELD_H_

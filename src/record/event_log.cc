@@ -8,14 +8,14 @@
 
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using nlohmann::json;
 
 class Events {
  public:
-  Events(const Status& status, std::int64_t step) : step_(step), time_(status.time) {}
+  Events(const emulator::Status& status, std::int64_t step) : step_(step), time_(status.time) {}
 
   void Add(std::string kind, std::string text, const json& detail = json::object()) {
     events_.push_back({.step = step_,
@@ -37,31 +37,33 @@ std::string Plural(std::uint64_t count, const std::string& what) {
 }
 
 // What brings the commands of a topic, and whose they are.
-std::string MessageOf(std::size_t topic, const Status& status) {
-  if (topic == kLowCmdTopic) return "LowCmd";
-  if (topic < kFirstHandTopic) return "LowCmd of " + std::string(kCommandTopicNames[topic]);
-  return "HandCmd to the " + std::string(status.hands[topic - kFirstHandTopic].name.data()) +
+std::string MessageOf(std::size_t topic, const emulator::Status& status) {
+  if (topic == robot::kLowCmdTopic) return "LowCmd";
+  if (topic < robot::kFirstHandTopic)
+    return "LowCmd of " + std::string(robot::kCommandTopicNames[topic]);
+  return "HandCmd to the " + std::string(status.hands[topic - robot::kFirstHandTopic].name.data()) +
          " hand";
 }
 
-json TopicOf(std::size_t topic, const Status& status) {
-  if (topic < kFirstHandTopic) return {{"topic", kCommandTopicNames[topic]}};
-  return {{"hand", status.hands[topic - kFirstHandTopic].name.data()}};
+json TopicOf(std::size_t topic, const emulator::Status& status) {
+  if (topic < robot::kFirstHandTopic) return {{"topic", robot::kCommandTopicNames[topic]}};
+  return {{"hand", status.hands[topic - robot::kFirstHandTopic].name.data()}};
 }
 
-void TellOrders(const OrderNotes& orders, std::uint64_t told, Events* events) {
+void TellOrders(const emulator::OrderNotes& orders, std::uint64_t told, Events* events) {
   const std::uint64_t oldest = std::max(told, orders.oldest());
   if (oldest > told) events->Add("orders", Plural(oldest - told, "more order"));
   for (std::uint64_t number = oldest; number < orders.count; ++number) {
-    json detail(DetailOf(orders[number]));
+    json detail(emulator::DetailOf(orders[number]));
     detail["at"] = orders[number].time;
-    events->Add(std::string(Name(orders[number].kind)), Describe(orders[number]), detail);
+    events->Add(std::string(emulator::Name(orders[number].kind)),
+                emulator::Describe(orders[number]), detail);
   }
 }
 
 }  // namespace
 
-std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
+std::vector<Event> EventLog::Compare(const emulator::Status& status, std::int64_t step) {
   Events events(status, step);
   const std::string_view service(status.motion_service.data());
   if (first_ || service != last_.motion_service.data()) {
@@ -70,10 +72,13 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
                {{"service", service}});
   }
   if (first_ || status.gate != last_.gate) {
-    events.Add("gate", std::string(Name(status.gate)), {{"state", Name(status.gate)}});
+    events.Add("gate", std::string(authority::Name(status.gate)),
+               {{"state", authority::Name(status.gate)}});
   }
-  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
-    if (CommandCounts(status, topic).timeouts == CommandCounts(last_, topic).timeouts) continue;
+  for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
+    if (emulator::CommandCounts(status, topic).timeouts ==
+        emulator::CommandCounts(last_, topic).timeouts)
+      continue;
     events.Add("timeout", MessageOf(topic, status) + " stopped", TopicOf(topic, status));
   }
   if (status.motion.id != last_.motion.id || status.motion.mode != last_.motion.mode) {
@@ -81,7 +86,7 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
                {{"state", status.motion.id}, {"mode", status.motion.mode}});
   }
   if (status.remote.keys != last_.remote.keys) {
-    const std::string keys = RemoteKeyNames(status.remote.keys);
+    const std::string keys = robot::RemoteKeyNames(status.remote.keys);
     events.Add("remote", keys.empty() ? "keys let go" : keys, {{"keys", keys}});
   }
   TellOrders(status.orders, last_.orders.count, &events);
@@ -121,14 +126,14 @@ std::vector<Event> EventLog::Compare(const Status& status, std::int64_t step) {
   return told;
 }
 
-std::vector<Event> EventLog::Crowds(const Status& status, std::int64_t step, bool all) {
+std::vector<Event> EventLog::Crowds(const emulator::Status& status, std::int64_t step, bool all) {
   Events events(status, step);
   std::uint64_t fresh = 0;
-  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
-    for (std::size_t i = 1; i < kRefusals; ++i) {
-      const std::uint64_t count = CommandCounts(status, topic).refused[i];
+  for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
+    for (std::size_t i = 1; i < robot::kRefusals; ++i) {
+      const std::uint64_t count = emulator::CommandCounts(status, topic).refused[i];
       if (!Tell(&refused_[topic][i], count, status.time, all, &fresh)) continue;
-      const std::string why(Name(static_cast<Refusal>(i)));
+      const std::string why(robot::Name(static_cast<robot::Refusal>(i)));
       json detail = TopicOf(topic, status);
       detail["reason"] = why;
       detail["count"] = fresh;
@@ -158,4 +163,4 @@ bool EventLog::Tell(Crowd* crowd, std::uint64_t count, double time, bool all,
   return true;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

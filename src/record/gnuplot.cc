@@ -14,7 +14,7 @@
 #include "exec/command.h"
 #include "record/plot.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 // Told apart by eyes of every kind (Okabe and Ito 2008).
@@ -194,8 +194,8 @@ void DrawPage(const PlotPage& page, const std::filesystem::path& picture) {
   std::string program;
   try {
     const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-    program = FindProgram("gnuplot", path == nullptr ? "" : path);
-  } catch (const CommandError&) {
+    program = exec::FindProgram("gnuplot", path == nullptr ? "" : path);
+  } catch (const exec::CommandError&) {
     throw RecordError(
         "pictures are drawn by gnuplot, which is not there: apt-get install "
         "gnuplot-nox");
@@ -217,4 +217,4 @@ void DrawPage(const PlotPage& page, const std::filesystem::path& picture) {
   throw RecordError(picture.string() + ": cannot be written: " + error.message());
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

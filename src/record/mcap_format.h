@@ -9,7 +9,7 @@
 
 #include "record/bytes.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // At the beginning and at the end of every file.
 inline constexpr std::array<unsigned char, 8> kMcapMagic = {0x89, 'M', 'C',  'A',
@@ -65,6 +65,6 @@ struct McapMessage {
 // CRC-32 of ISO 3309, going on from `crc`, which is 0 at the start.
 std::uint32_t Crc32(ByteSpan bytes, std::uint32_t crc = 0);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_MCAP_FORMAT_H_

@@ -10,7 +10,7 @@
 
 #include "record/mcap_records.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 // The most that a record may hold; *assumed*, many times what writers make.
@@ -340,4 +340,4 @@ void McapReader::Fail(std::uint64_t offset, const std::string& what) const {
   throw RecordError(path_.string() + ": at byte " + std::to_string(offset) + ": " + what);
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

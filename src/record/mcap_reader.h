@@ -13,7 +13,7 @@
 #include "base/unique_fd.h"
 #include "record/mcap_format.h"
 
-namespace understudy {
+namespace understudy::record {
 
 struct McapAttachment {
   std::string name{};
@@ -93,6 +93,6 @@ class McapReader {
   std::vector<Chunk> chunks_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_MCAP_READER_H_

@@ -2,7 +2,7 @@
 
 #include <zstd.h>
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 // The most that a chunk may say it unpacks to; *assumed*, many times what writers make.
@@ -73,4 +73,4 @@ std::vector<std::byte> UnpackChunk(ByteSpan content) {
   return records;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

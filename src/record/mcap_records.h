@@ -7,7 +7,7 @@
 
 #include "record/mcap_format.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // Each takes the whole content of such a record. Throws RecordError where it is shorter than it
 // says.
@@ -19,6 +19,6 @@ McapChannel TakeChannel(BytesIn* in);
 // zstd or not at all, another size or checksum than it says.
 std::vector<std::byte> UnpackChunk(ByteSpan content);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_MCAP_RECORDS_H_

@@ -7,7 +7,7 @@
 #include <zlib.h>
 #include <zstd.h>
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 constexpr std::size_t kMostIds = std::numeric_limits<std::uint16_t>::max();
@@ -258,4 +258,4 @@ std::size_t McapWriter::Compress() {
   return size;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

@@ -13,7 +13,7 @@
 
 struct ZSTD_CCtx_s;
 
-namespace understudy {
+namespace understudy::record {
 
 struct McapWriterOptions {
   std::size_t chunk_bytes = 4 << 20;  // of messages before compression; *assumed*
@@ -89,6 +89,6 @@ class McapWriter {
   BytesOut out_;  // a chunk and its indexes on their way to the file
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_MCAP_WRITER_H_

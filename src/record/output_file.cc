@@ -7,7 +7,7 @@
 #include <fcntl.h>
 #include <sys/file.h>
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 std::string Why() { return std::strerror(errno); }  // NOLINT(concurrency-mt-unsafe)
@@ -43,4 +43,4 @@ void OutputFile::Write(ByteSpan bytes) {
   size_ += bytes.size();
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

@@ -9,7 +9,7 @@
 #include "base/unique_fd.h"
 #include "record/bytes.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // Locked against a second writer for as long as it is open.
 class OutputFile {
@@ -31,6 +31,6 @@ class OutputFile {
   std::uint64_t size_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_OUTPUT_FILE_H_

@@ -7,15 +7,16 @@
 #include "base/nearest_word.h"
 #include "record/ros2msg.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
-constexpr Clock::Time kSayEvery = std::chrono::milliseconds(20);
+constexpr time::Clock::Time kSayEvery = std::chrono::milliseconds(20);
 
 // At most a century, which no recording is long and no clock overflows by.
-Clock::Time Nanoseconds(double seconds) {
+time::Clock::Time Nanoseconds(double seconds) {
   constexpr double kMost = 3e9;  // s
-  return Clock::Time(static_cast<std::int64_t>(seconds > 0 ? std::min(seconds, kMost) * 1e9 : 0));
+  return time::Clock::Time(
+      static_cast<std::int64_t>(seconds > 0 ? std::min(seconds, kMost) * 1e9 : 0));
 }
 
 // What programs write on a real robot's network.
@@ -46,7 +47,7 @@ double Duration(const McapContents& contents) {
   return static_cast<double>(contents.last_time - contents.first_time) * 1e-9;
 }
 
-Player::Player(const McapReader* reader, PlayOptions options, Clock* clock)
+Player::Player(const McapReader* reader, PlayOptions options, time::Clock* clock)
     : reader_(reader), options_(std::move(options)), clock_(clock) {
   std::set<std::string> known;
   std::set<std::string> asked(options_.topics.begin(), options_.topics.end());
@@ -88,14 +89,14 @@ bool Player::PlayOnce(const Say& say) {
   };
   const std::uint64_t from = log_time(options_.from);
   const std::uint64_t to = std::max(from, options_.to > 0 ? log_time(options_.to) : end);
-  const Clock::Time start = clock_->Now();
+  const time::Clock::Time start = clock_->Now();
   bool goes_on = true;
   // Until wall time is that of the log time; false when it was ended meanwhile.
   const auto wait = [&](std::uint64_t until) {
     if (options_.speed <= 0) return true;
-    const Clock::Time due =
+    const time::Clock::Time due =
         start + Nanoseconds(static_cast<double>(until - from) * 1e-9 / options_.speed);
-    for (Clock::Time now = clock_->Now(); now < due; now = clock_->Now()) {
+    for (time::Clock::Time now = clock_->Now(); now < due; now = clock_->Now()) {
       clock_->SleepUntil(std::min(due, now + kSayEvery));
       const double at =
           options_.from +
@@ -115,4 +116,4 @@ bool Player::PlayOnce(const Say& say) {
   return goes_on && wait(to) && say(static_cast<double>(to - beginning) * 1e-9, nullptr);
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

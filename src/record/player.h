@@ -11,7 +11,7 @@
 #include "record/mcap_reader.h"
 #include "time/clock.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // Who said it.
 enum class PlayedSide { kRobot, kClients };
@@ -45,7 +45,7 @@ class Player {
  public:
   // Throws RecordError when the recording holds nothing that was asked for, naming the nearest
   // topic; `reader` and `clock` must outlive the player.
-  Player(const McapReader* reader, PlayOptions options, Clock* clock);
+  Player(const McapReader* reader, PlayOptions options, time::Clock* clock);
 
   // By channel.
   const std::map<std::uint16_t, PlayedTopic>& topics() const { return topics_; }
@@ -61,10 +61,10 @@ class Player {
 
   const McapReader* reader_;
   PlayOptions options_;
-  Clock* clock_;
+  time::Clock* clock_;
   std::map<std::uint16_t, PlayedTopic> topics_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_PLAYER_H_

@@ -19,7 +19,7 @@
 #include "record/truth.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 constexpr std::size_t kMotorsUnasked = 6;
@@ -196,7 +196,7 @@ class PageMaker {
         {.field = field, .motor = motor, .commanded = commanded, .gathered = gathered_.size()});
     gathered_.push_back({.topic = topic,
                          .field = FindField(type->second, path),
-                         .most = commanded ? kNoVelocity : Gathered{}.most});
+                         .most = commanded ? robot::kNoVelocity : Gathered{}.most});
   }
 
   void AskForSignals() {
@@ -371,4 +371,4 @@ PlotPage MakePage(const McapReader& reader, const PlotOptions& options) {
   return PageMaker(reader, options).Make();
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

@@ -9,7 +9,7 @@
 
 #include "record/mcap_reader.h"
 
-namespace understudy {
+namespace understudy::record {
 
 struct PlotOptions {
   std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
@@ -64,6 +64,6 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
 // the one of before is still there.
 void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_PLOT_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::record {
 
 TracePoints Thinned(const TracePoints& all, double from, double to) {
   if (all.size() <= 2 * kTraceColumns) return all;
@@ -31,4 +31,4 @@ void Trace::Add(double at, double value, double from, double to) {
   full_ = std::max(kFull, 2 * points_.size());  // where times go back and forth it stays long
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

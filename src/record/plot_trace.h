@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-namespace understudy {
+namespace understudy::record {
 
 using TracePoints = std::vector<std::pair<double, double>>;  // s, value
 
@@ -30,6 +30,6 @@ class Trace {
   std::size_t full_ = kFull;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_PLOT_TRACE_H_

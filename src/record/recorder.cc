@@ -7,7 +7,7 @@
 #include "record/ros2msg.h"
 #include "version.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using std::chrono::milliseconds;
@@ -38,7 +38,7 @@ std::int64_t SinceEpoch() {
 
 }  // namespace
 
-Recorder::Recorder(const Participant& participant, OutputFile file, const RecordingHead& head,
+Recorder::Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
                    const Moment& moment, std::chrono::nanoseconds timestep, Say say)
     : participant_(participant),
       ours_(participant.key()),
@@ -85,8 +85,8 @@ bool Recorder::behind() const {
          (moments_.size() > kMoments / 2 || marks_.size() > kMarks / 2);
 }
 
-RecordingStatus Recorder::status() const {
-  return {.state = failed_ ? RecordingState::kFailed : RecordingState::kOn,
+emulator::RecordingStatus Recorder::status() const {
+  return {.state = failed_ ? emulator::RecordingState::kFailed : emulator::RecordingState::kOn,
           .messages = messages_,
           .bytes = bytes_,
           .dropped = moments_.dropped() + marks_.dropped()};
@@ -151,7 +151,7 @@ void Recorder::Poll() {
 }
 
 void Recorder::Subscribe() {
-  for (TopicOnBus& found : watch_.Poll()) {
+  for (bus::TopicOnBus& found : watch_.Poll()) {
     if (!seen_.insert(found).second) continue;
     const MessageType* type = FindMessageType(found.type);
     if (type == nullptr) {
@@ -160,7 +160,7 @@ void Recorder::Subscribe() {
            false);
       continue;
     }
-    auto reader = std::make_unique<CdrReader>(participant_, found.topic, *type->descriptor);
+    auto reader = std::make_unique<bus::CdrReader>(participant_, found.topic, *type->descriptor);
     topics_.push_back({.name = std::move(found), .reader = std::move(reader)});
   }
 }
@@ -171,7 +171,7 @@ void Recorder::Take() {
   const Nanoseconds since = std::exchange(last_take_, SinceEpoch());
   for (std::size_t i = 0; i < topics_.size(); ++i) {
     Topic& topic = topics_[i];
-    topic.reader->Take([&](CdrSample sample) {
+    topic.reader->Take([&](bus::CdrSample sample) {
       const auto [writer, is_new] = topic.ours.try_emplace(sample.writer(), false);
       if (is_new) writer->second = topic.reader->ParticipantOf(sample.writer()) == ours_;
       const Nanoseconds now = SinceEpoch();
@@ -256,4 +256,4 @@ std::uint64_t Recorder::LogTime(std::int64_t step) const {
   return start_ + static_cast<std::uint64_t>(step * timestep_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

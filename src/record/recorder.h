@@ -27,7 +27,7 @@
 #include "record/mcap_writer.h"
 #include "record/truth.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // What a file says of its run before the first message.
 struct RecordingHead {
@@ -41,7 +41,7 @@ struct RecordingHead {
 struct Moment {
   std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC, of the offer
   Truth truth;
-  Status status;
+  emulator::Status status;
 };
 
 // One thread of its own takes, as bytes, what anybody writes to the topics of the bus (those that
@@ -58,7 +58,7 @@ class Recorder {
   // Writes the file's beginning and starts the thread. Topics that `participant` has by now are
   // recorded from their first message on. `moment` has vectors of the sizes that will be offered.
   // Throws RecordError and BusError.
-  Recorder(const Participant& participant, OutputFile file, const RecordingHead& head,
+  Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
            const Moment& moment, std::chrono::nanoseconds timestep, Say say);
   // Takes what is left and finishes the file.
   ~Recorder();
@@ -77,7 +77,7 @@ class Recorder {
   bool behind() const;
 
   // Any thread.
-  RecordingStatus status() const;
+  emulator::RecordingStatus status() const;
 
  private:
   using Nanoseconds = std::int64_t;
@@ -87,9 +87,9 @@ class Recorder {
     std::int64_t step;
   };
   struct Topic {
-    TopicOnBus name;
-    std::unique_ptr<CdrReader> reader;
-    std::map<WriterHandle, bool> ours{};                     // by writer
+    bus::TopicOnBus name;
+    std::unique_ptr<bus::CdrReader> reader;
+    std::map<bus::WriterHandle, bool> ours{};                // by writer
     std::array<std::optional<std::uint16_t>, 2> channels{};  // clients', ours
   };
   struct Waiting {
@@ -97,7 +97,7 @@ class Recorder {
     Nanoseconds taken;  // CLOCK_MONOTONIC
     std::size_t topic;
     bool ours;
-    CdrSample sample;
+    bus::CdrSample sample;
   };
 
   void Begin(const RecordingHead& head);
@@ -113,10 +113,10 @@ class Recorder {
   std::uint16_t ChannelOf(Topic* topic, bool ours);
   std::uint64_t LogTime(std::int64_t step) const;
 
-  const Participant& participant_;
-  ParticipantKey ours_;
-  EndpointWatch watch_;
-  std::set<TopicOnBus> seen_;
+  const bus::Participant& participant_;
+  bus::ParticipantKey ours_;
+  bus::EndpointWatch watch_;
+  std::set<bus::TopicOnBus> seen_;
   std::vector<Topic> topics_;
   Nanoseconds timestep_;
   std::uint64_t start_;  // ns since 1970
@@ -141,6 +141,6 @@ class Recorder {
   std::jthread thread_;  // last: it uses all of the above
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_RECORDER_H_

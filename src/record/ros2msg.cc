@@ -8,7 +8,7 @@
 
 #include "idl/sources.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using Messages = std::map<std::string, MessageFields, std::less<>>;
@@ -180,4 +180,4 @@ std::string Ros2MsgText(std::string_view ros_type_name) {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

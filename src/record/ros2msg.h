@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace understudy {
+namespace understudy::record {
 
 // One field of a message.
 struct MessageField {
@@ -35,6 +35,6 @@ std::string RosTopicName(std::string_view topic_on_wire);
 // The text of a ros2msg schema: the type's fields, then those of every type in it.
 std::string Ros2MsgText(std::string_view ros_type_name);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_ROS2MSG_H_

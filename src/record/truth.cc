@@ -3,7 +3,7 @@
 #include <array>
 #include <limits>
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 constexpr std::size_t kCdrHead = 4;
@@ -112,4 +112,4 @@ Event DecodeEvent(ByteSpan bytes) {
   return event;
 }
 
-}  // namespace understudy
+}  // namespace understudy::record

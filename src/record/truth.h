@@ -8,7 +8,7 @@
 
 #include "record/bytes.h"
 
-namespace understudy {
+namespace understudy::record {
 
 inline constexpr char kTruthTopic[] = "understudy/truth";
 inline constexpr char kTruthType[] = "understudy_msgs/msg/Truth";
@@ -57,6 +57,6 @@ Truth DecodeTruth(ByteSpan bytes);
 void EncodeEvent(const Event& event, BytesOut* out);
 Event DecodeEvent(ByteSpan bytes);
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_RECORD_TRUTH_H_

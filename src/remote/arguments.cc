@@ -4,12 +4,12 @@
 
 #include "ctl/check.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
   CLI::App* remote =
       app->add_subcommand("remote", "Be the remote controller: keyboard and gamepad");
-  AddRobotChoice(remote, &arguments->robot);
+  client::AddRobotChoice(remote, &arguments->robot);
   remote
       ->add_option("--gamepad", arguments->gamepad,
                    "Which one: a number of --list-gamepads, or part of a name [the first]")
@@ -23,7 +23,7 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
       ->add_option("--dead-zone", arguments->dead_zone,
                    "How far of a gamepad's stick is still its middle, 0 to 0.9")
       ->capture_default_str()
-      ->check(NumberWithin(0, 0.9))
+      ->check(ctl::NumberWithin(0, 0.9))
       ->type_name("X");
   remote->add_flag("--no-keyboard", arguments->no_keyboard, "Gamepads only, and no picture");
   remote->add_flag("--list-gamepads", arguments->list_gamepads,
@@ -42,4 +42,4 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
   return remote;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -12,10 +12,10 @@ namespace CLI {
 class App;
 }
 
-namespace understudy {
+namespace understudy::remote {
 
 struct RemoteArguments {
-  RobotChoice robot;
+  client::RobotChoice robot;
   std::string gamepad;  // a number or part of a name; "" for the first that is known
   std::string mapping;  // a file; "" for none
   double dead_zone = kDeadZone;
@@ -29,6 +29,6 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments);
 // What a build that has no understudy-remote says.
 inline constexpr char kRemoteMissing[] = "build the target understudy-remote, or run ./tools/up";
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_ARGUMENTS_H_

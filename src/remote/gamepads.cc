@@ -13,7 +13,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 static_assert(static_cast<int>(PadButton::kRight) == SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
@@ -167,4 +167,4 @@ std::string Gamepads::List() const {
   return list.empty() ? "no gamepad is plugged in\n" : list;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

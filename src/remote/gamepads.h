@@ -9,7 +9,7 @@
 
 #include "remote/pad_mapping.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 struct GamepadChoice {
   std::string which{};         // a number as in the list, from 1, or part of a name; "" for any
@@ -46,6 +46,6 @@ class Gamepads {
   std::unique_ptr<Sdl> sdl_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_GAMEPADS_H_

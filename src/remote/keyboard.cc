@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using Kind = TerminalEvent::Kind;
@@ -56,8 +56,8 @@ void Keyboard::Take(const TerminalEvent& event, double t) {
   }
 }
 
-RemoteReading Keyboard::Read(double t) const {
-  RemoteReading reading{.there = true};
+robot::RemoteReading Keyboard::Read(double t) const {
+  robot::RemoteReading reading{.there = true};
   for (std::size_t i = 0; i < keys_.size(); ++i) {
     const KeyBinding& binding = kKeyBindings[i];
     if (!keys_[i].kept && keys_[i].down_until <= t) continue;
@@ -67,4 +67,4 @@ RemoteReading Keyboard::Read(double t) const {
   return reading;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -10,14 +10,14 @@
 #include "remote/terminal_decoder.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 // What a key does: a key of the remote, or moves an axis of a stick.
 struct KeyBinding {
   char32_t key;
   std::string_view shown;
   std::uint16_t remote_key;  // 0: an axis
-  double RemoteReading::*axis = nullptr;
+  double robot::RemoteReading::*axis = nullptr;
   double to = 0;
 };
 
@@ -39,14 +39,14 @@ inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
     {kTabKey, "Tab", RemoteBit("SELECT")},
     {U'1', "1", RemoteBit("F1")},
     {U'2', "2", RemoteBit("F2")},
-    {U'e', "e", 0, &RemoteReading::ly, 1},
-    {U'd', "d", 0, &RemoteReading::ly, -1},
-    {U's', "s", 0, &RemoteReading::lx, -1},
-    {U'f', "f", 0, &RemoteReading::lx, 1},
-    {U'i', "i", 0, &RemoteReading::ry, 1},
-    {U'k', "k", 0, &RemoteReading::ry, -1},
-    {U'j', "j", 0, &RemoteReading::rx, -1},
-    {U'l', "l", 0, &RemoteReading::rx, 1},
+    {U'e', "e", 0, &robot::RemoteReading::ly, 1},
+    {U'd', "d", 0, &robot::RemoteReading::ly, -1},
+    {U's', "s", 0, &robot::RemoteReading::lx, -1},
+    {U'f', "f", 0, &robot::RemoteReading::lx, 1},
+    {U'i', "i", 0, &robot::RemoteReading::ry, 1},
+    {U'k', "k", 0, &robot::RemoteReading::ry, -1},
+    {U'j', "j", 0, &robot::RemoteReading::rx, -1},
+    {U'l', "l", 0, &robot::RemoteReading::rx, 1},
 }};
 
 // Where a terminal does not tell releases, a key is up when it has not been heard for so long [s]:
@@ -62,7 +62,7 @@ inline constexpr double kShortestPress = 0.05;
 class Keyboard {
  public:
   void Take(const TerminalEvent& event, double t);
-  RemoteReading Read(double t) const;
+  robot::RemoteReading Read(double t) const;
 
   bool reports_releases() const { return reports_releases_; }
   bool keeps_next() const { return keep_next_; }
@@ -85,6 +85,6 @@ class Keyboard {
   bool wants_to_quit_ = false;
 };
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_KEYBOARD_H_

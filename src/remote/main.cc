@@ -9,7 +9,7 @@
 #include "remote/gamepads.h"
 #include "remote/play_remote.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 int Main(int argc, char** argv) {
@@ -32,9 +32,9 @@ int Main(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote
 
 int main(int argc, char** argv) {
   understudy::OpenClosedStreams();
-  return understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
+  return understudy::CatchErrors([&] { return understudy::remote::Main(argc, argv); });
 }

@@ -4,7 +4,7 @@
 #include "base/errors.h"
 #include "remote/gamepads.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 constexpr char kMissing[] = "built without gamepads: apt-get install libsdl2-dev, and build again";
@@ -30,4 +30,4 @@ std::vector<std::string> Gamepads::TakeNews() { return std::exchange(sdl_->news,
 
 std::string Gamepads::List() const { return std::string(kMissing) + "\n"; }
 
-}  // namespace understudy
+}  // namespace understudy::remote

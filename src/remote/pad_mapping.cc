@@ -6,7 +6,7 @@
 
 #include "remote/remote_bits.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 constexpr std::pair<PadButton, std::uint16_t> kButtons[] = {
@@ -44,7 +44,7 @@ std::uint16_t TriggerKey(double trigger, std::uint16_t key, std::uint16_t before
 
 }  // namespace
 
-RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before) {
+robot::RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before) {
   unsigned keys = 0;
   for (const auto& [button, key] : kButtons) {
     if (pad.pressed[static_cast<std::size_t>(button)]) keys |= key;
@@ -62,4 +62,4 @@ RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t befor
           .ry = 0 - right.y};
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

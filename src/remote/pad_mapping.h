@@ -8,7 +8,7 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 // Buttons by what is written on them, in SDL's order. On a pad with signs A, B, X, Y are cross,
 // circle, square, triangle.
@@ -47,8 +47,8 @@ inline constexpr double kTriggerDown = 0.5;
 inline constexpr double kTriggerUp = 0.4;
 
 // `before`: the keys of the reading before this one. `dead_zone` is 0 to below 1.
-RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before);
+robot::RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before);
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_PAD_MAPPING_H_

@@ -7,7 +7,7 @@
 
 #include "remote/keyboard.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 constexpr char kHome[] = "\033[H";
@@ -65,7 +65,7 @@ void DrawKeys(std::uint16_t pressed, Canvas* canvas) {
     const auto* const binding =
         std::find_if(kKeyBindings.begin(), kKeyBindings.end(),
                      [&](const KeyBinding& row) { return row.remote_key == place.key; });
-    std::string label = " " + RemoteKeyNames(place.key);
+    std::string label = " " + robot::RemoteKeyNames(place.key);
     const std::string_view shown = binding->shown;
     // An arrow needs no word for its key.
     if (binding->key < kUpKey) label.append(":").append(shown);
@@ -128,4 +128,4 @@ std::string Draw(const RemotePicture& picture, int columns, int rows) {
   return screen + kToEndOfScreen;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -7,10 +7,10 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 struct RemotePicture {
-  RemoteReading reading{};
+  robot::RemoteReading reading{};
   std::string title{};
   std::vector<std::string> notes{};  // below
 };
@@ -20,6 +20,6 @@ struct RemotePicture {
 // name of a gamepad is chosen by whoever made it.
 std::string Draw(const RemotePicture& picture, int columns, int rows);
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_PICTURE_H_

@@ -23,7 +23,7 @@
 #include "remote/raw_terminal.h"
 #include "remote/remote_sender.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using nlohmann::json;
@@ -60,10 +60,10 @@ class Robot {
     speed_ = std::max({wanted, reached, kSlowest});
   }
 
-  void Set(const SetRemote& order) {
-    const RemoteReading& to = order.reading;
+  void Set(const emulator::SetRemote& order) {
+    const robot::RemoteReading& to = order.reading;
     const json body{{"set",
-                     {{"keys", RemoteKeyNames(to.keys)},
+                     {{"keys", robot::RemoteKeyNames(to.keys)},
                       {"lx", to.lx},
                       {"ly", to.ly},
                       {"rx", to.rx},
@@ -83,18 +83,18 @@ class Robot {
   }
 
   std::string Ask(const char* method, const char* path, const std::string& body) {
-    ControlReply reply = connection_.Ask(method, path, body, kCallTimeout);
+    client::ControlReply reply = connection_.Ask(method, path, body, kCallTimeout);
     if (reply.status != 200) throw ControlError(name_ + ": " + reply.body);
     return std::move(reply.body);
   }
 
-  Connection connection_;
+  client::Connection connection_;
   std::string name_;
   double speed_ = 1;
 };
 
 // Keys of both; of each axis what is further from the middle.
-RemoteReading Both(const RemoteReading& one, const RemoteReading& other) {
+robot::RemoteReading Both(const robot::RemoteReading& one, const robot::RemoteReading& other) {
   const auto further = [](double a, double b) { return std::abs(a) >= std::abs(b) ? a : b; };
   return {.there = true,
           .keys = static_cast<std::uint16_t>(one.keys | other.keys),
@@ -131,7 +131,7 @@ class TerminalRemote {
   }
 
   // Where it differs from what is on the screen.
-  void Show(const RemoteReading& reading) {
+  void Show(const robot::RemoteReading& reading) {
     RemotePicture picture{.reading = reading, .title = title_, .notes = {}};
     picture.notes = {keyboard_.keeps_next() ? "Space: the next key is kept down"
                                             : "Space keeps a key, Esc lets go, Ctrl-C ends",
@@ -162,7 +162,7 @@ class TerminalRemote {
 }  // namespace
 
 void PlayRemote(const RemoteArguments& arguments) {
-  Robot robot(ChosenSocket(arguments.robot));
+  Robot robot(client::ChosenSocket(arguments.robot));
   CatchStopSignals();
   // First the terminal, which forks, then SDL, which may start threads.
   std::optional<TerminalRemote> terminal;
@@ -173,9 +173,9 @@ void PlayRemote(const RemoteArguments& arguments) {
     std::fprintf(stderr, "understudy remote: no keyboard: this is no terminal; gamepads only\n");
   }
   Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
-  RemoteSender sender([&](const SetRemote& order) { robot.Set(order); });
+  RemoteSender sender([&](const emulator::SetRemote& order) { robot.Set(order); });
 
-  RemoteReading pad;
+  robot::RemoteReading pad;
   double asked_at = Now();
   while (StopSignal() == 0) {
     if (terminal) {
@@ -184,7 +184,7 @@ void PlayRemote(const RemoteArguments& arguments) {
       std::this_thread::sleep_for(std::chrono::milliseconds(kLoopMs));
     }
     const std::optional<PadState> state = gamepads.Poll();
-    pad = state ? ReadPad(*state, arguments.dead_zone, pad.keys) : RemoteReading{};
+    pad = state ? ReadPad(*state, arguments.dead_zone, pad.keys) : robot::RemoteReading{};
     for (const std::string& line : gamepads.TakeNews()) {
       if (terminal) {
         terminal->AddNote(line);
@@ -199,7 +199,7 @@ void PlayRemote(const RemoteArguments& arguments) {
       asked_at = now;
     }
     sender.set_speed(robot.speed());
-    const RemoteReading held = terminal ? Both(terminal->keyboard().Read(now), pad) : pad;
+    const robot::RemoteReading held = terminal ? Both(terminal->keyboard().Read(now), pad) : pad;
     // Without a terminal and a gamepad there is no remote.
     if (terminal || state) {
       sender.Hold(held, now);
@@ -211,4 +211,4 @@ void PlayRemote(const RemoteArguments& arguments) {
   sender.LetGo(Now());
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -4,12 +4,12 @@
 
 #include "remote/arguments.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 // Throws SetupError: there is no such robot, or it has gone. Where there is neither a terminal nor
 // a gamepad it waits for the latter.
 void PlayRemote(const RemoteArguments& arguments);
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_PLAY_REMOTE_H_

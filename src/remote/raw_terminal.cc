@@ -14,7 +14,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 // Another screen, no cursor, tell of lost focus; all keys as sequences with their releases (kitty
@@ -115,4 +115,4 @@ int RawTerminal::rows() const {
   return ::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -10,7 +10,7 @@
 
 #include "base/unique_fd.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 // From construction to destruction: keys come one by one, without echo; the screen is another one
 // and the cursor is hidden; releases are told by terminals that can; Ctrl-C is SIGINT as ever, and
@@ -43,6 +43,6 @@ class RawTerminal {
   pid_t guardian_pid_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_RAW_TERMINAL_H_

@@ -6,7 +6,7 @@
 
 #include "emulator/order.h"
 
-namespace understudy {
+namespace understudy::remote {
 
 // What is held is let go by the robot when it has not heard of it for so long [s, wall clock];
 // *assumed*: short for a robot that walks, long for a program that was held up.
@@ -18,7 +18,7 @@ inline constexpr double kLeastPeriod = 0.01;  // s: changes are told at 100 Hz a
 // use the same remote. Times are of any steady clock [s].
 class RemoteSender {
  public:
-  using Send = std::function<void(const SetRemote&)>;
+  using Send = std::function<void(const emulator::SetRemote&)>;
 
   explicit RemoteSender(Send send) : send_(std::move(send)) {}
 
@@ -26,19 +26,19 @@ class RemoteSender {
   void set_speed(double speed) { speed_ = speed; }
 
   // To be called more often than kLeastPeriod.
-  void Hold(const RemoteReading& reading, double t);
+  void Hold(const robot::RemoteReading& reading, double t);
   void LetGo(double t);
 
  private:
-  void Tell(const RemoteReading& reading, double t);
+  void Tell(const robot::RemoteReading& reading, double t);
 
   Send send_;
   double speed_ = 1;
-  RemoteReading told_;
+  robot::RemoteReading told_;
   double told_at_ = 0;
   bool told_any_ = false;
 };
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_REMOTE_SENDER_H_

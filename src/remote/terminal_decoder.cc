@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using Kind = TerminalEvent::Kind;
@@ -123,4 +123,4 @@ Events TerminalDecoder::Pause() {
   return events;
 }
 
-}  // namespace understudy
+}  // namespace understudy::remote

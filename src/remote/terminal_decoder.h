@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-namespace understudy {
+namespace understudy::remote {
 
 // Keys that are no character; beyond Unicode.
 inline constexpr char32_t kUpKey = 0x110000;
@@ -49,6 +49,6 @@ class TerminalDecoder {
   std::string pending_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::remote
 
 #endif  // UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_

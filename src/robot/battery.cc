@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::robot {
 
 Battery::Battery(const BatterySpec& spec) : spec_(spec) {
   reading_.soc = spec.start_soc;
@@ -32,4 +32,4 @@ void Battery::Load(double power) {
   reading_.current = -(spec_.idle_a + given / reading_.voltage);
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

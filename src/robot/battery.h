@@ -7,7 +7,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // Power drawn = idle + mechanical work of the motors, no less than zero + heat as the square of
 // torque:
@@ -37,6 +37,6 @@ class Battery {
   BatteryReading reading_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_BATTERY_H_

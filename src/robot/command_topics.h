@@ -8,7 +8,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 inline constexpr std::size_t kLowCmdTopic = 0;
 inline constexpr std::size_t kArmSdkTopic = 1;
@@ -20,6 +20,6 @@ inline constexpr std::size_t kMostCommandTopics = kFirstHandTopic + kMostHands;
 inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicNames = {
     "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-namespace understudy {
+namespace understudy::robot {
 
 void DropMotor(std::size_t i, RobotSpec* spec) {
   const auto at = static_cast<std::ptrdiff_t>(i);
@@ -24,4 +24,4 @@ void DropMotor(std::size_t i, RobotSpec* spec) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

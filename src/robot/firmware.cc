@@ -4,7 +4,7 @@
 #include <cctype>
 #include <charconv>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 // Takes the number in front and the dot after it; 0 when nothing is left.
@@ -50,4 +50,4 @@ bool TellsStateId(const RobotSpec& spec) {
   return !spec.state_id_since.empty() && FirmwareReaches(spec.firmware, spec.state_id_since);
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

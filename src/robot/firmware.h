@@ -6,7 +6,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // Numbers between dots: "1.1.6".
 bool IsFirmware(std::string_view version);
@@ -22,6 +22,6 @@ bool HasService(std::string_view firmware, const ServiceSpec& service);
 // Whether the robot tells the id of its state machine's state; see RobotSpec::state_id_since.
 bool TellsStateId(const RobotSpec& spec);
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_FIRMWARE_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::robot {
 
 double DesiredTorque(const MotorCommand& command, double q, double dq) {
   if (!command.enabled) return 0;
@@ -86,4 +86,4 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
   return torque_;
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

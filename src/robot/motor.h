@@ -10,7 +10,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // Torque [N·m] the motor would like to give at joint angle q [rad] and rate dq [rad/s], before any
 // limit:
@@ -56,6 +56,6 @@ class MotorBank {
   std::vector<double> winding_c_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_MOTOR_H_

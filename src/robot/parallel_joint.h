@@ -5,7 +5,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // A linear differential, *assumed* (the linkage's lengths are not published; exact at the zero pose
 // of a symmetric mechanism):  A = pitch + ratio · roll,  B = pitch - ratio · roll.  Torques map by
@@ -43,6 +43,6 @@ class ParallelJoint {
   ParallelSpec spec_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_PARALLEL_JOINT_H_

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace understudy {
+namespace understudy::robot {
 
 // Since start.
 struct PortCounts {
@@ -13,6 +13,6 @@ struct PortCounts {
   std::uint64_t write_failures = 0;  // messages that the bus did not take
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_PORT_COUNTS_H_

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 // 64 bits of a name: FNV-1a.
@@ -76,4 +76,4 @@ void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* rob
   robot->dynamics.delay += dice->DrawOr("delay", "", ranges.delay, 0);
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

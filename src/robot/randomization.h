@@ -9,7 +9,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // Each quantity is a range, least and most, or empty: then it is as the robot's description and
 // model say. Meaning, unit and bounds stand in config/randomization_keys.cc.
@@ -69,6 +69,6 @@ std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
 // Strength, gains and delay of the robot's motors.
 void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot);
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_RANDOMIZATION_H_

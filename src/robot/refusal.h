@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-namespace understudy {
+namespace understudy::robot {
 
 enum class Refusal : std::uint8_t {
   kNone,
@@ -43,6 +43,6 @@ constexpr std::string_view Name(Refusal refusal) {
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_REFUSAL_H_

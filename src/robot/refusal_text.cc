@@ -1,6 +1,6 @@
 #include "robot/refusal_text.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 std::string_view Explain(Refusal refusal) {
   switch (refusal) {
@@ -41,4 +41,4 @@ std::string_view ExplainForHand(Refusal refusal) {
          "motor lock by itself when commands stop";
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

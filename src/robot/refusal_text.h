@@ -6,13 +6,13 @@
 
 #include "robot/refusal.h"
 
-namespace understudy {
+namespace understudy::robot {
 
 // One line. "" for what is none.
 std::string_view Explain(Refusal refusal);
 // The same for a command to a hand.
 std::string_view ExplainForHand(Refusal refusal);
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 bool SameWord(std::string_view one, std::string_view other) {
@@ -39,4 +39,4 @@ std::string RemoteKeyNames(std::uint16_t keys) {
   return names;
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot

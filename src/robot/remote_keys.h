@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-namespace understudy {
+namespace understudy::robot {
 
 // Bit 0 first (unitree_sdk2 dds_wrapper/common/unitree_joystick.hpp). In words for orders and
 // files any case will do.
@@ -22,6 +22,6 @@ std::optional<std::uint16_t> RemoteKeys(std::string_view chord);
 // The names of those bits, joined by "+" in the order of the bits.
 std::string RemoteKeyNames(std::uint16_t keys);
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_REMOTE_KEYS_H_

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::robot {
 
 // Which of the vendor's two IDL families the robot speaks on rt/lowcmd and rt/lowstate.
 enum class WireFamily : std::uint8_t { kGo, kHg };
@@ -263,6 +263,6 @@ struct RobotSpec {
   std::string default_start;                    // damped | standing | hanging | clamped
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_ROBOT_SPEC_H_

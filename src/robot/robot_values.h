@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-namespace understudy {
+namespace understudy::robot {
 
 // The vendor's "no position" and "no velocity" marks (sdk_surface: PosStopF, VelStopF). A command
 // that carries one leaves out that term of the motor law, whatever the gain beside it says.
@@ -122,6 +122,6 @@ struct RobotState {
   std::optional<MotionState> motion;  // of the motion service; none while none moves the motors
 };
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_ROBOT_VALUES_H_

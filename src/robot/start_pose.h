@@ -8,7 +8,7 @@
 #include <optional>
 #include <string_view>
 
-namespace understudy {
+namespace understudy::robot {
 
 enum class StartPose : std::uint8_t {
   kLying,     // on the ground, braking
@@ -29,6 +29,6 @@ constexpr std::optional<StartPose> FindStartPose(std::string_view word) {
   return std::nullopt;
 }
 
-}  // namespace understudy
+}  // namespace understudy::robot
 
 #endif  // UNDERSTUDY_ROBOT_START_POSE_H_

@@ -9,26 +9,27 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::run {
 
-void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Participant& participant,
-                         const GuardConfig& guard, Clock* clock) {
+void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
+                         const bus::Participant& participant, const config::GuardConfig& guard,
+                         time::Clock* clock) {
   const double seconds =
       participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
   const auto listen =
-      std::chrono::duration_cast<Clock::Time>(std::chrono::duration<double>(seconds));
+      std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(seconds));
   const std::string where =
       participant.interface() + ", domain " + std::to_string(participant.domain()) + ": ";
-  Clock::Time until = since + listen;
+  time::Clock::Time until = since + listen;
   bool alone = true;
   while (true) {
-    const StrangerWatch::News news = watch->Poll();
+    const wire::StrangerWatch::News news = watch->Poll();
     if (!news.spoke.empty()) {
-      throw NeighbourError("a robot is already on " + where + Describe(news.spoke) +
+      throw NeighbourError("a robot is already on " + where + wire::Describe(news.spoke) +
                            " sends rt/lowstate; nothing was sent. Use another --domain or "
                            "--interface, or `understudy exec`");
     }
-    const Clock::Time now = clock->Now();
+    const time::Clock::Time now = clock->Now();
     if (alone && !news.appeared.empty()) {
       alone = false;
       until = std::max(until, now + listen);
@@ -36,10 +37,10 @@ void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Particip
     if (now >= until) break;
     clock->SleepUntil(std::min(until, now + std::chrono::milliseconds(10)));
   }
-  const std::vector<Neighbour> silent = watch->silent();
+  const std::vector<bus::Neighbour> silent = watch->silent();
   if (silent.empty()) return;
-  const std::string what = Describe(silent) + " can send rt/lowstate and has not done so yet";
-  if (guard.on_stranger == StrangerAction::kWarn) {
+  const std::string what = wire::Describe(silent) + " can send rt/lowstate and has not done so yet";
+  if (guard.on_stranger == config::StrangerAction::kWarn) {
     spdlog::warn("{}; we start all the same (guard.on_stranger: warn)", what);
     return;
   }
@@ -49,4 +50,4 @@ void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Particip
       "robot before it, or use `understudy exec`, or allow it by --set guard.on_stranger=warn");
 }
 
-}  // namespace understudy
+}  // namespace understudy::run

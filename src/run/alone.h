@@ -7,14 +7,15 @@
 #include "time/clock.h"
 #include "wire/strangers.h"
 
-namespace understudy {
+namespace understudy::run {
 
 // Returns when nobody else is a robot here, or only may be one and the configuration allows that.
 // `since`: when the watch was set. Who has a writer is given the same time again to speak.
 // Throws NeighbourError.
-void RefuseToStartBeside(StrangerWatch* watch, Clock::Time since, const Participant& participant,
-                         const GuardConfig& guard, Clock* clock);
+void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
+                         const bus::Participant& participant, const config::GuardConfig& guard,
+                         time::Clock* clock);
 
-}  // namespace understudy
+}  // namespace understudy::run
 
 #endif  // UNDERSTUDY_RUN_ALONE_H_

@@ -14,33 +14,33 @@
 #include "mjcf/randomize_model.h"
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::run {
 namespace {
 
 // Says what loading a model brought up.
-void Tell(const LoadNotes& notes) {
+void Tell(const physics::LoadNotes& notes) {
   for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
   if (!notes.rewrites.empty()) {
     spdlog::info(
         "{} places of the model were rewritten for this MuJoCo (`understudy check` lists them)",
         notes.rewrites.size());
   }
-  for (const Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
+  for (const mjcf::Rewrite& rewrite : notes.rewrites) spdlog::debug("{}", rewrite.text());
   for (const std::string& looks : notes.looks) spdlog::debug("{}", looks);
 }
 
 // One line per quantity, so that a log has what a run was.
-void Tell(const Draws& draws) {
+void Tell(const robot::Draws& draws) {
   std::map<std::string, std::string> lines;
-  for (const Drawn& drawn : draws.values) {
+  for (const robot::Drawn& drawn : draws.values) {
     std::string& line = lines[drawn.quantity];
     if (!line.empty()) line += ", ";
-    line += (drawn.element.empty() ? "" : drawn.element + " ") + NumberText(drawn.value);
+    line += (drawn.element.empty() ? "" : drawn.element + " ") + config::NumberText(drawn.value);
   }
   for (const auto& [quantity, line] : lines) spdlog::info("drawn {}: {}", quantity, line);
 }
 
-int SeedOf(const RandomizationSpec& randomization) {
+int SeedOf(const robot::RandomizationSpec& randomization) {
   if (randomization.seed >= 0) {
     spdlog::info("randomized from seed {}", randomization.seed);
     return randomization.seed;
@@ -52,16 +52,17 @@ int SeedOf(const RandomizationSpec& randomization) {
 
 // A model from elsewhere may call things otherwise than the robot's description: the description
 // then takes its names.
-ModelHandle LoadModel(Config* config) {
-  const SceneFile scene(config->scene, config->terrain);
-  const std::filesystem::path file = ModelFile(config->robot);
+mjcf::ModelHandle LoadModel(config::Config* config) {
+  const config::SceneFile scene(config->scene, config->terrain);
+  const std::filesystem::path file = config::ModelFile(config->robot);
   const double timestep = config->physics.timestep;
-  LoadNotes notes;
-  ModelHandle model;
+  physics::LoadNotes notes;
+  mjcf::ModelHandle model;
   if (std::filesystem::path(config->robot.model).is_relative()) {
-    model = LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
+    model = physics::LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
   } else {
-    FittedModel fitted = LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
+    physics::FittedModel fitted =
+        physics::LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
     config->robot = std::move(fitted.spec);
     model = std::move(fitted.model);
   }
@@ -71,26 +72,26 @@ ModelHandle LoadModel(Config* config) {
 
 }  // namespace
 
-MadeWorld MakeWorld(Config* config) {
-  RandomizationSpec& ranges = config->randomization;
-  if (!IsRandom(ranges)) return {.world = {LoadModel(config), config->robot}, .draws = {}};
+MadeWorld MakeWorld(config::Config* config) {
+  robot::RandomizationSpec& ranges = config->randomization;
+  if (!config::IsRandom(ranges)) return {.world = {LoadModel(config), config->robot}, .draws = {}};
   ranges.seed = SeedOf(ranges);
-  Dice dice(ranges.seed);
+  robot::Dice dice(ranges.seed);
   if (!ranges.timestep.empty()) {
     config->physics.timestep =
-        dice.DrawOneOf("timestep", PossibleTimesteps(ranges.timestep, config->robot.rates));
+        dice.DrawOneOf("timestep", robot::PossibleTimesteps(ranges.timestep, config->robot.rates));
   }
-  ModelHandle model = LoadModel(config);
-  RandomizeMotors(ranges, &dice, &config->robot);
-  RandomizeModel(ranges, config->robot, &dice, model.get());
+  mjcf::ModelHandle model = LoadModel(config);
+  robot::RandomizeMotors(ranges, &dice, &config->robot);
+  mjcf::RandomizeModel(ranges, config->robot, &dice, model.get());
   Tell(dice.draws());
   return {.world = {std::move(model), config->robot}, .draws = dice.draws()};
 }
 
-ModelHandle MakeSightModel(const Config& config) {
-  const SceneFile scene(config.scene, config.terrain);
-  return LoadSightModel(config.robot, ModelFile(config.robot), scene.path(),
-                        config.physics.timestep);
+mjcf::ModelHandle MakeSightModel(const config::Config& config) {
+  const config::SceneFile scene(config.scene, config.terrain);
+  return physics::LoadSightModel(config.robot, config::ModelFile(config.robot), scene.path(),
+                                 config.physics.timestep);
 }
 
-}  // namespace understudy
+}  // namespace understudy::run

@@ -7,22 +7,22 @@
 #include "physics/world.h"
 #include "robot/randomization.h"
 
-namespace understudy {
+namespace understudy::run {
 
 struct MadeWorld {
-  PhysicsWorld world;
-  Draws draws;  // what config->randomization asked for
+  physics::PhysicsWorld world;
+  robot::Draws draws;  // what config->randomization asked for
 };
 
 // Compiles robot and scene, draws what is left to chance, and logs what is worth knowing of both.
 // `config` becomes that of the run: it takes the names of a model that calls things otherwise, and
 // the time step, delay and motors that were drawn. Throws ModelError.
-MadeWorld MakeWorld(Config* config);
+MadeWorld MakeWorld(config::Config* config);
 
 // The same world for whoever looks on (LoadSightModel), from the configuration that MakeWorld left.
 // Takes some tens of ms, meshes of another hand longer. Throws ModelError.
-ModelHandle MakeSightModel(const Config& config);
+mjcf::ModelHandle MakeSightModel(const config::Config& config);
 
-}  // namespace understudy
+}  // namespace understudy::run
 
 #endif  // UNDERSTUDY_RUN_MAKE_WORLD_H_

@@ -14,7 +14,7 @@
 #include "run/make_world.h"
 #include "version.h"
 
-namespace understudy {
+namespace understudy::run {
 namespace {
 
 std::string Now() {
@@ -26,26 +26,26 @@ std::string Now() {
   return text.data();
 }
 
-std::string DrawnText(const Draws& draws) {
+std::string DrawnText(const robot::Draws& draws) {
   nlohmann::json drawn = nlohmann::json::array();
-  for (const Drawn& one : draws.values) {
+  for (const robot::Drawn& one : draws.values) {
     drawn.push_back({{"quantity", one.quantity}, {"element", one.element}, {"value", one.value}});
   }
   return drawn.dump();
 }
 
-RecordingHead HeadOf(const Config& config, const Draws& draws,
-                     const std::vector<ScriptEvent>& script) {
+record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws,
+                             const std::vector<emulator::ScriptEvent>& script) {
   std::string motors, slots;
-  for (const MotorSpec& motor : config.robot.motors) {
+  for (const robot::MotorSpec& motor : config.robot.motors) {
     const char* space = motors.empty() ? "" : " ";
     motors += space + motor.joint;
     slots += space + std::to_string(motor.slot);
   }
-  RecordingHead head;
+  record::RecordingHead head;
   head.about = {{"robot", config.robot.name},
                 {"revision", config.robot.revision},
-                {"family", config.robot.family == WireFamily::kGo ? "go" : "hg"},
+                {"family", config.robot.family == robot::WireFamily::kGo ? "go" : "hg"},
                 {"motors", motors},
                 {"slots", slots},
                 {"version", kVersion},
@@ -54,17 +54,17 @@ RecordingHead HeadOf(const Config& config, const Draws& draws,
                 {"speed", std::to_string(config.time.speed)},
                 {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
                 {"draws", DrawnText(draws)}};
-  head.config = PrintConfig(config, false);
-  head.model = ModelBytes(*MakeSightModel(config));
-  for (const ScriptEvent& event : script) head.script.push_back(event.where);
+  head.config = config::PrintConfig(config, false);
+  head.model = mjcf::ModelBytes(*MakeSightModel(config));
+  for (const emulator::ScriptEvent& event : script) head.script.push_back(event.where);
   return head;
 }
 
 // What of a robot's truth is offered; sizes do not change during a run.
-void Fill(const Emulator& robot, const Pacer& pacer, Moment* moment) {
+void Fill(const emulator::Emulator& robot, const time::Pacer& pacer, record::Moment* moment) {
   const mjModel& model = robot.world().model();
   const mjData& data = robot.world().data();
-  Truth& truth = moment->truth;
+  record::Truth& truth = moment->truth;
   truth.step = robot.step();
   truth.time = robot.time();
   truth.qpos.assign(data.qpos, data.qpos + model.nq);
@@ -76,7 +76,7 @@ void Fill(const Emulator& robot, const Pacer& pacer, Moment* moment) {
   truth.crane_tension = moment->status.crane_attached ? moment->status.crane_tension : 0;
 }
 
-Moment Prototype(const Config& config, const Emulator& robot) {
+record::Moment Prototype(const config::Config& config, const emulator::Emulator& robot) {
   const mjModel& model = robot.world().model();
   const auto zeros = [](auto count) {
     return std::vector<double>(static_cast<std::size_t>(count));
@@ -94,24 +94,25 @@ void Log(const std::string& line, bool error) {
 
 }  // namespace
 
-Recording::Recording(const RecordingOptions& options, const Participant& participant,
-                     const Config& config, const Draws& draws,
-                     const std::vector<ScriptEvent>& script, const Emulator& robot)
+Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
+                     const config::Config& config, const robot::Draws& draws,
+                     const std::vector<emulator::ScriptEvent>& script,
+                     const emulator::Emulator& robot)
     : every_(std::max<std::int64_t>(
           1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))) {
   if (options.file.empty()) return;
-  recorder_ = std::make_unique<Recorder>(
-      participant, OutputFile(options.file, options.overwrite), HeadOf(config, draws, script),
-      Prototype(config, robot),
+  recorder_ = std::make_unique<record::Recorder>(
+      participant, record::OutputFile(options.file, options.overwrite),
+      HeadOf(config, draws, script), Prototype(config, robot),
       std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log);
   spdlog::info("recording to {}", options.file.string());
 }
 
-void Recording::Offer(const Emulator& robot, const Pacer& pacer) {
+void Recording::Offer(const emulator::Emulator& robot, const time::Pacer& pacer) {
   if (recorder_ == nullptr) return;
   recorder_->Mark(robot.step() - 1);
   if (robot.step() % every_ == 0) {
-    if (Moment* moment = recorder_->Claim(); moment != nullptr) {
+    if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
       Fill(robot, pacer, moment);
       recorder_->Commit();
     }
@@ -121,8 +122,8 @@ void Recording::Offer(const Emulator& robot, const Pacer& pacer) {
   }
 }
 
-RecordingStatus Recording::status() const {
-  return recorder_ == nullptr ? RecordingStatus{} : recorder_->status();
+emulator::RecordingStatus Recording::status() const {
+  return recorder_ == nullptr ? emulator::RecordingStatus{} : recorder_->status();
 }
 
-}  // namespace understudy
+}  // namespace understudy::run

@@ -14,7 +14,7 @@
 #include "robot/randomization.h"
 #include "time/pacer.h"
 
-namespace understudy {
+namespace understudy::run {
 
 struct RecordingOptions {
   std::filesystem::path file;  // empty: nothing is recorded
@@ -26,20 +26,21 @@ class Recording {
  public:
   // After ports and services have opened their topics. `config` is that of the run, `robot` has
   // made no step yet. Throws RecordError and BusError.
-  Recording(const RecordingOptions& options, const Participant& participant, const Config& config,
-            const Draws& draws, const std::vector<ScriptEvent>& script, const Emulator& robot);
+  Recording(const RecordingOptions& options, const bus::Participant& participant,
+            const config::Config& config, const robot::Draws& draws,
+            const std::vector<emulator::ScriptEvent>& script, const emulator::Emulator& robot);
 
   // After every tick and what belongs to it. Waits for nothing and allocates nothing, but for a run
   // that goes as fast as possible: that goes no faster than it can be recorded.
-  void Offer(const Emulator& robot, const Pacer& pacer);
+  void Offer(const emulator::Emulator& robot, const time::Pacer& pacer);
 
-  RecordingStatus status() const;
+  emulator::RecordingStatus status() const;
 
  private:
   std::int64_t every_;  // steps from one LowState to the next
-  std::unique_ptr<Recorder> recorder_;
+  std::unique_ptr<record::Recorder> recorder_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::run
 
 #endif  // UNDERSTUDY_RUN_RECORDING_H_

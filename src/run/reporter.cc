@@ -6,7 +6,7 @@
 
 #include "robot/refusal_text.h"
 
-namespace understudy {
+namespace understudy::run {
 namespace {
 
 using std::chrono::milliseconds;
@@ -17,7 +17,7 @@ constexpr std::uint64_t kManyOverruns = 50;
 
 // Causes beside the refusals.
 enum Cause : std::size_t {
-  kWriters = kMostCommandTopics * kRefusals,
+  kWriters = robot::kMostCommandTopics * robot::kRefusals,
   kUnusedSlots,
   kUnsetHeads,
   kWriteFailures,
@@ -40,8 +40,8 @@ Reporter::~Reporter() {
   if (line_drawn_) std::fputs("\r\033[K", stderr);
 }
 
-void Reporter::Update(const Status& status, WallTime now) {
-  for (std::size_t topic = 0; topic < kMostCommandTopics; ++topic) {
+void Reporter::Update(const emulator::Status& status, WallTime now) {
+  for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
     SpeakOfRefusals(topic, status, now);
   }
   if (status.command_writers > 1 && status.command_writers != last_.command_writers &&
@@ -66,11 +66,11 @@ void Reporter::Update(const Status& status, WallTime now) {
   if (status.commands.timeouts != last_.commands.timeouts && MaySpeak(kTimeouts, now)) {
     spdlog::warn("commands stopped: motors are damping until the next one");
   }
-  if (status.gate == GateState::kFollowing && last_.commands.accepted == 0 &&
+  if (status.gate == authority::GateState::kFollowing && last_.commands.accepted == 0 &&
       status.commands.accepted > 0) {
     spdlog::info("following LowCmd");
   }
-  for (std::size_t hand = 0; hand < kMostHands; ++hand) SpeakOfHand(hand, status, now);
+  for (std::size_t hand = 0; hand < robot::kMostHands; ++hand) SpeakOfHand(hand, status, now);
   if (status.pace.overruns != said_overruns_ && MaySpeak(kOverruns, now)) {
     // A few late ticks are made up for unnoticed. Many mean that the machine is too slow.
     const std::uint64_t fresh = status.pace.overruns - said_overruns_;
@@ -104,7 +104,7 @@ void Reporter::Update(const Status& status, WallTime now) {
   last_ = status;
 }
 
-void Reporter::SpeakOfPace(const Status& status) const {
+void Reporter::SpeakOfPace(const emulator::Status& status) const {
   if (status.paused != last_.paused) {
     spdlog::info("{} at {:.3f} s", status.paused ? "paused" : "resumed", status.time);
   }
@@ -113,29 +113,30 @@ void Reporter::SpeakOfPace(const Status& status) const {
                status.speed == 0 ? "as fast as possible" : fmt::format("{:g}", status.speed));
 }
 
-void Reporter::SpeakOfRefusals(std::size_t topic, const Status& status, WallTime now) {
-  const GateCounts& counts = CommandCounts(status, topic);
-  for (std::size_t i = 1; i < kRefusals; ++i) {
+void Reporter::SpeakOfRefusals(std::size_t topic, const emulator::Status& status, WallTime now) {
+  const authority::GateCounts& counts = emulator::CommandCounts(status, topic);
+  for (std::size_t i = 1; i < robot::kRefusals; ++i) {
     const std::uint64_t fresh = counts.refused[i] - said_refused_[topic][i];
-    if (fresh == 0 || !MaySpeak(topic * kRefusals + i, now)) continue;
+    if (fresh == 0 || !MaySpeak(topic * robot::kRefusals + i, now)) continue;
     said_refused_[topic][i] = counts.refused[i];
-    const auto refusal = static_cast<Refusal>(i);
-    if (topic == kLowCmdTopic) {
-      spdlog::warn("refused {} LowCmd ({}): {}", fresh, Name(refusal), Explain(refusal));
-    } else if (topic < kFirstHandTopic) {
-      spdlog::warn("refused {} LowCmd of {} ({}): {}", fresh, kCommandTopicNames[topic],
-                   Name(refusal), Explain(refusal));
+    const auto refusal = static_cast<robot::Refusal>(i);
+    if (topic == robot::kLowCmdTopic) {
+      spdlog::warn("refused {} LowCmd ({}): {}", fresh, robot::Name(refusal),
+                   robot::Explain(refusal));
+    } else if (topic < robot::kFirstHandTopic) {
+      spdlog::warn("refused {} LowCmd of {} ({}): {}", fresh, robot::kCommandTopicNames[topic],
+                   robot::Name(refusal), robot::Explain(refusal));
     } else {
       spdlog::warn("refused {} HandCmd to the {} hand ({}): {}", fresh,
-                   status.hands[topic - kFirstHandTopic].name.data(), Name(refusal),
-                   ExplainForHand(refusal));
+                   status.hands[topic - robot::kFirstHandTopic].name.data(), robot::Name(refusal),
+                   robot::ExplainForHand(refusal));
     }
   }
 }
 
-void Reporter::SpeakOfHand(std::size_t hand, const Status& status, WallTime now) {
-  const HandStatus& is = status.hands[hand];
-  const HandStatus& was = last_.hands[hand];
+void Reporter::SpeakOfHand(std::size_t hand, const emulator::Status& status, WallTime now) {
+  const emulator::HandStatus& is = status.hands[hand];
+  const emulator::HandStatus& was = last_.hands[hand];
   if (is.commands.timeouts != was.commands.timeouts && MaySpeak(kHandTimeouts + hand, now)) {
     spdlog::warn("commands to the {} hand stopped: watched motors lock until mode's bit 7 is 0",
                  is.name.data());
@@ -151,7 +152,7 @@ bool Reporter::MaySpeak(std::size_t cause, WallTime now) {
   return true;
 }
 
-void Reporter::DrawStatusLine(const Status& status, WallTime now) {
+void Reporter::DrawStatusLine(const emulator::Status& status, WallTime now) {
   const bool started = line_drawn_ || status.pace.real_time_factor > 0;
   if (started && now - drawn_at_ < milliseconds(500)) return;
   if (started) {
@@ -160,13 +161,14 @@ void Reporter::DrawStatusLine(const Status& status, WallTime now) {
       return static_cast<double>(to - from) / wall;
     };
     const double factor = (status.time - drawn_.time) / wall;
-    const std::string refusal = status.last_refusal == Refusal::kNone
-                                    ? ""
-                                    : "  last refusal " + std::string(Name(status.last_refusal));
+    const std::string refusal =
+        status.last_refusal == robot::Refusal::kNone
+            ? ""
+            : "  last refusal " + std::string(robot::Name(status.last_refusal));
     std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s%s",
                  status.time, factor, rate(status.published, drawn_.published),
                  expected_hz_ * factor, rate(status.commands.accepted, drawn_.commands.accepted),
-                 Name(status.gate).data(), status.paused ? "  PAUSED" : "",
+                 authority::Name(status.gate).data(), status.paused ? "  PAUSED" : "",
                  status.silenced ? "  SILENCED" : "", refusal.c_str());
     std::fflush(stderr);
     line_drawn_ = true;
@@ -175,4 +177,4 @@ void Reporter::DrawStatusLine(const Status& status, WallTime now) {
   drawn_ = status;
 }
 
-}  // namespace understudy
+}  // namespace understudy::run

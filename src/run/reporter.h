@@ -9,7 +9,7 @@
 
 #include "emulator/status.h"
 
-namespace understudy {
+namespace understudy::run {
 
 // Compares each status with the one before and logs what is new, every cause at most once a second.
 // Lives in the housekeeping thread, never in the tick.
@@ -24,30 +24,32 @@ class Reporter {
 
   using WallTime = std::chrono::nanoseconds;
   // `now` only has to grow.
-  void Update(const Status& status, WallTime now);
+  void Update(const emulator::Status& status, WallTime now);
 
  private:
   // True at most once a second for each cause.
   bool MaySpeak(std::size_t cause, WallTime now);
-  void SpeakOfPace(const Status& status) const;
-  void SpeakOfRefusals(std::size_t topic, const Status& status, WallTime now);
-  void SpeakOfHand(std::size_t hand, const Status& status, WallTime now);
-  void DrawStatusLine(const Status& status, WallTime now);
+  void SpeakOfPace(const emulator::Status& status) const;
+  void SpeakOfRefusals(std::size_t topic, const emulator::Status& status, WallTime now);
+  void SpeakOfHand(std::size_t hand, const emulator::Status& status, WallTime now);
+  void DrawStatusLine(const emulator::Status& status, WallTime now);
 
   double expected_hz_;
   bool status_line_;
   bool line_drawn_ = false;
-  Status last_;
+  emulator::Status last_;
   // Refusals of each topic; time-outs of the hands, and others.
-  static constexpr std::size_t kCauses = kMostCommandTopics * kRefusals + kMostHands + 9;
+  static constexpr std::size_t kCauses =
+      robot::kMostCommandTopics * robot::kRefusals + robot::kMostHands + 9;
   std::array<WallTime, kCauses> spoken_;
-  std::array<std::array<std::uint64_t, kRefusals>, kMostCommandTopics> said_refused_{};
+  std::array<std::array<std::uint64_t, robot::kRefusals>, robot::kMostCommandTopics>
+      said_refused_{};
   std::uint64_t said_overruns_ = 0;
   double said_shifted_ = 0;
-  Status drawn_;
+  emulator::Status drawn_;
   WallTime drawn_at_{};
 };
 
-}  // namespace understudy
+}  // namespace understudy::run
 
 #endif  // UNDERSTUDY_RUN_REPORTER_H_

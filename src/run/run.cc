@@ -28,7 +28,7 @@
 #include "wire/remote_codec.h"
 #include "wire/strangers.h"
 
-namespace understudy {
+namespace understudy::run {
 namespace {
 
 using std::chrono::milliseconds;
@@ -43,7 +43,8 @@ constexpr milliseconds kGlance(2);
 // Watches the network and talks to the log and the terminal, beside the loop.
 class Housekeeper {
  public:
-  Housekeeper(const Config& config, bool status_line, StrangerWatch watch, const StatusBoard* board)
+  Housekeeper(const config::Config& config, bool status_line, wire::StrangerWatch watch,
+              const emulator::StatusBoard* board)
       : action_(config.guard.on_stranger),
         watch_(std::move(watch)),
         board_(board),
@@ -56,37 +57,37 @@ class Housekeeper {
 
  private:
   void Run(const std::stop_token& stop) {
-    SteadyClock clock;
+    time::SteadyClock clock;
     while (!stop.stop_requested()) {
       Watch();
       reporter_.Update(board_->Read(), clock.Now());
-      if (const auto warning = TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
+      if (const auto warning = physics::TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
       clock.SleepUntil(clock.Now() + kHousekeeping);
     }
     reporter_.Update(board_->Read(), clock.Now());
   }
 
   void Watch() {
-    const StrangerWatch::News news = watch_.Poll();
-    for (const Neighbour& stranger : news.appeared) {
-      spdlog::warn("{} has a writer of rt/lowstate, as a robot has", Describe(stranger));
+    const wire::StrangerWatch::News news = watch_.Poll();
+    for (const bus::Neighbour& stranger : news.appeared) {
+      spdlog::warn("{} has a writer of rt/lowstate, as a robot has", bus::Describe(stranger));
     }
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
     if (!news.spoke.empty()) {
-      spdlog::critical("another robot speaks on this network: {}; {}", Describe(news.spoke),
+      spdlog::critical("another robot speaks on this network: {}; {}", wire::Describe(news.spoke),
                        kWhatWeDo[static_cast<int>(action_)]);
     }
     const bool speaks = !watch_.speaking().empty();
     if (speaks_ && !speaks) spdlog::info("the other robot has gone");
     speaks_ = speaks;
-    must_silence_ = speaks && action_ == StrangerAction::kSilence;
-    must_stop_ = speaks && action_ == StrangerAction::kStop;
+    must_silence_ = speaks && action_ == config::StrangerAction::kSilence;
+    must_stop_ = speaks && action_ == config::StrangerAction::kStop;
   }
 
-  StrangerAction action_;
-  StrangerWatch watch_;
-  const StatusBoard* board_;
+  config::StrangerAction action_;
+  wire::StrangerWatch watch_;
+  const emulator::StatusBoard* board_;
   Reporter reporter_;
   bool speaks_ = false;
   std::atomic<bool> must_silence_{false};
@@ -95,21 +96,21 @@ class Housekeeper {
 };
 
 // Fills in the frame that somebody asks for, if somebody does.
-void ShowFrame(const Emulator& robot, FrameBoard* frames) {
-  Frame* frame = frames->Wanted();
+void ShowFrame(const emulator::Emulator& robot, emulator::FrameBoard* frames) {
+  emulator::Frame* frame = frames->Wanted();
   if (frame == nullptr) return;
   robot.Show(frame);
-  frame->wireless_remote = EncodeRemote(frame->remote);
+  frame->wireless_remote = wire::EncodeRemote(frame->remote);
   frames->Show();
 }
 
 }  // namespace
 
-ExitCode RunRobot(const Config& asked, const RunOptions& options) {
-  Config config = asked;
-  SteadyClock clock;
+ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
+  config::Config config = asked;
+  time::SteadyClock clock;
   // First the network: discovery listens while the model compiles.
-  const Participant participant(config.network.interface, config.network.domain);
+  const bus::Participant participant(config.network.interface, config.network.domain);
   if (!participant.multicast()) {
     spdlog::info(
         "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
@@ -117,49 +118,51 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
         "root, or `understudy exec`, lifts that",
         config.network.interface, config.network.interface);
   }
-  StrangerWatch watch(participant);
-  const Clock::Time watch_set = clock.Now();
+  wire::StrangerWatch watch(participant);
+  const time::Clock::Time watch_set = clock.Now();
   MadeWorld made = MakeWorld(&config);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
-  const auto port = OpenPort(participant, config.robot);
-  ServiceHost host(participant, ServicesOf(config.robot.name),
-                   [](const std::string& notice) { spdlog::warn("{}", notice); });
+  const auto port = wire::OpenPort(participant, config.robot);
+  services::ServiceHost host(participant, services::ServicesOf(config.robot.name),
+                             [](const std::string& notice) { spdlog::warn("{}", notice); });
 
-  Inbox inbox;
-  StatusBoard board;
-  Emulator robot(config, std::move(made.world), port.get(), &inbox);
+  emulator::Inbox inbox;
+  emulator::StatusBoard board;
+  emulator::Emulator robot(config, std::move(made.world), port.get(), &inbox);
   robot.Play(options.script);
   Recording recording(options.recording, participant, config, made.draws, options.script, robot);
-  FrameBoard frames(robot.MakeFrame());
-  SceneReader scene([&config] { return MakeSightModel(config); });
-  const ControlServer control(
+  emulator::FrameBoard frames(robot.MakeFrame());
+  physics::SceneReader scene([&config] { return MakeSightModel(config); });
+  const server::ControlServer control(
       options.control_socket,
       {.identity = {.robot = config.robot.name, .draws = std::move(made.draws)},
        .board = &board,
        .inbox = &inbox,
        .frames = &frames,
-       .scene = SceneFiles(&scene, &config.robot),
-       .files = StaticFiles(PanelDir()),
-       .openapi = OpenApiFile()},
-      ServerLimits{}, options.panel);
+       .scene = server::SceneFiles(&scene, &config.robot),
+       .files = server::StaticFiles(config::PanelDir()),
+       .openapi = config::OpenApiFile()},
+      server::ServerLimits{}, options.panel);
   const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
 
-  if (config.time.realtime && config.time.speed > 0) spdlog::info("{}", RequestRealtime().text);
-  Pacer pacer(&clock, Clock::Time(std::llround(config.physics.timestep * 1e9)), config.time.speed);
+  if (config.time.realtime && config.time.speed > 0)
+    spdlog::info("{}", time::RequestRealtime().text);
+  time::Pacer pacer(&clock, time::Clock::Time(std::llround(config.physics.timestep * 1e9)),
+                    config.time.speed);
 
   ExitCode code = ExitCode::kOk;
   bool ready = false;
-  Histogram ticks;
+  time::Histogram ticks;
   while (true) {
-    StepHealth health = StepHealth::kFine;
+    physics::StepHealth health = physics::StepHealth::kFine;
     const bool due = pacer.Follow(robot.pace(), robot.step(), kGlance);
     if (due) {
       health = robot.Tick();
     } else {
       robot.TakeOrders();
     }
-    const Clock::Time now = clock.Now();
+    const time::Clock::Time now = clock.Now();
     if (due) ticks.Add(std::chrono::duration<double>(now - pacer.reached()).count());
     host.Poll(&robot.owner(), now);
     ShowFrame(robot, &frames);
@@ -173,11 +176,11 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
       if (options.on_ready) options.on_ready();
       pacer.Resume(robot.step(), robot.pace().speed);
     }
-    const bool diverged =
-        health == StepHealth::kDiverged && config.physics.on_divergence == DivergenceAction::kStop;
+    const bool diverged = health == physics::StepHealth::kDiverged &&
+                          config.physics.on_divergence == config::DivergenceAction::kStop;
     if (due && robot.step() % kStepsPerPost != 0 && !diverged) continue;
 
-    Status status = robot.status();
+    emulator::Status status = robot.status();
     status.ready = true;
     status.command_writers = port->command_writers();
     status.pace = pacer.reading();
@@ -206,4 +209,4 @@ ExitCode RunRobot(const Config& asked, const RunOptions& options) {
   return code;
 }
 
-}  // namespace understudy
+}  // namespace understudy::run

@@ -13,7 +13,7 @@
 #include "robot/remote_keys.h"
 #include "time/pace.h"
 
-namespace understudy {
+namespace understudy::script {
 namespace {
 
 constexpr const char* kScript = "script";
@@ -21,15 +21,17 @@ constexpr double kLongest = 1e6;   // s
 constexpr double kFarthest = 100;  // m of one order to the crane; *assumed*
 constexpr double kHardest = 1e6;   // N or N·s; *assumed*
 
-[[noreturn]] void Refuse(const YamlValue& value, const std::string& key, const std::string& what) {
-  throw ConfigError(value.where + ": " + key + ": expected " + what + ", got " + Shown(value));
+[[noreturn]] void Refuse(const config::YamlValue& value, const std::string& key,
+                         const std::string& what) {
+  throw ConfigError(value.where + ": " + key + ": expected " + what + ", got " +
+                    config::Shown(value));
 }
 
-double Number(const YamlValue& value, const std::string& key, double low, double high,
+double Number(const config::YamlValue& value, const std::string& key, double low, double high,
               const std::string& what) {
   double number = 0;
   const char* end = value.text.data() + value.text.size();
-  const bool scalar = value.kind == YamlValue::Kind::kScalar && !value.quoted;
+  const bool scalar = value.kind == config::YamlValue::Kind::kScalar && !value.quoted;
   const auto [stop, error] = std::from_chars(value.text.data(), end, number);
   if (!scalar || error != std::errc() || stop != end || !(number >= low && number <= high)) {
     Refuse(value, key, what);
@@ -37,135 +39,147 @@ double Number(const YamlValue& value, const std::string& key, double low, double
   return number;
 }
 
-double Seconds(const YamlValue& value, const std::string& key) {
+double Seconds(const config::YamlValue& value, const std::string& key) {
   return Number(value, key, 0, kLongest, "seconds");
 }
 
-bool OnOff(const YamlValue& value, const std::string& key) {
+bool OnOff(const config::YamlValue& value, const std::string& key) {
   const auto is = [&](const char* word) {
-    return value.kind == YamlValue::Kind::kScalar && value.text == word;
+    return value.kind == config::YamlValue::Kind::kScalar && value.text == word;
   };
   if (is("on") || is("true")) return true;
   if (is("off") || is("false")) return false;
   Refuse(value, key, "on or off");
 }
 
-std::uint16_t Keys(const YamlValue& value, const std::string& key) {
-  const auto keys = value.kind == YamlValue::Kind::kScalar ? RemoteKeys(value.text) : std::nullopt;
+std::uint16_t Keys(const config::YamlValue& value, const std::string& key) {
+  const auto keys =
+      value.kind == config::YamlValue::Kind::kScalar ? robot::RemoteKeys(value.text) : std::nullopt;
   if (!keys) Refuse(value, key, "keys of the remote controller, as in L2+B");
   return *keys;
 }
 
 // Refuses keys of a mapping that are none of `known`.
-void CheckKeys(const YamlValue& map, const std::vector<std::string>& known) {
-  for (const YamlValue& key : map.keys) {
+void CheckKeys(const config::YamlValue& map, const std::vector<std::string>& known) {
+  for (const config::YamlValue& key : map.keys) {
     if (std::find(known.begin(), known.end(), key.text) == known.end()) {
-      throw ConfigError(key.where + ": unknown key " + Shown(key) + DidYouMean(key.text, known));
+      throw ConfigError(key.where + ": unknown key " + config::Shown(key) +
+                        DidYouMean(key.text, known));
     }
   }
 }
 
-Order ReadCrane(const YamlValue& value, double) {
+emulator::Order ReadCrane(const config::YamlValue& value, double) {
   const auto is = [&](const char* word) {
-    return value.kind == YamlValue::Kind::kScalar && value.text == word;
+    return value.kind == config::YamlValue::Kind::kScalar && value.text == word;
   };
-  if (is("attach")) return AttachCrane{};
-  if (is("release")) return ReleaseCrane{};
-  if (value.kind != YamlValue::Kind::kMap || value.keys.size() != 1) {
+  if (is("attach")) return emulator::AttachCrane{};
+  if (is("release")) return emulator::ReleaseCrane{};
+  if (value.kind != config::YamlValue::Kind::kMap || value.keys.size() != 1) {
     Refuse(value, "crane", "attach, release, {lower: M} or {raise: M}");
   }
   CheckKeys(value, {"lower", "raise"});
   const std::string& key = value.keys.front().text;
   const double by = Number(value.items.front(), "crane." + key, -kFarthest, kFarthest, "metres");
-  return LowerCrane{key == "lower" ? by : -by};
+  return emulator::LowerCrane{key == "lower" ? by : -by};
 }
 
-Order ReadPush(const YamlValue& value, double seconds) {
-  if (value.kind != YamlValue::Kind::kMap) {
+emulator::Order ReadPush(const config::YamlValue& value, double seconds) {
+  if (value.kind != config::YamlValue::Kind::kMap) {
     Refuse(value, "push", "{body: NAME, force: [X, Y, Z]} or, in place of force, impulse");
   }
   CheckKeys(value, {"body", "force", "impulse"});
-  const YamlValue* force = value.Find("force");
-  const YamlValue* impulse = value.Find("impulse");
+  const config::YamlValue* force = value.Find("force");
+  const config::YamlValue* impulse = value.Find("impulse");
   if ((force == nullptr) == (impulse == nullptr)) {
     Refuse(value, "push", "either force or impulse");
   }
   if (seconds <= 0) throw ConfigError(value.where + ": push: needs a time to act, as in for: 0.1");
-  const YamlValue& vector = force != nullptr ? *force : *impulse;
+  const config::YamlValue& vector = force != nullptr ? *force : *impulse;
   const std::string key = force != nullptr ? "push.force" : "push.impulse";
-  if (vector.kind != YamlValue::Kind::kSequence || vector.items.size() != 3) {
+  if (vector.kind != config::YamlValue::Kind::kSequence || vector.items.size() != 3) {
     Refuse(vector, key, "three numbers");
   }
-  PushBody push{.seconds = seconds};
+  emulator::PushBody push{.seconds = seconds};
   for (std::size_t i = 0; i < 3; ++i) {
     push.force[static_cast<Eigen::Index>(i)] =
         Number(vector.items[i], key, -kHardest, kHardest, "a number") /
         (force != nullptr ? 1 : seconds);
   }
-  if (const YamlValue* body = value.Find("body")) push.body = body->text;
+  if (const config::YamlValue* body = value.Find("body")) push.body = body->text;
   return push;
 }
 
-Order ReadSticks(const YamlValue& value, double seconds) {
-  if (value.kind != YamlValue::Kind::kMap) Refuse(value, "sticks", "{lx: X, ly: Y, rx: X, ry: Y}");
+emulator::Order ReadSticks(const config::YamlValue& value, double seconds) {
+  if (value.kind != config::YamlValue::Kind::kMap)
+    Refuse(value, "sticks", "{lx: X, ly: Y, rx: X, ry: Y}");
   CheckKeys(value, {"lx", "ly", "rx", "ry"});
-  MoveSticks sticks{.seconds = seconds};
+  emulator::MoveSticks sticks{.seconds = seconds};
   const std::pair<const char*, std::optional<double>*> axes[] = {
       {"lx", &sticks.lx}, {"ly", &sticks.ly}, {"rx", &sticks.rx}, {"ry", &sticks.ry}};
   for (const auto& [name, stick] : axes) {
-    if (const YamlValue* axis = value.Find(name)) {
+    if (const config::YamlValue* axis = value.Find(name)) {
       *stick = Number(*axis, std::string("sticks.") + name, -1, 1, "a number from -1 to 1");
     }
   }
   return sticks;
 }
 
-Order ReadPress(const YamlValue& value, double seconds) {
-  PressRemote press{.keys = Keys(value, "press")};
+emulator::Order ReadPress(const config::YamlValue& value, double seconds) {
+  emulator::PressRemote press{.keys = Keys(value, "press")};
   if (seconds > 0) press.seconds = seconds;
   return press;
 }
 
-Order ReadReset(const YamlValue& value, double) {
-  const bool word = value.kind == YamlValue::Kind::kScalar;
-  if (word && (value.text == "true" || value.text == "on")) return ResetRobot{};
-  const auto pose = word ? FindStartPose(value.text) : std::nullopt;
+emulator::Order ReadReset(const config::YamlValue& value, double) {
+  const bool word = value.kind == config::YamlValue::Kind::kScalar;
+  if (word && (value.text == "true" || value.text == "on")) return emulator::ResetRobot{};
+  const auto pose = word ? robot::FindStartPose(value.text) : std::nullopt;
   if (!pose) Refuse(value, "reset", "true, lying, standing, hanging or clamped");
-  return ResetRobot{.pose = pose};
+  return emulator::ResetRobot{.pose = pose};
 }
 
-Order ReadSpeed(const YamlValue& value, double) {
-  if (value.kind == YamlValue::Kind::kScalar && value.text == "max") return SetSpeed{.speed = 0};
-  const double speed = Number(value, "speed", 0, kMostSpeed, kSpeedRange);
-  if (!IsSpeed(speed)) Refuse(value, "speed", kSpeedRange);
-  return SetSpeed{.speed = speed};
+emulator::Order ReadSpeed(const config::YamlValue& value, double) {
+  if (value.kind == config::YamlValue::Kind::kScalar && value.text == "max")
+    return emulator::SetSpeed{.speed = 0};
+  const double speed = Number(value, "speed", 0, time::kMostSpeed, time::kSpeedRange);
+  if (!time::IsSpeed(speed)) Refuse(value, "speed", time::kSpeedRange);
+  return emulator::SetSpeed{.speed = speed};
 }
 
 struct Event {
   const char* key;
   bool takes_time;  // whether `for` may stand beside it
-  Order (*read)(const YamlValue& value, double seconds);
+  emulator::Order (*read)(const config::YamlValue& value, double seconds);
 };
 
 constexpr Event kEvents[] = {
     {"press", true, ReadPress},
     {"hold", false,
-     [](const YamlValue& v, double) -> Order { return HoldRemote{Keys(v, "hold")}; }},
+     [](const config::YamlValue& v, double) -> emulator::Order {
+       return emulator::HoldRemote{Keys(v, "hold")};
+     }},
     {"release", false,
-     [](const YamlValue& v, double) -> Order { return ReleaseRemote{Keys(v, "release")}; }},
+     [](const config::YamlValue& v, double) -> emulator::Order {
+       return emulator::ReleaseRemote{Keys(v, "release")};
+     }},
     {"sticks", true, ReadSticks},
     {"remote", false,
-     [](const YamlValue& v, double) -> Order { return SwitchRemote{OnOff(v, "remote")}; }},
+     [](const config::YamlValue& v, double) -> emulator::Order {
+       return emulator::SwitchRemote{OnOff(v, "remote")};
+     }},
     {"crane", false, ReadCrane},
     {"clamp", false,
-     [](const YamlValue& v, double) -> Order { return ClampBase{OnOff(v, "clamp")}; }},
+     [](const config::YamlValue& v, double) -> emulator::Order {
+       return emulator::ClampBase{OnOff(v, "clamp")};
+     }},
     {"push", true, ReadPush},
     {"reset", false, ReadReset},
     {"speed", false, ReadSpeed},
 };
 
-ScriptEvent ReadEvent(const YamlValue& value) {
-  if (value.kind != YamlValue::Kind::kMap) {
+emulator::ScriptEvent ReadEvent(const config::YamlValue& value) {
+  if (value.kind != config::YamlValue::Kind::kMap) {
     Refuse(value, kScript, "an event, as in {at: 1.5, press: L2+B}");
   }
   std::vector<std::string> known{"at", "for"};
@@ -175,7 +189,7 @@ ScriptEvent ReadEvent(const YamlValue& value) {
     words += (words.empty() ? "" : ", ") + known.back();
   }
   CheckKeys(value, known);
-  const YamlValue* at = value.Find("at");
+  const config::YamlValue* at = value.Find("at");
   if (at == nullptr) throw ConfigError(value.where + ": at: missing; when is it to happen?");
 
   const Event* found = nullptr;
@@ -188,7 +202,7 @@ ScriptEvent ReadEvent(const YamlValue& value) {
     found = &event;
   }
   if (found == nullptr) throw ConfigError(value.where + ": expected one of " + words);
-  const YamlValue* time = value.Find("for");
+  const config::YamlValue* time = value.Find("for");
   if (time != nullptr && !found->takes_time) {
     throw ConfigError(time->where + ": for: " + found->key + " takes no time");
   }
@@ -200,23 +214,23 @@ ScriptEvent ReadEvent(const YamlValue& value) {
 
 }  // namespace
 
-bool IsScript(const YamlValue& document) { return document.Find(kScript) != nullptr; }
+bool IsScript(const config::YamlValue& document) { return document.Find(kScript) != nullptr; }
 
-std::vector<ScriptEvent> ReadScript(const YamlValue& document) {
-  const YamlValue* list = document.Find(kScript);
-  if (list == nullptr || list->kind != YamlValue::Kind::kSequence) {
+std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document) {
+  const config::YamlValue* list = document.Find(kScript);
+  if (list == nullptr || list->kind != config::YamlValue::Kind::kSequence) {
     Refuse(list == nullptr ? document : *list, kScript,
            "a list of events, as in [{at: 1.5, press: L2+B}]");
   }
   CheckKeys(document, {kScript});
-  std::vector<ScriptEvent> events;
-  for (const YamlValue& item : list->items) events.push_back(ReadEvent(item));
-  std::ranges::stable_sort(events, std::ranges::less(), &ScriptEvent::at);
+  std::vector<emulator::ScriptEvent> events;
+  for (const config::YamlValue& item : list->items) events.push_back(ReadEvent(item));
+  std::ranges::stable_sort(events, std::ranges::less(), &emulator::ScriptEvent::at);
   return events;
 }
 
-std::vector<ScriptEvent> LoadScript(const std::filesystem::path& file) {
-  return ReadScript(ReadYamlFile(file));
+std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file) {
+  return ReadScript(config::ReadYamlFile(file));
 }
 
-}  // namespace understudy
+}  // namespace understudy::script

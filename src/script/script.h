@@ -8,16 +8,16 @@
 #include "config/yaml_document.h"
 #include "emulator/order.h"
 
-namespace understudy {
+namespace understudy::script {
 
 // Whether a document is a script: a mapping with the key `script`.
-bool IsScript(const YamlValue& document);
+bool IsScript(const config::YamlValue& document);
 
 // The events of `script: [...]` in order of time; those of the same time in the file's order.
 // Throws ConfigError with file, line, key, what was expected and what was found.
-std::vector<ScriptEvent> ReadScript(const YamlValue& document);
-std::vector<ScriptEvent> LoadScript(const std::filesystem::path& file);
+std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document);
+std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file);
 
-}  // namespace understudy
+}  // namespace understudy::script
 
 #endif  // UNDERSTUDY_SCRIPT_SCRIPT_H_

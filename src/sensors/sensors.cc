@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace understudy {
+namespace understudy::sensors {
 namespace {
 
 // How much of the winding's rise shows at the casing. *assumed*
@@ -14,19 +14,19 @@ constexpr double kSumDeviation = 37837.22;
 
 }  // namespace
 
-Sensors::Sensors(const SensorConfig& config, const RobotSpec& spec)
+Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec)
     : config_(config), spec_(spec), random_(static_cast<std::uint64_t>(config.seed)) {}
 
-void Sensors::Sample(const PhysicsWorld& world, const MotorBank& motors,
-                     const RobotCommand& command, const Battery& battery, std::int64_t tick_ms,
-                     RobotState* state) {
+void Sensors::Sample(const physics::PhysicsWorld& world, const robot::MotorBank& motors,
+                     const robot::RobotCommand& command, const robot::Battery& battery,
+                     std::int64_t tick_ms, robot::RobotState* state) {
   state->tick_ms = tick_ms;
   state->joint_space = command.joint_space;
   state->motors.resize(spec_.motors.size());
-  const EncoderNoiseSpec& noise = spec_.encoder_noise;
+  const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
   for (std::size_t i = 0; i < spec_.motors.size(); ++i) {
-    const MotorSpec& motor = spec_.motors[i];
-    MotorReading& reading = state->motors[i];
+    const robot::MotorSpec& motor = spec_.motors[i];
+    robot::MotorReading& reading = state->motors[i];
     reading.enabled = command.motors[i].enabled;
     reading.q = Measure(world.q()[i], noise.q_steps * motor.q_step, motor.q_step);
     reading.dq = Measure(world.dq()[i], noise.dq_steps * motor.dq_step, motor.dq_step);
@@ -56,8 +56,8 @@ double Sensors::Measure(double truth, double sigma, double step) {
   return truth;
 }
 
-ImuReading Sensors::Measure(const ImuReading& truth) {
-  ImuReading imu = truth;
+robot::ImuReading Sensors::Measure(const robot::ImuReading& truth) {
+  robot::ImuReading imu = truth;
   for (int i = 0; i < 3; ++i) {
     imu.w_WI_I[i] = Measure(truth.w_WI_I[i], spec_.imu.gyro_noise, spec_.imu.gyro_step);
     imu.f_WI_I[i] = Measure(truth.f_WI_I[i], spec_.imu.accel_noise, spec_.imu.accel_step);
@@ -66,4 +66,4 @@ ImuReading Sensors::Measure(const ImuReading& truth) {
   return imu;
 }
 
-}  // namespace understudy
+}  // namespace understudy::sensors

@@ -11,7 +11,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::sensors {
 
 struct SensorConfig {
   bool quantise = true;  // round to the encoders' and the IMU's own lattices
@@ -25,12 +25,13 @@ struct SensorConfig {
 class Sensors {
  public:
   // `spec` must outlive the sensors.
-  Sensors(const SensorConfig& config, const RobotSpec& spec);
+  Sensors(const SensorConfig& config, const robot::RobotSpec& spec);
 
   // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
   // state->remote and state->motion.
-  void Sample(const PhysicsWorld& world, const MotorBank& motors, const RobotCommand& command,
-              const Battery& battery, std::int64_t tick_ms, RobotState* state);
+  void Sample(const physics::PhysicsWorld& world, const robot::MotorBank& motors,
+              const robot::RobotCommand& command, const robot::Battery& battery,
+              std::int64_t tick_ms, robot::RobotState* state);
 
  private:
   // A random number of mean 0 and deviation 1, independent of the last: that noise is white and of
@@ -38,13 +39,13 @@ class Sensors {
   // one takes 23, and the same on every standard library.
   double Bell();
   double Measure(double truth, double sigma, double step);
-  ImuReading Measure(const ImuReading& truth);
+  robot::ImuReading Measure(const robot::ImuReading& truth);
 
   SensorConfig config_;
-  const RobotSpec& spec_;
+  const robot::RobotSpec& spec_;
   std::mt19937_64 random_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::sensors
 
 #endif  // UNDERSTUDY_SENSORS_SENSORS_H_

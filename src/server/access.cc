@@ -9,7 +9,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 std::string Lower(std::string_view text) {
@@ -95,4 +95,4 @@ std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& acc
   return std::nullopt;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -7,7 +7,7 @@
 
 #include "server/http.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Of the TCP door. The Unix socket needs none: its file is its user's alone.
 struct Access {
@@ -26,6 +26,6 @@ std::string RandomToken();
 //        WebSocket, whose header a page cannot fill, also ?token=TOKEN
 std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& access);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_ACCESS_H_

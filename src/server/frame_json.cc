@@ -12,7 +12,7 @@
 
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 template <class Number>
@@ -94,7 +94,7 @@ class Writer {
   bool fresh_ = true;
 };
 
-void PutContact(const ContactReading& contact, Writer* to) {
+void PutContact(const physics::ContactReading& contact, Writer* to) {
   to->Begin('{').Key("at").Numbers(contact.at).Key("force").Numbers(contact.force);
   const auto put = [&](std::string_view name, const std::array<int, 2>& ids) {
     to->Key(name).Begin('[').Integer(ids[0]).Integer(ids[1]).End(']');
@@ -104,26 +104,26 @@ void PutContact(const ContactReading& contact, Writer* to) {
   to->End('}');
 }
 
-void PutCrane(const FrameCrane& crane, Writer* to) {
+void PutCrane(const emulator::FrameCrane& crane, Writer* to) {
   to->Begin('{').Key("attached").Bool(crane.attached).Key("hook").Numbers(crane.hook);
   to->Key("top").Numbers(crane.top).Key("tension").Number(crane.tension).End('}');
 }
 
-void PutPush(const Frame& frame, const FramePush& push, Writer* to) {
+void PutPush(const emulator::Frame& frame, const emulator::FramePush& push, Writer* to) {
   to->Begin('{').Key("body").Text(frame.body_names[static_cast<std::size_t>(push.body)]);
   to->Key("at").Numbers(push.at);
   to->Key("force").Numbers(push.force).End('}');
 }
 
 // No fault of a motor is played, so that there are no errors.
-void PutMotor(const MotorReading& motor, Writer* to) {
+void PutMotor(const robot::MotorReading& motor, Writer* to) {
   to->Begin('{').Key("q").Number(motor.q).Key("dq").Number(motor.dq).Key("tau").Number(motor.tau);
   to->Key("casing").Number(motor.casing_c).Key("winding").Number(motor.winding_c);
   to->Key("mode").Integer(motor.enabled ? 1 : 0).Key("errors").Integer(0);
   to->Key("enabled").Bool(motor.enabled).End('}');
 }
 
-void PutImu(const ImuReading& imu, Writer* to) {
+void PutImu(const robot::ImuReading& imu, Writer* to) {
   const Eigen::Quaterniond& q = imu.R_WI;
   const double quaternion[] = {q.w(), q.x(), q.y(), q.z()};
   to->Begin('{').Key("quaternion").Numbers(quaternion);
@@ -132,18 +132,22 @@ void PutImu(const ImuReading& imu, Writer* to) {
   to->Key("temperature").Number(imu.temperature_c).End('}');
 }
 
-void PutBattery(const BatteryReading& battery, Writer* to) {
+void PutBattery(const robot::BatteryReading& battery, Writer* to) {
   to->Begin('{').Key("voltage").Number(battery.voltage).Key("current").Number(battery.current);
   to->Key("soc").Number(battery.soc).Key("temperature").Number(battery.temperature_c).End('}');
 }
 
-void PutRemote(const RemoteReading& remote, Writer* to) {
-  to->Begin('{').Key("there").Bool(remote.there).Key("keys").Text(RemoteKeyNames(remote.keys));
+void PutRemote(const robot::RemoteReading& remote, Writer* to) {
+  to->Begin('{')
+      .Key("there")
+      .Bool(remote.there)
+      .Key("keys")
+      .Text(robot::RemoteKeyNames(remote.keys));
   to->Key("lx").Number(remote.lx).Key("ly").Number(remote.ly);
   to->Key("rx").Number(remote.rx).Key("ry").Number(remote.ry).End('}');
 }
 
-void PutCommand(const MotorCommand& command, Writer* to) {
+void PutCommand(const robot::MotorCommand& command, Writer* to) {
   to->Begin('{').Key("q").Number(command.q).Key("dq").Number(command.dq);
   to->Key("kp").Number(command.kp).Key("kd").Number(command.kd).Key("tau").Number(command.tau);
   to->Key("enabled").Bool(command.enabled).End('}');
@@ -156,55 +160,57 @@ void PutAll(const Values& values, PutOne put, Writer* to) {
   to->End(']');
 }
 
-void PutPart(const Frame& frame, FramePart part, Writer* to) {
+void PutPart(const emulator::Frame& frame, emulator::FramePart part, Writer* to) {
   switch (part) {
-    case kPartPositions:
+    case emulator::kPartPositions:
       return PutAll(
           frame.positions, [](double q, Writer* w) { w->Exact(q); }, to);
-    case kPartBodies:
+    case emulator::kPartBodies:
       return PutAll(
-          frame.bodies, [](const BodyPose& pose, Writer* w) { w->Numbers(pose); }, to);
-    case kPartContacts:
+          frame.bodies, [](const physics::BodyPose& pose, Writer* w) { w->Numbers(pose); }, to);
+    case emulator::kPartContacts:
       return PutAll(frame.contacts, PutContact, to);
-    case kPartCom:
+    case emulator::kPartCom:
       to->Numbers(frame.com);
       return;
-    case kPartCrane:
+    case emulator::kPartCrane:
       return PutCrane(frame.crane, to);
-    case kPartPushes:
+    case emulator::kPartPushes:
       return PutAll(
-          frame.pushes, [&](const FramePush& push, Writer* w) { PutPush(frame, push, w); }, to);
-    case kPartMotors:
+          frame.pushes,
+          [&](const emulator::FramePush& push, Writer* w) { PutPush(frame, push, w); }, to);
+    case emulator::kPartMotors:
       return PutAll(frame.motors, PutMotor, to);
-    case kPartImus:
+    case emulator::kPartImus:
       return PutAll(std::span(frame.imus).first(frame.imu_count), PutImu, to);
-    case kPartBattery:
+    case emulator::kPartBattery:
       return PutBattery(frame.battery, to);
-    case kPartFeet:
+    case emulator::kPartFeet:
       to->Numbers(frame.feet);
       return;
-    case kPartRemote:
+    case emulator::kPartRemote:
       return PutRemote(frame.remote, to);
-    case kPartWirelessRemote:
+    case emulator::kPartWirelessRemote:
       return PutAll(
           frame.wireless_remote, [](std::uint8_t b, Writer* w) { w->Integer(b); }, to);
-    case kPartCommand:
+    case emulator::kPartCommand:
       return PutAll(frame.command, PutCommand, to);
-    case kPartRefusals:  // has a route of its own
+    case emulator::kPartRefusals:  // has a route of its own
       return;
   }
 }
 
 }  // namespace
 
-std::optional<FrameParts> ReadFrameParts(std::string_view list, std::string* unknown) {
-  FrameParts parts = 0;
+std::optional<emulator::FrameParts> ReadFrameParts(std::string_view list, std::string* unknown) {
+  emulator::FrameParts parts = 0;
   while (!list.empty()) {
     const std::string_view word = list.substr(0, list.find(','));
     list.remove_prefix(std::min(list.size(), word.size() + 1));
-    const auto* found = std::find_if(std::begin(kFrameParts), std::end(kFrameParts),
-                                     [&](const FramePartName& part) { return part.name == word; });
-    if (found == std::end(kFrameParts)) {
+    const auto* found =
+        std::find_if(std::begin(emulator::kFrameParts), std::end(emulator::kFrameParts),
+                     [&](const emulator::FramePartName& part) { return part.name == word; });
+    if (found == std::end(emulator::kFrameParts)) {
       *unknown = word;
       return std::nullopt;
     }
@@ -213,13 +219,13 @@ std::optional<FrameParts> ReadFrameParts(std::string_view list, std::string* unk
   return parts;
 }
 
-std::string FrameJson(const Frame& frame, FrameParts parts) {
+std::string FrameJson(const emulator::Frame& frame, emulator::FrameParts parts) {
   std::string text;
   text.reserve(8192);
   Writer writer(&text);
   writer.Begin('{').Key("step").Integer(frame.step).Key("time").Exact(frame.time);
   writer.Key("speed").Number(frame.speed).Key("paused").Bool(frame.paused);
-  for (const FramePartName& part : kFrameParts) {
+  for (const emulator::FramePartName& part : emulator::kFrameParts) {
     if ((parts & frame.parts & part.part) == 0) continue;
     PutPart(frame, part.part, &writer.Key(part.name));
   }
@@ -227,4 +233,4 @@ std::string FrameJson(const Frame& frame, FrameParts parts) {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -8,17 +8,17 @@
 
 #include "emulator/frame.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // The parts that a comma-separated list names; nullopt, with the word that is none in `unknown`,
 // where one is not a name of kFrameParts. An empty list names none.
-std::optional<FrameParts> ReadFrameParts(std::string_view list, std::string* unknown);
+std::optional<emulator::FrameParts> ReadFrameParts(std::string_view list, std::string* unknown);
 
 // {"step": n, "time": s, "speed": x, "paused": b} and those of `parts` that the frame has. Numbers
 // have a float's precision, but time and qpos, which have a double's; one that is not finite
 // becomes null.
-std::string FrameJson(const Frame& frame, FrameParts parts);
+std::string FrameJson(const emulator::Frame& frame, emulator::FrameParts parts);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_FRAME_JSON_H_

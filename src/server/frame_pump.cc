@@ -4,7 +4,7 @@
 
 #include "server/frame_json.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 // How often the board is looked at while a frame is awaited: about as often as the tick comes by.
@@ -12,7 +12,7 @@ constexpr std::chrono::milliseconds kLook{1};
 
 }  // namespace
 
-std::shared_ptr<const std::string> ShownFrame::Json(FrameParts parts) {
+std::shared_ptr<const std::string> ShownFrame::Json(emulator::FrameParts parts) {
   for (const auto& [made_of, text] : texts_) {
     if (made_of == parts) return text;
   }
@@ -20,7 +20,7 @@ std::shared_ptr<const std::string> ShownFrame::Json(FrameParts parts) {
       .second;
 }
 
-void FramePump::Ask(FrameParts parts, const std::shared_ptr<FrameTaker>& taker) {
+void FramePump::Ask(emulator::FrameParts parts, const std::shared_ptr<FrameTaker>& taker) {
   std::erase_if(waiting_, [&](const Waiting& waiting) {
     return waiting.taker.expired() || waiting.taker.lock() == taker;
   });
@@ -29,7 +29,7 @@ void FramePump::Ask(FrameParts parts, const std::shared_ptr<FrameTaker>& taker) 
 }
 
 void FramePump::Request() {
-  FrameParts parts = 0;
+  emulator::FrameParts parts = 0;
   for (const Waiting& waiting : waiting_) parts |= waiting.parts;
   board_->Ask(parts);
   asked_ = true;
@@ -40,14 +40,14 @@ void FramePump::Wait() {
   timer_.expires_after(kLook);
   timer_.async_wait([this](const boost::system::error_code& error) {
     if (error) return;
-    const Frame* frame = board_->Shown();
+    const emulator::Frame* frame = board_->Shown();
     if (frame == nullptr) return Wait();
     Deliver(*frame);
   });
 }
 
 // Who came later and wants more than this frame has waits for the next.
-void FramePump::Deliver(const Frame& frame) {
+void FramePump::Deliver(const emulator::Frame& frame) {
   const auto served = std::partition(waiting_.begin(), waiting_.end(), [&](const Waiting& waiting) {
     return (waiting.parts & ~frame.parts) != 0;
   });
@@ -62,4 +62,4 @@ void FramePump::Deliver(const Frame& frame) {
   if (!waiting_.empty()) Request();
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -13,19 +13,19 @@
 
 #include "emulator/frame_board.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // A frame that has come, and its texts, each made once for all who send it.
 class ShownFrame {
  public:
-  explicit ShownFrame(const Frame& frame) : frame_(frame) {}
+  explicit ShownFrame(const emulator::Frame& frame) : frame_(frame) {}
 
-  const Frame& frame() const { return frame_; }
-  std::shared_ptr<const std::string> Json(FrameParts parts);
+  const emulator::Frame& frame() const { return frame_; }
+  std::shared_ptr<const std::string> Json(emulator::FrameParts parts);
 
  private:
-  const Frame& frame_;
-  std::vector<std::pair<FrameParts, std::shared_ptr<const std::string>>> texts_;
+  const emulator::Frame& frame_;
+  std::vector<std::pair<emulator::FrameParts, std::shared_ptr<const std::string>>> texts_;
 };
 
 class FrameTaker {
@@ -42,28 +42,29 @@ class FrameTaker {
 // However many ask, the tick fills in one frame at a time. Of the server's thread.
 class FramePump {
  public:
-  FramePump(boost::asio::io_context* io, FrameBoard* board) : board_(board), timer_(*io) {}
+  FramePump(boost::asio::io_context* io, emulator::FrameBoard* board)
+      : board_(board), timer_(*io) {}
 
   // OnFrame is called once, unless the taker goes before. One that asks again before that waits for
   // one frame still.
-  void Ask(FrameParts parts, const std::shared_ptr<FrameTaker>& taker);
+  void Ask(emulator::FrameParts parts, const std::shared_ptr<FrameTaker>& taker);
 
  private:
   struct Waiting {
-    FrameParts parts;
+    emulator::FrameParts parts;
     std::weak_ptr<FrameTaker> taker;
   };
 
   void Request();
   void Wait();
-  void Deliver(const Frame& frame);
+  void Deliver(const emulator::Frame& frame);
 
-  FrameBoard* board_;
+  emulator::FrameBoard* board_;
   boost::asio::steady_timer timer_;
   std::vector<Waiting> waiting_;
   bool asked_ = false;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_FRAME_PUMP_H_

@@ -5,7 +5,7 @@
 
 #include <boost/asio/buffer.hpp>
 
-namespace understudy {
+namespace understudy::server {
 
 using boost::system::error_code;
 
@@ -66,4 +66,4 @@ void FrameWatch::Leave() {
   door_->Dismiss(this);
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -13,7 +13,7 @@
 #include "server/routes.h"
 #include "server/web_socket.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Asks for a frame, sends it, and asks for the next when that is gone and its time has come: a slow
 // client gets fewer, and none waits for it here. What the client sends is read and left aside.
@@ -37,7 +37,7 @@ class FrameWatch : public Guest {
   void Leave();
 
   Request request_;
-  FrameParts parts_;
+  emulator::FrameParts parts_;
   Clock::duration period_;
   Door* door_;
   Shared* shared_;
@@ -48,6 +48,6 @@ class FrameWatch : public Guest {
   std::shared_ptr<const std::string> text_;  // being sent
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_FRAME_WATCH_H_

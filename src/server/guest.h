@@ -16,7 +16,7 @@
 #include "server/plane.h"
 #include "server/server.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Of a Unix socket or TCP: the same from here on.
 using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>;
@@ -57,6 +57,6 @@ struct Shared {
   FramePump* pump = nullptr;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_GUEST_H_

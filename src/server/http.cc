@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 // A % that no two hexadecimal digits follow stands for itself, and + for a space.
@@ -52,4 +52,4 @@ std::optional<std::string> QueryValue(const HttpRequest& request, std::string_vi
   return std::nullopt;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

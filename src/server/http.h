@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-namespace understudy {
+namespace understudy::server {
 
 struct HttpRequest {
   std::string_view method;
@@ -42,6 +42,6 @@ std::string_view PathOf(const HttpRequest& request);
 // The value of `name` in the query, %-sequences read; nullopt where it is not there.
 std::optional<std::string> QueryValue(const HttpRequest& request, std::string_view name);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_HTTP_H_

@@ -5,7 +5,7 @@
 
 #include "base/nearest_word.h"
 
-namespace understudy {
+namespace understudy::server {
 
 using nlohmann::json;
 
@@ -84,4 +84,4 @@ std::variant<Eigen::Vector3d, std::string> ReadVector(const json& object, const 
   return vector;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -10,7 +10,7 @@
 #include <Eigen/Core>
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::server {
 
 // The body's object, or one line that says why there is none.
 std::variant<nlohmann::json, std::string> ReadObject(std::string_view body);
@@ -43,6 +43,6 @@ std::variant<Eigen::Vector3d, std::string> ReadVector(const nlohmann::json& obje
                                                       const std::string& key, double most,
                                                       const std::string& what);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_JSON_BODY_H_

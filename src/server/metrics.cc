@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 std::string Text(double number) {
@@ -61,12 +61,13 @@ class Page {
     Family(name, "gauge", help);
     Add(value);
   }
-  void Distribution(std::string_view name, std::string_view help, const Histogram& histogram) {
+  void Distribution(std::string_view name, std::string_view help,
+                    const time::Histogram& histogram) {
     Family(name, "histogram", help);
     std::uint64_t count = 0;
     for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
       count += histogram.counts[i];
-      const double bound = i < kHistogramBounds.size() ? kHistogramBounds[i] : INFINITY;
+      const double bound = i < time::kHistogramBounds.size() ? time::kHistogramBounds[i] : INFINITY;
       Add(count, Label("le", Text(bound)), "_bucket");
     }
     Add(histogram.sum, "", "_sum");
@@ -80,7 +81,7 @@ class Page {
   std::string text_;
 };
 
-void AddPace(const Status& status, Page* page) {
+void AddPace(const emulator::Status& status, Page* page) {
   page->Counter("steps_total", "Physics steps made.", static_cast<std::uint64_t>(status.steps));
   page->Gauge("simulated_seconds", "Simulated time since the start.", status.time);
   page->Gauge("speed", "Simulated seconds wanted per wall second; 0 is as fast as possible.",
@@ -96,27 +97,28 @@ void AddPace(const Status& status, Page* page) {
 }
 
 template <class PutOne>
-void ForEachTopic(const Status& status, const Frame& frame, PutOne put) {
+void ForEachTopic(const emulator::Status& status, const emulator::Frame& frame, PutOne put) {
   for (std::size_t i = 0; i < frame.command_topics.size(); ++i) {
     if (frame.command_topics[i].empty()) continue;
-    put(frame.command_topics[i], CommandCounts(status, i));
+    put(frame.command_topics[i], emulator::CommandCounts(status, i));
   }
 }
 
-void AddCommands(const Status& status, const Frame& frame, Page* page) {
+void AddCommands(const emulator::Status& status, const emulator::Frame& frame, Page* page) {
   page->Family("commands_taken_total", "counter", "Commands that the robot took.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
+  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
     page->Add(counts.accepted, Label("topic", topic));
   });
   page->Family("commands_refused_total", "counter", "Commands that the robot refused.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
-    for (std::size_t i = 1; i < kRefusals; ++i) {
+  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
+    for (std::size_t i = 1; i < robot::kRefusals; ++i) {
       page->Add(counts.refused[i],
-                Label("topic", topic) + "," + Label("reason", Name(static_cast<Refusal>(i))));
+                Label("topic", topic) + "," +
+                    Label("reason", robot::Name(static_cast<robot::Refusal>(i))));
     }
   });
   page->Family("command_timeouts_total", "counter", "Times that commands stopped coming.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const GateCounts& counts) {
+  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
     page->Add(counts.timeouts, Label("topic", topic));
   });
   page->Counter("states_published_total", "LowState samples sent.", status.published);
@@ -129,19 +131,21 @@ void AddCommands(const Status& status, const Frame& frame, Page* page) {
                 status.services.lost_replies);
 }
 
-void AddMotors(const Frame& frame, Page* page) {
-  const auto all = [&](std::string_view name, std::string_view help, double MotorReading::*value) {
+void AddMotors(const emulator::Frame& frame, Page* page) {
+  const auto all = [&](std::string_view name, std::string_view help,
+                       double robot::MotorReading::*value) {
     page->Family(name, "gauge", help);
     for (std::size_t i = 0; i < frame.motors.size(); ++i) {
       page->Add(frame.motors[i].*value, Label("motor", frame.motor_names[i]));
     }
   };
-  all("motor_torque_newton_metres", "Torque that the motor gives.", &MotorReading::tau);
-  all("motor_casing_celsius", "Temperature of the motor's casing.", &MotorReading::casing_c);
-  all("motor_winding_celsius", "Temperature of the motor's winding.", &MotorReading::winding_c);
+  all("motor_torque_newton_metres", "Torque that the motor gives.", &robot::MotorReading::tau);
+  all("motor_casing_celsius", "Temperature of the motor's casing.", &robot::MotorReading::casing_c);
+  all("motor_winding_celsius", "Temperature of the motor's winding.",
+      &robot::MotorReading::winding_c);
 }
 
-void AddBattery(const BatteryReading& battery, Page* page) {
+void AddBattery(const robot::BatteryReading& battery, Page* page) {
   page->Gauge("battery_volts", "Voltage of the battery.", battery.voltage);
   page->Gauge("battery_amperes", "Current of the battery, negative while it gives.",
               battery.current);
@@ -150,7 +154,8 @@ void AddBattery(const BatteryReading& battery, Page* page) {
 
 }  // namespace
 
-std::string MetricsText(const RobotIdentity& identity, const Status& status, const Frame& frame) {
+std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
+                        const emulator::Frame& frame) {
   Page page;
   page.Family("info", "gauge", "Which robot this is; always 1.");
   page.Add(std::uint64_t{1},
@@ -162,4 +167,4 @@ std::string MetricsText(const RobotIdentity& identity, const Status& status, con
   return page.Take();
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -8,14 +8,16 @@
 #include "emulator/status.h"
 #include "server/status_json.h"
 
-namespace understudy {
+namespace understudy::server {
 
 inline constexpr char kMetricsType[] = "text/plain; version=0.0.4; charset=utf-8";
-inline constexpr FrameParts kMetricsParts = kPartMotors | kPartBattery;
+inline constexpr emulator::FrameParts kMetricsParts =
+    emulator::kPartMotors | emulator::kPartBattery;
 
 // `frame` has kMetricsParts.
-std::string MetricsText(const RobotIdentity& identity, const Status& status, const Frame& frame);
+std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
+                        const emulator::Frame& frame);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_METRICS_H_

@@ -10,7 +10,7 @@
 #include "robot/remote_keys.h"
 #include "server/json_body.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
@@ -29,7 +29,7 @@ double Length(const json& value) {
 
 OrderReading ReadLength(std::string_view name, const json& value, double sign) {
   const double by = Length(value);
-  if (std::isfinite(by)) return Order{LowerCrane{sign * by}};
+  if (std::isfinite(by)) return emulator::Order{emulator::LowerCrane{sign * by}};
   return Expected(
       name, "metres, at most " + std::to_string(static_cast<int>(kMostCraneOrder)) + " either way",
       value);
@@ -44,17 +44,17 @@ OrderReading ReadRaise(std::string_view name, const json& value) {
 }
 
 OrderReading ReadAttach(std::string_view name, const json& value) {
-  if (value == true) return Order{AttachCrane{}};
+  if (value == true) return emulator::Order{emulator::AttachCrane{}};
   return Expected(name, "true", value);
 }
 
 OrderReading ReadRelease(std::string_view name, const json& value) {
-  if (value == true) return Order{ReleaseCrane{}};
+  if (value == true) return emulator::Order{emulator::ReleaseCrane{}};
   return Expected(name, "true", value);
 }
 
 OrderReading ReadClamp(std::string_view name, const json& value) {
-  if (value.is_boolean()) return Order{ClampBase{value.get<bool>()}};
+  if (value.is_boolean()) return emulator::Order{emulator::ClampBase{value.get<bool>()}};
   return Expected(name, "true or false", value);
 }
 
@@ -63,17 +63,17 @@ constexpr OrderKey kCraneKeys[] = {
 constexpr OrderKey kClampKeys[] = {{"on", ReadClamp}};
 
 std::optional<std::uint16_t> KeysOf(const json& value) {
-  return value.is_string() ? RemoteKeys(value.get_ref<const std::string&>()) : std::nullopt;
+  return value.is_string() ? robot::RemoteKeys(value.get_ref<const std::string&>()) : std::nullopt;
 }
 
 OrderReading ReadKeys(const std::string& name, const json& value, double seconds) {
   const auto keys = KeysOf(value);
   if (!keys) return Expected(name, "keys of the remote controller, as in \"L2+B\"", value);
-  if (name == "hold") return Order{HoldRemote{*keys}};
-  if (name == "release") return Order{ReleaseRemote{*keys}};
-  PressRemote press{.keys = *keys};
+  if (name == "hold") return emulator::Order{emulator::HoldRemote{*keys}};
+  if (name == "release") return emulator::Order{emulator::ReleaseRemote{*keys}};
+  emulator::PressRemote press{.keys = *keys};
   if (seconds > 0) press.seconds = seconds;
-  return Order{press};
+  return emulator::Order{press};
 }
 
 struct Axis {
@@ -99,11 +99,11 @@ OrderReading ReadSticks(const json& value, double seconds) {
     return Expected("sticks", "an object of lx, ly, rx, ry", value);
   }
   if (std::string why = UnknownKey(value, {"lx", "ly", "rx", "ry"}); !why.empty()) return why;
-  MoveSticks sticks{.seconds = seconds};
+  emulator::MoveSticks sticks{.seconds = seconds};
   const Axis axes[] = {
       {"lx", &sticks.lx}, {"ly", &sticks.ly}, {"rx", &sticks.rx}, {"ry", &sticks.ry}};
   if (std::string why = ReadAxes(value, axes); !why.empty()) return why;
-  return Order{sticks};
+  return emulator::Order{sticks};
 }
 
 OrderReading ReadSet(const json& value, double seconds) {
@@ -114,7 +114,7 @@ OrderReading ReadSet(const json& value, double seconds) {
   if (!(seconds > 0)) {
     return std::string{"\"seconds\": expected after how long without another order all is let go"};
   }
-  SetRemote set{.seconds = seconds};
+  emulator::SetRemote set{.seconds = seconds};
   const json none = "";
   if (const auto keys = value.find("keys"); keys != value.end() && *keys != none) {
     const auto bits = KeysOf(*keys);
@@ -130,7 +130,7 @@ OrderReading ReadSet(const json& value, double seconds) {
   set.reading.ly = ly.value_or(0);
   set.reading.rx = rx.value_or(0);
   set.reading.ry = ry.value_or(0);
-  return Order{set};
+  return emulator::Order{set};
 }
 
 OrderReading ReadOneKey(std::span<const OrderKey> keys, std::string_view body) {
@@ -178,7 +178,7 @@ OrderReading ReadRemoteOrder(std::string_view body) {
   }
   if (const auto on = object.find("on"); on != object.end()) {
     if (!on->is_boolean()) return Expected("on", "true or false", *on);
-    return Order{SwitchRemote{on->get<bool>()}};
+    return emulator::Order{emulator::SwitchRemote{on->get<bool>()}};
   }
   if (const auto sticks = object.find("sticks"); sticks != object.end()) {
     return ReadSticks(*sticks, seconds);
@@ -190,4 +190,4 @@ OrderReading ReadRemoteOrder(std::string_view body) {
   return ReadKeys(name, object.at(name), seconds);
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -10,7 +10,7 @@
 #include "emulator/inbox.h"
 #include "time/pace.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // The most the crane is lowered or raised by one order [m]; *assumed*, several times its height.
 inline constexpr double kMostCraneOrder = 10;
@@ -24,7 +24,7 @@ inline constexpr double kFarthestInWorld = 1e6;
 inline constexpr double kLongestDrag = 60;
 
 // The order, or one line that says what was expected and what was found.
-using OrderReading = std::variant<Order, std::string>;
+using OrderReading = std::variant<emulator::Order, std::string>;
 
 // Each takes one JSON object. Exactly one of {"lower": m}, {"raise": m}, {"attach": true},
 // {"release": true}; m is finite and |m| <= kMostCraneOrder.
@@ -50,6 +50,6 @@ OrderReading ReadSpeedOrder(std::string_view body);
 // up.
 OrderReading ReadRemoteOrder(std::string_view body);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_ORDER_JSON_H_

@@ -5,7 +5,7 @@
 #include "server/json_body.h"
 #include "server/order_json.h"
 
-namespace understudy {
+namespace understudy::server {
 
 using nlohmann::json;
 
@@ -13,7 +13,7 @@ OrderReading ReadPushOrder(std::string_view body) {
   const auto read = ReadObject(body, {"body", "force", "seconds"});
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
   const json& object = std::get<json>(read);
-  PushBody push{.seconds = SecondsOf(object, kMostSeconds)};
+  emulator::PushBody push{.seconds = SecondsOf(object, kMostSeconds)};
   if (!(push.seconds > 0)) return std::string{"\"seconds\": expected how long it acts"};
   const auto name = object.find("body");
   if (name != object.end()) {
@@ -23,7 +23,7 @@ OrderReading ReadPushOrder(std::string_view body) {
   const auto force = ReadVector(object, "force", kMostForce, "three numbers in N");
   if (const auto* why = std::get_if<std::string>(&force)) return *why;
   push.force = std::get<Eigen::Vector3d>(force);
-  return Order{push};
+  return emulator::Order{push};
 }
 
 OrderReading ReadDragOrder(std::string_view body) {
@@ -41,11 +41,11 @@ OrderReading ReadDragOrder(std::string_view body) {
     if (object.size() > (object.contains("body") ? 2 : 1)) {
       return std::string{"\"release\" takes nothing but \"body\" beside it"};
     }
-    return Order{ReleaseDrag{.body = std::move(name)}};
+    return emulator::Order{emulator::ReleaseDrag{.body = std::move(name)}};
   }
 
   if (name.empty()) return std::string{"\"body\": expected the name of a body"};
-  DragBody drag{.body = std::move(name)};
+  emulator::DragBody drag{.body = std::move(name)};
   if (object.contains("at")) {
     const auto at = ReadVector(object, "at", kFarthestOnBody, "three numbers in m, at most 10");
     if (const auto* why = std::get_if<std::string>(&at)) return *why;
@@ -58,7 +58,7 @@ OrderReading ReadDragOrder(std::string_view body) {
   if (!(drag.seconds > 0)) {
     return Expected("seconds", "more than 0 and at most 60", object["seconds"]);
   }
-  return Order{std::move(drag)};
+  return emulator::Order{std::move(drag)};
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

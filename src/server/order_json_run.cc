@@ -5,7 +5,7 @@
 #include "server/json_body.h"
 #include "server/order_json.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
@@ -25,7 +25,7 @@ OrderReading ReadPauseOrder(std::string_view body) {
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
   const json& on = At(std::get<json>(read), "on");
   if (!on.is_boolean()) return Expected("on", "true or false", on);
-  return Order{PauseRun{on.get<bool>()}};
+  return emulator::Order{emulator::PauseRun{on.get<bool>()}};
 }
 
 OrderReading ReadStepOrder(std::string_view body) {
@@ -33,36 +33,36 @@ OrderReading ReadStepOrder(std::string_view body) {
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
   const json& object = std::get<json>(read);
   const auto steps = object.find("steps");
-  if (steps == object.end()) return Order{StepRun{}};
+  if (steps == object.end()) return emulator::Order{emulator::StepRun{}};
   const double number = NumberWithin(*steps, static_cast<double>(kMostSteps));
   if (!(number >= 1) || number != std::floor(number)) {
     return Expected("steps", "a whole number from 1 to " + std::to_string(kMostSteps), *steps);
   }
-  return Order{StepRun{static_cast<std::int64_t>(number)}};
+  return emulator::Order{emulator::StepRun{static_cast<std::int64_t>(number)}};
 }
 
 OrderReading ReadSpeedOrder(std::string_view body) {
   const auto read = ReadObject(body, {"speed"});
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
   const json& speed = At(std::get<json>(read), "speed");
-  const double number = NumberWithin(speed, kMostSpeed);
-  if (!IsSpeed(number)) return Expected("speed", kSpeedRange, speed);
-  return Order{SetSpeed{number}};
+  const double number = NumberWithin(speed, time::kMostSpeed);
+  if (!time::IsSpeed(number)) return Expected("speed", time::kSpeedRange, speed);
+  return emulator::Order{emulator::SetSpeed{number}};
 }
 
 OrderReading ReadResetOrder(std::string_view body) {
-  if (body.empty()) return Order{ResetRobot{}};
+  if (body.empty()) return emulator::Order{emulator::ResetRobot{}};
   const auto read = ReadObject(body, {"pose"});
   if (const auto* why = std::get_if<std::string>(&read)) return *why;
   const json& object = std::get<json>(read);
   const auto pose = object.find("pose");
-  if (pose == object.end()) return Order{ResetRobot{}};
-  const std::vector<std::string> words(kStartPoses.begin(), kStartPoses.end());
+  if (pose == object.end()) return emulator::Order{emulator::ResetRobot{}};
+  const std::vector<std::string> words(robot::kStartPoses.begin(), robot::kStartPoses.end());
   if (!pose->is_string()) return Expected("pose", "one of " + Listed(words), *pose);
   const auto& word = pose->get_ref<const std::string&>();
-  const auto found = FindStartPose(word);
+  const auto found = robot::FindStartPose(word);
   if (!found) return "\"pose\": no pose " + Shown(*pose) + DidYouMean(word, words);
-  return Order{ResetRobot{.pose = found}};
+  return emulator::Order{emulator::ResetRobot{.pose = found}};
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

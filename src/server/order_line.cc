@@ -8,7 +8,7 @@
 
 #include "server/routes.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using boost::system::error_code;
@@ -80,7 +80,7 @@ void OrderLine::Answer(std::string_view message) {
   const Routed routed =
       Route({.method = "POST", .target = path->get_ref<const std::string&>(), .body = text},
             shared_->plane);
-  if (const auto* order = std::get_if<Order>(&routed)) {
+  if (const auto* order = std::get_if<emulator::Order>(&routed)) {
     return order_.Begin(
         *order, [self = Self(), id](const HttpReply& reply) { self->Write(TextOf(id, reply)); });
   }
@@ -102,4 +102,4 @@ void OrderLine::Leave() {
   door_->Dismiss(this);
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -12,7 +12,7 @@
 #include "server/order_wait.h"
 #include "server/web_socket.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Each message {"path": "/push", "body": {...}, "id": any} is taken as that POST, and answered in
 // its turn by {"id": any, "status": n} with the fields of the POST's reply. The next is not read
@@ -44,6 +44,6 @@ class OrderLine : public Guest {
   std::string text_;  // being sent
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_ORDER_LINE_H_

@@ -4,7 +4,7 @@
 
 #include "server/routes.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using std::chrono::steady_clock;
@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kLook{2};
 
 }  // namespace
 
-void OrderWait::Begin(const Order& order, Done done) {
+void OrderWait::Begin(const emulator::Order& order, Done done) {
   until_ = steady_clock::now() + patience_;
   answer_ = inbox_->Put(order, until_);
   if (!answer_) return done(ErrorReply(503, "the robot is busy: too many orders wait"));
@@ -33,4 +33,4 @@ void OrderWait::Look(Done done) {
   });
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

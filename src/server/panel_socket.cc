@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 // An address of either family; the port goes in later.
@@ -98,4 +98,4 @@ std::string PanelSocket::host() const {
   return (family_ == AF_INET6 ? "[" + name + "]" : name) + ":" + std::to_string(port_);
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

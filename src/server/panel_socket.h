@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::server {
 
 inline constexpr int kFirstPanelPort = 7707;  // *assumed*: free on most machines
 inline constexpr int kPanelPorts = 256;       // robots side by side, after which any port will do
@@ -33,6 +33,6 @@ class PanelSocket {
   int fd_ = -1;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_PANEL_SOCKET_H_

@@ -13,20 +13,20 @@
 #include "server/static_files.h"
 #include "server/status_json.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Belongs to the server's thread; what it points to outlives it.
 struct Plane {
   RobotIdentity identity;
-  const StatusBoard* board = nullptr;
-  Inbox* inbox = nullptr;
-  FrameBoard* frames = nullptr;       // null: nothing is to be seen
-  std::optional<SceneFiles> scene{};  // likewise
-  StaticFiles files{""};              // the panel's
-  std::filesystem::path openapi{};    // the document of the routes
-  std::string url{};                  // of the panel, with the token; "" without a TCP door
+  const emulator::StatusBoard* board = nullptr;
+  emulator::Inbox* inbox = nullptr;
+  emulator::FrameBoard* frames = nullptr;  // null: nothing is to be seen
+  std::optional<SceneFiles> scene{};       // likewise
+  StaticFiles files{""};                   // the panel's
+  std::filesystem::path openapi{};         // the document of the routes
+  std::string url{};                       // of the panel, with the token; "" without a TCP door
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_PLANE_H_

@@ -4,16 +4,16 @@
 
 #include "robot/refusal_text.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json HistogramJson(const Histogram& histogram) {
+ordered_json HistogramJson(const time::Histogram& histogram) {
   ordered_json buckets = ordered_json::array();
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     ordered_json bucket{{"count", histogram.counts[i]}};
-    if (i < kHistogramBounds.size()) bucket["le"] = kHistogramBounds[i];
+    if (i < time::kHistogramBounds.size()) bucket["le"] = time::kHistogramBounds[i];
     buckets.push_back(bucket);
   }
   const auto count =
@@ -24,7 +24,7 @@ ordered_json HistogramJson(const Histogram& histogram) {
 
 }  // namespace
 
-ordered_json TimingsJson(const Status& status) {
+ordered_json TimingsJson(const emulator::Status& status) {
   return {{"time", status.time},
           {"steps", status.steps},
           {"speed", status.speed},
@@ -39,18 +39,19 @@ ordered_json TimingsJson(const Status& status) {
           {"late", HistogramJson(status.pace.latenesses)}};
 }
 
-ordered_json RefusalsJson(const Frame& frame) {
+ordered_json RefusalsJson(const emulator::Frame& frame) {
   ordered_json refusals = ordered_json::array();
-  for (const RefusedCommands& refused : frame.refusals) {
-    const bool hand = refused.topic >= kFirstHandTopic;
-    refusals.push_back({{"time", refused.last},
-                        {"since", refused.first},
-                        {"count", refused.count},
-                        {"topic", frame.command_topics[refused.topic]},
-                        {"reason", Name(refused.reason)},
-                        {"text", hand ? ExplainForHand(refused.reason) : Explain(refused.reason)}});
+  for (const emulator::RefusedCommands& refused : frame.refusals) {
+    const bool hand = refused.topic >= robot::kFirstHandTopic;
+    refusals.push_back(
+        {{"time", refused.last},
+         {"since", refused.first},
+         {"count", refused.count},
+         {"topic", frame.command_topics[refused.topic]},
+         {"reason", robot::Name(refused.reason)},
+         {"text", hand ? robot::ExplainForHand(refused.reason) : robot::Explain(refused.reason)}});
   }
   return {{"refusals", refusals}};
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -7,15 +7,15 @@
 #include "emulator/frame.h"
 #include "emulator/status.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // How long ticks took and how late they began, in s of wall time. `buckets` of a histogram are not
 // added up; the last has no `le`.
-nlohmann::ordered_json TimingsJson(const Status& status);
+nlohmann::ordered_json TimingsJson(const emulator::Status& status);
 
 // {"refusals": [...]}, oldest first.
-nlohmann::ordered_json RefusalsJson(const Frame& frame);
+nlohmann::ordered_json RefusalsJson(const emulator::Frame& frame);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_REPORT_JSON_H_

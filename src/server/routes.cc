@@ -13,7 +13,7 @@
 #include "server/order_json.h"
 #include "server/report_json.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::ordered_json;
@@ -26,7 +26,7 @@ std::string Text(const ordered_json& value) {
 
 Routed FromReading(const OrderReading& reading) {
   if (const auto* why = std::get_if<std::string>(&reading)) return ErrorReply(400, *why);
-  return std::get<Order>(reading);
+  return std::get<emulator::Order>(reading);
 }
 
 Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
@@ -34,13 +34,13 @@ Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
 }
 
 // The parts that a request names, or all; else why it cannot be read.
-std::variant<FrameParts, std::string> PartsOf(const HttpRequest& request) {
+std::variant<emulator::FrameParts, std::string> PartsOf(const HttpRequest& request) {
   const auto list = QueryValue(request, "parts");
-  if (!list) return kAllFrameParts;
+  if (!list) return emulator::kAllFrameParts;
   std::string unknown;
   if (const auto parts = ReadFrameParts(*list, &unknown)) return *parts;
   std::vector<std::string> names;
-  for (const FramePartName& part : kFrameParts) names.emplace_back(part.name);
+  for (const emulator::FramePartName& part : emulator::kFrameParts) names.emplace_back(part.name);
   return "parts: a frame has no " + unknown.substr(0, 32) +
          DidYouMean(unknown.substr(0, 32), names);
 }
@@ -58,24 +58,26 @@ double HzOf(const HttpRequest& request) {
 Routed GetFrame(const HttpRequest& request, std::string_view, Plane&) {
   const auto parts = PartsOf(request);
   if (const auto* why = std::get_if<std::string>(&parts)) return ErrorReply(400, *why);
-  return FromFrame{.parts = std::get<FrameParts>(parts),
-                   .reply = [](const Frame& frame, FrameParts asked, Plane&) {
+  return FromFrame{.parts = std::get<emulator::FrameParts>(parts),
+                   .reply = [](const emulator::Frame& frame, emulator::FrameParts asked, Plane&) {
                      return HttpReply{.body = FrameJson(frame, asked) + "\n"};
                    }};
 }
 
 Routed GetRefusals(const HttpRequest&, std::string_view, Plane&) {
-  return FromFrame{.parts = kPartRefusals, .reply = [](const Frame& frame, FrameParts, Plane&) {
+  return FromFrame{.parts = emulator::kPartRefusals,
+                   .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane&) {
                      return HttpReply{.body = Text(RefusalsJson(frame))};
                    }};
 }
 
 Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
-  return FromFrame{
-      .parts = kMetricsParts, .reply = [](const Frame& frame, FrameParts, Plane& plane) {
-        return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(), frame),
+  return FromFrame{.parts = kMetricsParts,
+                   .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane& plane) {
+                     return HttpReply{
+                         .body = MetricsText(plane.identity, plane.board->Read(), frame),
                          .type = kMetricsType};
-      }};
+                   }};
 }
 
 Routed GetTimings(const HttpRequest&, std::string_view, Plane& plane) {
@@ -102,7 +104,7 @@ Routed GetFrames(const HttpRequest& request, std::string_view, Plane&) {
   const double hz = HzOf(request);
   if (!(hz > 0)) return ErrorReply(400, "hz: expected a number from 1 to 240");
   if (!request.upgrade) return UpgradeRequired("/frames");
-  return WatchFrames{.parts = std::get<FrameParts>(parts), .hz = hz};
+  return WatchFrames{.parts = std::get<emulator::FrameParts>(parts), .hz = hz};
 }
 
 Routed GetOrders(const HttpRequest& request, std::string_view, Plane&) {
@@ -233,7 +235,7 @@ HttpReply NoSuchPath(std::string_view path) {
 
 }  // namespace
 
-HttpReply AnswerReply(const Answer& answer) {
+HttpReply AnswerReply(const emulator::Answer& answer) {
   if (!answer.empty()) return ErrorReply(409, answer);
   return {.body = Text({{"ok", true}})};
 }
@@ -265,4 +267,4 @@ std::vector<RouteName> AllRoutes() {
   return routes;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -11,17 +11,18 @@
 #include "server/http.h"
 #include "server/plane.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // A reply that is made of a frame.
 struct FromFrame {
-  FrameParts parts = 0;
-  HttpReply (*reply)(const Frame& frame, FrameParts parts, Plane& plane) = nullptr;
+  emulator::FrameParts parts = 0;
+  HttpReply (*reply)(const emulator::Frame& frame, emulator::FrameParts parts,
+                     Plane& plane) = nullptr;
 };
 
 // A WebSocket on which frames are sent, at most `hz` a second.
 struct WatchFrames {
-  FrameParts parts = 0;
+  emulator::FrameParts parts = 0;
   double hz = 60;
 };
 
@@ -29,10 +30,10 @@ struct WatchFrames {
 struct TakeOrders {};
 
 // A reply at once, an order that has to be carried out before one is known, or another beginning.
-using Routed = std::variant<HttpReply, Order, FromFrame, WatchFrames, TakeOrders>;
+using Routed = std::variant<HttpReply, emulator::Order, FromFrame, WatchFrames, TakeOrders>;
 
 // What an order came to: {"ok": true}, or 409 with the reason.
-HttpReply AnswerReply(const Answer& answer);
+HttpReply AnswerReply(const emulator::Answer& answer);
 
 // Never throws on what a client sent.
 Routed Route(const HttpRequest& request, Plane& plane);
@@ -44,6 +45,6 @@ struct RouteName {
 };
 std::vector<RouteName> AllRoutes();
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_ROUTES_H_

@@ -9,7 +9,7 @@
 
 #include "robot/start_pose.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::ordered_json;
@@ -24,21 +24,21 @@ ordered_json List(const Values& values, ToJson to_json) {
   return list;
 }
 
-ordered_json GeomJson(const SceneGeom& geom) {
+ordered_json GeomJson(const physics::SceneGeom& geom) {
   return {{"name", geom.name}, {"body", geom.body},    {"type", geom.type},
           {"size", geom.size}, {"pos", geom.pos},      {"quat", geom.quat},
           {"rgba", geom.rgba}, {"group", geom.group},  {"collides", geom.collides},
           {"mesh", geom.mesh}, {"hfield", geom.hfield}};
 }
 
-ordered_json MotorJson(const MotorSpec& motor, const Scene& scene) {
+ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scene) {
   ordered_json json{{"name", motor.joint},
                     {"slot", motor.slot},
                     {"range", nullptr},
                     {"torque_limit", motor.torque_limit},
                     {"knee_speed", motor.knee_speed},
                     {"no_load_speed", motor.no_load_speed}};
-  const auto joint = std::ranges::find(scene.joints, motor.joint, &SceneJoint::name);
+  const auto joint = std::ranges::find(scene.joints, motor.joint, &physics::SceneJoint::name);
   if (joint == scene.joints.end()) return json;
   if (joint->limited) json["range"] = joint->range;
   json["qpos"] = joint->position;
@@ -46,10 +46,10 @@ ordered_json MotorJson(const MotorSpec& motor, const Scene& scene) {
 }
 
 // As in a frame: the body's, then those of the hands, whose slot is their place in motor_cmd.
-ordered_json MotorsJson(const RobotSpec& robot, const Scene& scene) {
+ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& scene) {
   ordered_json motors =
-      List(robot.motors, [&](const MotorSpec& motor) { return MotorJson(motor, scene); });
-  for (const HandSpec& hand : robot.hands) {
+      List(robot.motors, [&](const robot::MotorSpec& motor) { return MotorJson(motor, scene); });
+  for (const robot::HandSpec& hand : robot.hands) {
     for (std::size_t i = 0; i < hand.motors.size(); ++i) {
       ordered_json json = MotorJson(hand.motors[i], scene);
       json["slot"] = i;
@@ -67,11 +67,11 @@ HttpReply SceneFiles::Scene() {
 }
 
 HttpReply SceneFiles::Mesh(std::string_view index) {
-  return Part("mesh", index, reader_->meshes(), &SceneReader::Mesh);
+  return Part("mesh", index, reader_->meshes(), &physics::SceneReader::Mesh);
 }
 
 HttpReply SceneFiles::HeightField(std::string_view index) {
-  return Part("height field", index, reader_->hfields(), &SceneReader::HeightField);
+  return Part("height field", index, reader_->hfields(), &physics::SceneReader::HeightField);
 }
 
 HttpReply SceneFiles::Model() {
@@ -92,7 +92,7 @@ SceneFiles::Content SceneFiles::Make(const std::string& name,
 }
 
 HttpReply SceneFiles::Part(const std::string& what, std::string_view index, int count,
-                           std::string (SceneReader::*make)(int)) {
+                           std::string (physics::SceneReader::*make)(int)) {
   int number = -1;
   const auto [end, error] = std::from_chars(index.data(), index.data() + index.size(), number);
   if (error != std::errc{} || end != index.data() + index.size() || number < 0 || number >= count) {
@@ -104,8 +104,8 @@ HttpReply SceneFiles::Part(const std::string& what, std::string_view index, int 
 }
 
 std::string SceneFiles::SceneText() {
-  const understudy::Scene scene = reader_->Describe();
-  const auto base = std::ranges::find(scene.bodies, robot_->base_body, &SceneBody::name);
+  const understudy::physics::Scene scene = reader_->Describe();
+  const auto base = std::ranges::find(scene.bodies, robot_->base_body, &physics::SceneBody::name);
   std::vector<std::string> imus{robot_->imu.site};
   if (!robot_->imu.secondary_site.empty()) imus.push_back(robot_->imu.secondary_site);
   const ordered_json json{
@@ -115,24 +115,24 @@ std::string SceneFiles::SceneText() {
       {"gravity", scene.gravity},
       {"base", base - scene.bodies.begin()},
       {"bodies", List(scene.bodies,
-                      [](const SceneBody& body) -> ordered_json {
+                      [](const physics::SceneBody& body) -> ordered_json {
                         return {{"name", body.name}, {"parent", body.parent}, {"mass", body.mass}};
                       })},
       {"geoms", List(scene.geoms, GeomJson)},
       {"meshes",
        List(scene.meshes,
-            [](const SceneMesh& mesh) -> ordered_json {
+            [](const physics::SceneMesh& mesh) -> ordered_json {
               return {{"name", mesh.name}, {"vertices", mesh.vertices}, {"faces", mesh.faces}};
             })},
       {"hfields", List(scene.hfields,
-                       [](const SceneHeightField& hfield) -> ordered_json {
+                       [](const physics::SceneHeightField& hfield) -> ordered_json {
                          return {{"name", hfield.name},
                                  {"rows", hfield.rows},
                                  {"columns", hfield.columns},
                                  {"size", hfield.size}};
                        })},
       {"cameras", List(scene.cameras,
-                       [](const SceneCamera& camera) -> ordered_json {
+                       [](const physics::SceneCamera& camera) -> ordered_json {
                          return {{"name", camera.name},
                                  {"body", camera.body},
                                  {"pos", camera.pos},
@@ -141,10 +141,11 @@ std::string SceneFiles::SceneText() {
                        })},
       {"motors", MotorsJson(*robot_, scene)},
       {"imus", imus},
-      {"feet", List(robot_->feet, [](const FootSpec& foot) { return ordered_json(foot.name); })},
-      {"poses", kStartPoses},
+      {"feet",
+       List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},
+      {"poses", robot::kStartPoses},
   };
   return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -12,14 +12,15 @@
 #include "robot/robot_spec.h"
 #include "server/http.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Makes what is asked for and keeps it while a reply with it is under way: once for all who read it
 // then, however slowly. Of one thread.
 class SceneFiles {
  public:
   // Both must outlive it.
-  SceneFiles(SceneReader* reader, const RobotSpec* robot) : reader_(reader), robot_(robot) {}
+  SceneFiles(physics::SceneReader* reader, const robot::RobotSpec* robot)
+      : reader_(reader), robot_(robot) {}
 
   HttpReply Scene();
   // `index` as it stands in the path.
@@ -32,14 +33,14 @@ class SceneFiles {
 
   Content Make(const std::string& name, const std::function<std::string()>& make);
   HttpReply Part(const std::string& what, std::string_view index, int count,
-                 std::string (SceneReader::*make)(int));
+                 std::string (physics::SceneReader::*make)(int));
   std::string SceneText();
 
-  SceneReader* reader_;
-  const RobotSpec* robot_;
+  physics::SceneReader* reader_;
+  const robot::RobotSpec* robot_;
   std::map<std::string, std::weak_ptr<const std::string>> made_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_SCENE_FILES_H_

@@ -22,7 +22,7 @@
 #include "server/guest.h"
 #include "server/session.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -118,7 +118,7 @@ class ControlServer::Loop {
   Shared shared_;
   Access access_;
   std::string url_;
-  ListeningSocket listening_;
+  client::ListeningSocket listening_;
   asio::io_context io_{1};
   std::optional<FramePump> pump_;
   std::optional<Porter> unix_;
@@ -136,4 +136,4 @@ const std::filesystem::path& ControlServer::socket() const { return loop_->path(
 
 const std::string& ControlServer::url() const { return loop_->url(); }
 
-}  // namespace understudy
+}  // namespace understudy::server

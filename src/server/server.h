@@ -12,7 +12,7 @@
 #include "server/panel_socket.h"
 #include "server/plane.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // What one client may cost; all *assumed*, far above what our own clients need.
 struct ServerLimits {
@@ -55,6 +55,6 @@ class ControlServer {
   std::unique_ptr<Loop> loop_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_SERVER_H_

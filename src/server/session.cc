@@ -6,7 +6,7 @@
 #include "server/frame_watch.h"
 #include "server/order_line.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 namespace asio = boost::asio;
@@ -106,7 +106,7 @@ void Session::Answer(const HttpRequest& request) {
   Routed routed = Route(request, shared_->plane);
   if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
   if (const auto* wanted = std::get_if<FromFrame>(&routed)) return AwaitFrame(*wanted);
-  if (const auto* order = std::get_if<Order>(&routed)) {
+  if (const auto* order = std::get_if<emulator::Order>(&routed)) {
     return order_.Begin(*order, [self = Self()](const HttpReply& reply) { self->Write(reply); });
   }
   Upgrade(routed);
@@ -176,4 +176,4 @@ void Session::Forget() {
                           });
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

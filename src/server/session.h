@@ -12,7 +12,7 @@
 #include "server/order_wait.h"
 #include "server/routes.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Reads a request, perhaps waits for the tick, writes the reply, again. There is one pending
 // operation at any time, and whichever finds that there is nothing more to do has the door dismiss
@@ -52,6 +52,6 @@ class Session : public Guest {
   std::optional<FromFrame> frame_;  // that is awaited
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_SESSION_H_

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 constexpr std::uintmax_t kLargest = 32 << 20;  // *assumed*, several times all the panel's files
@@ -98,4 +98,4 @@ HttpReply StaticFiles::Get(std::string_view path, std::string_view if_none_match
   return reply;
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

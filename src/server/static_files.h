@@ -11,7 +11,7 @@
 
 #include "server/http.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Serves the plain files below a folder and nothing else: no hidden ones, none that a link leads to
 // out of it. Of one thread.
@@ -33,6 +33,6 @@ class StaticFiles {
   std::map<std::string, Sent> sent_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_STATIC_FILES_H_

@@ -4,23 +4,23 @@
 
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
-nlohmann::ordered_json RefusedJson(const GateCounts& counts) {
+nlohmann::ordered_json RefusedJson(const authority::GateCounts& counts) {
   nlohmann::ordered_json refused;
-  for (std::size_t i = 1; i < kRefusals; ++i) {
-    refused[std::string{Name(static_cast<Refusal>(i))}] = counts.refused[i];
+  for (std::size_t i = 1; i < robot::kRefusals; ++i) {
+    refused[std::string{robot::Name(static_cast<robot::Refusal>(i))}] = counts.refused[i];
   }
   return refused;
 }
 
 // {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
 // nothing was drawn.
-nlohmann::ordered_json DrawsJson(const Draws& draws) {
+nlohmann::ordered_json DrawsJson(const robot::Draws& draws) {
   if (draws.seed < 0) return nullptr;
   nlohmann::ordered_json drawn = nlohmann::ordered_json::object();
-  for (const Drawn& one : draws.values) {
+  for (const robot::Drawn& one : draws.values) {
     if (one.element.empty()) {
       drawn[one.quantity] = one.value;
     } else {
@@ -31,34 +31,34 @@ nlohmann::ordered_json DrawsJson(const Draws& draws) {
 }
 
 // One object per hand that the robot has.
-nlohmann::ordered_json HandsJson(const Status& status) {
+nlohmann::ordered_json HandsJson(const emulator::Status& status) {
   nlohmann::ordered_json hands = nlohmann::ordered_json::array();
-  for (const HandStatus& hand : status.hands) {
+  for (const emulator::HandStatus& hand : status.hands) {
     if (hand.name[0] == '\0') continue;
     hands.push_back({{"name", hand.name.data()},
                      {"accepted", hand.commands.accepted},
                      {"timeouts", hand.commands.timeouts},
                      {"refused", RefusedJson(hand.commands)},
-                     {"last_refusal", Name(hand.last_refusal)}});
+                     {"last_refusal", robot::Name(hand.last_refusal)}});
   }
   return hands;
 }
 
-nlohmann::ordered_json OrdersJson(const OrderNotes& orders) {
+nlohmann::ordered_json OrdersJson(const emulator::OrderNotes& orders) {
   nlohmann::ordered_json newest = nlohmann::ordered_json::array();
   for (std::uint64_t number = orders.oldest(); number < orders.count; ++number) {
-    const OrderNote& note = orders[number];
+    const emulator::OrderNote& note = orders[number];
     newest.push_back({{"number", number},
                       {"time", note.time},
-                      {"kind", Name(note.kind)},
-                      {"text", Describe(note)}});
+                      {"kind", emulator::Name(note.kind)},
+                      {"text", emulator::Describe(note)}});
   }
   return newest;
 }
 
 }  // namespace
 
-nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status) {
+nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status) {
   return {
       {"robot", identity.robot},
       {"version", identity.version},
@@ -78,11 +78,11 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"shifts", status.pace.shifts},
         {"shifted", status.pace.shifted}}},
       {"commands",
-       {{"state", Name(status.gate)},
+       {{"state", authority::Name(status.gate)},
         {"accepted", status.commands.accepted},
         {"timeouts", status.commands.timeouts},
         {"refused", RefusedJson(status.commands)},
-        {"last_refusal", Name(status.last_refusal)},
+        {"last_refusal", robot::Name(status.last_refusal)},
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
@@ -100,7 +100,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
         {"arm_weight", status.arm_weight}}},
       {"remote",
        {{"there", status.remote.there},
-        {"keys", RemoteKeyNames(status.remote.keys)},
+        {"keys", robot::RemoteKeyNames(status.remote.keys)},
         {"lx", status.remote.lx},
         {"ly", status.remote.ly},
         {"rx", status.remote.rx},
@@ -121,7 +121,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
       {"clamped", status.clamped},
       {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
       {"recording",
-       {{"state", Name(status.recording.state)},
+       {{"state", emulator::Name(status.recording.state)},
         {"messages", status.recording.messages},
         {"bytes", status.recording.bytes},
         {"dropped", status.recording.dropped}}},
@@ -129,4 +129,4 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& s
   };
 }
 
-}  // namespace understudy
+}  // namespace understudy::server

@@ -9,20 +9,20 @@
 #include "emulator/status.h"
 #include "robot/randomization.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Who answers: the same for the whole run.
 struct RobotIdentity {
   std::string robot{};    // the description's name, as in `understudy run <robot>`
   std::string version{};  // of this program
   int pid = 0;
-  Draws draws{};  // what the run left to chance
+  robot::Draws draws{};  // what the run left to chance
 };
 
 // Every field of `status` in SI units, keys in a fixed order. A number that is not finite becomes
 // null, for JSON has no word for it.
-nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const Status& status);
+nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status);
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_STATUS_JSON_H_

@@ -6,7 +6,7 @@
 
 #include "server/guest.h"
 
-namespace understudy {
+namespace understudy::server {
 
 // Without compression, which nobody asks for here and which takes long to compile.
 using WebSocket = boost::beast::websocket::stream<Stream, false>;
@@ -26,6 +26,6 @@ inline void HangUp(WebSocket* socket) {
   boost::beast::get_lowest_layer(*socket).socket().close(ignored);
 }
 
-}  // namespace understudy
+}  // namespace understudy::server
 
 #endif  // UNDERSTUDY_SERVER_WEB_SOCKET_H_

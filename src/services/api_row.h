@@ -16,7 +16,7 @@
 
 #include "authority/motor_owner.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // Codes of the vendor's RPC layer (sdk_surface.md, section 3).
 inline constexpr std::int32_t kRpcOk = 0;
@@ -71,14 +71,14 @@ struct ServiceReply {
 struct ServiceCall {
   const nlohmann::json& parameter;
   std::size_t binary_bytes;
-  MotorOwner* owner;
+  authority::MotorOwner* owner;
   Settings* settings;
   std::string* notice;  // what the log should say; "" = nothing
 };
 
 // Kinds of effects. None claims a success that did not happen.
 struct AskGoal {
-  MotionAction action;
+  authority::MotionAction action;
   // All numbers of the parameter in the schema's order go into MotionGoal::value, a bool as 1 or 0;
   // then these.
   std::vector<double> then{};
@@ -144,6 +144,6 @@ struct ServiceTable {
   std::string_view note{};
 };
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_API_ROW_H_

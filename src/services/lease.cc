@@ -6,7 +6,7 @@
 
 #include "services/parameter.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 constexpr std::int64_t kApply = 101;
@@ -42,4 +42,4 @@ void Lease::ForgetIfOver(Time now) {
   if (id_ != 0 && now > renewed_ + kTerm) id_ = 0;
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -8,7 +8,7 @@
 
 #include "services/api_row.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // Asked for on rt/api/<service>_lease: api 101 applies with {"name": text} and is answered
 // {"id": number, "term": µs}, or 3207 while another holds it; api 102 renews the id in
@@ -36,6 +36,6 @@ class Lease {
   Time renewed_{0};
 };
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_LEASE_H_

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <string>
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using nlohmann::json;
@@ -152,4 +152,4 @@ std::string DescribeFields(std::span<const Field> fields) {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -10,7 +10,7 @@
 
 #include "services/api_row.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // More is refused unread (the bound is assumed): reading a text of this size takes about 0.1 ms of
 // the tick's thread. The longest parameter of the vendor's clients, 30 path points, has 6 kB.
@@ -24,6 +24,6 @@ std::optional<nlohmann::json> DecodeParameter(std::string_view text, std::span<c
 // The schema in one line, such as {"x": number -0.75..0.75 clamped}; "" without fields.
 std::string DescribeFields(std::span<const Field> fields);
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_PARAMETER_H_

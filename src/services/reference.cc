@@ -6,7 +6,7 @@
 #include "services/parameter.h"
 #include "services/robot_services.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 constexpr std::string_view kHead =
@@ -82,4 +82,4 @@ std::string ServicesReference() {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -5,7 +5,7 @@
 
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 // Velocities: [docs] Go2 motion services V2.0; Go2-W high-level motion services, default gait.
@@ -106,4 +106,4 @@ std::vector<ServiceTable> ServicesOf(std::string_view robot) {
   return tables;
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

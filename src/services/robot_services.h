@@ -8,7 +8,7 @@
 
 #include "services/api_row.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // Robots with services of their own, in the order of the documentation.
 std::vector<std::string_view> RobotsWithServices();
@@ -21,6 +21,6 @@ std::vector<ServiceTable> ServicesOf(std::string_view robot);
 // docs/services.md: all of the above in Markdown.
 std::string ServicesReference();
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_

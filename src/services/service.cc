@@ -8,7 +8,7 @@
 
 #include "services/parameter.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using nlohmann::json;
@@ -23,8 +23,8 @@ template <typename... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 // All numbers of the parameter in the schema's order, then `then`.
-MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const json& parameter) {
-  MotionGoal goal{.action = effect.action};
+authority::MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const json& parameter) {
+  authority::MotionGoal goal{.action = effect.action};
   std::size_t next = 0;
   const auto add = [&](double value) {
     if (next < goal.value.size()) goal.value[next++] = value;
@@ -62,16 +62,17 @@ void Service::Set(std::string_view name, json value) {
   settings_[std::string(name)] = std::move(value);
 }
 
-bool Service::IsServed(const MotorOwner& owner) const {
+bool Service::IsServed(const authority::MotorOwner& owner) const {
   if (table_.needs_motion && owner.active().empty()) return false;
   const auto services = owner.services();
-  return std::none_of(services.begin(), services.end(), [&](const OnboardService& service) {
-    return service.name == table_.program && !service.on;
-  });
+  return std::none_of(services.begin(), services.end(),
+                      [&](const authority::OnboardService& service) {
+                        return service.name == table_.program && !service.on;
+                      });
 }
 
-ServiceReply Service::Answer(const ServiceRequest& request, MotorOwner* owner, Lease::Time now,
-                             std::string* notice) {
+ServiceReply Service::Answer(const ServiceRequest& request, authority::MotorOwner* owner,
+                             Lease::Time now, std::string* notice) {
   if (request.api_id == kApiVersion) return {.data = std::string(table_.api_version)};
   const auto row = std::ranges::find(table_.rows, request.api_id, &ApiRow::id);
   if (row == table_.rows.end()) return {.code = kRpcApiNotImplemented};
@@ -89,7 +90,7 @@ ServiceReply Service::Answer(const ServiceRequest& request, MotorOwner* owner, L
 }
 
 ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t binary_bytes,
-                          MotorOwner* owner, std::string* notice) {
+                          authority::MotorOwner* owner, std::string* notice) {
   return std::visit(
       Overloaded{
           [&](const AskGoal& effect) { return Ask(row, effect, parameter, owner, notice); },
@@ -111,7 +112,7 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
                                             .dump()};
           },
           [&](const GiveState& effect) {
-            const MotionState state = owner->state();
+            const robot::MotionState state = owner->state();
             const int word = effect.word == StateWord::kId ? state.id : state.mode;
             return ServiceReply{.data = json{{std::string(effect.key), word}}.dump()};
           },
@@ -128,18 +129,18 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
 }
 
 ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& parameter,
-                          MotorOwner* owner, std::string* notice) {
+                          authority::MotorOwner* owner, std::string* notice) {
   switch (owner->Ask(GoalOf(row, effect, parameter))) {
-    case MotionVerdict::kTaken:
+    case authority::MotionVerdict::kTaken:
       if (!effect.keep.empty()) {
         settings_[std::string(effect.keep)] = parameter.at(std::string(row.fields.front().key));
       }
       return {};
-    case MotionVerdict::kNotNow:
+    case authority::MotionVerdict::kNotNow:
       return {.code = effect.not_now.value_or(table_.codes.not_now)};
-    case MotionVerdict::kUnknown:
+    case authority::MotionVerdict::kUnknown:
       return {.code = effect.unknown.value_or(table_.codes.unknown)};
-    case MotionVerdict::kUnable:
+    case authority::MotionVerdict::kUnable:
       break;
   }
   return Refuse(row, notice);
@@ -152,4 +153,4 @@ ServiceReply Service::Refuse(const ApiRow& row, std::string* notice) const {
   return {.code = code};
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

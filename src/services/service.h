@@ -9,7 +9,7 @@
 #include "services/api_row.h"
 #include "services/lease.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // The longest binary part of a request that is taken: a chunk of the vendor's audio example. More
 // is refused with the service's code for a bad parameter.
@@ -33,12 +33,12 @@ class Service {
 
   // False while nothing would answer: the program that serves it is off, or the motion service that
   // it belongs to. Requests are then dropped, and the caller times out (3104), as seen on an H1-2.
-  bool IsServed(const MotorOwner& owner) const;
+  bool IsServed(const authority::MotorOwner& owner) const;
 
   // Checks in the order of the vendor's server: api 1 gives the version; an unknown api is 3203; a
   // lease that another holds 3205; a bad parameter the service's code; then the row's effect. What
   // throws inside is 3202. `notice` becomes what the log should say of it, "" for nothing.
-  ServiceReply Answer(const ServiceRequest& request, MotorOwner* owner, Lease::Time now,
+  ServiceReply Answer(const ServiceRequest& request, authority::MotorOwner* owner, Lease::Time now,
                       std::string* notice);
 
   Lease& lease() { return lease_; }
@@ -47,9 +47,9 @@ class Service {
 
  private:
   ServiceReply Act(const ApiRow& row, const nlohmann::json& parameter, std::size_t binary_bytes,
-                   MotorOwner* owner, std::string* notice);
+                   authority::MotorOwner* owner, std::string* notice);
   ServiceReply Ask(const ApiRow& row, const AskGoal& effect, const nlohmann::json& parameter,
-                   MotorOwner* owner, std::string* notice);
+                   authority::MotorOwner* owner, std::string* notice);
   ServiceReply Refuse(const ApiRow& row, std::string* notice) const;
 
   ServiceTable table_;
@@ -60,6 +60,6 @@ class Service {
 // Whether a row only reads: leases do not concern it.
 bool OnlyReads(const ApiRow& row);
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_SERVICE_H_

@@ -6,7 +6,7 @@
 
 #include "services/parameter.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 constexpr std::chrono::milliseconds kMatchPatience(300);  // assumed
@@ -22,8 +22,8 @@ constexpr int kReaderDepth = 256;
 
 }  // namespace
 
-ServiceHost::Channel::Channel(const Participant& participant, const std::string& name, Service* of,
-                              bool leases)
+ServiceHost::Channel::Channel(const bus::Participant& participant, const std::string& name,
+                              Service* of, bool leases)
     : service(of),
       is_lease(leases),
       request_topic("rt/api/" + name + "/request"),
@@ -32,7 +32,8 @@ ServiceHost::Channel::Channel(const Participant& participant, const std::string&
              {.depth = kReaderDepth}),
       writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
-ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTable> tables, Say say)
+ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables,
+                         Say say)
     : say_(std::move(say)) {
   for (ServiceTable& table : tables) {
     const std::string name(table.name);
@@ -41,14 +42,14 @@ ServiceHost::ServiceHost(const Participant& participant, std::vector<ServiceTabl
     channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
     if (name == "uwbswitch") switches_.emplace(participant, service);
     if (name == "config") {
-      config_changes_.emplace(participant, Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
+      config_changes_.emplace(participant, bus::Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
                                                "rt/config_change_status",
                                                &unitree_go_msg_dds__ConfigChangeStatus__desc});
     }
   }
 }
 
-void ServiceHost::Poll(MotorOwner* owner, WallTime now) noexcept {
+void ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
   try {
     if (switches_) switches_->Poll(owner);
   } catch (const std::exception&) {
@@ -76,7 +77,7 @@ void ServiceHost::Receive(Channel* channel) {
   const std::size_t room = kMostNormal - channel->normal.size();
   if (room == 0) return;
   channel->reader.Take(
-      [&](const unitree_api_msg_dds__Request_& message, WriterHandle writer) {
+      [&](const unitree_api_msg_dds__Request_& message, bus::WriterHandle writer) {
         ++requests_;
         const char* text = message.parameter == nullptr ? "" : message.parameter;
         const std::size_t bytes = std::strlen(text);
@@ -99,7 +100,8 @@ void ServiceHost::Receive(Channel* channel) {
       static_cast<int>(room));
 }
 
-void ServiceHost::Serve(Channel* channel, const Request& request, MotorOwner* owner, WallTime now) {
+void ServiceHost::Serve(Channel* channel, const Request& request, authority::MotorOwner* owner,
+                        WallTime now) {
   Service& service = *channel->service;
   if (!service.IsServed(*owner)) return;
   std::string notice;
@@ -137,8 +139,8 @@ void ServiceHost::Announce(ConfigChange change) {
   config_changes_->Write({.name = change.name.data(), .content = change.content.data()});
 }
 
-void ServiceHost::SendPending(Channel* channel, const MotorOwner& owner, WallTime now) {
-  const MotionState state = owner.state();
+void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now) {
+  const robot::MotionState state = owner.state();
   const bool arm_moves = state.arm_action != 0 && !state.arm_holding;
   const auto settled = [&](Pending& pending) {
     const bool over = now >= pending.give_up;
@@ -164,4 +166,4 @@ void ServiceHost::Tell(const Service& service, std::int64_t api_id, const std::s
   say_(notice);
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -21,7 +21,7 @@
 #include "services/service.h"
 #include "services/switch_topics.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // Polled by the loop; nothing here waits or throws. The rules are the vendor's (sdk_surface.md,
 // section 3; the server of the Python SDK):
@@ -44,11 +44,11 @@ class ServiceHost {
   using Say = std::function<void(const std::string& notice)>;
 
   // Throws BusError. `participant` must outlive the host.
-  ServiceHost(const Participant& participant, std::vector<ServiceTable> tables, Say say);
+  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say);
 
   // Takes requests, carries them out on `owner` and sends the replies that can go. `now` only has
   // to grow. Allocates only when there is a request or a reply waits.
-  void Poll(MotorOwner* owner, WallTime now) noexcept;
+  void Poll(authority::MotorOwner* owner, WallTime now) noexcept;
 
   std::uint64_t requests() const { return requests_; }
   std::uint64_t refused() const { return refused_; }  // answered by a code other than 0
@@ -60,37 +60,37 @@ class ServiceHost {
     bool noreply;
     std::string parameter;  // empty when it was too long to be read
     std::size_t parameter_bytes, binary_bytes;
-    std::optional<ParticipantKey> client;  // nullopt when it has gone
+    std::optional<bus::ParticipantKey> client;  // nullopt when it has gone
   };
   struct Pending {
-    ParticipantKey client;
+    bus::ParticipantKey client;
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
     bool after_arm_action;
     WallTime give_up;
   };
   struct Channel {
-    Channel(const Participant& participant, const std::string& name, Service* of, bool leases);
+    Channel(const bus::Participant& participant, const std::string& name, Service* of, bool leases);
 
     Service* service;
     bool is_lease;
     std::string request_topic, response_topic;
-    Reader<unitree_api_msg_dds__Request_> reader;
-    Writer<unitree_api_msg_dds__Response_> writer;
+    bus::Reader<unitree_api_msg_dds__Request_> reader;
+    bus::Writer<unitree_api_msg_dds__Response_> writer;
     std::deque<Request> normal, urgent;
     std::deque<Pending> pending;
   };
 
   void Receive(Channel* channel);
-  void Serve(Channel* channel, const Request& request, MotorOwner* owner, WallTime now);
+  void Serve(Channel* channel, const Request& request, authority::MotorOwner* owner, WallTime now);
   void Announce(ConfigChange change);
-  void SendPending(Channel* channel, const MotorOwner& owner, WallTime now);
+  void SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now);
   void Tell(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // of robots with uwbswitch
-  std::optional<Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
+  std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
   std::uint64_t requests_ = 0;
@@ -98,6 +98,6 @@ class ServiceHost {
   std::uint64_t lost_replies_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_SERVICE_HOST_H_

@@ -7,7 +7,7 @@
 #include "idl/unitree_go.h"
 #include "services/service.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // Of a Go2 (sdk_surface.md, section 1):
 //   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
@@ -17,17 +17,17 @@ namespace understudy {
 class SwitchTopics {
  public:
   // Throws BusError. `uwb_switch` must outlive this.
-  SwitchTopics(const Participant& participant, Service* uwb_switch);
+  SwitchTopics(const bus::Participant& participant, Service* uwb_switch);
 
   // Takes what waits. Other words than ON and OFF change nothing.
-  void Poll(MotorOwner* owner);
+  void Poll(authority::MotorOwner* owner);
 
  private:
   Service* uwb_switch_;
-  Reader<std_msgs_msg_dds__String_> lidar_;
-  Reader<unitree_go_msg_dds__UwbSwitch_> uwb_;
+  bus::Reader<std_msgs_msg_dds__String_> lidar_;
+  bus::Reader<unitree_go_msg_dds__UwbSwitch_> uwb_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_

@@ -3,7 +3,7 @@
 
 #include "terrain/kinds.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 // Isaac Lab's and legged_gym's curricula for legged robots both end at a grade of 0.4 and at stairs
@@ -109,4 +109,4 @@ double AddGaps(const Stretch& s, TerrainPieces* pieces) {
   return s.level;
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -15,7 +15,7 @@
 #include "base/errors.h"
 #include "terrain/image.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
@@ -172,4 +172,4 @@ void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, dou
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -7,13 +7,13 @@
 
 #include "terrain/pieces.h"
 
-namespace understudy {
+namespace understudy::terrain {
 
 // Writes scene.xml and the height fields as WriteTerrain says. `floor_friction` is that of the
 // endless floor. Creates the folder. Throws ModelError when something cannot be written.
 void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, double floor_friction,
                        const std::filesystem::path& folder);
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TERRAIN_FILE_H_

@@ -7,7 +7,7 @@
 #include "terrain/image.h"
 #include "terrain/kinds.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 // Isaac Lab's and legged_gym's height fields have 0.1 m cells. The rest is assumed.
@@ -118,4 +118,4 @@ double AddImage(const Stretch& s, TerrainPieces* pieces) {
   return AddGrid(s, std::move(grid), pieces);
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

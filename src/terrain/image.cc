@@ -14,7 +14,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 constexpr int kLeastSide = 2, kMostSide = 2000;    // pixels
@@ -196,4 +196,4 @@ void WriteGreyPng(const std::filesystem::path& file, int width, int height,
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace understudy {
+namespace understudy::terrain {
 
 // Rows from the top, each from the left; 0 is black, 1 white.
 struct GreyImage {
@@ -23,6 +23,6 @@ GreyImage ReadGreyImage(const std::filesystem::path& file);
 void WriteGreyPng(const std::filesystem::path& file, int width, int height,
                   const std::vector<std::uint16_t>& grey);
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TERRAIN_IMAGE_H_

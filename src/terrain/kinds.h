@@ -8,7 +8,7 @@
 
 #include "terrain/pieces.h"
 
-namespace understudy {
+namespace understudy::terrain {
 
 // Numbers that are the same on every machine: std::mt19937_64 is specified to the bit, and the
 // standard's distributions, which are not, are left out.
@@ -60,6 +60,6 @@ double AddWaves(const Stretch& s, TerrainPieces* pieces);
 // Throws ModelError when the image cannot be read.
 double AddImage(const Stretch& s, TerrainPieces* pieces);
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TERRAIN_KINDS_H_

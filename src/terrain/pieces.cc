@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 constexpr std::size_t kMostPieces = 4000;
@@ -68,4 +68,4 @@ std::vector<TerrainPiece> TerrainPieces::Pieces() const {
   return above;
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::terrain {
 
 enum class PieceShape { kBox, kCylinder, kHeights };
 
@@ -57,6 +57,6 @@ class TerrainPieces {
 inline constexpr double kHeightStep = 1e-4;
 double OnHeightLattice(double z);
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TERRAIN_PIECES_H_

@@ -4,7 +4,7 @@
 
 #include "terrain/kinds.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 // Isaac Lab's grid of boxes has 0.45 m pitch; legged_gym's discrete obstacles reach 0.25 m
@@ -99,4 +99,4 @@ double AddObstacles(const Stretch& s, TerrainPieces* pieces) {
   return s.level;
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -8,7 +8,7 @@
 #include "terrain/file.h"
 #include "terrain/kinds.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 // A G1 that lies on its back needs 1.3 m; the rest is assumed.
@@ -108,4 +108,4 @@ void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
   WriteTerrainFiles(Build(patches, spec), scene, spec.friction, folder);
 }
 
-}  // namespace understudy
+}  // namespace understudy::terrain

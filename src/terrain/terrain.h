@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::terrain {
 
 // The word that means "the patches, one after the other"; every other word is a kind.
 inline constexpr char kPatchesScene[] = "row";
@@ -53,6 +53,6 @@ bool IsTerrain(const std::string& scene);
 void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
                   const std::filesystem::path& folder);
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TERRAIN_TERRAIN_H_

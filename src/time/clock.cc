@@ -2,7 +2,7 @@
 
 #include <ctime>
 
-namespace understudy {
+namespace understudy::time {
 
 Clock::Time SteadyClock::Now() {
   timespec now{};
@@ -16,4 +16,4 @@ void SteadyClock::SleepUntil(Time deadline) {
   clock_nanosleep(CLOCK_MONOTONIC, TIMER_ABSTIME, &until, nullptr);
 }
 
-}  // namespace understudy
+}  // namespace understudy::time

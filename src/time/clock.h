@@ -4,7 +4,7 @@
 
 #include <chrono>
 
-namespace understudy {
+namespace understudy::time {
 
 class Clock {
  public:
@@ -36,6 +36,6 @@ class ManualClock final : public Clock {
   Time now_{0};
 };
 
-}  // namespace understudy
+}  // namespace understudy::time
 
 #endif  // UNDERSTUDY_TIME_CLOCK_H_

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace understudy {
+namespace understudy::time {
 
 // Upper bounds [s] of the buckets; the last has none.
 inline constexpr std::array<double, 13> kHistogramBounds = {
@@ -24,6 +24,6 @@ struct Histogram {
   }
 };
 
-}  // namespace understudy
+}  // namespace understudy::time
 
 #endif  // UNDERSTUDY_TIME_HISTOGRAM_H_

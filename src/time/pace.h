@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace understudy {
+namespace understudy::time {
 
 // *Assumed*: slower than the slowest is a pause, and no machine reaches the fastest.
 inline constexpr double kLeastSpeed = 0.001;
@@ -23,6 +23,6 @@ struct Pace {
   bool stands_still() const { return paused && steps_left == 0; }
 };
 
-}  // namespace understudy
+}  // namespace understudy::time
 
 #endif  // UNDERSTUDY_TIME_PACE_H_

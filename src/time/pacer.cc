@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::time {
 namespace {
 
 double Seconds(Clock::Time t) { return std::chrono::duration<double>(t).count(); }
@@ -73,4 +73,4 @@ void Pacer::Measure(std::int64_t step, Clock::Time now) {
   window_step_ = step;
 }
 
-}  // namespace understudy
+}  // namespace understudy::time

@@ -8,7 +8,7 @@
 #include "time/histogram.h"
 #include "time/pace.h"
 
-namespace understudy {
+namespace understudy::time {
 
 // What a run may know of its own punctuality.
 struct PaceReading {
@@ -69,6 +69,6 @@ class Pacer {
   PaceReading reading_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::time
 
 #endif  // UNDERSTUDY_TIME_PACER_H_

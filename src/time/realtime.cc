@@ -6,7 +6,7 @@
 #include <sched.h>
 #include <sys/mman.h>
 
-namespace understudy {
+namespace understudy::time {
 namespace {
 
 constexpr int kPriority = 10;  // above everything ordinary, below what a system runs for itself
@@ -27,4 +27,4 @@ RealtimeGrant RequestRealtime() {
   return grant;
 }
 
-}  // namespace understudy
+}  // namespace understudy::time

@@ -4,7 +4,7 @@
 
 #include <string>
 
-namespace understudy {
+namespace understudy::time {
 
 struct RealtimeGrant {
   bool fifo = false;    // the calling thread runs under SCHED_FIFO
@@ -16,6 +16,6 @@ struct RealtimeGrant {
 // before and after keep the ordinary policy, and mlockall for what is and will be touched.
 RealtimeGrant RequestRealtime();
 
-}  // namespace understudy
+}  // namespace understudy::time
 
 #endif  // UNDERSTUDY_TIME_REALTIME_H_

@@ -13,7 +13,7 @@
 #include "base/nearest_word.h"
 #include "ctl/check.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr double kLongest = 86'400;  // s of film: a day
@@ -63,7 +63,7 @@ void AddCamera(CLI::App* command, CameraChoice* camera) {
   const auto add = [&](const char* option, std::optional<double>* value, const char* help,
                        double least, double most) {
     command->add_option(option, *value, help)
-        ->check(NumberWithin(least, most))
+        ->check(ctl::NumberWithin(least, most))
         ->excludes(name)
         ->type_name("X");
   };
@@ -74,7 +74,7 @@ void AddCamera(CLI::App* command, CameraChoice* camera) {
   CLI::Option* lookat =
       command->add_option("--lookat", camera->lookat, "X Y Z: a point of the world to look at, m")
           ->expected(3)
-          ->check(NumberWithin(-1e4, 1e4))
+          ->check(ctl::NumberWithin(-1e4, 1e4))
           ->type_name("X")
           ->excludes(name);
   command->add_option("--track", camera->track, "A body to look at and follow [the robot]")
@@ -126,7 +126,7 @@ void AddPicture(CLI::App* command, PictureArguments* picture, const std::string&
       ->required()
       ->type_name("OUT" + ending)
       ->check(Ending(ending));
-  AddRobotChoice(command, &picture->robot);
+  client::AddRobotChoice(command, &picture->robot);
   command
       ->add_option("--recording", picture->recording,
                    "An MCAP file of `understudy run --record` instead of a running robot")
@@ -148,7 +148,7 @@ void AddPicture(CLI::App* command, PictureArguments* picture, const std::string&
 
 CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments) {
   CLI::App* view = app->add_subcommand("view", "Look at a running robot in a window, and push it");
-  AddRobotChoice(view, &arguments->robot);
+  client::AddRobotChoice(view, &arguments->robot);
   AddSize(view, &arguments->size, "Size of the window [1280x720]");
   AddCamera(view, &arguments->camera);
   AddShow(view, &arguments->show);
@@ -166,7 +166,7 @@ CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments) {
       "snapshot", "Draw a picture of a running robot, or of a recording; needs no display");
   AddPicture(snapshot, &arguments->picture, ".png");
   snapshot->add_option("--at", arguments->at, "Second of simulated time in the recording [its end]")
-      ->check(NumberWithin(0, kLongestRun))
+      ->check(ctl::NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   snapshot->footer(
@@ -183,27 +183,27 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   AddPicture(film, &arguments->picture, ".mp4");
   film->add_option("--seconds", arguments->seconds,
                    "Simulated seconds of a running robot to film [10]")
-      ->check(NumberWithin(0.1, kLongest))
+      ->check(ctl::NumberWithin(0.1, kLongest))
       ->type_name("S")
       ->excludes("--recording");
   film->add_option("--from", arguments->from, "Second of the recording to begin at [its begin]")
-      ->check(NumberWithin(0, kLongestRun))
+      ->check(ctl::NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   film->add_option("--to", arguments->to, "Second of the recording to end at [its end]")
-      ->check(NumberWithin(0, kLongestRun))
+      ->check(ctl::NumberWithin(0, kLongestRun))
       ->type_name("S")
       ->needs("--recording");
   film->add_option("--fps", arguments->fps, "Frames per second of the film [30]")
-      ->check(NumberWithin(1, 120))
+      ->check(ctl::NumberWithin(1, 120))
       ->type_name("N");
   film->add_option("--speed", arguments->speed,
                    "Simulated seconds per second of the film; 0.25 is slow motion [1]")
-      ->check(NumberWithin(0.01, 100))
+      ->check(ctl::NumberWithin(0.01, 100))
       ->type_name("X");
   film->add_option("--orbit", arguments->orbit,
                    "Degrees per second that the camera goes round what it looks at [0]")
-      ->check(NumberWithin(-360, 360))
+      ->check(ctl::NumberWithin(-360, 360))
       ->type_name("X")
       ->excludes("--camera");
   film->footer(
@@ -214,4 +214,4 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   return film;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -13,7 +13,7 @@ namespace CLI {
 class App;
 }
 
-namespace understudy {
+namespace understudy::viewer {
 
 struct PictureSize {
   int width = 1280;  // pixels
@@ -41,7 +41,7 @@ struct ShowChoice {
 };
 
 struct ViewArguments {
-  RobotChoice robot;
+  client::RobotChoice robot;
   PictureSize size;
   CameraChoice camera;
   ShowChoice show;
@@ -50,7 +50,7 @@ struct ViewArguments {
 // Common to one picture and many.
 struct PictureArguments {
   std::string out;
-  RobotChoice robot;
+  client::RobotChoice robot;
   std::string recording;  // an MCAP file; "" for a running robot
   PictureSize size;
   CameraChoice camera;
@@ -84,6 +84,6 @@ inline constexpr char kViewerMissing[] =
     "build it: apt-get install libglfw3-dev libegl-dev (or run ./tools/up), and not with "
     "-DUNDERSTUDY_VIEWER=OFF";
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_ARGUMENTS_H_

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 // *Assumed*: what looks good.
@@ -63,4 +63,4 @@ void CameraOperator::Follow(const Stage& stage, double seconds) {
   for (std::size_t i = 0; i < 3; ++i) camera_.lookat[i] += share * way[i];
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -4,7 +4,7 @@
 
 #include "viewer/stage.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 class CameraOperator {
  public:
@@ -28,6 +28,6 @@ class CameraOperator {
   Point offset_{};  // m, world: from the tracked body to where the camera looks
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_

@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr int kSamples = 4;          // per pixel; what every OpenGL has
@@ -50,4 +50,4 @@ const Image& Canvas::Draw(Stage* stage) {
   return image_;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

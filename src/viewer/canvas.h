@@ -5,7 +5,7 @@
 #include "viewer/image.h"
 #include "viewer/stage.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 class Canvas {
  public:
@@ -27,6 +27,6 @@ class Canvas {
   Image image_, upside_down_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_CANVAS_H_

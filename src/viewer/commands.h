@@ -6,7 +6,7 @@
 
 #include "viewer/arguments.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // Each returns when it is done; `should_stop` is asked again and again. They throw SetupErrors: no
 // robot, no OpenGL, no ffmpeg, a file that cannot be written.
@@ -15,6 +15,6 @@ void Snapshot(const SnapshotArguments& arguments);
 // Stopped early, what was filmed is a whole file.
 void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop);
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_COMMANDS_H_

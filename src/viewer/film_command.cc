@@ -12,7 +12,7 @@
 #include "viewer/recording.h"
 #include "viewer/video_file.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr int kMostHz = 240;                         // that a robot sends frames at
@@ -65,7 +65,7 @@ FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage*
 }
 
 void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  const std::filesystem::path socket = ChosenSocket(arguments.picture.robot);
+  const std::filesystem::path socket = client::ChosenSocket(arguments.picture.robot);
   Stage stage(FetchModel(socket));
   const auto gl = MakeHeadlessGl(arguments.picture.gl);
   Output output(arguments);
@@ -126,4 +126,4 @@ void Film(const FilmArguments& arguments, const std::function<bool()>& should_st
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

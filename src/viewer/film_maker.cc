@@ -3,7 +3,7 @@
 #include <cmath>
 #include <utility>
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr double kJump = 0.3;  // m that a base moves between two states at most; *assumed*
@@ -65,4 +65,4 @@ void FilmMaker::Draw(const SceneState& state) {
   out_(canvas_->Draw(stage_));
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

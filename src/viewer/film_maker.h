@@ -8,7 +8,7 @@
 #include "viewer/camera_operator.h"
 #include "viewer/canvas.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // The state between two, `share` of the way from a to b: positions in between, all else as in a.
 // Where the robot was put elsewhere in between (a reset) it is a.
@@ -50,6 +50,6 @@ class FilmMaker {
   int pictures_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_FILM_MAKER_H_

@@ -11,7 +11,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 // A shared library, by the name that its Debian package gives it. One that gave a context stays:
@@ -159,4 +159,4 @@ std::unique_ptr<HeadlessGl> MakeHeadlessGl(const std::string& which) {
                    "): apt-get install libegl1 libgl1-mesa-dri, or libosmesa6");
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

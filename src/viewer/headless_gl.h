@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-namespace understudy {
+namespace understudy::viewer {
 
 // A context that is current in the thread that made it, as long as it lives. It has no surface:
 // MuJoCo draws into buffers of its own.
@@ -20,6 +20,6 @@ class HeadlessGl {
 // Throws SetupError, naming the Debian packages, when there is none.
 std::unique_ptr<HeadlessGl> MakeHeadlessGl(const std::string& which);
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_HEADLESS_GL_H_

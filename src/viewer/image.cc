@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 Image Halve(const Image& big) {
   Image half{.width = big.width / 2, .height = big.height / 2, .rgb = {}};
@@ -64,4 +64,4 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

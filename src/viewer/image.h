@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-namespace understudy {
+namespace understudy::viewer {
 
 struct Image {
   int width = 0;
@@ -24,6 +24,6 @@ void WritePng(const Image& image, const std::filesystem::path& file);
 // Throws SetupError when the file is there and may not be overwritten, or its folder is not.
 void CheckWritable(const std::filesystem::path& file, bool overwrite);
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_IMAGE_H_

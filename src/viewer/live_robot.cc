@@ -6,7 +6,7 @@
 #include "client/client.h"
 #include "client/control_stream.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr std::chrono::milliseconds kPatience{10'000};  // a robot under a debugger is soon gone
@@ -15,7 +15,7 @@ constexpr std::size_t kSecondsKept = 60;
 const std::string kParts = "?parts=qpos,contacts,pushes,crane,remote";
 
 std::string Get(const std::filesystem::path& socket, const std::string& path) {
-  ControlReply reply = Call(socket, "GET", path, "", kPatience);
+  client::ControlReply reply = client::Call(socket, "GET", path, "", kPatience);
   if (reply.status != 200) {
     throw ControlError("the robot at " + socket.string() + " does not answer " + path +
                        " (HTTP status " + std::to_string(reply.status) + ")");
@@ -25,7 +25,7 @@ std::string Get(const std::filesystem::path& socket, const std::string& path) {
 
 }  // namespace
 
-ModelHandle FetchModel(const std::filesystem::path& socket) {
+mjcf::ModelHandle FetchModel(const std::filesystem::path& socket) {
   return ReadBinaryModel(Get(socket, "/scene/model"), "the robot's model");
 }
 
@@ -42,7 +42,8 @@ LiveRobot::LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq
 
 void LiveRobot::Receive(const std::stop_token& stop, const std::filesystem::path& socket) {
   try {
-    ControlStream stream(socket, "/frames" + kParts + "&hz=" + std::to_string(hz_), kPatience);
+    client::ControlStream stream(socket, "/frames" + kParts + "&hz=" + std::to_string(hz_),
+                                 kPatience);
     while (!stop.stop_requested()) {
       SceneState state = ReadFrame(stream.Next(), nq_);
       {
@@ -72,4 +73,4 @@ std::string LiveRobot::gone() const {
   return states_.empty() ? gone_ : std::string();
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -15,11 +15,11 @@
 #include "viewer/scene_state.h"
 #include "viewer/stage.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // The robot's model, compiled with what is only looked at. Throws ControlError when it does not
 // answer, ModelError when it is of another MuJoCo.
-ModelHandle FetchModel(const std::filesystem::path& socket);
+mjcf::ModelHandle FetchModel(const std::filesystem::path& socket);
 
 // Its state now. Throws ControlError.
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
@@ -52,6 +52,6 @@ class LiveRobot {
   std::jthread thread_;  // last: it uses all of the above
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_LIVE_ROBOT_H_

@@ -9,7 +9,7 @@
 #include "viewer/arguments.h"
 #include "viewer/commands.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 int Main(int argc, char** argv) {
@@ -38,9 +38,9 @@ int Main(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 int main(int argc, char** argv) {
   understudy::OpenClosedStreams();
-  return understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
+  return understudy::CatchErrors([&] { return understudy::viewer::Main(argc, argv); });
 }

@@ -9,7 +9,7 @@
 #include "client/client.h"
 #include "client/control_stream.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using nlohmann::json;
@@ -58,7 +58,7 @@ void OrderSender::Run(const std::stop_token& stop, const std::filesystem::path& 
 }
 
 void OrderSender::Serve(const std::stop_token& stop, const std::filesystem::path& socket) {
-  ControlStream stream(socket, "/orders", kPatience);
+  client::ControlStream stream(socket, "/orders", kPatience);
   auto ask_at = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
     std::optional<Order> order;
@@ -87,7 +87,7 @@ void OrderSender::Serve(const std::stop_token& stop, const std::filesystem::path
 
 void OrderSender::AskService(const std::filesystem::path& socket) {
   const json status =
-      json::parse(Call(socket, "GET", "/status", "", kPatience).body, nullptr, false);
+      json::parse(client::Call(socket, "GET", "/status", "", kPatience).body, nullptr, false);
   const json motion = status.is_object() ? status.value("motion", json()) : json();
   const json service = motion.is_object() ? motion.value("service", json()) : json();
   if (!service.is_string()) return;
@@ -95,4 +95,4 @@ void OrderSender::AskService(const std::filesystem::path& socket) {
   service_ = service;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

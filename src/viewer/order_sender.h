@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::viewer {
 
 class OrderSender {
  public:
@@ -44,6 +44,6 @@ class OrderSender {
   std::jthread thread_;  // last: it uses all of the above
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_ORDER_SENDER_H_

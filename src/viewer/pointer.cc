@@ -5,7 +5,7 @@
 
 #include <GLFW/glfw3.h>
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr double kDoubleClick = 0.4;  // s between two presses; *assumed*
@@ -108,4 +108,4 @@ bool Pointer::Drag(const WindowEvent& event, Stage* stage, CameraOperator* camer
   return true;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

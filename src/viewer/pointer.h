@@ -8,7 +8,7 @@
 #include "viewer/stage.h"
 #include "viewer/window.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // A body held at a point of it and drawn towards a place.
 struct Grip {
@@ -51,6 +51,6 @@ class Pointer {
   double last_press_ = -1;  // s
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_POINTER_H_

@@ -7,7 +7,7 @@
 
 #include <unistd.h>
 
-namespace understudy {
+namespace understudy::viewer {
 
 std::string ProgressText(const std::string& what, double done, double whole, double elapsed) {
   constexpr int kWidth = 20;
@@ -42,4 +42,4 @@ void ProgressBar::Show(double done, double whole, const std::string& note) {
                note.empty() ? "" : "  ", note.c_str());
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <string>
 
-namespace understudy {
+namespace understudy::viewer {
 
 // "go2.mp4 [##########----------]  50 %  5.0 of 10.0 s, 3 s to go". `elapsed`: wall seconds since
 // the begin.
@@ -32,6 +32,6 @@ class ProgressBar {
   Clock::time_point next_ = begin_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_PROGRESS_BAR_H_

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "record/truth.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr char kModelName[] = "model.mjb";
@@ -18,8 +18,8 @@ constexpr double kRounding = 1e-6;                // s between what is asked for
 constexpr double kLookBack = 1;                   // s in which there is a state for sure
 constexpr double kLongest = 1e9;                  // s; what says more is damaged
 
-Truth Decode(const McapMessage& message) {
-  Truth truth = DecodeTruth(message.data);
+record::Truth Decode(const record::McapMessage& message) {
+  record::Truth truth = record::DecodeTruth(message.data);
   if (truth.time >= 0 && truth.time <= kLongest) return truth;
   throw RecordError("a state of second " + std::to_string(truth.time));
 }
@@ -28,29 +28,29 @@ Truth Decode(const McapMessage& message) {
 
 Recording::Recording(const std::filesystem::path& file) : reader_(file) {
   bool found = false;
-  reader_.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
-    if (channel.topic != kTruthTopic) return true;
+  reader_.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
+    if (channel.topic != record::kTruthTopic) return true;
     whole_.from = Decode(message).time;
     origin_ = message.log_time - static_cast<std::uint64_t>(whole_.from * kSecond);
     found = true;
     return false;
   });
   if (!found) {
-    throw RecordError(file.string() + ": no messages on " + kTruthTopic +
+    throw RecordError(file.string() + ": no messages on " + record::kTruthTopic +
                       ", which `understudy run --record` writes");
   }
   whole_.to = whole_.from;
   const std::uint64_t end = reader_.contents().last_time;
   reader_.ReadMessages(end - std::min(end, static_cast<std::uint64_t>(kLookBack * kSecond)), end,
-                       [&](const McapChannel& channel, const McapMessage& message) {
-                         if (channel.topic == kTruthTopic) {
+                       [&](const record::McapChannel& channel, const record::McapMessage& message) {
+                         if (channel.topic == record::kTruthTopic) {
                            whole_.to = std::max(whole_.to, Decode(message).time);
                          }
                          return true;
                        });
 }
 
-ModelHandle Recording::ReadModel() const {
+mjcf::ModelHandle Recording::ReadModel() const {
   const std::vector<std::byte> bytes = reader_.ReadAttachment(kModelName);
   return ReadBinaryModel({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                          reader_.path().string() + ", " + kModelName);
@@ -92,9 +92,9 @@ SceneState Recording::At(std::optional<double> time, std::size_t nq) const {
 void Recording::Read(const Span& span, std::size_t nq,
                      const std::function<bool(const SceneState&)>& visit) const {
   reader_.ReadMessages(LogTime(span.from), LogTime(span.to),
-                       [&](const McapChannel& channel, const McapMessage& message) {
-                         if (channel.topic != kTruthTopic) return true;
-                         Truth truth = Decode(message);
+                       [&](const record::McapChannel& channel, const record::McapMessage& message) {
+                         if (channel.topic != record::kTruthTopic) return true;
+                         record::Truth truth = Decode(message);
                          if (truth.qpos.size() != nq) {
                            throw RecordError("a state of " + std::to_string(truth.qpos.size()) +
                                              " positions, its model has " + std::to_string(nq));
@@ -107,4 +107,4 @@ void Recording::Read(const Span& span, std::size_t nq,
                        });
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

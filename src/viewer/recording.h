@@ -12,7 +12,7 @@
 #include "viewer/scene_state.h"
 #include "viewer/stage.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // What `understudy run --record` wrote: the simulation's truth, and the model beside it. Every
 // function throws RecordError for a file that is none or lacks one of them.
@@ -24,7 +24,7 @@ class Recording {
 
   explicit Recording(const std::filesystem::path& file);
 
-  ModelHandle ReadModel() const;
+  mjcf::ModelHandle ReadModel() const;
 
   // The part of it that is asked for, nullopt for its begin and end. Throws SetupError where there
   // is none.
@@ -42,11 +42,11 @@ class Recording {
   std::uint64_t LogTime(double time) const;
   [[noreturn]] void Refuse(double time) const;
 
-  McapReader reader_;
+  record::McapReader reader_;
   std::uint64_t origin_ = 0;  // log time of simulated time 0, ns
   Span whole_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_RECORDING_H_

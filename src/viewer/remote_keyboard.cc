@@ -6,24 +6,24 @@
 
 #include "remote/keyboard.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 // A key of the window as a terminal names it; 0 for what a terminal has no name for.
 char32_t InTerminal(int key) {
   switch (key) {
     case GLFW_KEY_UP:
-      return kUpKey;
+      return remote::kUpKey;
     case GLFW_KEY_DOWN:
-      return kDownKey;
+      return remote::kDownKey;
     case GLFW_KEY_LEFT:
-      return kLeftKey;
+      return remote::kLeftKey;
     case GLFW_KEY_RIGHT:
-      return kRightKey;
+      return remote::kRightKey;
     case GLFW_KEY_ENTER:
-      return kEnterKey;
+      return remote::kEnterKey;
     case GLFW_KEY_TAB:
-      return kTabKey;
+      return remote::kTabKey;
     default:
       break;
   }
@@ -34,15 +34,16 @@ char32_t InTerminal(int key) {
 
 }  // namespace
 
-RemoteReading RemoteKeyboard::Read() const {
-  RemoteReading reading{.there = true};
+robot::RemoteReading RemoteKeyboard::Read() const {
+  robot::RemoteReading reading{.there = true};
   for (const auto& [key, half] : down_) {
-    const auto* const binding = std::ranges::find(kKeyBindings, InTerminal(key), &KeyBinding::key);
-    if (binding == kKeyBindings.end()) continue;
+    const auto* const binding =
+        std::ranges::find(remote::kKeyBindings, InTerminal(key), &remote::KeyBinding::key);
+    if (binding == remote::kKeyBindings.end()) continue;
     reading.keys |= binding->remote_key;
     if (binding->axis != nullptr) reading.*binding->axis += binding->to * (half ? 0.5 : 1);
   }
   return reading;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

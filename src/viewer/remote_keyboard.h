@@ -6,7 +6,7 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 class RemoteKeyboard {
  public:
@@ -19,12 +19,12 @@ class RemoteKeyboard {
 
   // What the keys that are down make of the remote controller. Opposite directions of a stick
   // cancel each other.
-  RemoteReading Read() const;
+  robot::RemoteReading Read() const;
 
  private:
   std::map<int, bool> down_;  // with shift or without
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_

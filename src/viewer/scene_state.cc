@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using nlohmann::json;
@@ -59,4 +59,4 @@ SceneState ReadFrame(const std::string& text, std::size_t nq) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

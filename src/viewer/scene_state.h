@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::viewer {
 
 using Point = std::array<double, 3>;  // m, or N; world frame unless said otherwise
 
@@ -38,6 +38,6 @@ struct SceneState {
 // numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
 SceneState ReadFrame(const std::string& text, std::size_t nq);
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_SCENE_STATE_H_

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr double kSpan = 1.0;  // s of wall time
@@ -68,4 +68,4 @@ TextBlock HelpText() {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -8,7 +8,7 @@
 
 #include "viewer/scene_state.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // Two columns, line by line, as mjr_overlay takes them.
 struct TextBlock {
@@ -32,6 +32,6 @@ TextBlock StatusText(const SceneState& state, double real_time_factor, const std
 // The keys and what the mouse does.
 TextBlock HelpText();
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_SCREEN_TEXT_H_

@@ -5,7 +5,7 @@
 #include "viewer/live_robot.h"
 #include "viewer/recording.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 void Draw(Stage* stage, const SceneState& state, const PictureArguments& picture) {
@@ -28,9 +28,9 @@ void Snapshot(const SnapshotArguments& arguments) {
     Draw(&stage, recording.At(arguments.at, stage.positions()), picture);
     return;
   }
-  const std::filesystem::path socket = ChosenSocket(picture.robot);
+  const std::filesystem::path socket = client::ChosenSocket(picture.robot);
   Stage stage(FetchModel(socket));
   Draw(&stage, FetchState(socket, stage.positions()), picture);
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

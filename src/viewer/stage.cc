@@ -12,7 +12,7 @@
 #include "physics/geom_extent.h"
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr int kVisibleGroups = 3;  // MuJoCo draws geoms of group 0, 1 and 2
@@ -78,13 +78,13 @@ mjModel* Load(std::string_view bytes) {
 
 }  // namespace
 
-ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
-  InstallMujocoHooks();
+mjcf::ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
+  physics::InstallMujocoHooks();
   std::string why = "it is empty";
   if (!bytes.empty()) {
     try {
-      if (ModelHandle model{Load(bytes)}) return model;
-      why = TakeMujocoWarning().value_or("no reason given");
+      if (mjcf::ModelHandle model{Load(bytes)}) return model;
+      why = physics::TakeMujocoWarning().value_or("no reason given");
     } catch (const ModelError& error) {
       why = error.what();
     }
@@ -92,7 +92,7 @@ ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
   throw ModelError(what + ": not a model that MuJoCo " + mj_versionString() + " can read: " + why);
 }
 
-Stage::Stage(ModelHandle model) : model_(std::move(model)), data_(mj_makeData(model_.get())) {
+Stage::Stage(mjcf::ModelHandle model) : model_(std::move(model)), data_(mj_makeData(model_.get())) {
   mjv_defaultScene(&scene_);
   mjv_defaultOption(&option_);
   mjv_makeScene(model_.get(), &scene_, 2 * model_->ngeom + kDecorGeoms);
@@ -144,8 +144,8 @@ Ball Stage::BodyBall(int body) const {
       const mjtNum* row = data_->geom_xmat + 9 * geom + 3 * axis;  // the world's axis, in its frame
       const mjtNum back[3] = {-row[0], -row[1], -row[2]};
       const double at = data_->geom_xpos[3 * static_cast<std::size_t>(geom) + axis];
-      low[axis] = std::min(low[axis], at - Reach(*model_, geom, back));
-      high[axis] = std::max(high[axis], at + Reach(*model_, geom, row));
+      low[axis] = std::min(low[axis], at - physics::Reach(*model_, geom, back));
+      high[axis] = std::max(high[axis], at + physics::Reach(*model_, geom, row));
     }
   }
   Ball ball;
@@ -270,4 +270,4 @@ void Stage::Compose(mjvCamera* camera, const ShowChoice& show, const mjvPerturb*
   MoveSun(*camera);
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

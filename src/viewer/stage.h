@@ -10,11 +10,11 @@
 #include "viewer/arguments.h"
 #include "viewer/scene_state.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // Reads what mj_saveModel wrote. Throws ModelError when this MuJoCo cannot read it; `what` names it
 // there.
-ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what);
+mjcf::ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what);
 
 // A ball around something: what a camera has to see of it.
 struct Ball {
@@ -25,7 +25,7 @@ struct Ball {
 class Stage {
  public:
   // Shows the model's reference pose until told otherwise.
-  explicit Stage(ModelHandle model);
+  explicit Stage(mjcf::ModelHandle model);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
@@ -70,8 +70,8 @@ class Stage {
   void AddDecor(const ShowChoice& show);
   void MoveSun(const mjvCamera& camera);
 
-  ModelHandle model_;
-  DataHandle data_;
+  mjcf::ModelHandle model_;
+  mjcf::DataHandle data_;
   mjvScene scene_;
   mjvOption option_;
   SceneState state_;
@@ -81,6 +81,6 @@ class Stage {
   double shadow_reach_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_STAGE_H_

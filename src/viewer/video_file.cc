@@ -15,7 +15,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 // ffmpeg's command line, reading raw pictures from its standard input.
@@ -128,4 +128,4 @@ void VideoFile::Fail() {
                    (why.empty() ? "ended without a word" : "says: " + why));
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

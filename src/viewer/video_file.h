@@ -11,7 +11,7 @@
 #include "viewer/arguments.h"
 #include "viewer/image.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // H.264 in 4:2:0, which every player takes, so width and height have to be even. The file has
 // another name until Finish().
@@ -41,6 +41,6 @@ class VideoFile {
   pid_t pid_ = -1;     // -1 once it was waited for
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_VIDEO_FILE_H_

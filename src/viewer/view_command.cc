@@ -1,10 +1,10 @@
 #include "viewer/commands.h"
 #include "viewer/viewer.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 void View(const ViewArguments& arguments, const std::function<bool()>& should_stop) {
-  Viewer(ChosenSocket(arguments.robot), arguments).Run(should_stop);
+  Viewer(client::ChosenSocket(arguments.robot), arguments).Run(should_stop);
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

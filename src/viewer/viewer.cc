@@ -8,7 +8,7 @@
 
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using nlohmann::json;
@@ -21,10 +21,10 @@ constexpr double kSlowest = 1. / 64, kFastest = 64;
 
 constexpr float kGripColor[4] = {0.9F, 0.15F, 0.3F, 0.9F};
 
-json RemoteBody(const SetRemote& order) {
-  const RemoteReading& to = order.reading;
+json RemoteBody(const emulator::SetRemote& order) {
+  const robot::RemoteReading& to = order.reading;
   return {{"set",
-           {{"keys", RemoteKeyNames(to.keys)},
+           {{"keys", robot::RemoteKeyNames(to.keys)},
             {"lx", to.lx},
             {"ly", to.ly},
             {"rx", to.rx},
@@ -51,7 +51,7 @@ Viewer::Viewer(const std::filesystem::path& socket, const ViewArguments& argumen
       show_(arguments.show),
       orders_(socket),
       remote_sender_(
-          [this](const SetRemote& order) { orders_.Send("/remote", RemoteBody(order)); }),
+          [this](const emulator::SetRemote& order) { orders_.Send("/remote", RemoteBody(order)); }),
       robot_(socket, kHz, stage_.positions(), [] { Window::Wake(); }) {
   mjr_defaultContext(&context_);
   stage_.visual()->quality.shadowsize = 2048;
@@ -281,4 +281,4 @@ void Viewer::Draw() {
   dirty_ = false;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

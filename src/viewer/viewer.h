@@ -16,7 +16,7 @@
 #include "viewer/screen_text.h"
 #include "viewer/window.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 class Viewer {
  public:
@@ -62,7 +62,7 @@ class Viewer {
   double pulled_at_ = -1;    // s
   bool pulling_ = false;
   RemoteKeyboard remote_;
-  RemoteSender remote_sender_;
+  remote::RemoteSender remote_sender_;
   bool playing_remote_ = false;
   bool help_ = false;
   bool close_ = false;
@@ -70,6 +70,6 @@ class Viewer {
   LiveRobot robot_;  // last: its thread wakes the window
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_VIEWER_H_

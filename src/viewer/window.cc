@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 constexpr int kSamples = 4;  // per pixel
@@ -126,4 +126,4 @@ double Window::scale() const {
   return std::max(x, y);
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -10,7 +10,7 @@
 
 struct GLFWwindow;
 
-namespace understudy {
+namespace understudy::viewer {
 
 struct WindowEvent {
   enum class Kind { kKeyDown, kKeyAgain, kKeyUp, kButtonDown, kButtonUp, kMove, kScroll, kRedraw };
@@ -59,6 +59,6 @@ class Window {
   std::vector<WindowEvent> events_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_VIEWER_WINDOW_H_

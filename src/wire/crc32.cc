@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0x04C11DB7;
@@ -51,4 +51,4 @@ std::uint32_t Crc32(std::span<const std::uint32_t> words) {
   return crc;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

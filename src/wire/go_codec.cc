@@ -12,7 +12,7 @@
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 static_assert(std::size(unitree_go_msg_dds__LowCmd_{}.motor_cmd) == kGoMotorSlots);
@@ -40,7 +40,7 @@ constexpr double kBoardShare = 0.69;  // of the pack's current that the board se
 
 bool Knows(std::uint8_t mode) { return mode == 0 || mode == kServo || mode == kServoStrong; }
 
-void EncodeBattery(const BatteryReading& battery, const BatterySpec& spec,
+void EncodeBattery(const robot::BatteryReading& battery, const robot::BatterySpec& spec,
                    unitree_go_msg_dds__BmsState_* message) {
   message->version_high = kBmsVersion[0];
   message->version_low = kBmsVersion[1];
@@ -61,29 +61,29 @@ bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message) {
   return message.head[0] == 0 && message.head[1] == 0 && message.level_flag == 0;
 }
 
-Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec,
-               RobotCommand* command) {
+robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
+                      robot::RobotCommand* command) {
   bool modes_known = true;
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
     modes_known = modes_known && Knows(wire.mode);
     command->motors[i] = DecodeMotor(wire);
   }
-  command->joint_space = JointSpace::kPitchRoll;
+  command->joint_space = robot::JointSpace::kPitchRoll;
 
-  if (message.crc != MessageCrc(message)) return Refusal::kCrc;
+  if (message.crc != MessageCrc(message)) return robot::Refusal::kCrc;
   const bool head_set = std::ranges::equal(message.head, kHead) && message.level_flag == kLowLevel;
-  if (!head_set && !HeadIsUnset(message)) return Refusal::kHead;
-  if (!modes_known) return Refusal::kMotorMode;
-  return Refusal::kNone;
+  if (!head_set && !HeadIsUnset(message)) return robot::Refusal::kHead;
+  if (!modes_known) return robot::Refusal::kMotorMode;
+  return robot::Refusal::kNone;
 }
 
-void Encode(const RobotState& state, const RobotSpec& spec,
+void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_go_msg_dds__LowState_* message) {
   std::ranges::copy(kHead, message->head);
   EncodeImu(state.imu, &message->imu_state);
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const MotorReading& motor = state.motors[i];
+    const robot::MotorReading& motor = state.motors[i];
     auto& wire = message->motor_state[SlotOf(spec.motors[i])];
     wire.mode = kServo;
     wire.q = static_cast<float>(motor.q);
@@ -112,4 +112,4 @@ void Encode(const RobotState& state, const RobotSpec& spec,
   message->crc = MessageCrc(*message);
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

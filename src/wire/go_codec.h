@@ -7,7 +7,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Head and level_flag left 0, as a client on the vendor's C++ library does that is meant for real
 // Go2 (far-unitree-sdk 0.1.8). Taken; that a real robot takes it is *assumed*.
@@ -19,8 +19,8 @@ bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message);
 // a slot with a motor (kMotorMode). Modes are 0 stop, 1 servo, 0x0A servo of H1's strong motors.
 // `command` is filled in any case; an unknown mode counts as enabled there. What the other fields
 // hold (led, fan, gpio, bms_cmd, ...) is neither checked nor obeyed.
-Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec,
-               RobotCommand* command);
+robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
+                      robot::RobotCommand* command);
 
 // Writes a state: all fields but those that stay 0 on real robots. Call it with the same message
 // each time, all zero before the first (EncodeImu tells why). Slots without a motor stay as they
@@ -29,8 +29,9 @@ Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const RobotSpec& spec
 //
 // Not modelled: faults (reserve[0], bit_flag), lost packets, fans, foot_force_est, the board's
 // thermometers.
-void Encode(const RobotState& state, const RobotSpec& spec, unitree_go_msg_dds__LowState_* message);
+void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
+            unitree_go_msg_dds__LowState_* message);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_GO_CODEC_H_

@@ -5,9 +5,9 @@
 #include "wire/slots.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 
-GoPort::GoPort(const Participant& participant, const RobotSpec& spec)
+GoPort::GoPort(const bus::Participant& participant, const robot::RobotSpec& spec)
     : spec_(spec),
       motion_fields_(MotionFieldsOf(spec)),
       commands_(participant, kGoLowCmd),
@@ -20,8 +20,8 @@ GoPort::GoPort(const Participant& participant, const RobotSpec& spec)
   if (!spec.arm_sdk.slots.empty()) arm_commands_.emplace(participant, kGoArmSdk);
 }
 
-bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
-  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, WriterHandle) {
+bool GoPort::TakeCommand(robot::RobotCommand* command, robot::Refusal* wire) {
+  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, bus::WriterHandle) {
     *wire = Decode(message, spec_, command);
     if (HeadIsUnset(message)) ++counts_.unset_heads;
     counts_.unused_slots += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
@@ -29,18 +29,18 @@ bool GoPort::TakeCommand(RobotCommand* command, Refusal* wire) {
   return commands_.Take(visit, 1) == 1;
 }
 
-bool GoPort::TakeArmCommand(RobotCommand* command, double* weight) {
+bool GoPort::TakeArmCommand(robot::RobotCommand* command, double* weight) {
   if (!arm_commands_) return false;
-  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, WriterHandle) {
+  const auto visit = [&](const unitree_go_msg_dds__LowCmd_& message, bus::WriterHandle) {
     DecodeUnsigned(message, spec_, command);
     *weight = ArmWeight(message, spec_.arm_sdk);
   };
   return arm_commands_->Take(visit, 1) == 1;
 }
 
-bool GoPort::TakeUserCommand(RobotCommand*) { return false; }
+bool GoPort::TakeUserCommand(robot::RobotCommand*) { return false; }
 
-void GoPort::Publish(const RobotState& state, const Due& due) {
+void GoPort::Publish(const robot::RobotState& state, const Due& due) {
   const bool lowstate = due.lowstate && lowstate_.has_readers();
   const bool lf_lowstate = due.lf && lf_lowstate_.has_readers();
   if (lowstate || lf_lowstate) Encode(state, spec_, &lowstate_message_);
@@ -59,11 +59,11 @@ void GoPort::Publish(const RobotState& state, const Due& due) {
   }
 }
 
-PortCounts GoPort::counts() const {
-  PortCounts counts = counts_;
+robot::PortCounts GoPort::counts() const {
+  robot::PortCounts counts = counts_;
   counts.write_failures = lowstate_.failures() + lf_lowstate_.failures() + motion_.failures() +
                           lf_motion_.failures() + remote_.failures();
   return counts;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

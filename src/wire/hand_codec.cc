@@ -8,7 +8,7 @@
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 constexpr int kStatusShift = 4;
@@ -21,10 +21,10 @@ constexpr unsigned kFollowing = 1;
 
 }  // namespace
 
-Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const HandSpec& spec,
-               HandCommand* command) {
+robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
+                      robot::HandCommand* command) {
   const std::span wire(message.motor_cmd._buffer, message.motor_cmd._length);
-  if (wire.size() != spec.motors.size()) return Refusal::kMotorCount;
+  if (wire.size() != spec.motors.size()) return robot::Refusal::kMotorCount;
   command->motors.resize(wire.size());
   bool modes_known = true;
   for (std::size_t i = 0; i < wire.size(); ++i) {
@@ -35,10 +35,10 @@ Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const HandSpec& spec
     command->motors[i].motor.enabled = status != kLocked;
     command->motors[i].watched = mode >> kTimeoutShift != 0;
   }
-  return modes_known ? Refusal::kNone : Refusal::kMotorMode;
+  return modes_known ? robot::Refusal::kNone : robot::Refusal::kMotorMode;
 }
 
-HandStateMessage::HandStateMessage(const HandSpec& spec)
+HandStateMessage::HandStateMessage(const robot::HandSpec& spec)
     : motors_(spec.motors.size()), pads_(spec.pads.size()) {
   for (std::size_t i = 0; i < pads_.size(); ++i) {
     std::ranges::fill(pads_[i].pressure, kNoTaxel);
@@ -59,9 +59,9 @@ HandStateMessage::HandStateMessage(const HandSpec& spec)
   message_.power_v = static_cast<float>(spec.supply_v);
 }
 
-void HandStateMessage::Encode(const HandReading& reading) {
+void HandStateMessage::Encode(const robot::HandReading& reading) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const MotorReading& motor = reading.motors[i];
+    const robot::MotorReading& motor = reading.motors[i];
     unitree_hg_msg_dds__MotorState_& wire = motors_[i];
     const unsigned status = motor.enabled ? kFollowing : kLocked;
     const unsigned timed_out = reading.timed_out[i];
@@ -74,4 +74,4 @@ void HandStateMessage::Encode(const HandReading& reading) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

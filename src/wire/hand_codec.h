@@ -9,7 +9,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // The mode byte of a hand's motor (RIS_Mode_t of unitree_sdk2 g1_dex3_example): id in bits 0 to 3,
 // status in 4 to 6, 0 locked and 1 following; bit 7 of a command has the motor watched, of a state
@@ -21,8 +21,8 @@ inline constexpr int kHandIds = 16;  // of motors, 0 to 15
 // left as it was), each with its own place as id and a status of 0 or 1 (kMotorMode; `command` is
 // filled, the id not looked at and any other status taken for 1). That a robot refuses such
 // commands is *assumed*. `reserve` is not read.
-Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const HandSpec& spec,
-               HandCommand* command);
+robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
+                      robot::HandCommand* command);
 
 // A message whose sequences point into memory of this class.
 class HandStateMessage {
@@ -33,11 +33,11 @@ class HandStateMessage {
   // value, from 100000 on it is valid). That an untouched taxel shows the least valid value is
   // *assumed*; contacts are not felt. Nothing is known of a unit behind imu_state, which stays 0;
   // power_a, system_v, device_v and errors are not modelled and stay 0.
-  explicit HandStateMessage(const HandSpec& spec);
+  explicit HandStateMessage(const robot::HandSpec& spec);
   HandStateMessage(HandStateMessage&&) = default;
   HandStateMessage& operator=(HandStateMessage&&) = default;
 
-  void Encode(const HandReading& reading);
+  void Encode(const robot::HandReading& reading);
 
   const unitree_hg_msg_dds__HandState_& message() const { return message_; }
 
@@ -50,6 +50,6 @@ class HandStateMessage {
   unitree_hg_msg_dds__HandState_ message_{};
 };
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_HAND_CODEC_H_

@@ -11,7 +11,7 @@
 #include "wire/hand_codec.h"
 #include "wire/robot_port.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Reads rt/<topic>/cmd; writes rt/<topic>/state and its twin rt/lf/<topic>/state, for HandSpec's
 // topic. A part of HgPort.
@@ -19,22 +19,22 @@ class HandPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
   // ModelError when the hand has more motors or a pad other taxels than the messages have room for.
-  HandPort(const Participant& participant, const HandSpec& spec);
+  HandPort(const bus::Participant& participant, const robot::HandSpec& spec);
 
   // As RobotPort::TakeHandCommand.
-  bool Take(HandCommand* command, Refusal* wire);
-  void Publish(const HandReading& reading, const Due& due);
+  bool Take(robot::HandCommand* command, robot::Refusal* wire);
+  void Publish(const robot::HandReading& reading, const Due& due);
 
   std::uint64_t failures() const { return state_.failures() + lf_state_.failures(); }
 
  private:
-  const HandSpec* spec_;
-  Reader<unitree_hg_msg_dds__HandCmd_> commands_;
-  Writer<unitree_hg_msg_dds__HandState_> state_;
-  Writer<unitree_hg_msg_dds__HandState_> lf_state_;
+  const robot::HandSpec* spec_;
+  bus::Reader<unitree_hg_msg_dds__HandCmd_> commands_;
+  bus::Writer<unitree_hg_msg_dds__HandState_> state_;
+  bus::Writer<unitree_hg_msg_dds__HandState_> lf_state_;
   HandStateMessage message_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_HAND_PORT_H_

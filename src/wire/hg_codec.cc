@@ -13,7 +13,7 @@
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using MotorState = unitree_hg_msg_dds__MotorState_;
@@ -33,40 +33,41 @@ void EncodeMotion(double q, double dq, double tau, MotorState* wire) {
 }
 
 // Overwrites the serial pair's readings with those of its two motors.
-void EncodePair(const RobotState& state, const RobotSpec& spec, const ParallelJoint& joint,
-                unitree_hg_msg_dds__LowState_* message) {
+void EncodePair(const robot::RobotState& state, const robot::RobotSpec& spec,
+                const robot::ParallelJoint& joint, unitree_hg_msg_dds__LowState_* message) {
   const auto pitch = static_cast<std::size_t>(joint.pitch());
   const auto roll = static_cast<std::size_t>(joint.roll());
-  const MotorReading& p = state.motors[pitch];
-  const MotorReading& r = state.motors[roll];
-  const ParallelJoint::Motors q = joint.ToMotors({p.q, r.q});
-  const ParallelJoint::Motors dq = joint.ToMotors({p.dq, r.dq});
-  const ParallelJoint::Motors tau = joint.TorqueToMotors({p.tau, r.tau});
+  const robot::MotorReading& p = state.motors[pitch];
+  const robot::MotorReading& r = state.motors[roll];
+  const robot::ParallelJoint::Motors q = joint.ToMotors({p.q, r.q});
+  const robot::ParallelJoint::Motors dq = joint.ToMotors({p.dq, r.dq});
+  const robot::ParallelJoint::Motors tau = joint.TorqueToMotors({p.tau, r.tau});
   EncodeMotion(q.b, dq.b, tau.b, &message->motor_state[SlotOf(spec.motors[pitch])]);
   EncodeMotion(q.a, dq.a, tau.a, &message->motor_state[SlotOf(spec.motors[roll])]);
 }
 
 }  // namespace
 
-Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const RobotSpec& spec,
-               RobotCommand* command) {
+robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
+                      robot::RobotCommand* command) {
   bool modes_known = true;
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
     modes_known = modes_known && wire.mode <= kEnabled;
     command->motors[i] = DecodeMotor(wire);
   }
-  const bool motor_space = message.mode_pr == static_cast<std::uint8_t>(JointSpace::kMotors);
-  command->joint_space = motor_space ? JointSpace::kMotors : JointSpace::kPitchRoll;
+  const bool motor_space = message.mode_pr == static_cast<std::uint8_t>(robot::JointSpace::kMotors);
+  command->joint_space = motor_space ? robot::JointSpace::kMotors : robot::JointSpace::kPitchRoll;
 
-  if (message.crc != MessageCrc(message)) return Refusal::kCrc;
-  if (message.mode_machine != spec.mode_machine) return Refusal::kModeMachine;
-  if (message.mode_pr > static_cast<std::uint8_t>(JointSpace::kMotors)) return Refusal::kModePr;
-  if (!modes_known) return Refusal::kMotorMode;
-  return Refusal::kNone;
+  if (message.crc != MessageCrc(message)) return robot::Refusal::kCrc;
+  if (message.mode_machine != spec.mode_machine) return robot::Refusal::kModeMachine;
+  if (message.mode_pr > static_cast<std::uint8_t>(robot::JointSpace::kMotors))
+    return robot::Refusal::kModePr;
+  if (!modes_known) return robot::Refusal::kMotorMode;
+  return robot::Refusal::kNone;
 }
 
-void Encode(const RobotState& state, const RobotSpec& spec,
+void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_hg_msg_dds__LowState_* message) {
   message->mode_pr = static_cast<std::uint8_t>(state.joint_space);
   message->mode_machine = static_cast<std::uint8_t>(spec.mode_machine);
@@ -75,7 +76,7 @@ void Encode(const RobotState& state, const RobotSpec& spec,
 
   const auto vol = static_cast<float>(kVolStep * std::round(state.battery.voltage / kVolStep));
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    const MotorReading& motor = state.motors[i];
+    const robot::MotorReading& motor = state.motors[i];
     MotorState& wire = message->motor_state[SlotOf(spec.motors[i])];
     wire.mode = kEnabled;
     EncodeMotion(motor.q, motor.dq, motor.tau, &wire);
@@ -83,9 +84,9 @@ void Encode(const RobotState& state, const RobotSpec& spec,
     wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
     wire.vol = vol;
   }
-  if (state.joint_space == JointSpace::kMotors) {
-    for (const ParallelSpec& pair : spec.parallel) {
-      EncodePair(state, spec, ParallelJoint(pair), message);
+  if (state.joint_space == robot::JointSpace::kMotors) {
+    for (const robot::ParallelSpec& pair : spec.parallel) {
+      EncodePair(state, spec, robot::ParallelJoint(pair), message);
     }
   }
   const auto remote = EncodeRemote(state.remote);
@@ -93,9 +94,9 @@ void Encode(const RobotState& state, const RobotSpec& spec,
   message->crc = MessageCrc(*message);
 }
 
-void EncodeBms(const RobotState& state, const RobotSpec& spec,
+void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
                unitree_hg_msg_dds__BmsState_* message) {
-  const BatteryReading& battery = state.battery;
+  const robot::BatteryReading& battery = state.battery;
   std::ranges::fill(
       std::span(message->cell_vol).first(static_cast<std::size_t>(spec.battery.cells)),
       Rounded<std::uint16_t>(1000 * battery.voltage / spec.battery.cells));
@@ -106,4 +107,4 @@ void EncodeBms(const RobotState& state, const RobotSpec& spec,
   std::ranges::fill(message->temperature, Rounded<std::int16_t>(battery.temperature_c));
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -7,14 +7,14 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Reads a command into `command`, whose vectors have the robot's size, and tells the first thing
 // wrong with its form, in this order: crc (kCrc), mode_machine equal to the robot's (kModeMachine),
 // mode_pr 0 or 1 (kModePr), the mode of a slot with a motor, 0 or 1 (kMotorMode). `command` is
 // filled in any case; an unknown mode_pr counts as PR there, an unknown mode as enabled.
-Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const RobotSpec& spec,
-               RobotCommand* command);
+robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
+                      robot::RobotCommand* command);
 
 // Writes a state: all fields but those that stay 0 on real robots. Call it with the same message
 // each time, all zero before the first (EncodeImu tells why). Slots without a motor stay as they
@@ -23,14 +23,15 @@ Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const RobotSpec& spec
 //
 // `vol` is the bus voltage, in the steps of 0.5 V seen (public audit of a real G1, measured.md,
 // section c). Not modelled: faults (motorstate), the sensor words.
-void Encode(const RobotState& state, const RobotSpec& spec, unitree_hg_msg_dds__LowState_* message);
+void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
+            unitree_hg_msg_dds__LowState_* message);
 
 // Writes the battery's message. No vendor page documents its fields: cell_vol and bmsvoltage[0] in
 // mV, current in mA, soc and soh in percent and all temperatures that of the pack are *assumed*, by
 // the go family's units. Versions, fn, cycle, date and state words stay 0.
-void EncodeBms(const RobotState& state, const RobotSpec& spec,
+void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
                unitree_hg_msg_dds__BmsState_* message);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_HG_CODEC_H_

@@ -9,14 +9,14 @@
 #include "wire/slots.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 constexpr const char* kArmActionService = "g1_arm_example";  // what writes rt/arm/action/state
 
 }  // namespace
 
-HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
+HgPort::HgPort(const bus::Participant& participant, const robot::RobotSpec& spec)
     : spec_(spec),
       motion_fields_(MotionFieldsOf(spec)),
       commands_(participant, kHgLowCmd),
@@ -30,49 +30,51 @@ HgPort::HgPort(const Participant& participant, const RobotSpec& spec)
   CheckFits(spec, kHgMotorSlots, kHgCells);
   if (!spec.arm_sdk.slots.empty()) arm_commands_.emplace(participant, kHgArmSdk);
   if (spec.user_lowcmd) user_commands_.emplace(participant, kUserLowCmd);
-  if (TellsStateId(spec)) {
-    fsm_.emplace(Fsm{.state = Writer(participant, kHgSportModeState),
-                     .lf_state = Writer(participant, kLfHgSportModeState)});
+  if (robot::TellsStateId(spec)) {
+    fsm_.emplace(Fsm{.state = bus::Writer(participant, kHgSportModeState),
+                     .lf_state = bus::Writer(participant, kLfHgSportModeState)});
   }
-  const auto acts = [&](const ServiceSpec& service) { return service.name == kArmActionService; };
+  const auto acts = [&](const robot::ServiceSpec& service) {
+    return service.name == kArmActionService;
+  };
   if (std::ranges::any_of(spec.services, acts)) arm_action_.emplace(participant, kArmActionState);
-  for (const HandSpec& hand : spec.hands) hands_.emplace_back(participant, hand);
+  for (const robot::HandSpec& hand : spec.hands) hands_.emplace_back(participant, hand);
   if (!spec.imu.secondary_site.empty()) {
-    secondary_.emplace(SecondaryImu{.imu = Writer(participant, kSecondaryImu),
-                                    .lf_imu = Writer(participant, kLfSecondaryImu)});
+    secondary_.emplace(SecondaryImu{.imu = bus::Writer(participant, kSecondaryImu),
+                                    .lf_imu = bus::Writer(participant, kLfSecondaryImu)});
   }
 }
 
-bool HgPort::TakeCommand(RobotCommand* command, Refusal* wire) {
-  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
+bool HgPort::TakeCommand(robot::RobotCommand* command, robot::Refusal* wire) {
+  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, bus::WriterHandle) {
     *wire = Decode(message, spec_, command);
     counts_.unused_slots += static_cast<std::uint64_t>(UnusedSlotCommands(message, spec_));
   };
   return commands_.Take(visit, 1) == 1;
 }
 
-bool HgPort::TakeArmCommand(RobotCommand* command, double* weight) {
+bool HgPort::TakeArmCommand(robot::RobotCommand* command, double* weight) {
   if (!arm_commands_) return false;
-  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
+  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, bus::WriterHandle) {
     DecodeUnsigned(message, spec_, command);
     *weight = ArmWeight(message, spec_.arm_sdk);
   };
   return arm_commands_->Take(visit, 1) == 1;
 }
 
-bool HgPort::TakeUserCommand(RobotCommand* command) {
+bool HgPort::TakeUserCommand(robot::RobotCommand* command) {
   if (!user_commands_) return false;
-  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, WriterHandle) {
+  const auto visit = [&](const unitree_hg_msg_dds__LowCmd_& message, bus::WriterHandle) {
     DecodeUnsigned(message, spec_, command);
   };
   return user_commands_->Take(visit, 1) == 1;
 }
 
-bool HgPort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) {
+bool HgPort::TakeHandCommand(std::size_t hand, robot::HandCommand* command, robot::Refusal* wire) {
   return hands_[hand].Take(command, wire);
 }
 
-void HgPort::Publish(const RobotState& state, const Due& due) {
+void HgPort::Publish(const robot::RobotState& state, const Due& due) {
   const bool lowstate = due.lowstate && lowstate_.has_readers();
   const bool lf_lowstate = due.lf && lf_lowstate_.has_readers();
   if (lowstate || lf_lowstate) Encode(state, spec_, &lowstate_message_);
@@ -99,7 +101,7 @@ void HgPort::Publish(const RobotState& state, const Due& due) {
   if (state.motion) PublishService(state, due);
 }
 
-void HgPort::PublishSecondaryImu(const ImuReading& reading, const Due& due) {
+void HgPort::PublishSecondaryImu(const robot::ImuReading& reading, const Due& due) {
   const bool imu = due.lowstate && secondary_->imu.has_readers();
   const bool lf_imu = due.lf && secondary_->lf_imu.has_readers();
   if (imu || lf_imu) EncodeImu(reading, &secondary_->message);
@@ -107,7 +109,7 @@ void HgPort::PublishSecondaryImu(const ImuReading& reading, const Due& due) {
   if (lf_imu) secondary_->lf_imu.Write(secondary_->message);
 }
 
-void HgPort::PublishService(const RobotState& state, const Due& due) {
+void HgPort::PublishService(const robot::RobotState& state, const Due& due) {
   if (fsm_) {
     const bool fsm = due.motion && fsm_->state.has_readers();
     const bool lf_fsm = due.lf && fsm_->lf_state.has_readers();
@@ -121,8 +123,8 @@ void HgPort::PublishService(const RobotState& state, const Due& due) {
   }
 }
 
-PortCounts HgPort::counts() const {
-  PortCounts counts = counts_;
+robot::PortCounts HgPort::counts() const {
+  robot::PortCounts counts = counts_;
   const std::uint64_t secondary =
       secondary_ ? secondary_->imu.failures() + secondary_->lf_imu.failures() : 0;
   const std::uint64_t service = (fsm_ ? fsm_->state.failures() + fsm_->lf_state.failures() : 0) +
@@ -134,4 +136,4 @@ PortCounts HgPort::counts() const {
   return counts;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -16,7 +16,7 @@
 #include "wire/motion_codec.h"
 #include "wire/robot_port.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Reads rt/lowcmd and, where the robot has them, rt/arm_sdk and rt/user_lowcmd; writes rt/lowstate,
 // rt/odommodestate, rt/secondary_imu where the robot has one, their rt/lf/ twins, rt/lf/bmsstate
@@ -30,55 +30,56 @@ class HgPort final : public RobotPort {
  public:
   // `spec` and `participant` must outlive the port. Throws BusError when Cyclone refuses and
   // ModelError when the robot does not fit into the messages.
-  HgPort(const Participant& participant, const RobotSpec& spec);
+  HgPort(const bus::Participant& participant, const robot::RobotSpec& spec);
 
-  bool TakeCommand(RobotCommand* command, Refusal* wire) override;
-  bool TakeArmCommand(RobotCommand* command, double* weight) override;
-  bool TakeUserCommand(RobotCommand* command) override;
-  bool TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) override;
-  void Publish(const RobotState& state, const Due& due) override;
+  bool TakeCommand(robot::RobotCommand* command, robot::Refusal* wire) override;
+  bool TakeArmCommand(robot::RobotCommand* command, double* weight) override;
+  bool TakeUserCommand(robot::RobotCommand* command) override;
+  bool TakeHandCommand(std::size_t hand, robot::HandCommand* command,
+                       robot::Refusal* wire) override;
+  void Publish(const robot::RobotState& state, const Due& due) override;
   int command_writers() override { return commands_.matched_writers(); }
-  PortCounts counts() const override;
+  robot::PortCounts counts() const override;
 
  private:
   struct SecondaryImu {
-    Writer<unitree_hg_msg_dds__IMUState_> imu;
-    Writer<unitree_hg_msg_dds__IMUState_> lf_imu;
+    bus::Writer<unitree_hg_msg_dds__IMUState_> imu;
+    bus::Writer<unitree_hg_msg_dds__IMUState_> lf_imu;
     unitree_hg_msg_dds__IMUState_ message{};
   };
 
   struct Fsm {
-    Writer<unitree_hg_msg_dds__SportModeState_> state;
-    Writer<unitree_hg_msg_dds__SportModeState_> lf_state;
+    bus::Writer<unitree_hg_msg_dds__SportModeState_> state;
+    bus::Writer<unitree_hg_msg_dds__SportModeState_> lf_state;
     unitree_hg_msg_dds__SportModeState_ message{};
   };
 
-  void PublishSecondaryImu(const ImuReading& reading, const Due& due);
-  void PublishService(const RobotState& state, const Due& due);
+  void PublishSecondaryImu(const robot::ImuReading& reading, const Due& due);
+  void PublishService(const robot::RobotState& state, const Due& due);
 
-  const RobotSpec& spec_;
+  const robot::RobotSpec& spec_;
   MotionFields motion_fields_;
-  Reader<unitree_hg_msg_dds__LowCmd_> commands_;
-  std::optional<Reader<unitree_hg_msg_dds__LowCmd_>> arm_commands_;
-  std::optional<Reader<unitree_hg_msg_dds__LowCmd_>> user_commands_;
-  Writer<unitree_hg_msg_dds__LowState_> lowstate_;
-  Writer<unitree_hg_msg_dds__LowState_> lf_lowstate_;
-  Writer<unitree_go_msg_dds__SportModeState_> motion_;
-  Writer<unitree_go_msg_dds__SportModeState_> lf_motion_;
-  Writer<unitree_hg_msg_dds__BmsState_> lf_bms_;
-  Writer<unitree_hg_msg_dds__MainBoardState_> lf_board_;
-  Writer<unitree_go_msg_dds__WirelessController_> remote_;
+  bus::Reader<unitree_hg_msg_dds__LowCmd_> commands_;
+  std::optional<bus::Reader<unitree_hg_msg_dds__LowCmd_>> arm_commands_;
+  std::optional<bus::Reader<unitree_hg_msg_dds__LowCmd_>> user_commands_;
+  bus::Writer<unitree_hg_msg_dds__LowState_> lowstate_;
+  bus::Writer<unitree_hg_msg_dds__LowState_> lf_lowstate_;
+  bus::Writer<unitree_go_msg_dds__SportModeState_> motion_;
+  bus::Writer<unitree_go_msg_dds__SportModeState_> lf_motion_;
+  bus::Writer<unitree_hg_msg_dds__BmsState_> lf_bms_;
+  bus::Writer<unitree_hg_msg_dds__MainBoardState_> lf_board_;
+  bus::Writer<unitree_go_msg_dds__WirelessController_> remote_;
   std::optional<SecondaryImu> secondary_;
   std::optional<Fsm> fsm_;
-  std::optional<Writer<std_msgs_msg_dds__String_>> arm_action_;
+  std::optional<bus::Writer<std_msgs_msg_dds__String_>> arm_action_;
   std::vector<HandPort> hands_;
   unitree_hg_msg_dds__LowState_ lowstate_message_{};
   unitree_go_msg_dds__SportModeState_ motion_message_{};
   unitree_hg_msg_dds__BmsState_ bms_message_{};
   unitree_go_msg_dds__WirelessController_ remote_message_{};
-  PortCounts counts_;
+  robot::PortCounts counts_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_HG_PORT_H_

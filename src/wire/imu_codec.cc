@@ -5,11 +5,11 @@
 
 #include "wire/rounded.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 template <typename Message>
-void Encode(const ImuReading& reading, Message* message) {
+void Encode(const robot::ImuReading& reading, Message* message) {
   Eigen::Quaterniond R_WI = reading.R_WI;
   const double norm = R_WI.norm();
   if (norm > 0 && std::isfinite(norm)) {
@@ -47,14 +47,14 @@ Eigen::Vector3d RollPitchYaw(const Eigen::Quaterniond& R_WI) {
           std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
 }
 
-void EncodeImu(const ImuReading& reading, unitree_go_msg_dds__IMUState_* message) {
+void EncodeImu(const robot::ImuReading& reading, unitree_go_msg_dds__IMUState_* message) {
   Encode(reading, message);
   message->temperature = Rounded<std::uint8_t>(reading.temperature_c, 0, 127);
 }
 
-void EncodeImu(const ImuReading& reading, unitree_hg_msg_dds__IMUState_* message) {
+void EncodeImu(const robot::ImuReading& reading, unitree_hg_msg_dds__IMUState_* message) {
   Encode(reading, message);
   message->temperature = Rounded<std::int16_t>(reading.temperature_c);
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -9,7 +9,7 @@
 #include "idl/unitree_hg.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Roll, pitch, yaw [rad] of a unit quaternion: R = Rz(yaw) Ry(pitch) Rx(roll). Pitch lies in ±π/2,
 // roll and yaw in ±π. Never NaN for finite input; at pitch ±π/2, where only the sum or difference
@@ -20,9 +20,9 @@ Eigen::Vector3d RollPitchYaw(const Eigen::Quaterniond& R_WI);
 // that is nearer to what `message` holds from before, so that a stream does not jump; w >= 0 in an
 // all-zero message. A quaternion of length 0 or not finite becomes 1, 0, 0, 0. The temperature is
 // rounded to °C; go has 0..127 (the vendor's Python packs a signed byte, its IDL says unsigned).
-void EncodeImu(const ImuReading& reading, unitree_go_msg_dds__IMUState_* message);
-void EncodeImu(const ImuReading& reading, unitree_hg_msg_dds__IMUState_* message);
+void EncodeImu(const robot::ImuReading& reading, unitree_go_msg_dds__IMUState_* message);
+void EncodeImu(const robot::ImuReading& reading, unitree_hg_msg_dds__IMUState_* message);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_IMU_CODEC_H_

@@ -7,7 +7,7 @@
 
 #include "wire/crc32.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using GoLowCmd = unitree_go_msg_dds__LowCmd_;
@@ -122,4 +122,4 @@ std::uint32_t MessageCrc(const GoLowState& message) { return kGoLowState.Crc(mes
 std::uint32_t MessageCrc(const HgLowCmd& message) { return kHgLowCmd.Crc(message); }
 std::uint32_t MessageCrc(const HgLowState& message) { return kHgLowState.Crc(message); }
 
-}  // namespace understudy
+}  // namespace understudy::wire

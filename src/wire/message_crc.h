@@ -7,7 +7,7 @@
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // What the message's crc field has to be: Crc32 over all words before it, in the native layout of
 // the vendor's C++ object (offsets: sdk_surface.md, section 4), with zeros in the gaps between
@@ -21,6 +21,6 @@ std::uint32_t MessageCrc(const unitree_go_msg_dds__LowState_& message);
 std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowCmd_& message);
 std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowState_& message);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_MESSAGE_CRC_H_

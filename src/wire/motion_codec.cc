@@ -9,7 +9,7 @@
 #include "wire/imu_codec.h"
 #include "wire/rounded.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 constexpr std::uint32_t kDampedId = 1001;  // vendor, Go2 motion services V2.0; assumed on others
@@ -34,12 +34,12 @@ constexpr ArmAction kArmActions[] = {
 
 }  // namespace
 
-MotionFields MotionFieldsOf(const RobotSpec& spec) {
-  if (spec.family != WireFamily::kGo || spec.feet.size() != 4) return MotionFields::kNone;
-  return TellsStateId(spec) ? MotionFields::kStateId : MotionFields::kMode;
+MotionFields MotionFieldsOf(const robot::RobotSpec& spec) {
+  if (spec.family != robot::WireFamily::kGo || spec.feet.size() != 4) return MotionFields::kNone;
+  return robot::TellsStateId(spec) ? MotionFields::kStateId : MotionFields::kMode;
 }
 
-void EncodeMotion(const RobotState& state, const RobotSpec& spec, MotionFields fields,
+void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, MotionFields fields,
                   unitree_go_msg_dds__SportModeState_* message) {
   message->stamp.sec = static_cast<std::int32_t>(state.tick_ms / 1000);
   message->stamp.nanosec = static_cast<std::uint32_t>(state.tick_ms % 1000) * 1'000'000;
@@ -67,12 +67,12 @@ void EncodeMotion(const RobotState& state, const RobotSpec& spec, MotionFields f
   }
 }
 
-void EncodeFsm(const RobotState& state, unitree_hg_msg_dds__SportModeState_* message) {
+void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message) {
   message->fsm_id = static_cast<std::uint32_t>(state.motion->id);
   message->fsm_mode = static_cast<std::uint32_t>(state.motion->mode);
 }
 
-std::array<char, 96> ArmActionText(const MotionState& motion) {
+std::array<char, 96> ArmActionText(const robot::MotionState& motion) {
   const auto* action = std::ranges::find(kArmActions, motion.arm_action, &ArmAction::id);
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), R"({"holding":%s,"id":%d,"name":"%s"})",
@@ -81,4 +81,4 @@ std::array<char, 96> ArmActionText(const MotionState& motion) {
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

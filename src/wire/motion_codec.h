@@ -10,7 +10,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // What a robot fills beside stamp, imu_state, position, body_height, velocity and yaw_speed.
 enum class MotionFields : std::uint8_t {
@@ -18,7 +18,7 @@ enum class MotionFields : std::uint8_t {
   kMode,     // firmware before RobotSpec::state_id_since: mode, progress and their kin
   kStateId,  // later: error_code is the state machine's id
 };
-MotionFields MotionFieldsOf(const RobotSpec& spec);
+MotionFields MotionFieldsOf(const robot::RobotSpec& spec);
 
 // Writes one instant. In the world frame
 // (*assumed*: no page states it), except yaw_speed, which is the gyro's z, the same float.
@@ -31,16 +31,16 @@ MotionFields MotionFieldsOf(const RobotSpec& spec);
 // gait_type, foot_raise_height and range_obstacle, and foot_force as in LowState; its feet's
 // positions are left 0 here. While no motion service is on both say that the robot is damped
 // (*assumed*).
-void EncodeMotion(const RobotState& state, const RobotSpec& spec, MotionFields fields,
+void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, MotionFields fields,
                   unitree_go_msg_dds__SportModeState_* message);
 
 // The state machine of a humanoid; state.motion must be there. task_id and task_time stay 0.
-void EncodeFsm(const RobotState& state, unitree_hg_msg_dds__SportModeState_* message);
+void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message);
 
 // rt/arm/action/state: {"holding":true,"id":25,"name":"face wave"}; id 0 while there is none
 // (unitree_sdk2 g1_arm_action_client.hpp). Does not allocate.
-std::array<char, 96> ArmActionText(const MotionState& motion);
+std::array<char, 96> ArmActionText(const robot::MotionState& motion);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_MOTION_CODEC_H_

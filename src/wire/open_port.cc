@@ -3,11 +3,12 @@
 #include "wire/go_port.h"
 #include "wire/hg_port.h"
 
-namespace understudy {
+namespace understudy::wire {
 
-std::unique_ptr<RobotPort> OpenPort(const Participant& participant, const RobotSpec& spec) {
-  if (spec.family == WireFamily::kGo) return std::make_unique<GoPort>(participant, spec);
+std::unique_ptr<RobotPort> OpenPort(const bus::Participant& participant,
+                                    const robot::RobotSpec& spec) {
+  if (spec.family == robot::WireFamily::kGo) return std::make_unique<GoPort>(participant, spec);
   return std::make_unique<HgPort>(participant, spec);
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -8,11 +8,12 @@
 #include "robot/robot_spec.h"
 #include "wire/robot_port.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // A GoPort or an HgPort, by spec.family; throws what they throw. Both arguments must outlive it.
-std::unique_ptr<RobotPort> OpenPort(const Participant& participant, const RobotSpec& spec);
+std::unique_ptr<RobotPort> OpenPort(const bus::Participant& participant,
+                                    const robot::RobotSpec& spec);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_OPEN_PORT_H_

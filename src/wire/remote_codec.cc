@@ -3,9 +3,9 @@
 #include <bit>
 #include <cstring>
 
-namespace understudy {
+namespace understudy::wire {
 
-std::array<std::uint8_t, 40> EncodeRemote(const RemoteReading& remote) {
+std::array<std::uint8_t, 40> EncodeRemote(const robot::RemoteReading& remote) {
   static_assert(std::endian::native == std::endian::little);
   constexpr unsigned kL2 = 1U << 5;
   std::array<std::uint8_t, 40> bytes{};
@@ -20,7 +20,8 @@ std::array<std::uint8_t, 40> EncodeRemote(const RemoteReading& remote) {
   return bytes;
 }
 
-void EncodeRemote(const RemoteReading& remote, unitree_go_msg_dds__WirelessController_* message) {
+void EncodeRemote(const robot::RemoteReading& remote,
+                  unitree_go_msg_dds__WirelessController_* message) {
   message->lx = static_cast<float>(remote.lx);
   message->ly = static_cast<float>(remote.ly);
   message->rx = static_cast<float>(remote.rx);
@@ -28,4 +29,4 @@ void EncodeRemote(const RemoteReading& remote, unitree_go_msg_dds__WirelessContr
   message->keys = remote.keys;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -8,16 +8,17 @@
 #include "idl/unitree_go.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // LowState.wireless_remote: head 55 51 (public notes on a real G1), keys, lx, rx, ry, L2, ly
 // (unitree_sdk2 dds_wrapper/common/unitree_joystick.hpp), 16 bytes of zero. L2 as a number is 0 or
 // 1 (*assumed*). All zero while no remote is there, as captured on Go2 and G1.
-std::array<std::uint8_t, 40> EncodeRemote(const RemoteReading& remote);
+std::array<std::uint8_t, 40> EncodeRemote(const robot::RemoteReading& remote);
 
 // rt/wirelesscontroller.
-void EncodeRemote(const RemoteReading& remote, unitree_go_msg_dds__WirelessController_* message);
+void EncodeRemote(const robot::RemoteReading& remote,
+                  unitree_go_msg_dds__WirelessController_* message);
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_REMOTE_CODEC_H_

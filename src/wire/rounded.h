@@ -9,7 +9,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // x rounded to the nearest integer within lo..hi; NaN becomes lo.
 template <std::integral Int>
@@ -21,10 +21,10 @@ Int Rounded(double x, Int lo = std::numeric_limits<Int>::min(),
 }
 
 // What foot_force shows of a force [N]: counts, 0..4095.
-inline std::int16_t FootCounts(double force, const FootSensorSpec& sensor) {
+inline std::int16_t FootCounts(double force, const robot::FootSensorSpec& sensor) {
   return Rounded<std::int16_t>(sensor.offset_counts + sensor.counts_per_newton * force, 0, 4095);
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_ROUNDED_H_

@@ -5,11 +5,11 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::wire {
 
-void CheckFits(const RobotSpec& spec, std::size_t slots, std::size_t cells) {
+void CheckFits(const robot::RobotSpec& spec, std::size_t slots, std::size_t cells) {
   int last = -1;
-  for (const MotorSpec& motor : spec.motors) {
+  for (const robot::MotorSpec& motor : spec.motors) {
     const std::string where =
         spec.name + ": motor " + motor.joint + " in slot " + std::to_string(motor.slot);
     if (motor.slot <= last) throw ModelError(where + " comes after slot " + std::to_string(last));
@@ -24,4 +24,4 @@ void CheckFits(const RobotSpec& spec, std::size_t slots, std::size_t cells) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -7,7 +7,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 inline constexpr std::size_t kGoMotorSlots = 20;
 inline constexpr std::size_t kHgMotorSlots = 35;
@@ -16,17 +16,19 @@ inline constexpr std::size_t kHgCells = 40;
 
 // Throws ModelError unless the robot's motors stand in ascending slots below `slots` and its
 // battery has 1..cells cells.
-void CheckFits(const RobotSpec& spec, std::size_t slots, std::size_t cells);
+void CheckFits(const robot::RobotSpec& spec, std::size_t slots, std::size_t cells);
 
 // A motor's slot as an index.
-inline std::size_t SlotOf(const MotorSpec& motor) { return static_cast<std::size_t>(motor.slot); }
+inline std::size_t SlotOf(const robot::MotorSpec& motor) {
+  return static_cast<std::size_t>(motor.slot);
+}
 
 // What a slot of either family's LowCmd asks of a motor. The marks for "no position" and "no
 // velocity" are exact in float and pass as kNoPosition and kNoVelocity.
 template <typename MotorCmd>
-MotorCommand DecodeMotor(const MotorCmd& wire) {
-  static_assert(static_cast<double>(2.146e9F) == kNoPosition);
-  static_assert(static_cast<double>(16000.0F) == kNoVelocity);
+robot::MotorCommand DecodeMotor(const MotorCmd& wire) {
+  static_assert(static_cast<double>(2.146e9F) == robot::kNoPosition);
+  static_assert(static_cast<double>(16000.0F) == robot::kNoVelocity);
   return {.enabled = wire.mode != 0,
           .q = wire.q,
           .dq = wire.dq,
@@ -38,17 +40,18 @@ MotorCommand DecodeMotor(const MotorCmd& wire) {
 // A command of rt/arm_sdk or rt/user_lowcmd: every motor counts as enabled, for the vendor's
 // clients leave the mode 0, and as commanded in PR.
 template <typename LowCmd>
-void DecodeUnsigned(const LowCmd& message, const RobotSpec& spec, RobotCommand* command) {
+void DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spec,
+                    robot::RobotCommand* command) {
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     command->motors[i] = DecodeMotor(message.motor_cmd[SlotOf(spec.motors[i])]);
     command->motors[i].enabled = true;
   }
-  command->joint_space = JointSpace::kPitchRoll;
+  command->joint_space = robot::JointSpace::kPitchRoll;
 }
 
 // The weight of a command of rt/arm_sdk: as sent, neither cut nor checked.
 template <typename LowCmd>
-double ArmWeight(const LowCmd& message, const ArmSdkSpec& spec) {
+double ArmWeight(const LowCmd& message, const robot::ArmSdkSpec& spec) {
   if constexpr (requires { message.mode_pr; }) {
     if (spec.weight_in_mode_pr) return message.mode_pr / 100.0;
   }
@@ -57,7 +60,7 @@ double ArmWeight(const LowCmd& message, const ArmSdkSpec& spec) {
 
 // How many slots without a motor carry gains or torque.
 template <typename LowCmd>
-int UnusedSlotCommands(const LowCmd& message, const RobotSpec& spec) {
+int UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
   int count = 0;
   auto motor = spec.motors.begin();
   int slot = 0;
@@ -72,6 +75,6 @@ int UnusedSlotCommands(const LowCmd& message, const RobotSpec& spec) {
   return count;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_WIRE_SLOTS_H_

@@ -4,28 +4,28 @@
 
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 // As many samples as a poll can visit: with fewer, one stranger's would push out another's.
-constexpr ReaderOptions kEar{.depth = kMaxTake, .reliable = false, .foreign_only = true};
+constexpr bus::ReaderOptions kEar{.depth = bus::kMaxTake, .reliable = false, .foreign_only = true};
 
 }  // namespace
 
-StrangerWatch::StrangerWatch(const Participant& participant)
+StrangerWatch::StrangerWatch(const bus::Participant& participant)
     : watch_(participant, kGoLowState.name),
       go_(participant, kGoLowState, kEar),
       hg_(participant, kHgLowState, kEar) {}
 
 StrangerWatch::News StrangerWatch::Poll() {
   News news;
-  const std::vector<Neighbour>& writers = watch_.Poll();
+  const std::vector<bus::Neighbour>& writers = watch_.Poll();
   std::erase_if(strangers_, [&](const Stranger& stranger) {
-    return std::ranges::none_of(writers, [&](const Neighbour& writer) {
+    return std::ranges::none_of(writers, [&](const bus::Neighbour& writer) {
       return writer.participant == stranger.who.participant;
     });
   });
-  for (const Neighbour& writer : writers) {
+  for (const bus::Neighbour& writer : writers) {
     const auto same = [&](const Stranger& stranger) {
       return stranger.who.participant == writer.participant;
     };
@@ -40,11 +40,11 @@ StrangerWatch::News StrangerWatch::Poll() {
 }
 
 template <typename Msg>
-void StrangerWatch::Hear(Reader<Msg>* ear, News* news) {
-  ear->Take([&](const Msg&, WriterHandle writer) {
+void StrangerWatch::Hear(bus::Reader<Msg>* ear, News* news) {
+  ear->Take([&](const Msg&, bus::WriterHandle writer) {
     const auto is_silent = [](const Stranger& stranger) { return !stranger.speaks; };
     if (std::ranges::none_of(strangers_, is_silent)) return;
-    const std::optional<ParticipantKey> speaker = ear->ParticipantOf(writer);
+    const std::optional<bus::ParticipantKey> speaker = ear->ParticipantOf(writer);
     for (Stranger& stranger : strangers_) {
       if (stranger.speaks || stranger.who.participant != speaker) continue;
       stranger.speaks = true;
@@ -53,21 +53,21 @@ void StrangerWatch::Hear(Reader<Msg>* ear, News* news) {
   });
 }
 
-std::vector<Neighbour> StrangerWatch::WhoseSpeech(bool speaks) const {
-  std::vector<Neighbour> some;
+std::vector<bus::Neighbour> StrangerWatch::WhoseSpeech(bool speaks) const {
+  std::vector<bus::Neighbour> some;
   for (const Stranger& stranger : strangers_) {
     if (stranger.speaks == speaks) some.push_back(stranger.who);
   }
   return some;
 }
 
-std::string Describe(const std::vector<Neighbour>& neighbours) {
+std::string Describe(const std::vector<bus::Neighbour>& neighbours) {
   std::string text;
   for (std::size_t i = 0; i < neighbours.size(); ++i) {
     if (i > 0) text += i + 1 == neighbours.size() ? " and " : ", ";
-    text += Describe(neighbours[i]);
+    text += bus::Describe(neighbours[i]);
   }
   return text;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire

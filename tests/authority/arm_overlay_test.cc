@@ -6,23 +6,25 @@
 
 #include "robot/motor.h"
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
-constexpr MotorCommand kHold{.enabled = true, .q = 1, .dq = 0.5, .tau = 3, .kp = 40, .kd = 2};
-constexpr MotorCommand kOther{.enabled = true, .q = -1, .dq = 0, .tau = 1, .kp = 10, .kd = 1};
-constexpr MotorCommand kDamp{.enabled = true, .q = kNoPosition, .kd = 4};
+constexpr robot::MotorCommand kHold{
+    .enabled = true, .q = 1, .dq = 0.5, .tau = 3, .kp = 40, .kd = 2};
+constexpr robot::MotorCommand kOther{
+    .enabled = true, .q = -1, .dq = 0, .tau = 1, .kp = 10, .kd = 1};
+constexpr robot::MotorCommand kDamp{.enabled = true, .q = robot::kNoPosition, .kd = 4};
 
 TEST(MixTest, GivesTheWeightedTorqueAtEveryAngleAndRate) {
-  for (const MotorCommand& over : {kOther, kDamp, MotorCommand{}}) {
+  for (const robot::MotorCommand& over : {kOther, kDamp, robot::MotorCommand{}}) {
     for (const double weight : {0.0, 0.25, 0.7, 1.0}) {
-      const MotorCommand mixed = Mix(kHold, over, weight);
+      const robot::MotorCommand mixed = Mix(kHold, over, weight);
       for (const double q : {-2.0, 0.0, 1.5}) {
         for (const double dq : {-3.0, 0.0, 2.0}) {
-          EXPECT_NEAR(
-              DesiredTorque(mixed, q, dq),
-              (1 - weight) * DesiredTorque(kHold, q, dq) + weight * DesiredTorque(over, q, dq),
-              1e-9);
+          EXPECT_NEAR(robot::DesiredTorque(mixed, q, dq),
+                      (1 - weight) * robot::DesiredTorque(kHold, q, dq) +
+                          weight * robot::DesiredTorque(over, q, dq),
+                      1e-9);
         }
       }
     }
@@ -35,14 +37,14 @@ class ArmOverlayTest : public ::testing::Test {
     for (const int slot : {2, 5, 7}) spec_.motors.push_back({.joint = "", .slot = slot});
     spec_.arm_sdk.slots = {5, 7};
   }
-  RobotCommand Of(const MotorCommand& motor) const { return {.motors = {3, motor}}; }
+  robot::RobotCommand Of(const robot::MotorCommand& motor) const { return {.motors = {3, motor}}; }
 
-  RobotSpec spec_;
+  robot::RobotSpec spec_;
 };
 
 TEST_F(ArmOverlayTest, ChangesNothingBeforeTheFirstCommand) {
   const ArmOverlay arms(spec_);
-  RobotCommand command = Of(kHold);
+  robot::RobotCommand command = Of(kHold);
   arms.MixOver(0, &command);
   EXPECT_EQ(command.motors, Of(kHold).motors);
 }
@@ -50,7 +52,7 @@ TEST_F(ArmOverlayTest, ChangesNothingBeforeTheFirstCommand) {
 TEST_F(ArmOverlayTest, MovesItsOwnMotorsOnly) {
   ArmOverlay arms(spec_);
   arms.Offer(Of(kOther), 1, 0);
-  RobotCommand command = Of(kHold);
+  robot::RobotCommand command = Of(kHold);
   arms.MixOver(0, &command);
   EXPECT_EQ(command.motors[0], kHold);
   EXPECT_EQ(command.motors[1], kOther);
@@ -68,7 +70,7 @@ TEST_F(ArmOverlayTest, CutsTheWeight) {
 TEST_F(ArmOverlayTest, LeavesOutWhatWouldHarm) {
   ArmOverlay arms(spec_);
   arms.Offer(Of(kOther), 0.5, 0);
-  MotorCommand bad = kOther;
+  robot::MotorCommand bad = kOther;
   bad.kp = -1;
   arms.Offer(Of(bad), 1, 0);
   arms.Offer(Of(kOther), std::numeric_limits<double>::quiet_NaN(), 0);
@@ -87,4 +89,4 @@ TEST_F(ArmOverlayTest, KeepsTheLastCommandUnlessItsRobotDropsIt) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 constexpr std::uint16_t kL2 = 0x20, kA = 0x100, kB = 0x200, kR2 = 0x10, kStart = 4;
@@ -76,4 +76,4 @@ TEST(MakeChordTest, RefusesKeysAndWordsThatDoNotExist) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
-RobotCommand Torque(double tau) { return {.motors = {{.enabled = true, .tau = tau}}}; }
+robot::RobotCommand Torque(double tau) { return {.motors = {{.enabled = true, .tau = tau}}}; }
 
 TEST(CommandDelayTest, PassesEachCommandOnAtOnceWhereThereIsNoDelay) {
   CommandDelay delay(0, Torque(0));
@@ -21,10 +21,10 @@ TEST(CommandDelayTest, GivesEachCommandAfterItsStepsAndTheStartCommandBefore) {
 
 TEST(CommandDelayTest, CarriesTheJointSpaceOfACommandWithIt) {
   CommandDelay delay(1, Torque(0));
-  RobotCommand motors = Torque(1);
-  motors.joint_space = JointSpace::kMotors;
-  EXPECT_EQ(delay.Pass(motors).joint_space, JointSpace::kPitchRoll);
-  EXPECT_EQ(delay.Pass(Torque(2)).joint_space, JointSpace::kMotors);
+  robot::RobotCommand motors = Torque(1);
+  motors.joint_space = robot::JointSpace::kMotors;
+  EXPECT_EQ(delay.Pass(motors).joint_space, robot::JointSpace::kPitchRoll);
+  EXPECT_EQ(delay.Pass(Torque(2)).joint_space, robot::JointSpace::kMotors);
 }
 
 TEST(CommandDelayTest, ForgetsWhatWaitsWhenTheRobotStartsAnew) {
@@ -37,4 +37,4 @@ TEST(CommandDelayTest, ForgetsWhatWaitsWhenTheRobotStartsAnew) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

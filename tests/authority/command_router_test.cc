@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 constexpr double kService = 7, kLowCmd = 1, kArms = 3, kUser = 5, kStartTorque = -1;
@@ -19,17 +19,17 @@ class RecordingMotion final : public Motion {
     if (goal.action == MotionAction::kDamp) state_ = 1;
     return MotionVerdict::kTaken;
   }
-  void Step(const MotionInput&, double, RobotCommand* command) override {
-    for (MotorCommand& motor : command->motors) motor = {.enabled = true, .tau = kService};
+  void Step(const MotionInput&, double, robot::RobotCommand* command) override {
+    for (robot::MotorCommand& motor : command->motors) motor = {.enabled = true, .tau = kService};
   }
-  MotionState state() const override { return {.id = state_}; }
+  robot::MotionState state() const override { return {.id = state_}; }
 
  private:
   std::vector<MotionGoal>* asked_;
   int state_ = 0;
 };
 
-RobotCommand Of(double tau) { return {.motors = {2, {.enabled = true, .tau = tau}}}; }
+robot::RobotCommand Of(double tau) { return {.motors = {2, {.enabled = true, .tau = tau}}}; }
 
 class CommandRouterTest : public ::testing::Test {
  protected:
@@ -49,10 +49,10 @@ class CommandRouterTest : public ::testing::Test {
   // Torques of both motors in a tick of the service, or in one between.
   std::pair<double, double> Torques(bool service_due = true) {
     input_.time += 0.001;
-    const RobotCommand& command = router_->Current(input_, service_due, 0.002);
+    const robot::RobotCommand& command = router_->Current(input_, service_due, 0.002);
     return {command.motors[0].tau, command.motors[1].tau};
   }
-  Refusal Offer() { return router_->Offer(Of(kLowCmd), Refusal::kNone, input_.time); }
+  robot::Refusal Offer() { return router_->Offer(Of(kLowCmd), robot::Refusal::kNone, input_.time); }
   void Press(const char* keys) {
     router_->Obey({.there = true, .keys = *RemoteKeysOf(keys)}, input_.time);
     router_->Obey({.there = true}, input_.time);
@@ -62,7 +62,7 @@ class CommandRouterTest : public ::testing::Test {
   }
 
   using Pair = std::pair<double, double>;
-  RobotSpec spec_;
+  robot::RobotSpec spec_;
   MotionConfig config_;
   MotionInput input_;
   std::vector<MotionGoal> asked_;
@@ -71,7 +71,7 @@ class CommandRouterTest : public ::testing::Test {
 
 TEST_F(CommandRouterTest, FollowsTheServiceAndRefusesLowCmd) {
   Make();
-  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  EXPECT_EQ(Offer(), robot::Refusal::kMotionService);
   EXPECT_EQ(Torques(), Pair(kService, kService));
   EXPECT_EQ(router_->gate().state(), GateState::kClosed);
 }
@@ -80,7 +80,7 @@ TEST_F(CommandRouterTest, HoldsTheStartCommandWithoutAService) {
   config_.service = kNoService;
   Make();
   EXPECT_EQ(Torques(), Pair(kStartTorque, kStartTorque));
-  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Offer(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
 }
 
@@ -91,7 +91,7 @@ TEST_F(CommandRouterTest, BrakesAfterReleaseUntilLowCmdComes) {
   Torques();
   EXPECT_EQ(router_->gate().state(), GateState::kDamping);
   EXPECT_EQ(router_->gate().counts().timeouts, 0U);
-  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Offer(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
 }
 
@@ -101,7 +101,7 @@ TEST_F(CommandRouterTest, GivesTheMotorsBackToASelectedService) {
   Offer();
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
   router_->owner().Select("ai");
-  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  EXPECT_EQ(Offer(), robot::Refusal::kMotionService);
   EXPECT_EQ(Torques(), Pair(kService, kService));
 }
 
@@ -109,7 +109,7 @@ TEST_F(CommandRouterTest, LetsWhoeverSpokeLastHaveTheMotorsInAFight) {
   config_.fight = true;
   Make();
   EXPECT_EQ(Torques(), Pair(kService, kService));
-  EXPECT_EQ(Offer(), Refusal::kNone);
+  EXPECT_EQ(Offer(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(false), Pair(kLowCmd, kLowCmd));
   EXPECT_EQ(Torques(false), Pair(kLowCmd, kLowCmd));
   EXPECT_EQ(Torques(), Pair(kService, kService));
@@ -117,44 +117,46 @@ TEST_F(CommandRouterTest, LetsWhoeverSpokeLastHaveTheMotorsInAFight) {
 
 TEST_F(CommandRouterTest, MixesTheArmsOverTheServiceOnly) {
   Make();
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kService, 5));
   router_->owner().Release();
   Offer();
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 1, 0), Refusal::kNoMotionService);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 1, 0), robot::Refusal::kNoMotionService);
   router_->owner().Select("ai");
   EXPECT_EQ(Torques(), Pair(kService, kService));  // what came before the service is forgotten
 }
 
 TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
   Make();
-  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNotHandedOver);
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), robot::Refusal::kNotHandedOver);
   EXPECT_EQ(Torques(), Pair(kService, kService));
   router_->owner().SetUserControl(true);
   EXPECT_EQ(Torques(), Pair(kService, kService));
-  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), Refusal::kNone);
+  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kUser, kUser));
-  EXPECT_EQ(Offer(), Refusal::kMotionService);
+  EXPECT_EQ(Offer(), robot::Refusal::kMotionService);
   router_->owner().SetUserControl(false);
   EXPECT_EQ(Torques(), Pair(kService, kService));
 }
 
 TEST_F(CommandRouterTest, CountsWhatTheArmsAndTheUserAreRefused) {
   Make();
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), Refusal::kNone);
-  EXPECT_EQ(router_->OfferArms(Of(kArms), std::nan(""), 0), Refusal::kNotFinite);
-  RobotCommand harmful = Of(kArms);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), robot::Refusal::kNone);
+  EXPECT_EQ(router_->OfferArms(Of(kArms), std::nan(""), 0), robot::Refusal::kNotFinite);
+  robot::RobotCommand harmful = Of(kArms);
   harmful.motors[0].kp = -1;
-  EXPECT_EQ(router_->OfferArms(harmful, 1, 0), Refusal::kGain);
+  EXPECT_EQ(router_->OfferArms(harmful, 1, 0), robot::Refusal::kGain);
   EXPECT_EQ(Torques(), Pair(kService, 5));
   router_->owner().Release();
-  EXPECT_EQ(router_->OfferUser(Of(kUser), 0), Refusal::kNoMotionService);
+  EXPECT_EQ(router_->OfferUser(Of(kUser), 0), robot::Refusal::kNoMotionService);
   EXPECT_EQ(router_->arm_counts().accepted, 1U);
-  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kNotFinite)], 1U);
-  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(Refusal::kGain)], 1U);
-  EXPECT_EQ(router_->user_counts().refused[static_cast<std::size_t>(Refusal::kNoMotionService)],
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(robot::Refusal::kNotFinite)],
             1U);
+  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(robot::Refusal::kGain)], 1U);
+  EXPECT_EQ(
+      router_->user_counts().refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
+      1U);
 }
 
 TEST_F(CommandRouterTest, PassesChordsToTheService) {
@@ -204,4 +206,4 @@ TEST_F(CommandRouterTest, SticksMoveAndTheirEndStops) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

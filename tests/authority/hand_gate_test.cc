@@ -4,38 +4,38 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr MotorCommand kBraked{.enabled = true, .q = kNoPosition, .kd = 0.5};
+constexpr robot::MotorCommand kBraked{.enabled = true, .q = robot::kNoPosition, .kd = 0.5};
 
-HandSpec TwoMotors() {
+robot::HandSpec TwoMotors() {
   return {.name = "left",
           .motors = {{.joint = "thumb"}, {.joint = "index"}},
           .timeout = 1,
           .lock_kd = 0.5};
 }
 
-MotorCommand Torque(double tau) { return {.enabled = true, .tau = tau}; }
+robot::MotorCommand Torque(double tau) { return {.enabled = true, .tau = tau}; }
 
-HandCommand Torques(double first, double second, bool watched = false) {
+robot::HandCommand Torques(double first, double second, bool watched = false) {
   return {.motors = {{.motor = Torque(first), .watched = watched},
                      {.motor = Torque(second), .watched = watched}}};
 }
 
 class HandGateTest : public testing::Test {
  protected:
-  Refusal Offer(const HandCommand& command, double t = 0) {
-    return gate_.Offer(command, Refusal::kNone, t);
+  robot::Refusal Offer(const robot::HandCommand& command, double t = 0) {
+    return gate_.Offer(command, robot::Refusal::kNone, t);
   }
-  std::uint64_t Refused(Refusal refusal) const {
+  std::uint64_t Refused(robot::Refusal refusal) const {
     return gate_.counts().refused[static_cast<std::size_t>(refusal)];
   }
   // A command whose second motor is `motor`, and what comes of it.
-  void ExpectRefused(const MotorCommand& motor, Refusal refusal) {
-    ASSERT_EQ(Offer(Torques(1, 2)), Refusal::kNone);
-    HandCommand command = Torques(3, 4);
+  void ExpectRefused(const robot::MotorCommand& motor, robot::Refusal refusal) {
+    ASSERT_EQ(Offer(Torques(1, 2)), robot::Refusal::kNone);
+    robot::HandCommand command = Torques(3, 4);
     command.motors[1].motor = motor;
     EXPECT_EQ(Offer(command), refusal);
     EXPECT_EQ(Refused(refusal), 1U);
@@ -44,7 +44,7 @@ class HandGateTest : public testing::Test {
     EXPECT_EQ(gate_.Current(0)[1], Torque(2));
   }
 
-  const HandSpec spec_ = TwoMotors();
+  const robot::HandSpec spec_ = TwoMotors();
   HandGate gate_{spec_, /*lenient=*/false};
 };
 
@@ -60,8 +60,8 @@ TEST_F(HandGateTest, IsLockedUntilACommandIsTaken) {
 }
 
 TEST_F(HandGateTest, FollowsTheLastTakenCommand) {
-  EXPECT_EQ(Offer(Torques(1, 2)), Refusal::kNone);
-  EXPECT_EQ(Offer(Torques(3, 4)), Refusal::kNone);
+  EXPECT_EQ(Offer(Torques(1, 2)), robot::Refusal::kNone);
+  EXPECT_EQ(Offer(Torques(3, 4)), robot::Refusal::kNone);
   EXPECT_EQ(gate_.Current(0)[0], Torque(3));
   EXPECT_EQ(gate_.Current(0)[1], Torque(4));
   EXPECT_FALSE(gate_.locked(0));
@@ -75,7 +75,7 @@ TEST_F(HandGateTest, FollowsForEverWhatIsNotWatched) {
 }
 
 TEST_F(HandGateTest, LocksTheMotorsThatACommandLocks) {
-  HandCommand command = Torques(1, 2);
+  robot::HandCommand command = Torques(1, 2);
   command.motors[0].motor.enabled = false;
   Offer(command);
   EXPECT_EQ(gate_.Current(0)[0], kBraked);
@@ -84,7 +84,7 @@ TEST_F(HandGateTest, LocksTheMotorsThatACommandLocks) {
 }
 
 TEST_F(HandGateTest, LocksWatchedMotorsWhenCommandsStop) {
-  HandCommand command = Torques(1, 2);
+  robot::HandCommand command = Torques(1, 2);
   command.motors[1].watched = true;
   Offer(command, 5);
   EXPECT_EQ(gate_.Current(6)[1], Torque(2));
@@ -118,10 +118,10 @@ TEST_F(HandGateTest, RefusedCommandsDoNotKeepItFromStopping) {
 TEST_F(HandGateTest, StaysLockedUntilACommandNoLongerHasItWatched) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   gate_.Current(2);
-  EXPECT_EQ(Offer(Torques(3, 4, /*watched=*/true), 2), Refusal::kNone);
+  EXPECT_EQ(Offer(Torques(3, 4, /*watched=*/true), 2), robot::Refusal::kNone);
   EXPECT_EQ(gate_.Current(2)[0], kBraked);
   EXPECT_TRUE(gate_.timed_out(0));
-  EXPECT_EQ(Offer(Torques(5, 6), 2.1), Refusal::kNone);
+  EXPECT_EQ(Offer(Torques(5, 6), 2.1), robot::Refusal::kNone);
   EXPECT_EQ(gate_.Current(2.1)[0], Torque(5));
   EXPECT_FALSE(gate_.timed_out(0));
 }
@@ -138,48 +138,50 @@ TEST_F(HandGateTest, IsAsBeforeTheFirstCommandAfterARestart) {
 }
 
 TEST_F(HandGateTest, RefusesAnAngleThatIsNoNumber) {
-  ExpectRefused({.enabled = true, .q = kNan}, Refusal::kNotFinite);
+  ExpectRefused({.enabled = true, .q = kNan}, robot::Refusal::kNotFinite);
 }
 
 TEST_F(HandGateTest, RefusesATorqueThatIsNotFinite) {
   ExpectRefused({.enabled = true, .tau = std::numeric_limits<double>::infinity()},
-                Refusal::kNotFinite);
+                robot::Refusal::kNotFinite);
 }
 
 TEST_F(HandGateTest, RefusesHarmToALockedMotor) {
-  ExpectRefused({.enabled = false, .kp = kNan}, Refusal::kNotFinite);
+  ExpectRefused({.enabled = false, .kp = kNan}, robot::Refusal::kNotFinite);
 }
 
 TEST_F(HandGateTest, RefusesANegativeGain) {
-  ExpectRefused({.enabled = true, .kd = -1}, Refusal::kGain);
+  ExpectRefused({.enabled = true, .kd = -1}, robot::Refusal::kGain);
 }
 
 TEST_F(HandGateTest, RefusesWhatThePortFoundWrong) {
-  EXPECT_EQ(gate_.Offer(Torques(1, 2), Refusal::kMotorMode, 0), Refusal::kMotorMode);
-  EXPECT_EQ(Refused(Refusal::kMotorMode), 1U);
+  EXPECT_EQ(gate_.Offer(Torques(1, 2), robot::Refusal::kMotorMode, 0), robot::Refusal::kMotorMode);
+  EXPECT_EQ(Refused(robot::Refusal::kMotorMode), 1U);
   EXPECT_EQ(gate_.Current(0)[0], kBraked);
 }
 
 TEST_F(HandGateTest, RefusesACommandForAnotherNumberOfMotors) {
-  HandCommand command = Torques(1, 2);
+  robot::HandCommand command = Torques(1, 2);
   command.motors.pop_back();
-  EXPECT_EQ(Offer(command), Refusal::kMotorCount);
-  EXPECT_EQ(Refused(Refusal::kMotorCount), 1U);
+  EXPECT_EQ(Offer(command), robot::Refusal::kMotorCount);
+  EXPECT_EQ(Refused(robot::Refusal::kMotorCount), 1U);
 }
 
 TEST_F(HandGateTest, LenientTakesAWrongModeAndCountsIt) {
   HandGate lenient(spec_, /*lenient=*/true);
-  EXPECT_EQ(lenient.Offer(Torques(1, 2), Refusal::kMotorMode, 0), Refusal::kNone);
-  EXPECT_EQ(lenient.counts().refused[static_cast<std::size_t>(Refusal::kMotorMode)], 1U);
+  EXPECT_EQ(lenient.Offer(Torques(1, 2), robot::Refusal::kMotorMode, 0), robot::Refusal::kNone);
+  EXPECT_EQ(lenient.counts().refused[static_cast<std::size_t>(robot::Refusal::kMotorMode)], 1U);
   EXPECT_EQ(lenient.Current(0)[0], Torque(1));
 }
 
 TEST_F(HandGateTest, LenientRefusesAWrongCountAndHarmAllTheSame) {
   HandGate lenient(spec_, /*lenient=*/true);
-  EXPECT_EQ(lenient.Offer(Torques(1, 2), Refusal::kMotorCount, 0), Refusal::kMotorCount);
-  EXPECT_EQ(lenient.Offer(Torques(kNan, 2), Refusal::kMotorMode, 0), Refusal::kNotFinite);
+  EXPECT_EQ(lenient.Offer(Torques(1, 2), robot::Refusal::kMotorCount, 0),
+            robot::Refusal::kMotorCount);
+  EXPECT_EQ(lenient.Offer(Torques(kNan, 2), robot::Refusal::kMotorMode, 0),
+            robot::Refusal::kNotFinite);
   EXPECT_EQ(lenient.Current(0)[0], kBraked);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

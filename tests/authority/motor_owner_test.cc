@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 // Counts what is asked of it.
@@ -11,10 +11,10 @@ class CountingMotion final : public Motion {
   explicit CountingMotion(int* starts) : starts_(starts) {}
   void Start(const MotionInput&) override { ++*starts_; }
   MotionVerdict Ask(const MotionGoal&) override { return MotionVerdict::kTaken; }
-  void Step(const MotionInput&, double, RobotCommand* command) override {
+  void Step(const MotionInput&, double, robot::RobotCommand* command) override {
     command->motors.front().tau = 7;
   }
-  MotionState state() const override { return {.id = 1001}; }
+  robot::MotionState state() const override { return {.id = 1001}; }
 
  private:
   int* starts_;
@@ -32,7 +32,7 @@ class MotorOwnerTest : public ::testing::Test {
   }
 
   int starts_ = 0;
-  RobotCommand command_{.motors = std::vector<MotorCommand>(1)};
+  robot::RobotCommand command_{.motors = std::vector<robot::MotorCommand>(1)};
 };
 
 TEST_F(MotorOwnerTest, LetsTheServiceThatIsOnMoveTheMotors) {
@@ -105,4 +105,4 @@ TEST_F(MotorOwnerTest, SaysWhenNothingCanPlayAService) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

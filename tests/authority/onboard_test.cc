@@ -2,13 +2,13 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::authority {
 namespace {
 
 using ::testing::ElementsAre;
 
-RobotSpec Dog(const char* firmware) {
-  RobotSpec spec;
+robot::RobotSpec Dog(const char* firmware) {
+  robot::RobotSpec spec;
   spec.firmware = firmware;
   const auto add = [&](const char* name, const char* alias, const char* since, const char* before) {
     spec.services.push_back({.name = name, .alias = alias, .since = since, .before = before});
@@ -42,4 +42,4 @@ TEST(OnboardTest, SwitchesOneMotionServiceOnAndTheOthersAsDescribed) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::authority

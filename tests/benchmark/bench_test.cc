@@ -8,7 +8,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::benchmark {
 namespace {
 
 using testing::Gt;
@@ -69,4 +69,4 @@ TEST(BenchTest, ExplainsItself) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::benchmark

@@ -12,7 +12,7 @@
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ::testing::Contains;
@@ -132,4 +132,4 @@ TEST(EndpointWatchTest, FindsOurOwnTopicsAndWhatOthersWrite) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ::testing::AllOf;
@@ -41,4 +41,4 @@ TEST(InterfacesTest, NamesTheAbsentOneTheOthersAndTheNearest) {
 TEST(InterfacesTest, RefusesAnEmptyName) { EXPECT_THAT(Complaint(""), HasSubstr("valid: ")); }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bus

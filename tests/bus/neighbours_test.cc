@@ -9,7 +9,7 @@
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ::testing::IsEmpty;
@@ -29,7 +29,7 @@ TEST(NeighbourWatchTest, DoesNotReportOurselves) {
   const Stranger stranger(132);
   const Entity theirs = stranger.Writes(kTopic.name);
   NeighbourWatch watch(ours, kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return !watch.Poll().empty(); }));
+  ASSERT_TRUE(test::Eventually([&] { return !watch.Poll().empty(); }));
   EXPECT_THAT(watch.Poll(), SizeIs(1));
   EXPECT_NE(watch.Poll().front().participant, ours.key());
 }
@@ -40,7 +40,7 @@ TEST(NeighbourWatchTest, DoesNotReportWritersOfOtherTopics) {
   const Entity other = stranger.Writes("rt/other");
   const Entity same = stranger.Writes(kTopic.name);
   NeighbourWatch watch(ours, kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return !watch.Poll().empty(); }));
+  ASSERT_TRUE(test::Eventually([&] { return !watch.Poll().empty(); }));
   EXPECT_THAT(watch.Poll(), SizeIs(1));
 }
 
@@ -50,7 +50,7 @@ TEST(NeighbourWatchTest, TellsTypeProcessAndParticipantAcrossTheNetwork) {
   const Entity network = JoinOverTheNetwork(134, 135);
   const Stranger stranger(135);
   const Entity writer = stranger.Writes(kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return watch.Poll().size() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return watch.Poll().size() == 1; }));
   const Neighbour& neighbour = watch.Poll().front();
   dds_guid_t guid{};
   ASSERT_EQ(dds_get_guid(stranger.handle(), &guid), DDS_RETCODE_OK);
@@ -67,9 +67,9 @@ TEST(NeighbourWatchTest, ForgetsAWriterThatHasGone) {
   const Stranger stranger(136);
   {
     const Entity writer = stranger.Writes(kTopic.name);
-    ASSERT_TRUE(Eventually([&] { return watch.Poll().size() == 1; }));
+    ASSERT_TRUE(test::Eventually([&] { return watch.Poll().size() == 1; }));
   }
-  EXPECT_TRUE(Eventually([&] { return watch.Poll().empty(); }));
+  EXPECT_TRUE(test::Eventually([&] { return watch.Poll().empty(); }));
 }
 
 TEST(NeighbourTest, IsDescribedByWhatIsKnown) {
@@ -80,4 +80,4 @@ TEST(NeighbourTest, IsDescribedByWhatIsKnown) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bus

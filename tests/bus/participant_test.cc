@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "tests/bus/stranger.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ::testing::HasSubstr;
@@ -79,4 +79,4 @@ TEST(ParticipantTest, PrintsNothing) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bus

@@ -16,7 +16,7 @@
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::bus {
 namespace {
 
 using ::testing::ElementsAre;
@@ -53,7 +53,7 @@ TEST(ReaderTest, TakesOldestFirstAndEachOnce) {
   Reader<Hello> reader(ours, kTopic);
   const Stranger stranger(112);
   const Entity writer = stranger.Writes(kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (const std::int64_t id : {1, 2, 3}) ASSERT_TRUE(Send(writer, id));
   EXPECT_THAT(TakeIds(&reader, 2), ElementsAre(1, 2));
   EXPECT_THAT(TakeIds(&reader), ElementsAre(3));
@@ -65,7 +65,7 @@ TEST(ReaderTest, KeepsTheNewestOfItsDepth) {
   Reader<Hello> reader(ours, kTopic, {.depth = 2});
   const Stranger stranger(113);
   const Entity writer = stranger.Writes(kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (const std::int64_t id : {1, 2, 3}) ASSERT_TRUE(Send(writer, id));
   EXPECT_THAT(TakeIds(&reader), ElementsAre(2, 3));
 }
@@ -75,7 +75,7 @@ TEST(ReaderTest, VisitsAtMostSixteenAtOnce) {
   Reader<Hello> reader(ours, kTopic, {.depth = 40});
   const Stranger stranger(114);
   const Entity writer = stranger.Writes(kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (std::int64_t id = 0; id < 20; ++id) ASSERT_TRUE(Send(writer, id));
   EXPECT_EQ(TakeIds(&reader, 100).size(), 16);
   EXPECT_EQ(TakeIds(&reader, 100).size(), 4);
@@ -88,7 +88,7 @@ TEST(ReaderTest, MissesNoMessageThatComesWhileItLooks) {
   Reader<Hello> reader(ours, kTopic);
   const Stranger stranger(125);
   const Entity writer = stranger.Writes(kTopic.name);
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   std::atomic<std::int64_t> seen{0};
   const std::jthread sender([&](const std::stop_token& stop) {
     for (std::int64_t id = 1; id <= kMessages && !stop.stop_requested(); ++id) {
@@ -96,7 +96,7 @@ TEST(ReaderTest, MissesNoMessageThatComesWhileItLooks) {
       while (seen < id && !stop.stop_requested()) std::this_thread::yield();
     }
   });
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(test::Eventually([&] {
     for (const std::int64_t id : TakeIds(&reader, 1)) seen = id;
     return seen == kMessages;
   }));
@@ -111,7 +111,7 @@ TEST(ReaderTest, AcceptsReliableAndBestEffortWritersOfBothRepresentations) {
   const Entity best_effort = stranger.Writes(kTopic.name, {.reliable = false});
   const Entity xcdr2 =
       stranger.Writes(kTopic.name, {.representation = DDS_DATA_REPRESENTATION_XCDR2});
-  EXPECT_TRUE(Eventually([&] { return reader.matched_writers() == 4; }));
+  EXPECT_TRUE(test::Eventually([&] { return reader.matched_writers() == 4; }));
 }
 
 TEST(ReaderTest, TellsWhoseASampleIsWhileTheWriterLives) {
@@ -123,12 +123,12 @@ TEST(ReaderTest, TellsWhoseASampleIsWhileTheWriterLives) {
   WriterHandle seen = 0;
   {
     const Entity writer = stranger.Writes(kTopic.name);
-    ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+    ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
     ASSERT_TRUE(Send(writer, 1));
     ASSERT_EQ(reader.Take([&](const Hello&, WriterHandle handle) { seen = handle; }), 1);
     EXPECT_EQ(reader.ParticipantOf(seen), std::to_array(guid.v));
   }
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 0; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 0; }));
   EXPECT_EQ(reader.ParticipantOf(seen), std::nullopt);
 }
 
@@ -138,11 +138,11 @@ TEST(ReaderTest, DoesNotVisitThatAWriterHasGone) {
   const Stranger stranger(117);
   {
     const Entity writer = stranger.Writes(kTopic.name);
-    ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 1; }));
+    ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
     ASSERT_TRUE(Send(writer, 1));
     ASSERT_THAT(TakeIds(&reader), ElementsAre(1));
   }
-  ASSERT_TRUE(Eventually([&] { return reader.matched_writers() == 0; }));
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 0; }));
   EXPECT_THAT(TakeIds(&reader), IsEmpty());
 }
 
@@ -172,7 +172,7 @@ TEST(WriterTest, SatisfiesReliableReadersOfXcdr1) {
   Writer<Hello> writer(ours, kTopic);
   const Stranger stranger(121);
   const Entity reader = stranger.Reads(kTopic.name);
-  EXPECT_TRUE(Eventually([&] { return writer.matched_readers() == 1; }));
+  EXPECT_TRUE(test::Eventually([&] { return writer.matched_readers() == 1; }));
 }
 
 TEST(WriterTest, KnowsWhileSomebodyReads) {
@@ -181,9 +181,9 @@ TEST(WriterTest, KnowsWhileSomebodyReads) {
   const Stranger stranger(126);
   {
     const Entity reader = stranger.Reads(kTopic.name);
-    EXPECT_TRUE(Eventually([&] { return writer.has_readers(); }));
+    EXPECT_TRUE(test::Eventually([&] { return writer.has_readers(); }));
   }
-  EXPECT_TRUE(Eventually([&] { return !writer.has_readers(); }));
+  EXPECT_TRUE(test::Eventually([&] { return !writer.has_readers(); }));
 }
 
 TEST(WriterTest, ReachesAParticipantOnceItsReaderIsMatched) {
@@ -194,7 +194,7 @@ TEST(WriterTest, ReachesAParticipantOnceItsReaderIsMatched) {
   ASSERT_EQ(dds_get_guid(stranger.handle(), &guid), DDS_RETCODE_OK);
   EXPECT_FALSE(writer.ReachesParticipant(std::to_array(guid.v)));
   const Entity reader = stranger.Reads(kTopic.name);
-  EXPECT_TRUE(Eventually([&] { return writer.ReachesParticipant(std::to_array(guid.v)); }));
+  EXPECT_TRUE(test::Eventually([&] { return writer.ReachesParticipant(std::to_array(guid.v)); }));
   EXPECT_FALSE(writer.ReachesParticipant(ours.key()));
 }
 
@@ -244,7 +244,7 @@ TEST(WriterTest, IsNotHeldUpByAProgramThatHangs) {
   ReadingProgram program(124);
   const Participant ours("lo", 124);
   Writer<Hello> writer(ours, kTopic);
-  ASSERT_TRUE(Eventually([&] { return writer.matched_readers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return writer.matched_readers() == 1; }));
   program.Hang();
   for (std::int64_t id = 0; id < 20000; ++id) ASSERT_TRUE(writer.Write(Greeting(id)));
   EXPECT_EQ(writer.matched_readers(), 1);
@@ -252,4 +252,4 @@ TEST(WriterTest, IsNotHeldUpByAProgramThatHangs) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bus

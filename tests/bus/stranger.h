@@ -10,7 +10,7 @@
 #include "bus/entity.h"
 #include "idl/hello_world.h"
 
-namespace understudy {
+namespace understudy::bus {
 
 using Hello = HelloWorldData_Msg;
 
@@ -69,6 +69,6 @@ inline Entity JoinOverTheNetwork(int domain, int alias) {
                 "join as alias");
 }
 
-}  // namespace understudy
+}  // namespace understudy::bus
 
 #endif  // UNDERSTUDY_TESTS_BUS_STRANGER_H_

@@ -14,7 +14,7 @@
 #include "server/server.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 using std::chrono::milliseconds;
@@ -93,12 +93,13 @@ TEST_F(ClientTest, SaysWhenWhatComesBackIsNoHttp) {
 }
 
 TEST_F(ClientTest, AsksAgainAndAgainOnOneConnection) {
-  StatusBoard board;
-  Inbox inbox;
+  emulator::StatusBoard board;
+  emulator::Inbox inbox;
   int drained = 0;
-  const test::Ticking robot(&inbox, [&](const Order&) { return ++drained < 3 ? "" : "enough"; });
-  const ControlServer server(path_, {.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox},
-                             {.connections = 1});
+  const test::Ticking robot(&inbox,
+                            [&](const emulator::Order&) { return ++drained < 3 ? "" : "enough"; });
+  const server::ControlServer server(
+      path_, {.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox}, {.connections = 1});
   Connection connection(path_, test::kBound);
   EXPECT_EQ(connection.Ask("POST", "/clamp", R"({"on": true})", test::kBound).status, 200u);
   EXPECT_EQ(connection.Ask("POST", "/clamp", "{", test::kBound).status, 400u);
@@ -108,10 +109,10 @@ TEST_F(ClientTest, AsksAgainAndAgainOnOneConnection) {
 }
 
 TEST_F(ClientTest, SaysWhenTheRobotWentMeanwhile) {
-  StatusBoard board;
-  Inbox inbox;
-  auto server = std::make_unique<ControlServer>(
-      path_, Plane{.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox});
+  emulator::StatusBoard board;
+  emulator::Inbox inbox;
+  auto server = std::make_unique<server::ControlServer>(
+      path_, server::Plane{.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox});
   Connection connection(path_, test::kBound);
   EXPECT_EQ(connection.Ask("GET", "/status", "", test::kBound).status, 200u);
   server.reset();
@@ -124,4 +125,4 @@ TEST_F(ClientTest, RefusesAPathTooLong) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::client

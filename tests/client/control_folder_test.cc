@@ -8,7 +8,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 using ::testing::HasSubstr;
@@ -112,4 +112,4 @@ TEST_F(ControlFolderTest, RefusesAPathTooLongForASocket) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::client

@@ -12,7 +12,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 using ::testing::AllOf;
@@ -113,4 +113,4 @@ TEST_F(ListeningSocketTest, DoesNotTakeASocketBetweenBindAndListenForStale) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::client

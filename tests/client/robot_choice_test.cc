@@ -5,7 +5,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::client {
 namespace {
 
 // What is made of those lines, and what was asked.
@@ -40,4 +40,4 @@ TEST(AskWhichTest, NoAnswerIsNone) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::client

@@ -15,7 +15,7 @@
 #include "config/load.h"
 #include "config/robot_file.h"
 
-namespace understudy {
+namespace understudy::config {
 
 // Two motors, a foot, everything a robot needs.
 inline constexpr char kTinyRobot[] = R"(robot:
@@ -92,6 +92,6 @@ class ConfigFixture : public testing::Test {
   std::filesystem::path directory_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::config
 
 #endif  // UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_

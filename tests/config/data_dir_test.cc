@@ -4,7 +4,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 // The fixture's directory holds config/robots.
@@ -44,4 +44,4 @@ TEST_F(DataDirTest, HoldsOurRobotsInTheSourceTree) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

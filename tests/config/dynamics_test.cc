@@ -2,24 +2,24 @@
 #include "config_fixture.h"
 #include "robot/motor.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::HasSubstr;
 
 const std::filesystem::path kSource = UNDERSTUDY_SOURCE_DIR;
 
-RobotSpec Shipped(const std::string& robot, const std::vector<std::string>& sets = {}) {
+robot::RobotSpec Shipped(const std::string& robot, const std::vector<std::string>& sets = {}) {
   return LoadConfig({.robot = robot, .files = {}, .sets = sets}, kSource).robot;
 }
 
 TEST(DynamicsTest, ARobotUsesTheFitWhereThereIsOne) {
   for (const std::string& name : RobotNames(kSource)) {
-    const DynamicsSpec dynamics = Shipped(name).dynamics;
-    EXPECT_EQ(dynamics.use == DynamicsSource::kFitted, !dynamics.fitted.empty()) << name;
+    const robot::DynamicsSpec dynamics = Shipped(name).dynamics;
+    EXPECT_EQ(dynamics.use == robot::DynamicsSource::kFitted, !dynamics.fitted.empty()) << name;
   }
   for (const std::string name : {"g1", "go2", "go2w"}) {
-    EXPECT_EQ(Shipped(name).dynamics.use, DynamicsSource::kFitted) << name;
+    EXPECT_EQ(Shipped(name).dynamics.use, robot::DynamicsSource::kFitted) << name;
   }
 }
 
@@ -32,10 +32,10 @@ TEST(DynamicsTest, ARobotWithoutAFitSaysSo) {
 }
 
 // N·m s/rad with which a G1's motor brakes a joint that a client commands with kd = 2, in PR mode.
-double EffectiveKd(const RobotSpec& g1, const std::string& joint) {
+double EffectiveKd(const robot::RobotSpec& g1, const std::string& joint) {
   const std::size_t count = g1.motors.size();
-  MotorBank bank(g1);
-  RobotCommand command;
+  robot::MotorBank bank(g1);
+  robot::RobotCommand command;
   command.motors.assign(count, {.enabled = true, .kd = 2});
   const std::vector<double> q(count, 0.0), dq(count, 1.0);
   const std::span<const double> torque = bank.Step(command, q, dq, 0.001);
@@ -49,7 +49,7 @@ double EffectiveKd(const RobotSpec& g1, const std::string& joint) {
 // measured.md, section b: four sessions of a real G1 show kd times 1.38 to 1.69 at ankle and waist
 // pitch, 0.46 to 0.55 at their roll and 0.97 to 1.00 elsewhere.
 TEST(DynamicsTest, ParallelJointsOfAG1BrakeAsLogsOfARealOneShow) {
-  const RobotSpec g1 = Shipped("g1");
+  const robot::RobotSpec g1 = Shipped("g1");
   for (const std::string part : {"left_ankle", "right_ankle", "waist"}) {
     const double pitch = EffectiveKd(g1, part + "_pitch_joint") / 2;
     const double roll = EffectiveKd(g1, part + "_roll_joint") / 2;
@@ -64,18 +64,20 @@ TEST(DynamicsTest, ParallelJointsOfAG1BrakeAsLogsOfARealOneShow) {
 }
 
 TEST(DynamicsTest, ParallelJointsOfAG1BrakeAsCommandedUnderCatalogue) {
-  const RobotSpec g1 = Shipped("g1", {"robot.dynamics=catalogue"});
+  const robot::RobotSpec g1 = Shipped("g1", {"robot.dynamics=catalogue"});
   EXPECT_EQ(EffectiveKd(g1, "left_ankle_pitch_joint"), 2);
   EXPECT_EQ(EffectiveKd(g1, "waist_roll_joint"), 2);
 }
 
 TEST(DynamicsTest, AnotherModelKeepsItsOwnJointsUnlessToldOtherwise) {
   const std::string model = "robot.model=/elsewhere/go2.xml";
-  EXPECT_EQ(Shipped("go2", {model}).dynamics.use, DynamicsSource::kCatalogue);
+  EXPECT_EQ(Shipped("go2", {model}).dynamics.use, robot::DynamicsSource::kCatalogue);
   EXPECT_EQ(Shipped("go2", {model, "robot.dynamics.use=fitted"}).dynamics.use,
-            DynamicsSource::kFitted);
-  EXPECT_EQ(Shipped("go2", {"robot.dynamics=fitted", model}).dynamics.use, DynamicsSource::kFitted);
-  EXPECT_EQ(Shipped("go2", {"robot.model=go2/go2.xml"}).dynamics.use, DynamicsSource::kFitted);
+            robot::DynamicsSource::kFitted);
+  EXPECT_EQ(Shipped("go2", {"robot.dynamics=fitted", model}).dynamics.use,
+            robot::DynamicsSource::kFitted);
+  EXPECT_EQ(Shipped("go2", {"robot.model=go2/go2.xml"}).dynamics.use,
+            robot::DynamicsSource::kFitted);
 }
 
 class DynamicsMisuseTest : public ConfigFixture {};
@@ -118,4 +120,4 @@ TEST_F(DynamicsMisuseTest, RefusesADelayThatIsNoDelay) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
@@ -80,4 +80,4 @@ TEST(FidelityDocTest, ListsNoFileOfTheCodeThatSaysNothingOfIt) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

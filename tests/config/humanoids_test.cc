@@ -8,10 +8,10 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
-RobotSpec Robot(const std::string& name) {
+robot::RobotSpec Robot(const std::string& name) {
   return LoadConfig({.robot = name}, std::filesystem::path(UNDERSTUDY_SOURCE_DIR)).robot;
 }
 
@@ -20,8 +20,8 @@ nlohmann::json Figures(const std::string& name) {
       std::ifstream(std::string(UNDERSTUDY_SOURCE_DIR) + "/tests/data/figures/" + name + ".json"));
 }
 
-std::string JointInSlot(const RobotSpec& robot, int slot) {
-  for (const MotorSpec& motor : robot.motors) {
+std::string JointInSlot(const robot::RobotSpec& robot, int slot) {
+  for (const robot::MotorSpec& motor : robot.motors) {
     if (motor.slot == slot) return motor.joint;
   }
   return "none";
@@ -31,16 +31,16 @@ class HumanoidsTest : public testing::TestWithParam<const char*> {};
 
 TEST_P(HumanoidsTest, HasTheMotorsOfTheSdkInItsOrder) {
   const auto order = Figures(GetParam())["motor_order"].get<std::vector<std::string>>();
-  const RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = Robot(GetParam());
   ASSERT_EQ(robot.motors.size(), order.size());
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(robot.motors[i].joint, order[i]);
 }
 
 TEST_P(HumanoidsTest, LimitsTheTorqueAsItsModelDoes) {
   const nlohmann::json figures = Figures(GetParam());
-  const RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = Robot(GetParam());
   for (const nlohmann::json& joint : figures["joints"]) {
-    for (const MotorSpec& motor : robot.motors) {
+    for (const robot::MotorSpec& motor : robot.motors) {
       if (motor.joint != joint["name"]) continue;
       EXPECT_EQ(motor.torque_limit, joint["torque_limit"].get<double>()) << motor.joint;
     }
@@ -49,7 +49,7 @@ TEST_P(HumanoidsTest, LimitsTheTorqueAsItsModelDoes) {
 
 TEST_P(HumanoidsTest, HoldsItsPosesByTheGainsOfTheExample) {
   const nlohmann::json hang = Figures(GetParam())["hang"];
-  const RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = Robot(GetParam());
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
     EXPECT_EQ(robot.motors[i].hold_kp, hang["kp"][i].get<double>()) << robot.motors[i].joint;
     EXPECT_EQ(robot.motors[i].hold_kd, hang["kd"][i].get<double>()) << robot.motors[i].joint;
@@ -59,7 +59,7 @@ TEST_P(HumanoidsTest, HoldsItsPosesByTheGainsOfTheExample) {
 // A pose that is a millimetre high drops softly; one that is low starts in the ground.
 TEST_P(HumanoidsTest, StartsWithItsSolesJustAboveTheGround) {
   const nlohmann::json figures = Figures(GetParam());
-  const RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = Robot(GetParam());
   EXPECT_EQ(robot.standing.q, figures["stand"]["pose"].get<std::vector<double>>());
   const double above = robot.standing.height - figures["stand"]["height"].get<double>();
   EXPECT_GT(above, 0.0005);
@@ -69,8 +69,8 @@ TEST_P(HumanoidsTest, StartsWithItsSolesJustAboveTheGround) {
 }
 
 TEST_P(HumanoidsTest, PairsArePitchAndRollOfOneMechanism) {
-  const RobotSpec robot = Robot(GetParam());
-  for (const ParallelSpec& pair : robot.parallel) {
+  const robot::RobotSpec robot = Robot(GetParam());
+  for (const robot::ParallelSpec& pair : robot.parallel) {
     const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
     const std::string& roll = robot.motors[static_cast<std::size_t>(pair.roll)].joint;
     EXPECT_NE(pitch.find("_pitch"), std::string::npos);
@@ -83,8 +83,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest,
                          [](const auto& test) { return std::string(test.param); });
 
 TEST(HumanoidSlotsTest, H1LeavesSlotNineToTheArmWeight) {
-  const RobotSpec robot = Robot("h1");
-  EXPECT_EQ(robot.family, WireFamily::kGo);
+  const robot::RobotSpec robot = Robot("h1");
+  EXPECT_EQ(robot.family, robot::WireFamily::kGo);
   EXPECT_EQ(robot.motors.size(), 19U);
   EXPECT_EQ(JointInSlot(robot, 2), "right_knee_joint");
   EXPECT_EQ(JointInSlot(robot, 8), "right_hip_yaw_joint");
@@ -98,8 +98,8 @@ TEST(HumanoidSlotsTest, H1HasNoMoreCellsThanItsMessage) {
 }
 
 TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
-  const RobotSpec robot = Robot("h1_2");
-  EXPECT_EQ(robot.family, WireFamily::kHg);
+  const robot::RobotSpec robot = Robot("h1_2");
+  EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(robot.mode_machine, 6);
   EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_pitch_joint");
   EXPECT_EQ(JointInSlot(robot, 12), "torso_joint");
@@ -107,8 +107,8 @@ TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
 }
 
 TEST(HumanoidSlotsTest, AG1OfTwentyThreeMotorsLeavesTheSlotsOfMissingJointsEmpty) {
-  const RobotSpec small = Robot("g1_23dof");
-  const RobotSpec large = Robot("g1");
+  const robot::RobotSpec small = Robot("g1_23dof");
+  const robot::RobotSpec large = Robot("g1");
   for (int slot = 0; slot < 35; ++slot) {
     const bool empty = slot == 13 || slot == 14 || slot == 20 || slot == 21 || slot >= 27;
     EXPECT_EQ(JointInSlot(small, slot), empty ? "none" : JointInSlot(large, slot)) << slot;
@@ -116,8 +116,8 @@ TEST(HumanoidSlotsTest, AG1OfTwentyThreeMotorsLeavesTheSlotsOfMissingJointsEmpty
 }
 
 TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {
-  const RobotSpec robot = Robot("r1");
-  EXPECT_EQ(robot.family, WireFamily::kHg);
+  const robot::RobotSpec robot = Robot("r1");
+  EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   for (const int slot : {14, 20, 21, 27, 28}) EXPECT_EQ(JointInSlot(robot, slot), "none") << slot;
   EXPECT_EQ(JointInSlot(robot, 12), "waist_roll_joint");
   EXPECT_EQ(JointInSlot(robot, 15), "left_shoulder_pitch_joint");
@@ -127,8 +127,8 @@ TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {
 }
 
 TEST(HumanoidSlotsTest, H2RollsItsAnkleBeforeItPitchesIt) {
-  const RobotSpec robot = Robot("h2");
-  EXPECT_EQ(robot.family, WireFamily::kHg);
+  const robot::RobotSpec robot = Robot("h2");
+  EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_roll_joint");
   EXPECT_EQ(JointInSlot(robot, 5), "left_ankle_pitch_joint");
   EXPECT_EQ(JointInSlot(robot, 10), "right_ankle_roll_joint");
@@ -136,4 +136,4 @@ TEST(HumanoidSlotsTest, H2RollsItsAnkleBeforeItPitchesIt) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

@@ -2,20 +2,20 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 class LoadConfigTest : public ConfigFixture {};
 
 TEST_F(LoadConfigTest, KeepsDefaultsWhereNothingIsSaid) {
   const Config config = LoadText("");
-  EXPECT_EQ(config.gate.timeout, GateConfig{}.timeout);
+  EXPECT_EQ(config.gate.timeout, authority::GateConfig{}.timeout);
   EXPECT_EQ(config.network.interface, "lo");
-  EXPECT_EQ(config.robot.rates.lowstate_hz, RateSpec{}.lowstate_hz);
+  EXPECT_EQ(config.robot.rates.lowstate_hz, robot::RateSpec{}.lowstate_hz);
 }
 
 TEST_F(LoadConfigTest, TakesASectionWithoutKeys) {
-  EXPECT_EQ(LoadText("gate:\ntime: {}\n").gate.timeout, GateConfig{}.timeout);
+  EXPECT_EQ(LoadText("gate:\ntime: {}\n").gate.timeout, authority::GateConfig{}.timeout);
 }
 
 TEST_F(LoadConfigTest, LetsLaterLayersWin) {
@@ -89,4 +89,4 @@ TEST_F(LoadConfigTest, ListsRobotsInOrder) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

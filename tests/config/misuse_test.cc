@@ -3,7 +3,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 class ConfigMisuseTest : public ConfigFixture {};
@@ -187,4 +187,4 @@ TEST_F(ConfigMisuseTest, RefusesAnElementThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

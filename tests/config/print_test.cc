@@ -5,7 +5,7 @@
 #include "config/reference.h"
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::HasSubstr;
@@ -123,4 +123,4 @@ TEST_F(PrintConfigTest, ExplainsKeysInComments) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

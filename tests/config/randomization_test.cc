@@ -2,7 +2,7 @@
 #include "config/randomization_keys.h"
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::ElementsAre;
@@ -20,7 +20,7 @@ TEST_F(RandomizationTest, EveryRangeIsReadAndMakesTheRunRandom) {
   for (const RandomRange& range : RandomRanges()) {
     const std::string limits = range.row.name == "timestep" ? "[0.0005, 0.001]" : "[0.01, 0.02]";
     const std::string set = "randomization." + std::string(range.row.name) + "=" + limits;
-    const RandomizationSpec spec = Load({}, {set}).randomization;
+    const robot::RandomizationSpec spec = Load({}, {set}).randomization;
     EXPECT_TRUE(IsRandom(spec)) << set;
     EXPECT_EQ((spec.*range.limits).size(), 2U) << set;
   }
@@ -90,4 +90,4 @@ TEST_F(RandomizationTest, RefusesASeedThatIsNone) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

@@ -6,7 +6,7 @@
 
 #include "config/reference.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 TEST(ConfigReferenceDocTest, IsWhatHelpConfigPrints) {
@@ -17,4 +17,4 @@ TEST(ConfigReferenceDocTest, IsWhatHelpConfigPrints) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

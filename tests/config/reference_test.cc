@@ -7,7 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::Contains;
@@ -47,4 +47,4 @@ TEST(ConfigReferenceTest, HasFiveCellsInEachRow) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

@@ -4,7 +4,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::ElementsAre;
@@ -24,7 +24,7 @@ class RobotFileTest : public ConfigFixture {
 };
 
 TEST_F(RobotFileTest, SaysOnlyWhatDiffersFromTheRobotItExtends) {
-  const RobotSpec robot = LoadLong("  hanging: {height: 2}\n").robot;
+  const robot::RobotSpec robot = LoadLong("  hanging: {height: 2}\n").robot;
   EXPECT_EQ(robot.name, "long");
   EXPECT_EQ(robot.hanging.height, 2);
   EXPECT_THAT(robot.hanging.q, ElementsAre(0, 0));
@@ -32,7 +32,7 @@ TEST_F(RobotFileTest, SaysOnlyWhatDiffersFromTheRobotItExtends) {
 }
 
 TEST_F(RobotFileTest, ChangesElementsOfListsByNameOrIndex) {
-  const RobotSpec robot =
+  const robot::RobotSpec robot =
       LoadLong("  motors:\n    b: {torque_limit: 30}\n    0: {hold_kp: 5}\n").robot;
   ASSERT_EQ(robot.motors.size(), 2U);
   EXPECT_EQ(robot.motors[1].torque_limit, 30);
@@ -105,7 +105,7 @@ constexpr char kRevisions[] = R"(  revision: old
 
 TEST_F(RobotFileTest, PlaysTheRevisionThatIsAskedForLast) {
   EXPECT_EQ(LoadLong(kRevisions).robot.motors[1].torque_limit, 20);
-  const RobotSpec strong =
+  const robot::RobotSpec strong =
       LoadLong(kRevisions, {"robot.revision=stiff", "robot.revision=strong"}).robot;
   EXPECT_EQ(strong.revision, "strong");
   EXPECT_EQ(strong.motors[1].torque_limit, 50);
@@ -125,7 +125,7 @@ TEST_F(RobotFileTest, HasTheRevisionsOfWhatItExtendsAndItsOwn) {
         "    new: {}\n");
   EXPECT_THAT(ReadRobotFile("longer", directory_).RevisionNames(),
               ElementsAre("old", "strong", "new"));
-  const RobotSpec robot =
+  const robot::RobotSpec robot =
       LoadConfig({.robot = "longer", .files = {}, .sets = {"robot.revision=strong"}}, directory_)
           .robot;
   EXPECT_EQ(robot.hanging.height, 3);
@@ -185,9 +185,9 @@ TEST_F(RobotFileTest, RefusesRevisionsInALayer) {
 class LockedJointsTest : public ConfigFixture {};
 
 TEST_F(LockedJointsTest, TakeTheirMotorsAndAnglesOut) {
-  const RobotSpec robot = Load({}, {"robot.parallel=[{pitch: 0, roll: 1}]",
-                                    "robot.arm_sdk.slots=[0, 1]", "robot.locked_joints=[a]"})
-                              .robot;
+  const robot::RobotSpec robot = Load({}, {"robot.parallel=[{pitch: 0, roll: 1}]",
+                                           "robot.arm_sdk.slots=[0, 1]", "robot.locked_joints=[a]"})
+                                     .robot;
   ASSERT_EQ(robot.motors.size(), 1U);
   EXPECT_EQ(robot.motors[0].joint, "b");
   EXPECT_EQ(robot.motors[0].slot, 1);
@@ -199,7 +199,7 @@ TEST_F(LockedJointsTest, TakeTheirMotorsAndAnglesOut) {
 }
 
 TEST_F(LockedJointsTest, KeepPairsOfOthersByTheirNewPlaces) {
-  const RobotSpec robot = Load({Write("three.yaml", R"(robot:
+  const robot::RobotSpec robot = Load({Write("three.yaml", R"(robot:
   motors: [{joint: a, slot: 0, torque_limit: 1}, {joint: b, slot: 1, torque_limit: 1},
            {joint: c, slot: 2, torque_limit: 1}]
   parallel: [{pitch: 2, roll: 1}]
@@ -207,8 +207,8 @@ TEST_F(LockedJointsTest, KeepPairsOfOthersByTheirNewPlaces) {
   standing: {q: [1, 2, 3]}
   hanging: {q: [1, 2, 3]}
 )")},
-                               {"robot.locked_joints=[a]"})
-                              .robot;
+                                      {"robot.locked_joints=[a]"})
+                                     .robot;
   ASSERT_EQ(robot.parallel.size(), 1U);
   EXPECT_EQ(robot.parallel[0].pitch, 1);
   EXPECT_EQ(robot.parallel[0].roll, 0);
@@ -251,4 +251,4 @@ TEST_F(LockedJointsTest, BodiesAreRevisedByWholeVectors) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

@@ -6,7 +6,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 Config Robot(const std::string& name) {
@@ -21,8 +21,8 @@ TEST(RobotsTest, AllLoadUnderTheirOwnNames) {
 }
 
 TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
-  const RobotSpec robot = Robot("go2").robot;
-  EXPECT_EQ(robot.family, WireFamily::kGo);
+  const robot::RobotSpec robot = Robot("go2").robot;
+  EXPECT_EQ(robot.family, robot::WireFamily::kGo);
   ASSERT_EQ(robot.motors.size(), 12U);
   EXPECT_EQ(robot.motors[0].joint, "FR_hip_joint");
   EXPECT_EQ(robot.motors[5].joint, "FL_calf_joint");
@@ -36,8 +36,8 @@ TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
 }
 
 TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
-  const RobotSpec robot = Robot("g1").robot;
-  EXPECT_EQ(robot.family, WireFamily::kHg);
+  const robot::RobotSpec robot = Robot("g1").robot;
+  EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(robot.mode_machine, 5);
   ASSERT_EQ(robot.motors.size(), 29U);
   EXPECT_EQ(robot.motors[3].joint, "left_knee_joint");
@@ -49,15 +49,15 @@ TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {
 }
 
 TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
-  const RobotSpec robot = Robot("g1_29dof_dex3").robot;
-  const RobotSpec g1 = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1_29dof_dex3").robot;
+  const robot::RobotSpec g1 = Robot("g1").robot;
   EXPECT_EQ(robot.mode_machine, g1.mode_machine);
   EXPECT_EQ(robot.motors.size(), g1.motors.size());
   EXPECT_TRUE(g1.hands.empty());
   ASSERT_EQ(robot.hands.size(), 2U);
   const auto figures = nlohmann::json::parse(
       std::ifstream(std::string(UNDERSTUDY_SOURCE_DIR) + "/tests/data/figures/g1_29dof_dex3.json"));
-  for (const HandSpec& hand : robot.hands) {
+  for (const robot::HandSpec& hand : robot.hands) {
     EXPECT_EQ(hand.topic, "dex3/" + hand.name);
     EXPECT_EQ(hand.pads.size(), 9U);
     const auto order = figures["hands"][hand.name]["motor_order"].get<std::vector<std::string>>();
@@ -73,9 +73,9 @@ TEST(RobotsTest, TheDex3sAreHandsOfAG1WithSevenMotorsEach) {
 }
 
 TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
-  const RobotSpec robot = Robot("g1").robot;
+  const robot::RobotSpec robot = Robot("g1").robot;
   ASSERT_EQ(robot.parallel.size(), 3U);
-  for (const ParallelSpec& pair : robot.parallel) {
+  for (const robot::ParallelSpec& pair : robot.parallel) {
     const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
     const std::string& roll = robot.motors[static_cast<std::size_t>(pair.roll)].joint;
     EXPECT_EQ(pitch.substr(0, pitch.find("_pitch")), roll.substr(0, roll.find("_roll")));
@@ -86,7 +86,7 @@ TEST(RobotsTest, G1PairsArePitchAndRollOfOneMechanism) {
 // steps of some wrists are another matter.)
 TEST(RobotsTest, LatticesFollowTheMeasuredLaw) {
   for (const std::string name : {"go2", "g1"}) {
-    for (const MotorSpec& motor : Robot(name).robot.motors) {
+    for (const robot::MotorSpec& motor : Robot(name).robot.motors) {
       if (motor.q_step == 0) continue;
       EXPECT_NEAR(motor.dq_step / motor.q_step, 128, 1e-3) << motor.joint;
       const double reduction = 2 * std::acos(-1.0) / 256 / motor.dq_step;
@@ -98,7 +98,7 @@ TEST(RobotsTest, LatticesFollowTheMeasuredLaw) {
 
 // Band of real Go2 robots: a standing one shows a sum of 90 to 135 counts.
 TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
-  const FootSensorSpec sensor = Robot("go2").robot.foot_sensor;
+  const robot::FootSensorSpec sensor = Robot("go2").robot.foot_sensor;
   const double sum = 4 * sensor.offset_counts + sensor.counts_per_newton * 15.2 * 9.81;
   EXPECT_GT(sum, 90);
   EXPECT_LT(sum, 135);
@@ -106,7 +106,7 @@ TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
 
 // Two real readings: 4.084 V per cell at 93 % and 0.939 A, 3.837 V at 63 % and 3.627 A.
 TEST(RobotsTest, Go2BatteryGivesTheMeasuredVoltages) {
-  const BatterySpec b = Robot("go2").robot.battery;
+  const robot::BatterySpec b = Robot("go2").robot.battery;
   const auto cell = [&b](double soc, double current) {
     return b.cell_empty_v + soc * (b.cell_full_v - b.cell_empty_v) - current * b.internal_ohm / 8;
   };
@@ -115,4 +115,4 @@ TEST(RobotsTest, Go2BatteryGivesTheMeasuredVoltages) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

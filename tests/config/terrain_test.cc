@@ -2,7 +2,7 @@
 #include "config/validate.h"
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::HasSubstr;
@@ -107,4 +107,4 @@ TEST_F(TerrainConfigTest, RefusesDifficultyFrictionAndSizeOutOfRange) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

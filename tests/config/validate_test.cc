@@ -2,7 +2,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 class ValidateTest : public ConfigFixture {};
@@ -83,7 +83,7 @@ class HandsTest : public ValidateTest {
 constexpr char kThumb[] = "{joint: thumb, torque_limit: 1}";
 
 TEST_F(HandsTest, AreReadWithTheirMotors) {
-  const RobotSpec robot = Hands(Hand("left", kThumb, ", timeout: 2")).robot;
+  const robot::RobotSpec robot = Hands(Hand("left", kThumb, ", timeout: 2")).robot;
   ASSERT_EQ(robot.hands.size(), 1U);
   EXPECT_EQ(robot.hands[0].motors.at(0).joint, "thumb");
   EXPECT_EQ(robot.hands[0].timeout, 2);
@@ -213,4 +213,4 @@ TEST_F(ValidateTest, ChordsAreOfKeysThatExist) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

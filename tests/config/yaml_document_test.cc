@@ -2,7 +2,7 @@
 
 #include "config_fixture.h"
 
-namespace understudy {
+namespace understudy::config {
 namespace {
 
 using testing::HasSubstr;
@@ -136,4 +136,4 @@ TEST_F(YamlFileTest, TakesAFileOfJustOneMebibyte) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::config

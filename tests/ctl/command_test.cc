@@ -12,7 +12,7 @@
 #include "server/server.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using ::testing::AllOf;
@@ -20,8 +20,8 @@ using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
 
-Status Ready() {
-  Status status;
+emulator::Status Ready() {
+  emulator::Status status;
   status.ready = true;
   status.steps = 5;
   return status;
@@ -30,12 +30,13 @@ Status Ready() {
 // A robot that notes its orders and answers as it was told.
 class FakeRobot {
  public:
-  explicit FakeRobot(const std::filesystem::path& socket, Answer answer = {})
+  explicit FakeRobot(const std::filesystem::path& socket, emulator::Answer answer = {})
       : ticking_(&inbox_,
-                 [this, answer = std::move(answer)](const Order& order) {
+                 [this, answer = std::move(answer)](const emulator::Order& order) {
                    last_ = order;
-                   if (const auto* step = std::get_if<StepRun>(&order); step && answer.empty()) {
-                     Status status = board_.Read();
+                   if (const auto* step = std::get_if<emulator::StepRun>(&order);
+                       step && answer.empty()) {
+                     emulator::Status status = board_.Read();
                      status.steps += step->steps;
                      board_.Post(status);
                    }
@@ -47,20 +48,20 @@ class FakeRobot {
             {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_, .frames = &frames_}) {
   }
 
-  StatusBoard* board() { return &board_; }
+  emulator::StatusBoard* board() { return &board_; }
   // Frames so far.
   std::int64_t shown() const { return showing_.shown(); }
   // Only after an order was answered.
-  const Order& last() const { return last_; }
+  const emulator::Order& last() const { return last_; }
 
  private:
-  Order last_ = ResetRobot{};
-  StatusBoard board_;
-  Inbox inbox_;
-  FrameBoard frames_{Frame{}};
+  emulator::Order last_ = emulator::ResetRobot{};
+  emulator::StatusBoard board_;
+  emulator::Inbox inbox_;
+  emulator::FrameBoard frames_{emulator::Frame{}};
   test::Ticking ticking_;
   test::Showing showing_;
-  ControlServer server_;
+  server::ControlServer server_;
 };
 
 class CtlCommandTest : public ::testing::Test {
@@ -145,39 +146,39 @@ TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
 TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {
   FakeRobot robot(Socket("one"));
   Run("ctl push \xff\xfe 1 0 0");
-  EXPECT_EQ(std::get<PushBody>(robot.last()).body, "\xef\xbf\xbd\xef\xbf\xbd");
+  EXPECT_EQ(std::get<emulator::PushBody>(robot.last()).body, "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 TEST_F(CtlCommandTest, GivesEveryOrder) {
   FakeRobot robot(Socket("one"));
   Run("ctl crane lower 0.25");
-  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, 0.25);
+  EXPECT_EQ(std::get<emulator::LowerCrane>(robot.last()).by, 0.25);
   Run("ctl crane lower -0.5");
-  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, -0.5);
+  EXPECT_EQ(std::get<emulator::LowerCrane>(robot.last()).by, -0.5);
   Run("ctl crane raise 1");
-  EXPECT_EQ(std::get<LowerCrane>(robot.last()).by, -1);
+  EXPECT_EQ(std::get<emulator::LowerCrane>(robot.last()).by, -1);
   Run("ctl crane attach");
-  EXPECT_TRUE(std::holds_alternative<AttachCrane>(robot.last()));
+  EXPECT_TRUE(std::holds_alternative<emulator::AttachCrane>(robot.last()));
   Run("ctl crane release");
-  EXPECT_TRUE(std::holds_alternative<ReleaseCrane>(robot.last()));
+  EXPECT_TRUE(std::holds_alternative<emulator::ReleaseCrane>(robot.last()));
   Run("ctl clamp on");
-  EXPECT_TRUE(std::get<ClampBase>(robot.last()).on);
+  EXPECT_TRUE(std::get<emulator::ClampBase>(robot.last()).on);
   Run("ctl clamp off");
-  EXPECT_FALSE(std::get<ClampBase>(robot.last()).on);
+  EXPECT_FALSE(std::get<emulator::ClampBase>(robot.last()).on);
   EXPECT_EQ(Run("ctl reset"), "");
-  EXPECT_TRUE(std::holds_alternative<ResetRobot>(robot.last()));
+  EXPECT_TRUE(std::holds_alternative<emulator::ResetRobot>(robot.last()));
 }
 
 TEST_F(CtlCommandTest, PausesResumesAndSetsTheSpeed) {
   FakeRobot robot(Socket("one"));
   Run("ctl pause");
-  EXPECT_TRUE(std::get<PauseRun>(robot.last()).on);
+  EXPECT_TRUE(std::get<emulator::PauseRun>(robot.last()).on);
   Run("ctl resume");
-  EXPECT_FALSE(std::get<PauseRun>(robot.last()).on);
+  EXPECT_FALSE(std::get<emulator::PauseRun>(robot.last()).on);
   Run("ctl speed 0.5");
-  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0.5);
+  EXPECT_EQ(std::get<emulator::SetSpeed>(robot.last()).speed, 0.5);
   Run("ctl speed max");
-  EXPECT_EQ(std::get<SetSpeed>(robot.last()).speed, 0);
+  EXPECT_EQ(std::get<emulator::SetSpeed>(robot.last()).speed, 0);
 }
 
 TEST_F(CtlCommandTest, StepReturnsWhenTheStepsAreMade) {
@@ -192,29 +193,29 @@ TEST_F(CtlCommandTest, StepReturnsWhenTheStepsAreMade) {
 TEST_F(CtlCommandTest, ResetsToThePoseThatIsNamed) {
   FakeRobot robot(Socket("one"));
   Run("ctl reset hanging");
-  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, StartPose::kHanging);
+  EXPECT_EQ(std::get<emulator::ResetRobot>(robot.last()).pose, robot::StartPose::kHanging);
   Run("ctl reset");
-  EXPECT_EQ(std::get<ResetRobot>(robot.last()).pose, std::nullopt);
+  EXPECT_EQ(std::get<emulator::ResetRobot>(robot.last()).pose, std::nullopt);
 }
 
 TEST_F(CtlCommandTest, DragsABodyAndLetsItGo) {
   FakeRobot robot(Socket("one"));
   Run("ctl drag trunk 0.1 -0.2 0.6 --at 0 0 -0.05 --for 5");
-  const auto drag = std::get<DragBody>(robot.last());
+  const auto drag = std::get<emulator::DragBody>(robot.last());
   EXPECT_EQ(drag.body, "trunk");
   EXPECT_EQ(drag.p_WT, Eigen::Vector3d(0.1, -0.2, 0.6));
   EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0, -0.05));
   EXPECT_EQ(drag.seconds, 5);
   Run("ctl drag trunk --release");
-  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "trunk");
+  EXPECT_EQ(std::get<emulator::ReleaseDrag>(robot.last()).body, "trunk");
   Run("ctl drag --release");
-  EXPECT_EQ(std::get<ReleaseDrag>(robot.last()).body, "");
+  EXPECT_EQ(std::get<emulator::ReleaseDrag>(robot.last()).body, "");
 }
 
 TEST_F(CtlCommandTest, PushesABody) {
   FakeRobot robot(Socket("one"));
   Run("ctl push trunk -40 0 1.5 --for 0.5");
-  const auto push = std::get<PushBody>(robot.last());
+  const auto push = std::get<emulator::PushBody>(robot.last());
   EXPECT_EQ(push.force, Eigen::Vector3d(-40, 0, 1.5));
   EXPECT_EQ(push.seconds, 0.5);
 }
@@ -251,7 +252,7 @@ TEST_F(CtlCommandTest, ANameChoosesBeforeOrAfterTheSubcommand) {
   EXPECT_EQ(nlohmann::json::parse(Run("ctl --name two status --json"))["steps"], 5);
   EXPECT_EQ(nlohmann::json::parse(Run("ctl status --json --name two"))["steps"], 5);
   Run("ctl crane attach --name two");
-  EXPECT_TRUE(std::holds_alternative<AttachCrane>(two.last()));
+  EXPECT_TRUE(std::holds_alternative<emulator::AttachCrane>(two.last()));
 }
 
 TEST_F(CtlCommandTest, AnUnknownNameIsAnErrorWithTheNearest) {
@@ -301,7 +302,7 @@ TEST_F(CtlCommandTest, WaitGivesUpAndSaysWhatWasMissing) {
 
 TEST_F(CtlCommandTest, ASilencedRobotIsNotReady) {
   FakeRobot robot(Socket("one"));
-  Status status = Ready();
+  emulator::Status status = Ready();
   status.silenced = true;
   robot.board()->Post(status);
   EXPECT_THAT([] { Run("ctl wait --timeout 0"); },
@@ -388,4 +389,4 @@ TEST_F(CtlCommandTest, RefusesANameBesideASocket) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::ctl

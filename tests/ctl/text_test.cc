@@ -4,17 +4,17 @@
 #include "gtest/gtest.h"
 #include "server/status_json.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using ::testing::HasSubstr;
 
-std::string TextOf(const Status& status) {
-  return StatusText(StatusJson({.robot = "g1", .version = "1.2.3", .pid = 42}, status));
+std::string TextOf(const emulator::Status& status) {
+  return StatusText(server::StatusJson({.robot = "g1", .version = "1.2.3", .pid = 42}, status));
 }
 
 TEST(CtlTextTest, StatusIsLinesOfLabelValueAndUnit) {
-  Status status;
+  emulator::Status status;
   status.ready = true;
   status.time = 12.5;
   status.pace.worst_lateness = 0.00025;
@@ -52,40 +52,40 @@ randomized         no
 }
 
 TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
-  Status status;
+  emulator::Status status;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
-  status.last_refusal = Refusal::kGain;
+  status.last_refusal = robot::Refusal::kGain;
   EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
 }
 
 TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
-  Status status;
+  emulator::Status status;
   status.motion_service = {'m', 'c', 'f'};
   status.motion.id = 1002;
   EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, state 1002\n"));
 }
 
 TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {
-  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  nlohmann::ordered_json status = server::StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
   status["randomization"] = {{"seed", 7}, {"drawn", {}}};
   EXPECT_THAT(StatusText(status), HasSubstr("randomized         from seed 7\n"));
 }
 
 TEST(CtlTextTest, SaysThatARobotWasSilenced) {
-  Status status;
+  emulator::Status status;
   status.ready = true;
   status.silenced = true;
   EXPECT_THAT(TextOf(status), HasSubstr("silenced: another robot"));
 }
 
 TEST(CtlTextTest, SpeedZeroIsUnlimited) {
-  Status status;
+  emulator::Status status;
   status.speed = 0;
   EXPECT_THAT(TextOf(status), HasSubstr("unlimited"));
 }
 
 TEST(CtlTextTest, ANullIsADash) {
-  nlohmann::ordered_json status = StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
+  nlohmann::ordered_json status = server::StatusJson({.robot = "g1", .version = "", .pid = 0}, {});
   status["base"]["tilt"] = nullptr;
   EXPECT_THAT(StatusText(status), HasSubstr("base tilt          -      rad\n"));
 }
@@ -121,4 +121,4 @@ TEST(CtlTextTest, RobotsAreATable) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -4,31 +4,31 @@
 #include "gtest/gtest.h"
 #include "server/status_json.h"
 
-namespace understudy {
+namespace understudy::ctl {
 namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-nlohmann::ordered_json Json(const Status& status) {
-  return StatusJson({.robot = "g1", .version = "", .pid = 42}, status);
+nlohmann::ordered_json Json(const emulator::Status& status) {
+  return server::StatusJson({.robot = "g1", .version = "", .pid = 42}, status);
 }
 
-Status Running() {
-  Status status;
+emulator::Status Running() {
+  emulator::Status status;
   status.ready = true;
   status.time = 12.5;
   status.steps = 12'500;
   status.pace.real_time_factor = 0.75;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
-  status.last_refusal = Refusal::kGain;
+  status.last_refusal = robot::Refusal::kGain;
   return status;
 }
 
 TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
   Watch dut;
-  Status status = Running();
+  emulator::Status status = Running();
   EXPECT_THAT(dut.Text(Json(status), milliseconds(1000)),
               AllOf(StartsWith("g1, process 42: ready\n12.500 s, 0.75 x real time of 1.000\n"),
                     HasSubstr("steps              -           12500")));
@@ -41,7 +41,7 @@ TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
 
 TEST(WatchTest, SaysThatTheRobotIsPaused) {
   Watch dut;
-  Status status = Running();
+  emulator::Status status = Running();
   status.paused = true;
   EXPECT_THAT(dut.Text(Json(status), milliseconds(1)), HasSubstr("12.500 s, paused\n"));
   status.steps_left = 7;
@@ -65,4 +65,4 @@ TEST(OverTheScreenTest, ClearsWhatWasThereBeyondEachLineAndBelowTheLast) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::ctl

@@ -72,14 +72,14 @@ int posix_memalign(void** memory, std::size_t alignment, std::size_t size) {
 
 #endif
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class AllocationTest : public EmulatorTest {
  protected:
   std::int64_t CountIn(int ticks) {
     const std::int64_t before = allocations;
-    for (int i = 0; i < ticks; ++i) EXPECT_EQ(emulator_->Tick(), StepHealth::kFine);
+    for (int i = 0; i < ticks; ++i) EXPECT_EQ(emulator_->Tick(), physics::StepHealth::kFine);
     return allocations - before;
   }
 };
@@ -103,7 +103,7 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
   config_.robot.rates.lowstate_hz = 1000;
   port_.KeepTheLastOnly();
   StartAs("hanging");
-  RobotCommand command;
+  robot::RobotCommand command;
   for (int i = 0; i < 6; ++i) {
     command.motors.push_back({.enabled = true, .q = 0.1 * i, .kp = 100, .kd = 2});
   }
@@ -116,7 +116,7 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
 }
 
 TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
@@ -151,31 +151,32 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   StartAs("hanging");
   port_.SendEveryTick(Torque(1));
   port_.SendArms(Torque(2), 0.5);
-  emulator_->Play({{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
-                   {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
-                   {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
-                   {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""},
-                   {.at = 0.5, .order = DragBody{.body = "base", .p_WT = {0, 0, 2}}, .where = ""},
-                   {.at = 0.6, .order = SetSpeed{.speed = 2}, .where = ""},
-                   {.at = 0.8, .order = ResetRobot{.pose = StartPose::kStanding}, .where = ""}});
+  emulator_->Play(
+      {{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
+       {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
+       {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
+       {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""},
+       {.at = 0.5, .order = DragBody{.body = "base", .p_WT = {0, 0, 2}}, .where = ""},
+       {.at = 0.6, .order = SetSpeed{.speed = 2}, .where = ""},
+       {.at = 0.8, .order = ResetRobot{.pose = robot::StartPose::kStanding}, .where = ""}});
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
   emulator_->owner().Release();
   EXPECT_EQ(CountIn(100), 0);
 }
 
 // Two hands of one motor each, made of the neck, with good commands, refused ones and none.
 TEST_F(AllocationTest, DoesNotHappenWithHands) {
-  RobotSpec& robot = config_.robot;
+  robot::RobotSpec& robot = config_.robot;
   robot.motors.resize(4);
   robot.parallel.clear();
-  for (PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
+  for (robot::PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
   robot.hands = {{.name = "left", .motors = {{.joint = "neck_roll_joint", .torque_limit = 5}}},
                  {.name = "right", .motors = {{.joint = "neck_pitch_joint", .torque_limit = 5}}}};
   port_.KeepTheLastOnly();
   StartAs("clamped");
-  HandCommand command{
+  robot::HandCommand command{
       .motors = {{.motor = {.enabled = true, .q = 0.3, .kp = 20, .kd = 1}, .watched = true}}};
   port_.SendHandsEveryTick(command);
   CountIn(10);
@@ -189,20 +190,21 @@ TEST_F(AllocationTest, DoesNotHappenWithHands) {
 // A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
 TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
-  config_ = LoadConfig({.robot = "g1_29dof_dex3"}, root);
+  config_ = config::LoadConfig({.robot = "g1_29dof_dex3"}, root);
   port_.KeepTheLastOnly();
-  port_.SendHandsEveryTick({.motors = std::vector<HandMotorCommand>(
+  port_.SendHandsEveryTick({.motors = std::vector<robot::HandMotorCommand>(
                                 7, {.motor = {.enabled = true, .kp = 1, .kd = 0.1}})});
   emulator_ = std::make_unique<Emulator>(
       config_,
-      PhysicsWorld(LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
+      physics::PhysicsWorld(
+          physics::LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
                                   root / "models/scene/flat.xml", config_.physics.timestep),
-                   config_.robot),
+          config_.robot),
       &port_, &inbox_);
   CountIn(10);
   EXPECT_EQ(CountIn(500), 0);
   EXPECT_EQ(emulator_->status().hands[1].commands.accepted, 510U);
-  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
 }
 
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
@@ -217,7 +219,7 @@ TEST_F(AllocationTest, DoesNotHappenForAStatus) {
 TEST_F(AllocationTest, DoesNotHappenForAFrame) {
   StartAs("standing");
   Order(PushBody{.force = {1, 0, 0}, .seconds = 1});
-  RobotCommand command = Torque(1);
+  robot::RobotCommand command = Torque(1);
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   CountIn(10);
@@ -231,4 +233,4 @@ TEST_F(AllocationTest, DoesNotHappenForAFrame) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

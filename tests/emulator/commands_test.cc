@@ -3,7 +3,7 @@
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class CommandsTest : public EmulatorTest {
@@ -20,11 +20,12 @@ TEST_F(CommandsTest, ShowInTheStateOfTheStepThatTakesThem) {
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(port_.last().state.tick_ms, 3);
-  for (const MotorReading& motor : port_.last().state.motors) {
+  for (const robot::MotorReading& motor : port_.last().state.motors) {
     EXPECT_EQ(motor.tau, 2);
     EXPECT_TRUE(motor.enabled);
   }
-  for (const MotorReading& motor : port_.samples()[2].state.motors) EXPECT_NEAR(motor.tau, 0, 1e-3);
+  for (const robot::MotorReading& motor : port_.samples()[2].state.motors)
+    EXPECT_NEAR(motor.tau, 0, 1e-3);
 }
 
 TEST_F(CommandsTest, ReachTheMotorsAfterTheDelayOfTheRobot) {
@@ -40,7 +41,7 @@ TEST_F(CommandsTest, ReachTheMotorsAfterTheDelayOfTheRobot) {
 
 TEST_F(CommandsTest, ReachTheMotorTheyAreMeantFor) {
   for (std::size_t i = 0; i < 6; ++i) {
-    RobotCommand command = Torque(0);
+    robot::RobotCommand command = Torque(0);
     command.motors[i].tau = 1 + static_cast<double>(i);
     port_.Send(command);
     Tick();
@@ -65,18 +66,18 @@ TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {
 }
 
 TEST_F(CommandsTest, AreFollowedInMotorSpaceToo) {
-  RobotCommand command = Torque(0);
-  command.joint_space = JointSpace::kMotors;
+  robot::RobotCommand command = Torque(0);
+  command.joint_space = robot::JointSpace::kMotors;
   command.motors[5].tau = 3;  // A of the neck
   port_.Send(command);
   Tick();
   EXPECT_EQ(port_.last().state.motors[4].tau, 3);
   EXPECT_EQ(port_.last().state.motors[5].tau, 6);
-  EXPECT_EQ(port_.last().state.joint_space, JointSpace::kMotors);
+  EXPECT_EQ(port_.last().state.joint_space, robot::JointSpace::kMotors);
 }
 
 TEST_F(CommandsTest, MoveTheRobot) {
-  RobotCommand command;
+  robot::RobotCommand command;
   for (int i = 0; i < 6; ++i) {
     command.motors.push_back({.enabled = true, .q = 0.1 * (i - 2), .kp = 200, .kd = 5});
   }
@@ -91,68 +92,70 @@ TEST_F(CommandsTest, MoveTheRobot) {
 TEST_F(CommandsTest, EndInDampingAfterSilence) {
   port_.Send(Torque(2));
   Tick(200);
-  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
   Tick(2);  // 0.2 s is over
-  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
   EXPECT_EQ(emulator_->status().commands.timeouts, 1U);
-  for (const MotorReading& motor : port_.last().state.motors) {
+  for (const robot::MotorReading& motor : port_.last().state.motors) {
     EXPECT_NEAR(motor.tau, -config_.gate.damping_kd * motor.dq, 1e-12);
     EXPECT_TRUE(motor.enabled);
   }
   port_.Send(Torque(2));
   Tick();
-  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
 }
 
 TEST_F(CommandsTest, ChangeNothingWhenRefused) {
-  FakePort quiet_port;
+  test::FakePort quiet_port;
   Inbox quiet_inbox;
-  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
   for (int i = 0; i < 300; ++i) {
     if (i == 20) {
       port_.Send(Torque(2));
       quiet_port.Send(Torque(2));
     }
-    port_.Send(Torque(9), Refusal::kCrc);
+    port_.Send(Torque(9), robot::Refusal::kCrc);
     Tick();
-    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kCrc)], 300U);
-  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kCrc);
-  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
+            300U);
+  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kCrc);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
 }
 
 TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
-  FakePort quiet_port;
+  test::FakePort quiet_port;
   Inbox quiet_inbox;
-  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-  const MotorCommand nothing{
+  const robot::MotorCommand nothing{
       .enabled = true, .q = kNan, .dq = kNan, .tau = kNan, .kp = kNan, .kd = kNan};
-  port_.SendEveryTick({.motors = std::vector<MotorCommand>(6, nothing)});
+  port_.SendEveryTick({.motors = std::vector<robot::MotorCommand>(6, nothing)});
   for (int i = 0; i < 300; ++i) {
     Tick();
-    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kNotFinite);
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kNotFinite);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
 }
 
 TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
   config_.gate.lenient = true;
   Start();
-  port_.Send(Torque(2), Refusal::kCrc);
+  port_.Send(Torque(2), robot::Refusal::kCrc);
   Tick();
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
-  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kCrc)], 1U);
+  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
+            1U);
 }
 
 TEST_F(CommandsTest, OfDisabledMotorsGiveNoTorque) {
-  RobotCommand command = Torque(2);
+  robot::RobotCommand command = Torque(2);
   command.motors[3].enabled = false;
   port_.Send(command);
   Tick();
@@ -162,4 +165,4 @@ TEST_F(CommandsTest, OfDisabledMotorsGiveNoTorque) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

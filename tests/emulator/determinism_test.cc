@@ -3,7 +3,7 @@
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 // Noise, lattice, contacts, refused commands, pauses long enough to damp, and orders.
@@ -21,25 +21,26 @@ class DeterminismTest : public EmulatorTest {
 
   // One after the other, as different processes would.
   std::vector<std::string> Play() const {
-    FakePort port;
+    test::FakePort port;
     Inbox inbox;
-    Emulator emulator(config_, FixtureWorld(config_.robot), &port, &inbox);
+    Emulator emulator(config_, test::FixtureWorld(config_.robot), &port, &inbox);
     for (int step = 0; step < 2000; ++step) {
       if (step % 1000 < 600 && step % 3 == 0) {
-        RobotCommand command;
+        robot::RobotCommand command;
         for (int i = 0; i < 6; ++i) {
           command.motors.push_back(
               {.enabled = true, .q = 0.3 * std::sin(0.005 * step + i), .kp = 100, .kd = 2});
         }
-        port.Send(command, step % 9 == 0 ? Refusal::kCrc : Refusal::kNone);
+        port.Send(command, step % 9 == 0 ? robot::Refusal::kCrc : robot::Refusal::kNone);
       }
       if (step == 100) inbox.Put(PressRemote{.keys = 0x820}, Inbox::WallTime::max());
       if (step == 300) emulator.owner().Release();
       if (step == 700) inbox.Put(ReleaseCrane{}, Inbox::WallTime::max());
-      EXPECT_EQ(emulator.Tick(), StepHealth::kFine);
+      EXPECT_EQ(emulator.Tick(), physics::StepHealth::kFine);
     }
     std::vector<std::string> states;
-    for (const FakePort::Sample& sample : port.samples()) states.push_back(Bytes(sample.state));
+    for (const test::FakePort::Sample& sample : port.samples())
+      states.push_back(Bytes(sample.state));
     return states;
   }
 };
@@ -58,4 +59,4 @@ TEST_F(DeterminismTest, AnotherSeedSendsOtherStates) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

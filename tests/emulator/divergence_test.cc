@@ -1,13 +1,13 @@
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 // Motors that are told and able to tear the robot apart.
 class EmulatorDivergenceTest : public EmulatorTest {
  protected:
   EmulatorDivergenceTest() {
-    for (MotorSpec& motor : config_.robot.motors) motor.torque_limit = 1e30;
+    for (robot::MotorSpec& motor : config_.robot.motors) motor.torque_limit = 1e30;
     config_.robot.rates.lowstate_hz = 1000;
     config_.start.pose = "standing";
   }
@@ -15,8 +15,8 @@ class EmulatorDivergenceTest : public EmulatorTest {
   void Diverge() {
     Tick(100);
     port_.Send(Torque(1e30));
-    EXPECT_EQ(emulator_->Tick(), StepHealth::kDiverged);
-    EXPECT_TRUE(TakeMujocoWarning().has_value());
+    EXPECT_EQ(emulator_->Tick(), physics::StepHealth::kDiverged);
+    EXPECT_TRUE(physics::TakeMujocoWarning().has_value());
   }
 };
 
@@ -35,12 +35,12 @@ TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
 }
 
 TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
-  config_.physics.on_divergence = DivergenceAction::kReset;
+  config_.physics.on_divergence = config::DivergenceAction::kReset;
   Start();
   Diverge();
   EXPECT_EQ(emulator_->step(), 101);
   EXPECT_EQ(Height(), config_.robot.standing.height);
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
 
   Tick(500);
   EXPECT_EQ(port_.samples()[100].state.tick_ms, 101);
@@ -50,7 +50,7 @@ TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
 }
 
 TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
-  config_.physics.on_divergence = DivergenceAction::kReset;
+  config_.physics.on_divergence = config::DivergenceAction::kReset;
   config_.start.pose = "hanging";
   Start();
   Order(LowerCrane{.by = 0.2});
@@ -61,7 +61,7 @@ TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
 }
 
 TEST_F(EmulatorDivergenceTest, ClampsTheRobotAgain) {
-  config_.physics.on_divergence = DivergenceAction::kReset;
+  config_.physics.on_divergence = config::DivergenceAction::kReset;
   config_.start.pose = "clamped";
   Start();
   Diverge();
@@ -71,4 +71,4 @@ TEST_F(EmulatorDivergenceTest, ClampsTheRobotAgain) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

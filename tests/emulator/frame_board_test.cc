@@ -4,7 +4,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 TEST(FrameBoardTest, NothingIsWantedUntilSomebodyAsks) {
@@ -46,20 +46,21 @@ TEST(RefusalLogTest, CountsWhatRepeatsAndKeepsTheNewest) {
   std::vector<RefusedCommands> kept;
   dut.CopyTo(&kept);
   EXPECT_TRUE(kept.empty());
-  dut.Add(kLowCmdTopic, Refusal::kNone, 1);
+  dut.Add(robot::kLowCmdTopic, robot::Refusal::kNone, 1);
   dut.CopyTo(&kept);
   EXPECT_TRUE(kept.empty());
-  dut.Add(kLowCmdTopic, Refusal::kCrc, 1);
-  dut.Add(kLowCmdTopic, Refusal::kCrc, 2);
-  dut.Add(kLowCmdTopic, Refusal::kGain, 3);
-  dut.Add(kFirstHandTopic, Refusal::kGain, 4);
+  dut.Add(robot::kLowCmdTopic, robot::Refusal::kCrc, 1);
+  dut.Add(robot::kLowCmdTopic, robot::Refusal::kCrc, 2);
+  dut.Add(robot::kLowCmdTopic, robot::Refusal::kGain, 3);
+  dut.Add(robot::kFirstHandTopic, robot::Refusal::kGain, 4);
   dut.CopyTo(&kept);
   ASSERT_EQ(kept.size(), 3u);
   EXPECT_EQ(kept[0].first, 1);
   EXPECT_EQ(kept[0].last, 2);
   EXPECT_EQ(kept[0].count, 2u);
-  EXPECT_EQ(kept[2].topic, kFirstHandTopic);
-  for (int i = 0; i < 1000; ++i) dut.Add(static_cast<std::size_t>(i % 2), Refusal::kCrc, 5 + i);
+  EXPECT_EQ(kept[2].topic, robot::kFirstHandTopic);
+  for (int i = 0; i < 1000; ++i)
+    dut.Add(static_cast<std::size_t>(i % 2), robot::Refusal::kCrc, 5 + i);
   dut.CopyTo(&kept);
   ASSERT_EQ(kept.size(), kMostFrameRefusals);
   EXPECT_EQ(kept.front().first, 5 + 1000 - static_cast<double>(kMostFrameRefusals));
@@ -67,4 +68,4 @@ TEST(RefusalLogTest, CountsWhatRepeatsAndKeepsTheNewest) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -3,7 +3,7 @@
 
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class FrameTest : public EmulatorTest {
@@ -38,7 +38,7 @@ TEST_F(FrameTest, HasTheRobotWhereItIs) {
   EXPECT_GT(frame.command[0].kp, 0);
   ASSERT_FALSE(frame.contacts.empty());
   double lift = 0;
-  for (const ContactReading& contact : frame.contacts) {
+  for (const physics::ContactReading& contact : frame.contacts) {
     EXPECT_EQ(contact.bodies[0], 0);  // the ground's geom comes first
     lift += contact.force[2];
   }
@@ -75,12 +75,12 @@ TEST_F(FrameTest, TellsThatItIsPaused) {
 
 TEST_F(FrameTest, KeepsWhatWasRefused) {
   StartAs("standing");
-  RobotCommand bad = Torque(NAN);
+  robot::RobotCommand bad = Torque(NAN);
   port_.SendEveryTick(bad);
   Tick(3);
   const Frame frame = Shown(kPartRefusals);
   ASSERT_EQ(frame.refusals.size(), 1u);
-  EXPECT_EQ(frame.refusals[0].reason, Refusal::kNotFinite);
+  EXPECT_EQ(frame.refusals[0].reason, robot::Refusal::kNotFinite);
   EXPECT_EQ(frame.refusals[0].count, 3u);
 }
 
@@ -92,17 +92,17 @@ TEST_F(FrameTest, KeepsWhatTheArmsAndTheUserWereRefused) {
   Tick();
   const Frame frame = Shown(kPartRefusals);
   ASSERT_EQ(frame.refusals.size(), 2u);
-  EXPECT_EQ(frame.refusals[0].topic, kArmSdkTopic);
-  EXPECT_EQ(frame.refusals[0].reason, Refusal::kNoMotionService);
-  EXPECT_EQ(frame.refusals[1].topic, kUserLowCmdTopic);
-  ASSERT_EQ(frame.command_topics.size(), kFirstHandTopic);
-  EXPECT_EQ(frame.command_topics[kArmSdkTopic], "rt/arm_sdk");
-  EXPECT_EQ(frame.command_topics[kUserLowCmdTopic], "");  // it has none
+  EXPECT_EQ(frame.refusals[0].topic, robot::kArmSdkTopic);
+  EXPECT_EQ(frame.refusals[0].reason, robot::Refusal::kNoMotionService);
+  EXPECT_EQ(frame.refusals[1].topic, robot::kUserLowCmdTopic);
+  ASSERT_EQ(frame.command_topics.size(), robot::kFirstHandTopic);
+  EXPECT_EQ(frame.command_topics[robot::kArmSdkTopic], "rt/arm_sdk");
+  EXPECT_EQ(frame.command_topics[robot::kUserLowCmdTopic], "");  // it has none
   const Status status = emulator_->status();
-  EXPECT_EQ(CommandCounts(status, kArmSdkTopic)
-                .refused[static_cast<std::size_t>(Refusal::kNoMotionService)],
+  EXPECT_EQ(CommandCounts(status, robot::kArmSdkTopic)
+                .refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
             1u);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -4,18 +4,18 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class HandTest : public testing::Test {
  protected:
-  HandReading Sample(std::span<const double> q, std::span<const double> dq) {
-    HandReading reading;
+  robot::HandReading Sample(std::span<const double> q, std::span<const double> dq) {
+    robot::HandReading reading;
     hand_.Sample(q, dq, &reading);
     return reading;
   }
 
-  const HandSpec spec_{
+  const robot::HandSpec spec_{
       .name = "left",
       .motors = {{.joint = "thumb", .torque_limit = 2}, {.joint = "index", .torque_limit = 3}},
       .timeout = 1,
@@ -36,16 +36,16 @@ TEST_F(HandTest, BrakesBeforeTheFirstCommand) {
 TEST_F(HandTest, ObeysTheMotorLawWithinTheMotorsTorque) {
   hand_.Offer({.motors = {{.motor = {.enabled = true, .q = 1.25, .dq = 1, .kp = 1, .kd = 9}},
                           {.motor = {.enabled = true, .tau = -30}}}},
-              Refusal::kNone, 0);
+              robot::Refusal::kNone, 0);
   const auto tau = hand_.Step(q_, dq_, 0);
   EXPECT_EQ(tau[0], 1);
   EXPECT_EQ(tau[1], -3);
 }
 
 TEST_F(HandTest, TellsAnglesRatesAndTheTorqueThatActs) {
-  hand_.Offer({.motors = {{.motor = {.enabled = true, .tau = 1}}, {}}}, Refusal::kNone, 0);
+  hand_.Offer({.motors = {{.motor = {.enabled = true, .tau = 1}}, {}}}, robot::Refusal::kNone, 0);
   hand_.Step(q_, dq_, 0);
-  const HandReading reading = Sample(q_, dq_);
+  const robot::HandReading reading = Sample(q_, dq_);
   ASSERT_EQ(reading.motors.size(), 2U);
   EXPECT_TRUE(reading.motors[0].enabled);
   EXPECT_EQ(reading.motors[0].q, 0.25);
@@ -58,20 +58,21 @@ TEST_F(HandTest, TellsAnglesRatesAndTheTorqueThatActs) {
 }
 
 TEST_F(HandTest, TellsThatAMotorHasTimedOut) {
-  hand_.Offer({.motors = {{.motor = {.enabled = true}, .watched = true}, {}}}, Refusal::kNone, 0);
+  hand_.Offer({.motors = {{.motor = {.enabled = true}, .watched = true}, {}}},
+              robot::Refusal::kNone, 0);
   hand_.Step(q_, dq_, 1.5);
-  const HandReading reading = Sample(q_, dq_);
+  const robot::HandReading reading = Sample(q_, dq_);
   EXPECT_EQ(reading.timed_out[0], 1);
   EXPECT_FALSE(reading.motors[0].enabled);
   EXPECT_EQ(reading.timed_out[1], 0);
 }
 
 TEST_F(HandTest, RemembersTheLastRefusal) {
-  EXPECT_EQ(hand_.last_refusal(), Refusal::kNone);
-  hand_.Offer({}, Refusal::kMotorCount, 0);
-  hand_.Offer({.motors = {{}, {}}}, Refusal::kNone, 0);
-  EXPECT_EQ(hand_.last_refusal(), Refusal::kMotorCount);
+  EXPECT_EQ(hand_.last_refusal(), robot::Refusal::kNone);
+  hand_.Offer({}, robot::Refusal::kMotorCount, 0);
+  hand_.Offer({.motors = {{}, {}}}, robot::Refusal::kNone, 0);
+  EXPECT_EQ(hand_.last_refusal(), robot::Refusal::kMotorCount);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -3,7 +3,7 @@
 
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 constexpr int kRoll = 0;  // its motors, the other way round than the model's joints
@@ -12,10 +12,10 @@ constexpr int kPitch = 1;
 class HandsTest : public EmulatorTest {
  protected:
   HandsTest() {
-    RobotSpec& robot = config_.robot;
+    robot::RobotSpec& robot = config_.robot;
     robot.motors.resize(4);
     robot.parallel.clear();
-    for (PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
+    for (robot::PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
     robot.hands = {{.name = "neck",
                     .topic = "neck",
                     .motors = {{.joint = "neck_roll_joint", .torque_limit = 5},
@@ -27,14 +27,14 @@ class HandsTest : public EmulatorTest {
   }
 
   // Both motors to these angles.
-  static HandCommand Reach(double roll, double pitch, bool watched = false) {
-    const auto motor = [watched](double q) -> HandMotorCommand {
+  static robot::HandCommand Reach(double roll, double pitch, bool watched = false) {
+    const auto motor = [watched](double q) -> robot::HandMotorCommand {
       return {.motor = {.enabled = true, .q = q, .kp = 20, .kd = 1}, .watched = watched};
     };
     return {.motors = {motor(roll), motor(pitch)}};
   }
 
-  HandReading Reading() const { return port_.last().state.hands.at(0); }
+  robot::HandReading Reading() const { return port_.last().state.hands.at(0); }
   double JointAngle(const char* joint) const {
     const mjModel& model = emulator_->world().model();
     return emulator_->world()
@@ -76,7 +76,7 @@ TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
 }
 
 TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
-  HandCommand spin = Reach(0, 0, /*watched=*/true);
+  robot::HandCommand spin = Reach(0, 0, /*watched=*/true);
   spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
   port_.SendHand(0, spin);
   Tick(50);
@@ -90,7 +90,7 @@ TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
 }
 
 TEST_F(HandsTest, BrakeWhenLocked) {
-  HandCommand spin = Reach(0, 0);
+  robot::HandCommand spin = Reach(0, 0);
   spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
   port_.SendHand(0, spin);
   Tick(50);
@@ -103,7 +103,7 @@ TEST_F(HandsTest, BrakeWhenLocked) {
 }
 
 TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
-  HandCommand command = Reach(0, 0);
+  robot::HandCommand command = Reach(0, 0);
   command.motors[kPitch].motor.tau = 100;
   port_.SendHand(0, command);
   Tick();
@@ -113,7 +113,7 @@ TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
 TEST_F(HandsTest, AreToldAtTheirOwnRate) {
   Tick(1001);
   int told = 0;
-  for (const FakePort::Sample& sample : port_.samples()) told += sample.due.hands ? 1 : 0;
+  for (const test::FakePort::Sample& sample : port_.samples()) told += sample.due.hands ? 1 : 0;
   EXPECT_EQ(told, 251);
 }
 
@@ -127,29 +127,30 @@ TEST_F(HandsTest, AreLockedAgainAfterAReset) {
 }
 
 TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
-  HandCommand harm = Reach(0, 0);
+  robot::HandCommand harm = Reach(0, 0);
   harm.motors[0].motor.q = NAN;
   port_.SendHand(0, harm);
-  port_.SendHand(0, Reach(0, 0), Refusal::kMotorMode);
-  port_.SendHand(0, {}, Refusal::kMotorCount);
+  port_.SendHand(0, Reach(0, 0), robot::Refusal::kMotorMode);
+  port_.SendHand(0, {}, robot::Refusal::kMotorCount);
   port_.SendHand(0, Reach(0, 0));
   Tick();
   const Status status = emulator_->status();
   const HandStatus hand = HandOf(status);
   EXPECT_STREQ(hand.name.data(), "neck");
   EXPECT_EQ(hand.commands.accepted, 1U);
-  for (const Refusal refusal : {Refusal::kNotFinite, Refusal::kMotorMode, Refusal::kMotorCount}) {
-    EXPECT_EQ(hand.commands.refused[static_cast<std::size_t>(refusal)], 1U) << Name(refusal);
+  for (const robot::Refusal refusal :
+       {robot::Refusal::kNotFinite, robot::Refusal::kMotorMode, robot::Refusal::kMotorCount}) {
+    EXPECT_EQ(hand.commands.refused[static_cast<std::size_t>(refusal)], 1U) << robot::Name(refusal);
   }
-  EXPECT_EQ(hand.last_refusal, Refusal::kMotorCount);
-  EXPECT_EQ(status.last_refusal, Refusal::kNone);
+  EXPECT_EQ(hand.last_refusal, robot::Refusal::kMotorCount);
+  EXPECT_EQ(status.last_refusal, robot::Refusal::kNone);
   EXPECT_THAT(status.commands.refused, testing::Each(0U));
   EXPECT_EQ(status.hands[1].name[0], '\0');
 }
 
 // rt/lowcmd does not reach a hand, nor a hand's command the body.
 TEST_F(HandsTest, AndBodyDoNotMoveEachOthersMotors) {
-  RobotCommand body;
+  robot::RobotCommand body;
   body.motors.assign(4, {.enabled = true, .q = 0.3, .kp = 100, .kd = 5});
   port_.Send(body);
   Tick(150);
@@ -159,4 +160,4 @@ TEST_F(HandsTest, AndBodyDoNotMoveEachOthersMotors) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

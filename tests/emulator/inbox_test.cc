@@ -7,7 +7,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 using std::chrono::steady_clock;
@@ -138,4 +138,4 @@ TEST(InboxTest, EveryOrderOfManyThreadsIsAnsweredOnce) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -3,10 +3,10 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
-OrderNote Note(const Order& order) { return NoteOf(order, 1.5, "base", StartPose::kLying); }
+OrderNote Note(const Order& order) { return NoteOf(order, 1.5, "base", robot::StartPose::kLying); }
 
 TEST(OrderNoteTest, SaysWhatWasOrdered) {
   const PushBody push{.body = "", .force = {0, -50, 0.125}, .seconds = 0.1};
@@ -15,7 +15,8 @@ TEST(OrderNoteTest, SaysWhatWasOrdered) {
             R"({"body":"base","force":[0.0,-50.0,0.125],"seconds":0.1})");
   EXPECT_EQ(Note(push).time, 1.5);
   EXPECT_EQ(Describe(Note(ResetRobot{})), "reset to lying");
-  EXPECT_EQ(DetailOf(Note(ResetRobot{StartPose::kStanding})).dump(), R"({"pose":"standing"})");
+  EXPECT_EQ(DetailOf(Note(ResetRobot{robot::StartPose::kStanding})).dump(),
+            R"({"pose":"standing"})");
   EXPECT_EQ(Describe(Note(DragBody{.body = "foot", .p_WT = {1, 2, 3}})), "drag foot to 1 2 3");
   EXPECT_EQ(Describe(Note(ReleaseDrag{})), "let go of all that is dragged");
   EXPECT_EQ(Describe(Note(ReleaseDrag{"foot"})), "let go of foot");
@@ -46,4 +47,4 @@ TEST(OrderNotesTest, KeepsTheNewest) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

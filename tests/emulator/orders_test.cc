@@ -2,13 +2,13 @@
 
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class OrdersTest : public EmulatorTest {
  protected:
   // What the next tick answers.
-  Answer Ask(const understudy::Order& order) {
+  Answer Ask(const understudy::emulator::Order& order) {
     auto answer = inbox_.Put(order, Inbox::WallTime::max());
     Tick();
     return answer->get();
@@ -17,7 +17,8 @@ class OrdersTest : public EmulatorTest {
 
 TEST_F(OrdersTest, AreAnswered) {
   StartAs("hanging");
-  for (const understudy::Order& order : std::initializer_list<understudy::Order>{
+  for (const understudy::emulator::Order& order :
+       std::initializer_list<understudy::emulator::Order>{
            LowerCrane{.by = 0.1}, ReleaseCrane{}, AttachCrane{}, ClampBase{.on = true},
            ClampBase{.on = false}, ResetRobot{}, DragBody{.body = "base"}, ReleaseDrag{},
            PauseRun{}, StepRun{}, SetSpeed{.speed = 2}, PauseRun{.on = false}}) {
@@ -89,12 +90,12 @@ TEST_F(OrdersTest, ResetTheRobotWhileTimeGoesOn) {
   Order(ReleaseCrane{});
   port_.Send(Torque(1));
   Tick(300);
-  ASSERT_EQ(emulator_->status().gate, GateState::kDamping);
+  ASSERT_EQ(emulator_->status().gate, authority::GateState::kDamping);
   Order(ResetRobot{});
   Tick();
   EXPECT_EQ(Height(), 1);
   EXPECT_TRUE(emulator_->status().crane_attached);
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
   EXPECT_EQ(emulator_->status().commands.accepted, 1U);
   EXPECT_EQ(emulator_->step(), 301);
   EXPECT_EQ(port_.last().state.tick_ms, 300);
@@ -103,13 +104,13 @@ TEST_F(OrdersTest, ResetTheRobotWhileTimeGoesOn) {
 TEST_F(OrdersTest, ResetTheRobotToTheirPoseAndToTheStartPoseWithoutOne) {
   StartAs("standing");
   Tick();
-  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kHanging}), "");
+  EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kHanging}), "");
   EXPECT_NEAR(Height(), 1, 1e-3);
   EXPECT_TRUE(emulator_->status().crane_attached);
-  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kClamped}), "");
+  EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kClamped}), "");
   EXPECT_FALSE(emulator_->status().crane_attached);
   EXPECT_TRUE(emulator_->status().clamped);
-  EXPECT_EQ(Ask(ResetRobot{.pose = StartPose::kLying}), "");
+  EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kLying}), "");
   EXPECT_NEAR(Height(), 0.06, 0.01);
   EXPECT_FALSE(emulator_->status().clamped);
   EXPECT_EQ(Ask(ResetRobot{}), "");
@@ -122,7 +123,7 @@ TEST_F(OrdersTest, ResetToStandingKeepsTheRobotStanding) {
   config_.robot.dynamics.delay = 0.005;
   StartAs("damped");
   Tick(10);
-  Order(ResetRobot{.pose = StartPose::kStanding});
+  Order(ResetRobot{.pose = robot::StartPose::kStanding});
   Tick(1000);
   EXPECT_NEAR(Height(), 0.3, 0.02);
   EXPECT_EQ(emulator_->command().motors[0].kp, config_.robot.motors[0].hold_kp);
@@ -229,4 +230,4 @@ TEST_F(OrdersTest, AreNotedWhenAStatusWouldNotShowThem) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -2,7 +2,7 @@
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class OwnerTest : public EmulatorTest {
@@ -21,7 +21,8 @@ class OwnerTest : public EmulatorTest {
   double Torque0() const { return port_.last().state.motors[0].tau; }
   std::string_view Service() const { return emulator_->owner().active(); }
   std::uint64_t Refused() const {
-    return emulator_->status().commands.refused[static_cast<std::size_t>(Refusal::kMotionService)];
+    return emulator_->status()
+        .commands.refused[static_cast<std::size_t>(robot::Refusal::kMotionService)];
   }
 };
 
@@ -30,25 +31,25 @@ TEST_F(OwnerTest, TheRobotsOwnServiceHoldsTheMotorsAtTheStart) {
   Tick(10);
   EXPECT_EQ(Service(), "normal");
   EXPECT_STREQ(emulator_->status().motion_service.data(), "normal");
-  EXPECT_EQ(emulator_->status().gate, GateState::kClosed);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
   ASSERT_TRUE(port_.last().state.motion.has_value());
   EXPECT_EQ(port_.last().state.motion->id, 1001);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);
 }
 
 TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
-  FakePort quiet_port;
+  test::FakePort quiet_port;
   Inbox quiet_inbox;
   Start();
-  Emulator quiet(config_, FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
   for (int i = 0; i < 100; ++i) {
     port_.Send(Torque(9));
     Tick();
-    ASSERT_EQ(quiet.Tick(), StepHealth::kFine);
+    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
   EXPECT_EQ(Refused(), 100U);
-  EXPECT_EQ(emulator_->status().last_refusal, Refusal::kMotionService);
+  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kMotionService);
   EXPECT_EQ(emulator_->status().commands.accepted, 0U);
 }
 
@@ -57,12 +58,12 @@ TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
   Tick(10);
   emulator_->owner().Release();
   Tick();
-  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
   EXPECT_FALSE(port_.last().state.motion.has_value());
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
-  EXPECT_EQ(emulator_->status().gate, GateState::kFollowing);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
 }
 
 TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
@@ -71,19 +72,19 @@ TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
   port_.SendEveryTick(Torque(2));
   Tick(5);
   EXPECT_EQ(Torque0(), 2);
-  EXPECT_EQ(emulator_->owner().Select("ai"), OwnerVerdict::kDone);
+  EXPECT_EQ(emulator_->owner().Select("ai"), authority::OwnerVerdict::kDone);
   Tick(2);
   EXPECT_NE(Torque0(), 2);
   EXPECT_EQ(Refused(), 2U);
 }
 
 TEST_F(OwnerTest, StartsReleasedOnRequestAndHoldsItsPoseThen) {
-  config_.motion.service = kNoService;
+  config_.motion.service = authority::kNoService;
   config_.start.pose = "standing";
   Start();
   Tick(500);
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
 }
 
@@ -130,7 +131,7 @@ TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
   Order(PressRemote{.keys = 0x30, .seconds = 0.01});  // L2+R2
   Tick();
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(emulator_->status().gate, GateState::kDamping);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
@@ -159,4 +160,4 @@ TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -1,6 +1,6 @@
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 struct Rates {
@@ -25,7 +25,7 @@ TEST_P(RatesTest, SendsEachMessageAtItsRateOfSimulatedTime) {
   int motion = 0;
   int lf = 0;
   std::int64_t next_tick_ms = 0;
-  for (const FakePort::Sample& sample : port_.samples()) {
+  for (const test::FakePort::Sample& sample : port_.samples()) {
     EXPECT_TRUE(sample.due.any());
     if (sample.due.lowstate) {
       EXPECT_EQ(sample.state.tick_ms, next_tick_ms);
@@ -67,7 +67,7 @@ TEST_F(SamplesTest, BeginAtTheStart) {
   Start();
   Tick();
   ASSERT_EQ(port_.samples().size(), 1U);
-  const FakePort::Sample& first = port_.last();
+  const test::FakePort::Sample& first = port_.last();
   EXPECT_TRUE(first.due.lowstate && first.due.motion && first.due.lf);
   EXPECT_EQ(first.state.tick_ms, 0);
   EXPECT_EQ(first.state.base.p_WB.z(), config_.robot.lying.height);
@@ -106,4 +106,4 @@ TEST_F(SamplesTest, StopUnderSilenceWhileCommandsAreTaken) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 constexpr std::uint16_t kL2 = 0x20, kB = 0x200;
@@ -81,4 +81,4 @@ TEST(RemoteTest, ForgetsEverythingWhenItGoes) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -1,7 +1,7 @@
 #include "base/errors.h"
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class ScriptTest : public EmulatorTest {};
@@ -76,4 +76,4 @@ TEST_F(PushTest, EndsWithAReset) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

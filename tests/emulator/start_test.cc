@@ -2,7 +2,7 @@
 
 #include "tests/emulator/emulator_test.h"
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 class StartTest : public EmulatorTest {};
@@ -11,11 +11,11 @@ TEST_F(StartTest, DampedLiesWhereItIsPut) {
   StartAs("damped");
   EXPECT_EQ(Height(), config_.robot.lying.height);
   Tick(3000);
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), 0.05, 0.01);  // on its trunk
   EXPECT_LT(emulator_->status().tilt, 0.05);
   for (const double rate : emulator_->world().dq()) EXPECT_NEAR(rate, 0, 0.01);
-  for (const MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
+  for (const robot::MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
 }
 
 TEST_F(StartTest, StandingHoldsItsPose) {
@@ -28,7 +28,7 @@ TEST_F(StartTest, StandingHoldsItsPose) {
   for (const double q : emulator_->world().q()) EXPECT_NEAR(q, 0, 0.01);
   const auto& force = port_.last().state.foot_force;
   EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0), 60, 0.5);
-  EXPECT_EQ(emulator_->status().gate, GateState::kStart);
+  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
 }
 
 TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
@@ -83,8 +83,8 @@ TEST_F(StartTest, HasAStatusBeforeTheFirstTick) {
   EXPECT_EQ(status.published, 0U);
   EXPECT_EQ(status.base_height, 1);
   EXPECT_EQ(status.tilt, 0);
-  EXPECT_EQ(status.gate, GateState::kStart);
+  EXPECT_EQ(status.gate, authority::GateState::kStart);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::emulator

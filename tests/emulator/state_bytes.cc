@@ -2,7 +2,7 @@
 
 #include <type_traits>
 
-namespace understudy {
+namespace understudy::emulator {
 namespace {
 
 template <class... Numbers>
@@ -12,17 +12,17 @@ void Append(std::string* bytes, const Numbers&... numbers) {
   (bytes->append(reinterpret_cast<const char*>(&numbers), sizeof(numbers)), ...);
 }
 
-void Append(std::string* bytes, const ImuReading& imu) {
+void Append(std::string* bytes, const robot::ImuReading& imu) {
   Append(bytes, imu.R_WI.w(), imu.R_WI.x(), imu.R_WI.y(), imu.R_WI.z(), imu.temperature_c);
   for (int i = 0; i < 3; ++i) Append(bytes, imu.w_WI_I[i], imu.f_WI_I[i]);
 }
 
 }  // namespace
 
-std::string Bytes(const RobotState& state) {
+std::string Bytes(const robot::RobotState& state) {
   std::string bytes;
   Append(&bytes, state.tick_ms);
-  for (const MotorReading& motor : state.motors) {
+  for (const robot::MotorReading& motor : state.motors) {
     Append(&bytes, motor.enabled);
     Append(&bytes, motor.q, motor.dq, motor.tau, motor.casing_c, motor.winding_c);
   }
@@ -39,4 +39,4 @@ std::string Bytes(const RobotState& state) {
   return bytes;
 }
 
-}  // namespace understudy
+}  // namespace understudy::emulator

@@ -6,11 +6,11 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::emulator {
 
 // Every field of the state, one after the other and without padding.
-std::string Bytes(const RobotState& state);
+std::string Bytes(const robot::RobotState& state);
 
-}  // namespace understudy
+}  // namespace understudy::emulator
 
 #endif  // UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_

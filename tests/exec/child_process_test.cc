@@ -15,18 +15,18 @@
 
 #include "forked.h"
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 using std::chrono::milliseconds;
 using ::testing::HasSubstr;
-using ::understudy::testing::Forked;
-using ::understudy::testing::InFork;
-using ::understudy::testing::Pipe;
-using ::understudy::testing::ReachesEnd;
-using ::understudy::testing::ReadAll;
-using ::understudy::testing::ReadLine;
-using ::understudy::testing::WriteLine;
+using ::understudy::test::Forked;
+using ::understudy::test::InFork;
+using ::understudy::test::Pipe;
+using ::understudy::test::ReachesEnd;
+using ::understudy::test::ReadAll;
+using ::understudy::test::ReadLine;
+using ::understudy::test::WriteLine;
 
 constexpr milliseconds kLong{60000};
 
@@ -329,4 +329,4 @@ TEST(ChildProcessTest, KeepsTheExitCodeWhereChildrenWereIgnored) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::exec

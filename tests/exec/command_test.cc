@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <stdlib.h>  // mkdtemp
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 namespace fs = std::filesystem;
@@ -92,4 +92,4 @@ TEST(CommandTest, GivesTheExitCodesOfEnv) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -10,7 +10,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-namespace understudy::testing {
+namespace understudy::test {
 namespace {
 
 constexpr int kPatience_ms = 10000;
@@ -101,4 +101,4 @@ Forked::~Forked() { Kill(); }
 
 std::string InFork(const std::function<std::string()>& body) { return Forked(body).Result(); }
 
-}  // namespace understudy::testing
+}  // namespace understudy::test

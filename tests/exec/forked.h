@@ -7,7 +7,7 @@
 
 #include "base/unique_fd.h"
 
-namespace understudy::testing {
+namespace understudy::test {
 
 struct Pipe {
   Pipe();  // both ends close on exec
@@ -43,6 +43,6 @@ class Forked {
   int pid_ = -1;
 };
 
-}  // namespace understudy::testing
+}  // namespace understudy::test
 
 #endif  // UNDERSTUDY_TESTS_EXEC_FORKED_H_

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 using ::testing::AllOf;
@@ -68,4 +68,4 @@ TEST(NamespaceRefusalTest, SaysWhenTheKernelHasNoNamespaces) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -32,17 +32,17 @@
 #include "exec/child_process.h"
 #include "forked.h"
 
-namespace understudy {
+namespace understudy::exec {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using ::understudy::testing::Forked;
-using ::understudy::testing::InFork;
-using ::understudy::testing::Pipe;
-using ::understudy::testing::ReachesEnd;
-using ::understudy::testing::ReadLine;
-using ::understudy::testing::WriteLine;
+using ::understudy::test::Forked;
+using ::understudy::test::InFork;
+using ::understudy::test::Pipe;
+using ::understudy::test::ReachesEnd;
+using ::understudy::test::ReadLine;
+using ::understudy::test::WriteLine;
 
 constexpr uid_t kNobody = 65534;
 constexpr std::uint16_t kPort = 7400;  // of DDS discovery on domain 0
@@ -339,4 +339,4 @@ TEST(PrivateNetworkRefusalTest, RefusesASecondThread) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::exec

@@ -23,7 +23,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::idl {
 namespace {
 
 constexpr std::size_t kVendorTypeCount = 73;  // unitree_sdk2 21d0a3b2
@@ -152,4 +152,4 @@ TEST(TypeTableTest, FindsNothingByANameThatIsNotTheWholeWireName) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::idl

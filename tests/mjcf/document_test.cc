@@ -6,7 +6,7 @@
 #include "mjcf/assets.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::AllOf;
@@ -35,7 +35,7 @@ class MjcfDocumentTest : public testing::Test {
     return "";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(MjcfDocumentTest, PutsIncludesInPlace) {
@@ -171,4 +171,4 @@ TEST_F(MjcfDocumentTest, ExpandsNoEntities) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

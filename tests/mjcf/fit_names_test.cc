@@ -7,7 +7,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::Each;
@@ -31,14 +31,14 @@ constexpr char kWalker[] = R"(<mujoco><worldbody>
     <body pos="0 .3 0"><joint name="left_elbow"/><geom size=".05"/><site name="IMU_hand"/></body>
   </body></worldbody></mujoco>)";
 
-class FitNamesTest : public MujocoTest {
+class FitNamesTest : public test::MujocoTest {
  protected:
   FitNamesTest() {
     spec_.base_body = spec_.crane_body = "pelvis";
     spec_.imu = {.site = "imu", .secondary_site = "imu2"};
     for (const char* joint : {"left_hip_joint", "left_ankle_joint", "right_hip_joint",
                               "right_ankle_joint", "left_elbow_joint"}) {
-      MotorSpec motor;
+      robot::MotorSpec motor;
       motor.joint = joint;
       motor.slot = static_cast<int>(spec_.motors.size());
       spec_.motors.push_back(motor);
@@ -48,8 +48,8 @@ class FitNamesTest : public MujocoTest {
                   {.name = "right_foot", .geoms = {"right_sole"}}};
   }
 
-  RobotSpec Fit(const std::string& model = kWalker) {
-    model_ = LoadModelFile(folder_.Write("robot.xml", model));
+  robot::RobotSpec Fit(const std::string& model = kWalker) {
+    model_ = physics::LoadModelFile(folder_.Write("robot.xml", model));
     notes_.clear();
     return FitNames(spec_, *model_, &notes_);
   }
@@ -59,8 +59,8 @@ class FitNamesTest : public MujocoTest {
     return text.replace(text.find(old), old.size(), now);
   }
 
-  TemporaryFolder folder_;
-  RobotSpec spec_;
+  test::TemporaryFolder folder_;
+  robot::RobotSpec spec_;
   ModelHandle model_;
   std::vector<std::string> notes_;
 };
@@ -68,13 +68,13 @@ class FitNamesTest : public MujocoTest {
 TEST_F(FitNamesTest, ChangesNothingThatFits) {
   spec_ = Fit();
   EXPECT_THAT(notes_, testing::Not(IsEmpty()));
-  const RobotSpec again = Fit();
+  const robot::RobotSpec again = Fit();
   EXPECT_THAT(notes_, IsEmpty());
   EXPECT_EQ(again.base_body, spec_.base_body);
 }
 
 TEST_F(FitNamesTest, TakesTheBodyThatMovesFreelyForTheBase) {
-  const RobotSpec spec = Fit();
+  const robot::RobotSpec spec = Fit();
   EXPECT_EQ(spec.base_body, "trunk");
   EXPECT_EQ(spec.crane_body, "trunk");
   EXPECT_THAT(notes_, testing::Contains(HasSubstr("'pelvis': the model calls it 'trunk'")));
@@ -84,13 +84,13 @@ TEST_F(FitNamesTest, HangsTheRobotByItsBaseWhereTheCraneHasNoHook) {
   spec_.base_body = "trunk";
   spec_.crane_body = "torso";
   spec_.crane_point = {0, 0, 0.4};
-  const RobotSpec spec = Fit();
+  const robot::RobotSpec spec = Fit();
   EXPECT_EQ(spec.crane_body, "trunk");
   EXPECT_THAT(spec.crane_point, Each(0));
 }
 
 TEST_F(FitNamesTest, LeavesABaseAloneOfWhichThereAreTwo) {
-  const RobotSpec spec = Fit(
+  const robot::RobotSpec spec = Fit(
       With("</worldbody>", "<body name='ball'><freejoint/><geom size='.1'/></body></worldbody>"));
   EXPECT_EQ(spec.base_body, "pelvis");
 }
@@ -103,7 +103,7 @@ TEST_F(FitNamesTest, ReadsJointsWithAndWithoutTheirEnding) {
 }
 
 TEST_F(FitNamesTest, TakesTheOnlyImuOfTheBaseAndTheOnlyOneElsewhere) {
-  const RobotSpec spec = Fit();
+  const robot::RobotSpec spec = Fit();
   EXPECT_EQ(spec.imu.site, "trunk_imu");
   EXPECT_EQ(spec.imu.secondary_site, "IMU_hand");
 }
@@ -121,7 +121,7 @@ TEST_F(FitNamesTest, LeavesTheImuAloneWhereItCannotTell) {
 TEST_F(FitNamesTest, LeavesOutAFewMotorsThatHaveNoJoint) {
   spec_.motors[2].joint = "head";
   spec_.parallel = {{.pitch = 0, .roll = 2}, {.pitch = 3, .roll = 4}};
-  const RobotSpec spec = Fit();
+  const robot::RobotSpec spec = Fit();
   ASSERT_EQ(spec.motors.size(), 4u);
   EXPECT_EQ(spec.motors[2].slot, 3);
   EXPECT_THAT(spec.lying.q, ElementsAre(0, 1, 3, 4));
@@ -138,11 +138,11 @@ TEST_F(FitNamesTest, LeavesAnotherRobotsMotorsAlone) {
 }
 
 TEST_F(FitNamesTest, FindsTheFeetAtTheLowestOfEachSide) {
-  const RobotSpec spec = Fit();
+  const robot::RobotSpec spec = Fit();
   const DataHandle data(mj_makeData(model_.get()));
   mj_kinematics(model_.get(), data.get());
   std::vector<std::vector<double>> feet(2);
-  const std::vector<int> foot_of_geom = FindFeet(*model_, *data, spec);
+  const std::vector<int> foot_of_geom = physics::FindFeet(*model_, *data, spec);
   for (std::size_t geom = 0; geom < foot_of_geom.size(); ++geom) {
     if (foot_of_geom[geom] < 0) continue;
     feet[static_cast<std::size_t>(foot_of_geom[geom])].push_back(data->geom_xpos[3 * geom + 2]);
@@ -153,14 +153,14 @@ TEST_F(FitNamesTest, FindsTheFeetAtTheLowestOfEachSide) {
 
 TEST_F(FitNamesTest, TakesTheGeomsThatAFootNames) {
   spec_.feet[0].geoms = {"toe", "heel"};
-  const RobotSpec spec =
+  const robot::RobotSpec spec =
       Fit(With("<geom size=\".05\"/><site", "<geom name='toe' size=\".05\"/><site"));
   const DataHandle data(mj_makeData(model_.get()));
   mj_kinematics(model_.get(), data.get());
-  const std::vector<int> foot_of_geom = FindFeet(*model_, *data, spec);
+  const std::vector<int> foot_of_geom = physics::FindFeet(*model_, *data, spec);
   EXPECT_EQ(std::ranges::count(foot_of_geom, 0), 1);
   EXPECT_EQ(foot_of_geom[static_cast<std::size_t>(mj_name2id(model_.get(), mjOBJ_GEOM, "toe"))], 0);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -8,7 +8,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::ElementsAre;
@@ -17,7 +17,7 @@ using testing::HasSubstr;
 constexpr char kInertial[] = R"(<inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>)";
 constexpr char kSeen[] = R"(contype="0" conaffinity="0")";
 
-class MjcfLooksTest : public MujocoTest {
+class MjcfLooksTest : public test::MujocoTest {
  protected:
   // A body with these elements beside its freejoint, after those of the whole model.
   MjcfElement Read(const std::string& body, const std::string& rest = "") {
@@ -32,7 +32,7 @@ class MjcfLooksTest : public MujocoTest {
     return "<geom size='.1' " + attributes + "/>";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(MjcfLooksTest, LeavesOutWhatTouchesNothingAndWeighsNothing) {
@@ -142,4 +142,4 @@ TEST_F(MjcfLooksTest, NamesAFileThatIsOnlyAPointer) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

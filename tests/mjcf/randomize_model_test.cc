@@ -10,26 +10,27 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::ElementsAre;
 using testing::SizeIs;
 
 // The fixture robot, whose figures can be computed in the head: six bodies of 1 kg.
-class RandomizeModelTest : public MujocoTest {
+class RandomizeModelTest : public test::MujocoTest {
  protected:
   ModelHandle Load() const {
-    return LoadWorldModel(spec_, spec_.model, FixtureFile("fixture_ground.xml"), 0.001);
+    return physics::LoadWorldModel(spec_, spec_.model, test::FixtureFile("fixture_ground.xml"),
+                                   0.001);
   }
 
   // The model with what these ranges draw; `drawn_` has what that was.
-  ModelHandle Randomized(const RandomizationSpec& ranges, int seed = 1) {
+  ModelHandle Randomized(const robot::RandomizationSpec& ranges, int seed = 1) {
     ModelHandle model = Load();
-    Dice dice(seed);
+    robot::Dice dice(seed);
     RandomizeModel(ranges, spec_, &dice, model.get());
     drawn_.clear();
-    for (const Drawn& drawn : dice.draws().values) {
+    for (const robot::Drawn& drawn : dice.draws().values) {
       drawn_[drawn.quantity + (drawn.element.empty() ? "" : "/" + drawn.element)] = drawn.value;
     }
     return model;
@@ -52,13 +53,13 @@ class RandomizeModelTest : public MujocoTest {
     return masses;
   }
 
-  const RobotSpec spec_ = FixtureRobot();
+  const robot::RobotSpec spec_ = test::FixtureRobot();
   const ModelHandle plain_ = Load();
   std::map<std::string, double> drawn_;
 };
 
 TEST_F(RandomizeModelTest, DrawsTheSameFromTheSameSeedBitForBitAndElseOtherwise) {
-  const RandomizationSpec ranges{.friction = {0.5, 1.5}, .mass = {0.5, 1.5}};
+  const robot::RandomizationSpec ranges{.friction = {0.5, 1.5}, .mass = {0.5, 1.5}};
   const auto first = Masses(*Randomized(ranges, 1));
   EXPECT_EQ(first, Masses(*Randomized(ranges, 1)));
   EXPECT_NE(first, Masses(*Randomized(ranges, 2)));
@@ -97,7 +98,8 @@ TEST_F(RandomizeModelTest, GivesEachBodyAMassOfItsOwnAndInertiaWithIt) {
     sum += mass;
   }
   EXPECT_EQ(drawn_.at("mass/base") == drawn_.at("mass/head"), false);
-  EXPECT_NEAR(PhysicsWorld(Randomized({.mass = {0.5, 1.5}}), spec_).weight(), 10 * sum, 1e-9);
+  EXPECT_NEAR(physics::PhysicsWorld(Randomized({.mass = {0.5, 1.5}}), spec_).weight(), 10 * sum,
+              1e-9);
 }
 
 TEST_F(RandomizeModelTest, GivesEachBodyAnInertiaOfItsOwnAndLeavesItsMass) {
@@ -115,13 +117,13 @@ TEST_F(RandomizeModelTest, GivesEachBodyAnInertiaOfItsOwnAndLeavesItsMass) {
 // With 5 of 6 kg where they were, the centre of mass of all moves by a sixth of what the base's
 // does.
 TEST_F(RandomizeModelTest, MovesTheBasesCentreOfMassAndNothingThatIsFixedToTheBase) {
-  PhysicsWorld before(Load(), spec_);
-  PhysicsWorld after(Randomized({.base_com = {0.02, 0.05}}), spec_);
+  physics::PhysicsWorld before(Load(), spec_);
+  physics::PhysicsWorld after(Randomized({.base_com = {0.02, 0.05}}), spec_);
   const Eigen::Vector3d offset(drawn_.at("base_com/x"), drawn_.at("base_com/y"),
                                drawn_.at("base_com/z"));
   EXPECT_GE(offset.minCoeff(), 0.02);
   EXPECT_LE(offset.maxCoeff(), 0.05);
-  for (PhysicsWorld* world : {&before, &after}) {
+  for (physics::PhysicsWorld* world : {&before, &after}) {
     world->Reset(spec_.standing);
     world->BeginStep();
   }
@@ -143,7 +145,7 @@ TEST_F(RandomizeModelTest, MovesTheBasesCentreOfMassAndNothingThatIsFixedToTheBa
 TEST_F(RandomizeModelTest, ScalesTheDampingOfEachMotorsJoint) {
   const ModelHandle model = Randomized({.damping = {1.5, 2}});
   EXPECT_THAT(drawn_, SizeIs(6));
-  for (const MotorSpec& motor : spec_.motors) {
+  for (const robot::MotorSpec& motor : spec_.motors) {
     const double factor = drawn_.at("damping/" + motor.joint);
     EXPECT_EQ(model->dof_damping[Dof(motor.joint)], 0.1 * factor);
     EXPECT_GE(factor, 1.5);
@@ -154,17 +156,18 @@ TEST_F(RandomizeModelTest, ScalesTheDampingOfEachMotorsJoint) {
 
 // The fixture has neither: a model that has is made of it first.
 TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
-  RobotSpec spec = spec_;
-  spec.dynamics.use = DynamicsSource::kFitted;
+  robot::RobotSpec spec = spec_;
+  spec.dynamics.use = robot::DynamicsSource::kFitted;
   spec.dynamics.fitted = {{.slots = {0, 1, 3, 4, 6, 7}, .armature = 0.5, .frictionloss = 2}};
-  ModelHandle model = LoadWorldModel(spec, spec.model, FixtureFile("fixture_ground.xml"), 0.001);
+  ModelHandle model =
+      physics::LoadWorldModel(spec, spec.model, test::FixtureFile("fixture_ground.xml"), 0.001);
   const double weight_before = model->dof_invweight0[Dof("FR_joint")];
-  Dice dice(1);
+  robot::Dice dice(1);
   RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, spec, &dice, model.get());
   std::map<std::string, double> drawn;
-  for (const Drawn& one : dice.draws().values) drawn[one.quantity + one.element] = one.value;
+  for (const robot::Drawn& one : dice.draws().values) drawn[one.quantity + one.element] = one.value;
   EXPECT_THAT(drawn, SizeIs(12));
-  for (const MotorSpec& motor : spec.motors) {
+  for (const robot::MotorSpec& motor : spec.motors) {
     const int dof = Dof(motor.joint);
     EXPECT_EQ(model->dof_armature[dof], 0.5 * drawn.at("armature" + motor.joint));
     EXPECT_EQ(model->dof_frictionloss[dof], 2 * drawn.at("frictionloss" + motor.joint));
@@ -173,7 +176,7 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
 }
 
 TEST_F(RandomizeModelTest, TurnsEachImuFromItsPlaceByTheRotationDrawn) {
-  PhysicsWorld world(Randomized({.imu_mounting = {0.1, 0.2}}), spec_);
+  physics::PhysicsWorld world(Randomized({.imu_mounting = {0.1, 0.2}}), spec_);
   EXPECT_THAT(drawn_, SizeIs(6));
   world.Reset(spec_.standing);
   const auto rotation = [this](const std::string& site) {
@@ -189,7 +192,7 @@ TEST_F(RandomizeModelTest, TurnsEachImuFromItsPlaceByTheRotationDrawn) {
   world.Clamp(true);
   for (int i = 0; i < 500; ++i) {
     world.BeginStep();
-    ASSERT_EQ(world.EndStep(std::vector<double>(6, 0.0)), StepHealth::kFine);
+    ASSERT_EQ(world.EndStep(std::vector<double>(6, 0.0)), physics::StepHealth::kFine);
   }
   const Eigen::Vector3d up = rotation("imu").conjugate() * Eigen::Vector3d(0, 0, 10);
   EXPECT_LT((world.Imu().f_WI_I - up).norm(), 0.5);
@@ -219,14 +222,14 @@ TEST_F(RandomizeModelTest, LetsContactsGiveWayAsFarAsDrawn) {
 }
 
 TEST_F(RandomizeModelTest, LetsARobotSinkDeeperIntoSoftGround) {
-  const auto height = [this](const RandomizationSpec& ranges) {
-    PhysicsWorld world(Randomized(ranges), spec_);
+  const auto height = [this](const robot::RandomizationSpec& ranges) {
+    physics::PhysicsWorld world(Randomized(ranges), spec_);
     world.Reset(spec_.standing);
     for (int i = 0; i < 1000; ++i) {
       world.BeginStep();
       std::vector<double> tau;
       for (std::size_t m = 0; m < 6; ++m) tau.push_back(-200 * world.q()[m] - 5 * world.dq()[m]);
-      EXPECT_EQ(world.EndStep(tau), StepHealth::kFine);
+      EXPECT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
     }
     return world.base().p_WB.z();
   };
@@ -234,4 +237,4 @@ TEST_F(RandomizeModelTest, LetsARobotSinkDeeperIntoSoftGround) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

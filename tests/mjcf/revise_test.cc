@@ -7,7 +7,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::ElementsAre;
@@ -37,7 +37,7 @@ constexpr char kLeg[] = R"(<mujoco>
   </sensor>
 </mujoco>)";
 
-class ReviseTest : public MujocoTest {
+class ReviseTest : public test::MujocoTest {
  protected:
   ModelHandle Revised(const std::string& text = kLeg) {
     MjcfElement root = ReadMjcf(folder_.Write("leg.xml", text));
@@ -54,8 +54,8 @@ class ReviseTest : public MujocoTest {
   }
   static std::vector<double> Three(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
-  TemporaryFolder folder_;
-  RobotSpec spec_;
+  test::TemporaryFolder folder_;
+  robot::RobotSpec spec_;
 };
 
 TEST_F(ReviseTest, LeavesTheFileAsItIsWhereNothingIsSaid) {
@@ -120,7 +120,7 @@ TEST_F(ReviseTest, MovesASite) {
 }
 
 TEST_F(ReviseTest, GivesAMotorsJointItsArmature) {
-  MotorSpec motor;
+  robot::MotorSpec motor;
   motor.joint = "knee";
   motor.armature = 0.02;
   spec_.motors = {motor};
@@ -146,4 +146,4 @@ TEST_F(ReviseTest, TakesAJointThatTheModelLacksForLocked) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

@@ -10,7 +10,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::mjcf {
 namespace {
 
 using testing::AllOf;
@@ -21,7 +21,7 @@ using testing::IsEmpty;
 std::vector<double> Numbers(const mjtNum* x, int count) { return {x, x + count}; }
 
 // The leg of tests/data/mujoco3_leg.xml, rewritten. What is rewritten loads in MuJoCo 3 as well.
-class RewrittenLegTest : public MujocoTest {
+class RewrittenLegTest : public test::MujocoTest {
  protected:
   RewrittenLegTest() {
     RewriteForMujoco2(&root_, &rewrites_);
@@ -44,7 +44,7 @@ class RewrittenLegTest : public MujocoTest {
     return {};
   }
 
-  MjcfElement root_ = ReadMjcf(FixtureFile("mujoco3_leg.xml"));
+  MjcfElement root_ = ReadMjcf(test::FixtureFile("mujoco3_leg.xml"));
   std::vector<Rewrite> rewrites_;
   ModelHandle model_;
 };
@@ -117,7 +117,7 @@ TEST_F(RewrittenLegTest, GivesTheForceOfTheLimitedMotor) {
 TEST_F(RewrittenLegTest, FindsMeshesBesideTheFile) { EXPECT_EQ(model_->nmesh, 1); }
 
 TEST_F(RewrittenLegTest, NamesFileAndLineOfEachRewrite) {
-  const std::string file = FixtureFile("mujoco3_leg.xml");
+  const std::string file = test::FixtureFile("mujoco3_leg.xml");
   const Rewrite own = Find("actuatorfrcrange -8 9 of joint 'own'");
   EXPECT_EQ(own.place.file, file);
   EXPECT_EQ(own.place.line, 24);
@@ -135,7 +135,7 @@ TEST_F(RewrittenLegTest, ReportsWhatItLeavesOut) {
   EXPECT_EQ(model_->opt.integrator, mjINT_IMPLICIT);
 }
 
-class MjcfRewriteTest : public MujocoTest {
+class MjcfRewriteTest : public test::MujocoTest {
  protected:
   // Rewrites a model with these elements; the refusal, or "" when it went well.
   std::string Refusal(const std::string& elements) {
@@ -158,7 +158,7 @@ class MjcfRewriteTest : public MujocoTest {
            "/><geom size='.1'/></body></worldbody>\n" + rest;
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::vector<Rewrite> rewrites_;
   ModelHandle model_;
 };
@@ -272,4 +272,4 @@ TEST_F(MjcfRewriteTest, RefusesByNameWhatItCannotCarryOver) {
 #endif
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::mjcf

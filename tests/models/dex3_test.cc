@@ -12,7 +12,7 @@
 
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 constexpr int kSecond = 1000;       // steps
@@ -151,4 +151,4 @@ TEST_F(Dex3Test, MotorsOfTheRightHandStandWhereThoseOfTheLeftDoTurnedAboutTheFor
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

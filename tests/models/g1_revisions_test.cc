@@ -14,7 +14,7 @@
 #include "physics/world_model.h"
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 using nlohmann::json;
@@ -54,8 +54,8 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
     return figures_["torque_limits"].value(joint["name"].get<std::string>(),
                                            joint["torque_limit"].get<double>());
   }
-  const MotorSpec* Motor(const std::string& joint) const {
-    const auto found = std::ranges::find(spec_.motors, joint, &MotorSpec::joint);
+  const robot::MotorSpec* Motor(const std::string& joint) const {
+    const auto found = std::ranges::find(spec_.motors, joint, &robot::MotorSpec::joint);
     return found == spec_.motors.end() ? nullptr : &*found;
   }
   double Armature(const std::string& joint) const {
@@ -65,10 +65,11 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
   const json& figures_ = Revisions()[GetParam()];
   const std::string robot_ = figures_["robot"];
   json base_ = ReadFigures(robot_ == "g1" ? "g1_29dof" : robot_);
-  RobotSpec spec_ =
-      LoadConfig({.robot = robot_, .files = {}, .sets = {"robot.revision=" + GetParam()}}, kData)
+  robot::RobotSpec spec_ =
+      config::LoadConfig({.robot = robot_, .files = {}, .sets = {"robot.revision=" + GetParam()}},
+                         kData)
           .robot;
-  ModelHandle model_ = LoadWorldModel(spec_, kModels + spec_.model, kFlat, 0.001);
+  mjcf::ModelHandle model_ = physics::LoadWorldModel(spec_, kModels + spec_.model, kFlat, 0.001);
 };
 
 void ExpectNumbers(const mjtNum* got, const json& figure, double scale, const std::string& what) {
@@ -108,7 +109,7 @@ TEST_P(G1RevisionTest, MotorsStopAtTheTorqueOfTheFileAndPassItsSpeed) {
   std::size_t motors = 0;
   for (const json& joint : base_["joints"]) {
     const std::string name = joint["name"];
-    const MotorSpec* motor = Motor(name);
+    const robot::MotorSpec* motor = Motor(name);
     ASSERT_EQ(motor != nullptr, has(name)) << name;
     if (motor == nullptr) continue;
     ++motors;
@@ -124,7 +125,7 @@ TEST_P(G1RevisionTest, MotorsStopAtTheTorqueOfTheFileAndPassItsSpeed) {
 TEST_P(G1RevisionTest, MotorsKeepTheirSlotsInTheOrderOfTheSdk) {
   const json sdk = ReadFigures("g1_29dof")["motor_order"];  // index = slot
   int last = -1;
-  for (const MotorSpec& motor : spec_.motors) {
+  for (const robot::MotorSpec& motor : spec_.motors) {
     EXPECT_EQ(sdk[static_cast<std::size_t>(motor.slot)], motor.joint);
     EXPECT_GT(motor.slot, last);
     last = motor.slot;
@@ -142,7 +143,7 @@ TEST_P(G1RevisionTest, ALockedWaistHasNoJointThatCouldMove) {
 
 TEST_P(G1RevisionTest, ParallelPairsAreThoseOfTheJointsThatItHas) {
   EXPECT_EQ(spec_.parallel.size(), robot_ == "g1" && !locked() ? 3U : 2U);
-  for (const ParallelSpec& pair : spec_.parallel) {
+  for (const robot::ParallelSpec& pair : spec_.parallel) {
     const std::string& pitch = spec_.motors[static_cast<std::size_t>(pair.pitch)].joint;
     const std::string& roll = spec_.motors[static_cast<std::size_t>(pair.roll)].joint;
     EXPECT_EQ(pitch.substr(0, pitch.find("_pitch")), roll.substr(0, roll.find("_roll")));
@@ -182,12 +183,13 @@ TEST(G1RevisionsTest, EveryRobotOffersThoseOfTheTableAndNoOthers) {
     for (const auto& [name, figures] : Revisions().items()) {
       if (figures["robot"] == robot) of_table.insert(name);
     }
-    const std::vector<std::string> names = ReadRobotFile(robot, kData).RevisionNames();
+    const std::vector<std::string> names = config::ReadRobotFile(robot, kData).RevisionNames();
     EXPECT_EQ(std::set<std::string>(names.begin(), names.end()), of_table);
-    const Config config = LoadConfig({.robot = robot, .files = {}, .sets = {}}, kData);
+    const config::Config config =
+        config::LoadConfig({.robot = robot, .files = {}, .sets = {}}, kData);
     EXPECT_EQ(config.robot.revision, robot == "g1" ? "5" : "4");
   }
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

@@ -14,7 +14,7 @@
 
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 using testing::IsEmpty;
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest,
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

@@ -12,7 +12,7 @@
 
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 using testing::IsEmpty;
@@ -95,4 +95,4 @@ TEST_F(G1Test, HangsStillUnderArmDampingOfTen) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

@@ -16,7 +16,7 @@
 #include "physics/world_model.h"
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 using nlohmann::json;
@@ -248,13 +248,13 @@ TEST_P(ModelFiguresTest, WheelsAreCylindersAroundTheirJoints) {
 
 // What the emulator itself does with the file, and all that a robot's description names.
 TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
-  RobotSpec spec;
+  robot::RobotSpec spec;
   spec.name = GetParam().figures;
   spec.base_body = figures_["bodies"][0]["name"];
   spec.crane_body = spec.base_body;
   spec.imu.site = "imu";
   for (const json& joint : figures_["motor_order"]) {
-    MotorSpec motor;
+    robot::MotorSpec motor;
     motor.joint = joint;
     spec.motors.push_back(motor);
   }
@@ -263,7 +263,7 @@ TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
       spec.feet.push_back({.name = foot["name"], .geoms = {foot["name"]}});
     }
   }
-  const ModelHandle world = LoadWorldModel(spec, GetParam().file, kFlat, 0.001);
+  const mjcf::ModelHandle world = physics::LoadWorldModel(spec, GetParam().file, kFlat, 0.001);
   EXPECT_EQ(world->nbody, model_->nbody);
   const auto colliding = [](const mjModel& model) {  // what is only drawn may have been left out
     int count = 0;
@@ -273,7 +273,7 @@ TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
     return count;
   };
   EXPECT_EQ(colliding(*world), colliding(*model_) + 1);
-  EXPECT_EQ(TakeMujocoWarning(), std::nullopt);
+  EXPECT_EQ(physics::TakeMujocoWarning(), std::nullopt);
   mju_user_error = nullptr;  // ModelTest puts its own hook for warnings back
 }
 
@@ -301,4 +301,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
                          [](const auto& test) { return test.param.figures; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

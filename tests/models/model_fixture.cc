@@ -7,7 +7,7 @@
 #include <fstream>
 #include <sstream>
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 void FailOnWarning(const char* text) { ADD_FAILURE() << "MuJoCo warns: " << text; }
@@ -146,4 +146,4 @@ std::vector<std::string> SelfContacts(const mjModel& model, const mjData& data) 
   return touching;
 }
 
-}  // namespace understudy
+}  // namespace understudy::models

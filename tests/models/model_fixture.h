@@ -9,7 +9,7 @@
 #include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::models {
 
 struct DeleteModel {
   void operator()(mjModel* model) const { mj_deleteModel(model); }
@@ -84,6 +84,6 @@ double TiltDegrees(const mjData& data, int body);
 // "a touches b" for every contact within the robot; empty when it is free of itself.
 std::vector<std::string> SelfContacts(const mjModel& model, const mjData& data);
 
-}  // namespace understudy
+}  // namespace understudy::models
 
 #endif  // UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_

@@ -12,7 +12,7 @@
 
 #include "tests/models/model_fixture.h"
 
-namespace understudy {
+namespace understudy::models {
 namespace {
 
 using nlohmann::json;
@@ -181,4 +181,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, Go2Test,
                          [](const auto& test) { return test.param.name; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::models

@@ -2,28 +2,28 @@
 #include "tests/motion/humanoid/fixture.h"
 #include "tests/support/allocations.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
-class MotionAllocationTest : public MujocoTest {};
+class MotionAllocationTest : public test::MujocoTest {};
 
 TEST_F(MotionAllocationTest, AHumanoidStepsAndListensWithoutAllocating) {
   HumanoidRig rig("g1");
   rig.Stand();
   rig.Run(1);
-  const std::uint64_t before = Allocations();
+  const std::uint64_t before = test::Allocations();
   rig.SetFsm(500);
   rig.Run(0.1);
-  rig.Ask(MotionAction::kArmAction, 26);
-  rig.Ask(MotionAction::kSetStandHeight, 0.5);
+  rig.Ask(authority::MotionAction::kArmAction, 26);
+  rig.Ask(authority::MotionAction::kSetStandHeight, 0.5);
   rig.Run(1.6);
   rig.SetFsm(706);
   rig.Run(0.1);
   rig.SetFsm(1);
   rig.SetFsm(2);
   rig.Run(0.1);
-  EXPECT_EQ(Allocations(), before);
+  EXPECT_EQ(test::Allocations(), before);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

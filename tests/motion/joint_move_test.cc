@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 TEST(SmoothStepTest, StaysWithinItsEnds) {
@@ -47,4 +47,4 @@ TEST(JointMoveTest, OfNoDurationIsThereAtOnce) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 constexpr double kStep = 0.001;  // s
@@ -136,4 +136,4 @@ TEST_F(CraneTest, AttachesAfreshWithItsOwnLength) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

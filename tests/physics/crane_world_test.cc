@@ -4,11 +4,11 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // The fixture robot of 60 N on the crane.
-class CraneWorldTest : public MujocoTest {
+class CraneWorldTest : public test::MujocoTest {
  protected:
   CraneWorldTest() {
     world_.Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
@@ -21,12 +21,12 @@ class CraneWorldTest : public MujocoTest {
     world_.BeginStep();
     const PointReading hook = Hook();
     world_.AddForce(world_.Body("base"), hook.p_WP, crane_.Step(hook, world_.timestep()));
-    ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.hanging.q)), StepHealth::kFine);
   }
   double Height() const { return world_.base().p_WB.z(); }
 
-  const RobotSpec spec_ = FixtureRobot();
-  PhysicsWorld world_ = FixtureWorld(spec_);
+  const robot::RobotSpec spec_ = test::FixtureRobot();
+  PhysicsWorld world_ = test::FixtureWorld(spec_);
   Crane crane_{CraneConfig{}};
 };
 
@@ -67,4 +67,4 @@ TEST_F(CraneWorldTest, FallsWhenItIsReleased) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

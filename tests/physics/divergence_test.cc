@@ -6,10 +6,10 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
-class DivergenceTest : public MujocoTest {
+class DivergenceTest : public test::MujocoTest {
  protected:
   DivergenceTest() { std::filesystem::current_path(folder_.path()); }
   ~DivergenceTest() override { std::filesystem::current_path(before_); }
@@ -19,27 +19,27 @@ class DivergenceTest : public MujocoTest {
     return world_.EndStep(std::vector<double>(6, tau));
   }
 
-  const TemporaryFolder folder_;
+  const test::TemporaryFolder folder_;
   const std::filesystem::path before_ = std::filesystem::current_path();
-  PhysicsWorld world_ = FixtureWorld();
+  PhysicsWorld world_ = test::FixtureWorld();
 };
 
 TEST_F(DivergenceTest, IsReportedForAnAccelerationBeyondReason) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
   ASSERT_EQ(Step(0), StepHealth::kFine);
   EXPECT_EQ(Step(1e30), StepHealth::kDiverged);
   EXPECT_TRUE(TakeMujocoWarning().has_value());
 }
 
 TEST_F(DivergenceTest, IsReportedForATorqueThatIsNoNumber) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
   EXPECT_EQ(Step(std::numeric_limits<double>::quiet_NaN()), StepHealth::kDiverged);
   EXPECT_TRUE(TakeMujocoWarning().has_value());
 }
 
 // What MuJoCo does by itself: its clock is back at 0 and the robot where the file has it.
 TEST_F(DivergenceTest, MakesMujocosSilentResetVisible) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
   for (int i = 0; i < 100; ++i) ASSERT_EQ(Step(0), StepHealth::kFine);
   ASSERT_NEAR(world_.data().time, 0.1, 1e-9);
   EXPECT_EQ(Step(1e30), StepHealth::kDiverged);
@@ -50,7 +50,7 @@ TEST_F(DivergenceTest, MakesMujocosSilentResetVisible) {
 // The rate passes MuJoCo's bound of 1e10 between two steps: the first half of the next one finds
 // it and resets; the second half must tell.
 TEST_F(DivergenceTest, IsReportedWhenTheFirstHalfOfTheStepFindsIt) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
   const int base = world_.Body("base");
   const std::vector<double> none(6, 0.0);
   StepHealth health = StepHealth::kFine;
@@ -66,13 +66,13 @@ TEST_F(DivergenceTest, IsReportedWhenTheFirstHalfOfTheStepFindsIt) {
 }
 
 TEST_F(DivergenceTest, IsOverAfterAReset) {
-  const RobotSpec spec = FixtureRobot();
+  const robot::RobotSpec spec = test::FixtureRobot();
   world_.Reset({.q = spec.standing.q, .height = spec.standing.height});
   ASSERT_EQ(Step(1e30), StepHealth::kDiverged);
   world_.Reset({.q = spec.standing.q, .height = spec.standing.height});
   for (int i = 0; i < 100; ++i) {
     world_.BeginStep();
-    ASSERT_EQ(world_.EndStep(Hold(world_, spec.standing.q)), StepHealth::kFine);
+    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec.standing.q)), StepHealth::kFine);
   }
   EXPECT_NEAR(world_.base().p_WB.z(), 0.3, 0.01);
   EXPECT_TRUE(TakeMujocoWarning().has_value());
@@ -80,18 +80,18 @@ TEST_F(DivergenceTest, IsOverAfterAReset) {
 
 TEST_F(DivergenceTest, IsReportedAgainWhenItHappensAgain) {
   for (int i = 0; i < 3; ++i) {
-    world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+    world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
     EXPECT_EQ(Step(1e30), StepHealth::kDiverged);
     EXPECT_TRUE(TakeMujocoWarning().has_value()) << i;
   }
 }
 
 TEST_F(DivergenceTest, WritesNoLogFile) {
-  world_.Reset({.q = FixtureRobot().hanging.q, .height = 5});
+  world_.Reset({.q = test::FixtureRobot().hanging.q, .height = 5});
   ASSERT_EQ(Step(1e30), StepHealth::kDiverged);
   EXPECT_TRUE(TakeMujocoWarning().has_value());
   EXPECT_FALSE(std::filesystem::exists("MUJOCO_LOG.TXT"));
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

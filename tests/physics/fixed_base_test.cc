@@ -8,22 +8,23 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 const std::filesystem::path kSource = UNDERSTUDY_SOURCE_DIR;
 const std::filesystem::path kExample = kSource / "examples" / "two_joint_arm";
 
 // The arm of the documentation, whose column stands on the ground.
-class FixedBaseTest : public MujocoTest {
+class FixedBaseTest : public test::MujocoTest {
  protected:
   FixedBaseTest()
-      : config_(LoadConfig({.robot = kExample / "arm.yaml", .files = {}, .sets = {}}, kSource)),
+      : config_(
+            config::LoadConfig({.robot = kExample / "arm.yaml", .files = {}, .sets = {}}, kSource)),
         world_(LoadWorldModel(config_.robot, kSource / "models" / config_.robot.model,
-                              FixtureFile("fixture_ground.xml"), 0.001),
+                              test::FixtureFile("fixture_ground.xml"), 0.001),
                config_.robot) {}
 
-  Config config_;
+  config::Config config_;
   PhysicsWorld world_;
 };
 
@@ -73,4 +74,4 @@ TEST_F(FixedBaseTest, HangsStraightDownWithoutTorque) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -3,11 +3,11 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // The fixture, 6 kg, in the air and let go.
-class ForcesTest : public MujocoTest {
+class ForcesTest : public test::MujocoTest {
  protected:
   ForcesTest() { world_.Reset(spec_.hanging); }
 
@@ -23,8 +23,8 @@ class ForcesTest : public MujocoTest {
   }
   Eigen::Vector3d Base() const { return world_.Point(base_, {0, 0, 0}).p_WP; }
 
-  RobotSpec spec_ = FixtureRobot();
-  PhysicsWorld world_ = FixtureWorld(spec_, 0.001);
+  robot::RobotSpec spec_ = test::FixtureRobot();
+  PhysicsWorld world_ = test::FixtureWorld(spec_, 0.001);
   int base_ = world_.Body("base");
   std::int64_t step_ = 0;
 };
@@ -106,4 +106,4 @@ TEST_F(ForcesTest, TwoBodiesAreDraggedEachItsOwnWay) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -7,7 +7,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 using testing::AllOf;
@@ -27,17 +27,17 @@ Joint JointOf(const mjModel& model, const std::string& name) {
   return {model.dof_armature[dof], model.dof_damping[dof], model.dof_frictionloss[dof]};
 }
 
-class JointDynamicsTest : public MujocoTest {
+class JointDynamicsTest : public test::MujocoTest {
  protected:
   // The model of one of our robots, with the figures asked for or, for "", its own choice.
-  static ModelHandle Load(const std::string& robot, const std::string& use) {
+  static mjcf::ModelHandle Load(const std::string& robot, const std::string& use) {
     return LoadWith(
         {.robot = robot,
          .sets = use.empty() ? std::vector<std::string>{} : std::vector{"robot.dynamics=" + use}});
   }
 
-  static ModelHandle LoadWith(const Layers& layers) {
-    const RobotSpec spec = LoadConfig(layers, kSource).robot;
+  static mjcf::ModelHandle LoadWith(const config::Layers& layers) {
+    const robot::RobotSpec spec = config::LoadConfig(layers, kSource).robot;
     return LoadWorldModel(spec, kSource / "models" / spec.model, kSource / "models/scene/flat.xml",
                           0.001);
   }
@@ -46,7 +46,7 @@ class JointDynamicsTest : public MujocoTest {
 // measured.md, section d: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh
 // 0.14 to 0.29; the 0.2 of the vendor's model is too small at the calf.
 TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
-  const ModelHandle model = Load("go2", "");
+  const mjcf::ModelHandle model = Load("go2", "");
   for (const std::string leg : {"FR", "FL", "RR", "RL"}) {
     EXPECT_THAT(JointOf(*model, leg + "_calf_joint").frictionloss, AllOf(Ge(0.5), Le(1.0))) << leg;
     for (const std::string joint : {"_hip_joint", "_thigh_joint"}) {
@@ -57,28 +57,28 @@ TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
 }
 
 TEST_F(JointDynamicsTest, LeavesAMotorTheArmatureThatIsItsOwn) {
-  const ModelHandle model =
+  const mjcf::ModelHandle model =
       LoadWith({.robot = "go2", .sets = {"robot.motors.FR_calf_joint.armature=0.07"}});
   EXPECT_EQ(JointOf(*model, "FR_calf_joint"), (Joint{0.07, 0.34, 0.645}));
   EXPECT_EQ(JointOf(*model, "FL_calf_joint"), (Joint{0.043, 0.34, 0.645}));
 }
 
 TEST_F(JointDynamicsTest, LeavesTheModelItsOwnFiguresUnderCatalogue) {
-  const ModelHandle model = Load("go2", "catalogue");
+  const mjcf::ModelHandle model = Load("go2", "catalogue");
   for (const std::string joint : {"FR_hip_joint", "FL_thigh_joint", "RL_calf_joint"}) {
     EXPECT_EQ(JointOf(*model, joint), (Joint{0.01, 0.1, 0.2})) << joint;
   }
 }
 
 TEST_F(JointDynamicsTest, LeavesJointsOfWhichTheFitSaysNothingAlone) {
-  const ModelHandle model = Load("go2w", "fitted");
+  const mjcf::ModelHandle model = Load("go2w", "fitted");
   EXPECT_EQ(JointOf(*model, "FR_calf_joint"), (Joint{0.043, 0.34, 0.645}));
   EXPECT_EQ(JointOf(*model, "FR_wheel_joint"), (Joint{0.01, 0.1, 0.2}));
 }
 
 TEST_F(JointDynamicsTest, LeavesFiguresOfWhichTheFitSaysNothingAlone) {
-  const ModelHandle fitted = Load("g1", "fitted");  // the fit is of kd only
-  const ModelHandle catalogue = Load("g1", "catalogue");
+  const mjcf::ModelHandle fitted = Load("g1", "fitted");  // the fit is of kd only
+  const mjcf::ModelHandle catalogue = Load("g1", "catalogue");
   for (const std::string joint :
        {"left_ankle_pitch_joint", "waist_roll_joint", "left_knee_joint"}) {
     EXPECT_EQ(JointOf(*fitted, joint), JointOf(*catalogue, joint)) << joint;
@@ -94,29 +94,29 @@ std::string Robot(const std::string& joint) {
          joint + R"(/><geom size=".1" pos=".1 0 -.2"/></body></body></worldbody></mujoco>)";
 }
 
-RobotSpec Spec() {
-  RobotSpec spec;
+robot::RobotSpec Spec() {
+  robot::RobotSpec spec;
   spec.base_body = spec.crane_body = "pelvis";
   spec.imu.site = "imu";
   spec.motors = {{.joint = "knee_joint", .slot = 5, .torque_limit = 1}};
   return spec;
 }
 
-RobotSpec FittedSpec() {
-  RobotSpec spec = Spec();
-  spec.dynamics.use = DynamicsSource::kFitted;
+robot::RobotSpec FittedSpec() {
+  robot::RobotSpec spec = Spec();
+  spec.dynamics.use = robot::DynamicsSource::kFitted;
   spec.dynamics.fitted = {{.slots = {5}, .armature = 0.3, .damping = 2, .frictionloss = 0.7}};
   return spec;
 }
 
 TEST_F(JointDynamicsTest, IsTheSameAsAFileWithTheseFigures) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto ground = folder.Write("ground.xml", kGround);
   const auto plain = folder.Write("plain.xml", Robot(R"(name="knee_joint")"));
   const auto written = folder.Write(
       "written.xml", Robot(R"(name="knee_joint" armature=".3" damping="2" frictionloss=".7")"));
-  const ModelHandle fitted = LoadWorldModel(FittedSpec(), plain, ground, 0.001);
-  const ModelHandle model = LoadWorldModel(Spec(), written, ground, 0.001);
+  const mjcf::ModelHandle fitted = LoadWorldModel(FittedSpec(), plain, ground, 0.001);
+  const mjcf::ModelHandle model = LoadWorldModel(Spec(), written, ground, 0.001);
   EXPECT_EQ(JointOf(*fitted, "knee_joint"), (Joint{0.3, 2, 0.7}));
   ASSERT_EQ(fitted->nv, model->nv);
   for (int dof = 0; dof < model->nv; ++dof) {  // what contacts and friction are scaled by
@@ -126,7 +126,7 @@ TEST_F(JointDynamicsTest, IsTheSameAsAFileWithTheseFigures) {
 }
 
 TEST_F(JointDynamicsTest, GoesBySlotAndSoFindsAJointThatIsCalledOtherwise) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const auto ground = folder.Write("ground.xml", kGround);
   const auto other = folder.Write("other.xml", Robot(R"(name="knee" armature=".1")"));
   LoadNotes notes;
@@ -135,4 +135,4 @@ TEST_F(JointDynamicsTest, GoesBySlotAndSoFindsAJointThatIsCalledOtherwise) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -3,16 +3,16 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // Only where the orders differ can a confused one be seen.
-class MotorOrderTest : public MujocoTest {
+class MotorOrderTest : public test::MujocoTest {
  protected:
   void SetUp() override {
-    const auto motors = MotorOrder(spec_);
-    const auto joints = JointOrder(world_.model());
-    const auto actuators = ActuatorOrder(world_.model());
+    const auto motors = test::MotorOrder(spec_);
+    const auto joints = test::JointOrder(world_.model());
+    const auto actuators = test::ActuatorOrder(world_.model());
     ASSERT_EQ(motors.size(), joints.size());
     ASSERT_EQ(motors.size(), actuators.size());
     ASSERT_NE(motors, joints);
@@ -30,8 +30,8 @@ class MotorOrderTest : public MujocoTest {
     return world_.data().qvel[world_.model().jnt_dofadr[Joint(motor)]];
   }
 
-  const RobotSpec spec_ = FixtureRobot();
-  PhysicsWorld world_ = FixtureWorld(spec_);
+  const robot::RobotSpec spec_ = test::FixtureRobot();
+  PhysicsWorld world_ = test::FixtureWorld(spec_);
 };
 
 TEST_F(MotorOrderTest, ResetSetsEachJointByName) {
@@ -69,7 +69,7 @@ TEST_F(MotorOrderTest, FeetAreInSpecOrder) {
   for (int i = 0; i < 500; ++i) {
     world_.BeginStep();
     world_.AddForce(base, world_.Point(base, {0.2, -0.1, 0}).p_WP, {0, 0, -40});
-    ASSERT_EQ(world_.EndStep(Hold(world_, spec_.standing.q)), StepHealth::kFine);
+    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.standing.q)), StepHealth::kFine);
   }
   std::vector<double> force(4);
   world_.FootForces(force);
@@ -78,4 +78,4 @@ TEST_F(MotorOrderTest, FeetAreInSpecOrder) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -9,7 +9,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // A ball of 1 kg and 1 kg·m² without a motor. Its second unit sits upside down.
@@ -27,10 +27,10 @@ constexpr char kBall[] = R"(
 </mujoco>)";
 
 PhysicsWorld Ball(const std::string& gravity) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::string text = kBall;
   text.replace(text.find("%s"), 2, gravity);
-  RobotSpec spec;
+  robot::RobotSpec spec;
   spec.base_body = "ball";
   spec.crane_body = "ball";
   spec.imu.site = "imu";
@@ -49,7 +49,7 @@ void ExpectNear(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected,
       << actual.transpose() << " is not " << expected.transpose();
 }
 
-class BallTest : public MujocoTest {
+class BallTest : public test::MujocoTest {
  protected:
   void Step(PhysicsWorld* world) {
     world->BeginStep();
@@ -176,4 +176,4 @@ TEST_F(BallTest, HasNoBodyOfAnotherName) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -8,7 +8,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 constexpr char kModel[] = R"(<mujoco>
@@ -28,7 +28,7 @@ constexpr char kModel[] = R"(<mujoco>
   </worldbody>
 </mujoco>)";
 
-class SceneReaderTest : public MujocoTest {
+class SceneReaderTest : public test::MujocoTest {
  protected:
   SceneReaderTest() { file_ = temp_.Write("model.xml", kModel); }
 
@@ -39,13 +39,13 @@ class SceneReaderTest : public MujocoTest {
     return value;
   }
 
-  TemporaryFolder temp_;
+  test::TemporaryFolder temp_;
   std::filesystem::path file_;
   int made_ = 0;
   SceneReader dut_{[this] {
     ++made_;
     std::string why(300, '\0');
-    return ModelHandle(mj_loadXML(file_.c_str(), nullptr, why.data(), 300));
+    return mjcf::ModelHandle(mj_loadXML(file_.c_str(), nullptr, why.data(), 300));
   }};
 };
 
@@ -101,11 +101,11 @@ TEST_F(SceneReaderTest, SendsAHeightFieldInItsLayout) {
 
 TEST_F(SceneReaderTest, SendsAModelThatLoadsAgain) {
   const std::string file = temp_.Write("model.mjb", dut_.Model());
-  const ModelHandle model(mj_loadModel(file.c_str(), nullptr));
+  const mjcf::ModelHandle model(mj_loadModel(file.c_str(), nullptr));
   ASSERT_NE(model, nullptr);
   EXPECT_EQ(model->nbody, 2);
   EXPECT_EQ(model->nmesh, 1);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

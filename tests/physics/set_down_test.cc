@@ -6,7 +6,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // A box of 0.2 m in all directions, its base in the middle, and a leg that ends 0.3 m below it.
@@ -15,7 +15,7 @@ constexpr char kRobot[] = R"(<mujoco><worldbody><body name="trunk"><freejoint/>
   <body name="leg"><joint name="knee"/><geom name="foot" pos=".05 0 -.28" size=".02"/></body>
 </body></worldbody></mujoco>)";
 
-class SetDownTest : public MujocoTest {
+class SetDownTest : public test::MujocoTest {
  protected:
   SetDownTest() {
     spec_.base_body = spec_.crane_body = "trunk";
@@ -32,7 +32,7 @@ class SetDownTest : public MujocoTest {
                                                                       "</worldbody></mujoco>"),
                                       0.001),
                        spec_);
-    PoseSpec pose;
+    robot::PoseSpec pose;
     pose.q = {0};
     pose.height = height;
     world.Reset(pose);
@@ -46,8 +46,8 @@ class SetDownTest : public MujocoTest {
     return R"(<geom type="plane" size="0 0 1" pos="0 0 )" + z + R"("/>)";
   }
 
-  TemporaryFolder folder_;
-  RobotSpec spec_;
+  test::TemporaryFolder folder_;
+  robot::RobotSpec spec_;
 };
 
 TEST_F(SetDownTest, ChangesNothingOnGroundAtNull) {
@@ -86,4 +86,4 @@ TEST_F(SetDownTest, TakesNoNoticeOfWhatMoves) {
 TEST_F(SetDownTest, StaysWhereItIsWithoutGround) { EXPECT_EQ(Base("", 0.3), 0.3); }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -8,16 +8,16 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 // The step in two halves with the torque set between them, against mj_step with the same torque
 // set before. The robot falls, lands and kicks about, contacts included.
-class SplitStepTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class SplitStepTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
-  const TemporaryFolder folder;
-  const RobotSpec spec = FixtureRobot();
+  const test::TemporaryFolder folder;
+  const robot::RobotSpec spec = test::FixtureRobot();
   const auto scene =
       folder.Write("ground.xml", std::string(R"(<mujoco><option integrator=")") + GetParam() +
                                      R"("/><worldbody><geom type="plane" size="0 0 1"
@@ -25,8 +25,8 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
   PhysicsWorld world(LoadWorldModel(spec, spec.model, scene, 0.001), spec);
   world.Reset({.q = spec.standing.q, .height = 0.35});
 
-  const ModelHandle model(mj_copyModel(nullptr, &world.model()));
-  const DataHandle whole(mj_copyData(nullptr, model.get(), &world.data()));
+  const mjcf::ModelHandle model(mj_copyModel(nullptr, &world.model()));
+  const mjcf::DataHandle whole(mj_copyData(nullptr, model.get(), &world.data()));
   int contacts = 0;
   for (int step = 0; step < 1000; ++step) {
     std::vector<double> tau(6);
@@ -50,4 +50,4 @@ INSTANTIATE_TEST_SUITE_P(Integrators, SplitStepTest, testing::Values("Euler", "i
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -8,7 +8,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
 using testing::AllOf;
@@ -26,7 +26,7 @@ std::string Robot(const std::string& joint = R"(<joint name="knee_joint"/>)",
          joint + R"(<geom size=".1"/></body></body></worldbody>)" + rest + "</mujoco>";
 }
 
-class WorldModelTest : public MujocoTest {
+class WorldModelTest : public test::MujocoTest {
  protected:
   WorldModelTest() {
     spec_.base_body = "pelvis";
@@ -40,7 +40,7 @@ class WorldModelTest : public MujocoTest {
   void UseRobot(const std::string& text) { robot_ = folder_.Write("robot.xml", text); }
   void UseScene(const std::string& text) { scene_ = folder_.Write("ground.xml", text); }
 
-  ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
+  mjcf::ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
 
   FittedModel LoadFitted(LoadNotes* notes) const {
     return LoadFittedModel(spec_, robot_, scene_, 0.002, notes);
@@ -57,14 +57,14 @@ class WorldModelTest : public MujocoTest {
     return "";
   }
 
-  TemporaryFolder folder_;
-  RobotSpec spec_;
+  test::TemporaryFolder folder_;
+  robot::RobotSpec spec_;
   std::filesystem::path robot_ = folder_.Write("robot.xml", Robot());
   std::filesystem::path scene_ = folder_.Write("ground.xml", kGround);
 };
 
 TEST_F(WorldModelTest, PutsTheRobotInTheScene) {
-  const ModelHandle model = Load();
+  const mjcf::ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_BODY, "pelvis"), 0);
   EXPECT_EQ(model->ngeom, 3);
   EXPECT_EQ(model->opt.timestep, 0.002);
@@ -75,8 +75,8 @@ constexpr char kDecal[] =
 
 TEST_F(WorldModelTest, KeepsForTheEyeWhatIsOnlyLookedAt) {
   UseRobot(Robot(kDecal));
-  const ModelHandle world = Load();
-  const ModelHandle sight = LoadSightModel(spec_, robot_, scene_, 0.002);
+  const mjcf::ModelHandle world = Load();
+  const mjcf::ModelHandle sight = LoadSightModel(spec_, robot_, scene_, 0.002);
   EXPECT_EQ(sight->ngeom, 4);
   EXPECT_EQ(sight->nq, world->nq);
   EXPECT_EQ(sight->nbody, world->nbody);
@@ -105,14 +105,14 @@ TEST_F(WorldModelTest, HasRoomForManyContactsWhateverTheFilesSay) {
 #endif
 
 TEST_F(WorldModelTest, AddsTheInertialUnit) {
-  const ModelHandle model = Load();
+  const mjcf::ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuGyroName), 0);
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuAccelName), 0);
   EXPECT_EQ(mj_name2id(model.get(), mjOBJ_SENSOR, kSecondaryGyroName), -1);
 }
 
 TEST_F(WorldModelTest, AddsAClampThatIsOff) {
-  ModelHandle model = Load();
+  mjcf::ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName), 0);
   EXPECT_FALSE(PhysicsWorld(std::move(model), spec_).clamped());
 }
@@ -347,4 +347,4 @@ TEST(MujocoHooksTest, TurnAnErrorIntoAModelError) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

@@ -8,20 +8,20 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::physics {
 namespace {
 
-class PhysicsWorldTest : public MujocoTest {
+class PhysicsWorldTest : public test::MujocoTest {
  protected:
   void HoldFor(int steps, const std::vector<double>& q) {
     for (int i = 0; i < steps; ++i) {
       world_.BeginStep();
-      ASSERT_EQ(world_.EndStep(Hold(world_, q)), StepHealth::kFine);
+      ASSERT_EQ(world_.EndStep(test::Hold(world_, q)), StepHealth::kFine);
     }
   }
 
-  const RobotSpec spec_ = FixtureRobot();
-  PhysicsWorld world_ = FixtureWorld(spec_);
+  const robot::RobotSpec spec_ = test::FixtureRobot();
+  PhysicsWorld world_ = test::FixtureWorld(spec_);
 };
 
 TEST_F(PhysicsWorldTest, IsInThePoseOfItsFileBeforeAnything) {
@@ -117,7 +117,7 @@ TEST_F(PhysicsWorldTest, ClampHoldsTheBaseWhereItIs) {
   EXPECT_TRUE(world_.clamped());
   for (int i = 0; i < 2000; ++i) {
     world_.BeginStep();
-    ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.hanging.q)), StepHealth::kFine);
     ASSERT_LT((world_.base().p_WB - Eigen::Vector3d(0, 0, 1)).norm(), 0.001) << i;
     ASSERT_LT(world_.tilt(), 0.001) << i;
   }
@@ -130,14 +130,14 @@ TEST_F(PhysicsWorldTest, ClampHoldsATurnedBaseToo) {
   for (int i = 0; i < 200; ++i) {  // a push off its centre turns it
     world_.BeginStep();
     world_.AddForce(base, world_.Point(base, {0, 0.3, 0}).p_WP, {3, 0, 20});
-    ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.hanging.q)), StepHealth::kFine);
   }
   world_.Clamp(true);
   world_.BeginStep();
   const Eigen::Vector3d place = world_.base().p_WB;
   const Eigen::Quaterniond attitude = world_.Imu().R_WI;
   ASSERT_GT(world_.tilt(), 0.1);
-  ASSERT_EQ(world_.EndStep(Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+  ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.hanging.q)), StepHealth::kFine);
   HoldFor(2000, spec_.hanging.q);
   EXPECT_LT((world_.base().p_WB - place).norm(), 0.001);
   EXPECT_LT(world_.Imu().R_WI.angularDistance(attitude), 0.001);
@@ -171,9 +171,9 @@ TEST_F(PhysicsWorldTest, LetsGoOnReset) {
 }
 
 TEST_F(PhysicsWorldTest, HasADefaultReadingWhereThereIsNoSecondUnit) {
-  RobotSpec spec = spec_;
+  robot::RobotSpec spec = spec_;
   spec.imu.secondary_site.clear();
-  PhysicsWorld world = FixtureWorld(spec);
+  PhysicsWorld world = test::FixtureWorld(spec);
   world.Reset({.q = spec.standing.q, .height = 1});
   EXPECT_EQ(world.SecondaryImu().f_WI_I, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(world.SecondaryImu().R_WI.w(), 1);
@@ -187,4 +187,4 @@ TEST_F(PhysicsWorldTest, MovesOnInAnotherOwner) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::physics

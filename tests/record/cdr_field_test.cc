@@ -8,7 +8,7 @@
 #include "idl/unitree_hg.h"
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::HasSubstr;
@@ -26,14 +26,14 @@ class Wire {
   std::optional<double> Reads(const Msg& message, const CdrField& field) {
     std::optional<double> value;
     EXPECT_TRUE(writer_.Write(message));
-    reader_.Take([&](const CdrSample& sample) { value = ReadField(field, sample.bytes()); });
+    reader_.Take([&](const bus::CdrSample& sample) { value = ReadField(field, sample.bytes()); });
     return value;
   }
 
  private:
-  Participant participant_;
-  CdrReader reader_;
-  Writer<Msg> writer_;
+  bus::Participant participant_;
+  bus::CdrReader reader_;
+  bus::Writer<Msg> writer_;
 };
 
 TEST(CdrFieldTest, FindsThePlacesOfNumbers) {
@@ -103,4 +103,4 @@ TEST(CdrFieldTest, RefusesWhatHasNoFixedPlace) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

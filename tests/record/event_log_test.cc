@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::Contains;
@@ -23,12 +23,12 @@ class EventLogTest : public testing::Test {
     }
     return told;
   }
-  std::uint64_t& refused(Refusal why) {
+  std::uint64_t& refused(robot::Refusal why) {
     return status_.commands.refused[static_cast<std::size_t>(why)];
   }
 
   EventLog log_{{"a.yaml:1", "a.yaml:2"}};
-  Status status_;
+  emulator::Status status_;
   std::int64_t step_ = 0;
   Event last_;
 };
@@ -41,18 +41,18 @@ TEST_F(EventLogTest, BeginsWithWhoMovesTheMotors) {
 TEST_F(EventLogTest, TellsOfAMotionServiceAndTheGate) {
   Next();
   std::ranges::copy(std::string_view("mcf"), status_.motion_service.begin());
-  status_.gate = GateState::kClosed;
+  status_.gate = authority::GateState::kClosed;
   EXPECT_THAT(Next(), ElementsAre("motion_service: motion service mcf", "gate: motion_service"));
 }
 
 TEST_F(EventLogTest, TellsOfTheFirstRefusalAtOnceAndOfACrowdByItsCount) {
   Next();
-  refused(Refusal::kCrc) = 1;
+  refused(robot::Refusal::kCrc) = 1;
   EXPECT_THAT(Next(), ElementsAre("refused: refused 1 LowCmd (crc)"));
   EXPECT_EQ(last_.step, step_);
   std::vector<std::string> told;
   for (int i = 0; i < 50; ++i) {
-    ++refused(Refusal::kCrc);
+    ++refused(robot::Refusal::kCrc);
     std::ranges::move(Next(), std::back_inserter(told));
   }
   EXPECT_THAT(told, ElementsAre("refused: refused 50 LowCmd (crc)"));
@@ -61,9 +61,9 @@ TEST_F(EventLogTest, TellsOfTheFirstRefusalAtOnceAndOfACrowdByItsCount) {
 
 TEST_F(EventLogTest, TellsAtTheEndWhatItHeldBack) {
   Next();
-  refused(Refusal::kGain) = 1;
+  refused(robot::Refusal::kGain) = 1;
   Next();
-  refused(Refusal::kGain) = 4;
+  refused(robot::Refusal::kGain) = 4;
   EXPECT_THAT(Next(), IsEmpty());
   const std::vector<Event> rest = log_.Rest(step_);
   ASSERT_EQ(rest.size(), 1U);
@@ -95,14 +95,14 @@ TEST_F(EventLogTest, TellsOfWhatBefellTheRobot) {
 TEST_F(EventLogTest, NamesTheHandWhoseCommandIsRefused) {
   Next();
   std::ranges::copy(std::string_view("left"), status_.hands[0].name.begin());
-  status_.hands[0].commands.refused[static_cast<std::size_t>(Refusal::kMotorMode)] = 2;
+  status_.hands[0].commands.refused[static_cast<std::size_t>(robot::Refusal::kMotorMode)] = 2;
   EXPECT_THAT(Next(), Contains("refused: refused 2 HandCmd to the left hand (motor_mode)"));
   EXPECT_EQ(last_.detail, R"({"count":2,"hand":"left","reason":"motor_mode"})");
 }
 
 TEST_F(EventLogTest, NamesTheTopicThatARefusedCommandCameBy) {
   Next();
-  status_.arm_commands.refused[static_cast<std::size_t>(Refusal::kNoMotionService)] = 1;
+  status_.arm_commands.refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)] = 1;
   status_.user_commands.timeouts = 1;
   EXPECT_THAT(Next(), ElementsAre("timeout: LowCmd of rt/user_lowcmd stopped",
                                   "refused: refused 1 LowCmd of rt/arm_sdk (no_motion_service)"));
@@ -110,22 +110,23 @@ TEST_F(EventLogTest, NamesTheTopicThatARefusedCommandCameBy) {
 
 TEST_F(EventLogTest, TellsOfOrders) {
   Next();
-  status_.orders.Add({.kind = OrderKind::kPush,
+  status_.orders.Add({.kind = emulator::OrderKind::kPush,
                       .time = 0.003,
                       .what = {'b', 'a', 's', 'e'},
                       .vector = {0, 50, 0},
                       .amount = 0.1});
-  status_.orders.Add({.kind = OrderKind::kStep, .time = 0.003, .amount = 1});
+  status_.orders.Add({.kind = emulator::OrderKind::kStep, .time = 0.003, .amount = 1});
   EXPECT_THAT(Next(), ElementsAre("push: push base by 0 50 0 N for 0.1 s", "step: 1 step"));
   EXPECT_THAT(Next(), IsEmpty());
-  status_.orders.Add({.kind = OrderKind::kReset, .time = 0.005, .what = {'l', 'y'}});
+  status_.orders.Add({.kind = emulator::OrderKind::kReset, .time = 0.005, .what = {'l', 'y'}});
   EXPECT_THAT(Next(), ElementsAre("reset: reset to ly"));
   EXPECT_EQ(last_.detail, R"({"at":0.005,"pose":"ly"})");
 }
 
 TEST_F(EventLogTest, CountsOrdersThatCameTooFastToBeKept) {
   Next();
-  for (int i = 0; i < 10; ++i) status_.orders.Add({.kind = OrderKind::kStep, .amount = 1});
+  for (int i = 0; i < 10; ++i)
+    status_.orders.Add({.kind = emulator::OrderKind::kStep, .amount = 1});
   const std::vector<std::string> told = Next();
   ASSERT_EQ(told.size(), 9U);
   EXPECT_EQ(told[0], "orders: 2 more orders");
@@ -133,4 +134,4 @@ TEST_F(EventLogTest, CountsOrdersThatCameTooFastToBeKept) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -12,7 +12,7 @@
 #include "record/mcap_writer.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::record {
 
 // A message as the tests compare it.
 struct Kept {
@@ -87,9 +87,9 @@ class McapFilesTest : public testing::Test {
     return folder_.Write("made.mcap", text);
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::record
 
 #endif  // UNDERSTUDY_TESTS_RECORD_MCAP_FILES_H_

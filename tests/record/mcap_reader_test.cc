@@ -6,7 +6,7 @@
 
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::AllOf;
@@ -266,4 +266,4 @@ TEST_F(McapReaderTest, KnowsNoAttachmentThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -2,7 +2,7 @@
 
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::EndsWith;
@@ -91,4 +91,4 @@ TEST_F(McapWriterTest, FlushesByItselfWhenAChunkIsFull) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -7,7 +7,7 @@
 
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST_F(OutputFileTest, CutsOffWhatDidNotFit) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

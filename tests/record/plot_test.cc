@@ -11,7 +11,7 @@
 #include "robot/robot_values.h"
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::HasSubstr;
@@ -85,7 +85,7 @@ TEST_F(PlotTest, LeavesOutNoValueButWhatIsNone) {
   const CdrField q = FindField("unitree_go/msg/LowCmd", "motor_cmd[0].q");
   for (int i = 0; i < 10; ++i) {
     put(state, tick, static_cast<std::uint32_t>(10'000 * i), i);
-    put(command, q, i < 5 ? 1.0F : static_cast<float>(kNoPosition), i);
+    put(command, q, i < 5 ? 1.0F : static_cast<float>(robot::kNoPosition), i);
   }
   put(command, q, std::numeric_limits<float>::quiet_NaN(), 9);
   writer.Finish();
@@ -191,4 +191,4 @@ TEST_F(PlotTest, WantsAPictureThatItCanDraw) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -14,7 +14,7 @@
 #include "tests/support/allocations.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::ElementsAre;
@@ -22,11 +22,11 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-constexpr Topic<Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
+constexpr bus::Topic<bus::Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
 
 class RecorderTest : public McapFilesTest {
  protected:
-  std::unique_ptr<Recorder> Start(const Participant& participant,
+  std::unique_ptr<Recorder> Start(const bus::Participant& participant,
                                   const std::filesystem::path& file) {
     const RecordingHead head{
         .about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}, .script = {}};
@@ -43,7 +43,7 @@ class RecorderTest : public McapFilesTest {
     return said_;
   }
   // The tick of one step, which sends a greeting with its number.
-  static void Tick(Recorder* recorder, Writer<Hello>* writer, std::int64_t step) {
+  static void Tick(Recorder* recorder, bus::Writer<bus::Hello>* writer, std::int64_t step) {
     std::string text = "hello";
     ASSERT_TRUE(writer->Write({.userID = step, .message = text.data()}));
     recorder->Mark(step);
@@ -76,8 +76,8 @@ class RecorderTest : public McapFilesTest {
 };
 
 TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
-  const Participant ours("lo", 201);
-  Writer<Hello> writer(ours, kHello);
+  const bus::Participant ours("lo", 201);
+  bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 20'000; ++step) {
     Tick(recorder.get(), &writer, step);
@@ -102,8 +102,8 @@ TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
 }
 
 TEST_F(RecorderTest, IsInOrderOfTime) {
-  const Participant ours("lo", 202);
-  Writer<Hello> writer(ours, kHello);
+  const bus::Participant ours("lo", 202);
+  bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 2000; ++step) Tick(recorder.get(), &writer, step);
   recorder.reset();
@@ -115,13 +115,13 @@ TEST_F(RecorderTest, IsInOrderOfTime) {
 }
 
 TEST_F(RecorderTest, TellsClientsFromTheRobot) {
-  const Participant ours("lo", 203);
-  Writer<Hello> writer(ours, kHello);
+  const bus::Participant ours("lo", 203);
+  bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
-  const Stranger stranger(203);
-  const Entity theirs = stranger.Writes(kHello.name);
+  const bus::Stranger stranger(203);
+  const bus::Entity theirs = stranger.Writes(kHello.name);
   std::string text = "hello";
-  const Hello hello{.userID = -1, .message = text.data()};
+  const bus::Hello hello{.userID = -1, .message = text.data()};
   ASSERT_EQ(dds_write(theirs.handle(), &hello), DDS_RETCODE_OK);
   Tick(recorder.get(), &writer, 0);
   recorder.reset();
@@ -142,14 +142,14 @@ TEST_F(RecorderTest, TellsClientsFromTheRobot) {
 }
 
 TEST_F(RecorderTest, FindsTopicsThatComeLater) {
-  const Participant ours("lo", 204);
+  const bus::Participant ours("lo", 204);
   auto recorder = Start(ours, File());
-  const Stranger stranger(204);
-  const Entity theirs = stranger.Writes("rt/later");
+  const bus::Stranger stranger(204);
+  const bus::Entity theirs = stranger.Writes("rt/later");
   std::string text = "hello";
-  const Hello hello{.userID = 5, .message = text.data()};
+  const bus::Hello hello{.userID = 5, .message = text.data()};
   // Until it is found nobody hears it.
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     dds_write(theirs.handle(), &hello);
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
     return dds_get_matched_subscriptions(theirs.handle(), nullptr, 0) == 1;
@@ -161,21 +161,21 @@ TEST_F(RecorderTest, FindsTopicsThatComeLater) {
 
 // Nothing ticks: what comes belongs to the step that is next.
 TEST_F(RecorderTest, GivesMessagesOfAPauseTheTimeOfThePause) {
-  const Participant ours("lo", 205);
-  Writer<Hello> writer(ours, kHello);
+  const bus::Participant ours("lo", 205);
+  bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 3; ++step) Tick(recorder.get(), &writer, step);
   const std::uint64_t before = recorder->status().messages;
   std::string text = "hello";
   ASSERT_TRUE(writer.Write({.userID = 3, .message = text.data()}));
-  ASSERT_TRUE(Eventually([&] { return recorder->status().messages >= before + 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return recorder->status().messages >= before + 1; }));
   recorder.reset();
   EXPECT_THAT(Times(McapReader(File()))["/hello"], ElementsAre(0, 1, 2, 3));
 }
 
 TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
-  const Participant ours("lo", 206);
-  Writer<Hello> writer(ours, kHello);
+  const bus::Participant ours("lo", 206);
+  bus::Writer<bus::Hello> writer(ours, kHello);
   EXPECT_THROW(Start(ours, "/dev/full"), RecordError);
 
   std::signal(SIGXFSZ, SIG_IGN);
@@ -185,14 +185,14 @@ TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
   setrlimit(RLIMIT_FSIZE, &few);
   auto recorder = Start(ours, File());
   std::int64_t step = 0;
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(test::Eventually([&] {
     if (!recorder->behind()) Tick(recorder.get(), &writer, step++);
-    return recorder->status().state == RecordingState::kFailed;
+    return recorder->status().state == emulator::RecordingState::kFailed;
   }));
   setrlimit(RLIMIT_FSIZE, &before);
   EXPECT_EQ(recorder->Claim(), nullptr);
   EXPECT_FALSE(recorder->behind());
-  EXPECT_TRUE(Eventually([&] { return !said().empty(); }));
+  EXPECT_TRUE(test::Eventually([&] { return !said().empty(); }));
   recorder.reset();
   ASSERT_THAT(said(), SizeIs(1));
   EXPECT_THAT(said()[0], HasSubstr("File too large: nothing more is recorded; the robot goes on"));
@@ -201,7 +201,7 @@ TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
 }
 
 TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
-  const Participant ours("lo", 207);
+  const bus::Participant ours("lo", 207);
   auto recorder = Start(ours, File());
   const dds_topic_descriptor& known = HelloWorldData_Msg_desc;
   const dds_topic_descriptor unknown{.m_size = known.m_size,
@@ -216,31 +216,32 @@ TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
                                      .type_information = {},
                                      .type_mapping = {},
                                      .restrict_data_representation = 0};
-  const Entity topic(dds_create_topic(ours.handle(), &unknown, "rt/else", nullptr, nullptr),
-                     "topic");
-  const Entity writer(dds_create_writer(ours.handle(), topic.handle(), nullptr, nullptr), "writer");
-  EXPECT_TRUE(Eventually([&] { return !said().empty(); }));
+  const bus::Entity topic(dds_create_topic(ours.handle(), &unknown, "rt/else", nullptr, nullptr),
+                          "topic");
+  const bus::Entity writer(dds_create_writer(ours.handle(), topic.handle(), nullptr, nullptr),
+                           "writer");
+  EXPECT_TRUE(test::Eventually([&] { return !said().empty(); }));
   recorder.reset();
   EXPECT_THAT(said(), ElementsAre("topic rt/else is not recorded: its type somebody::Else is none "
                                   "of the vendor's"));
 }
 
 TEST_F(RecorderTest, AllocatesNothingInTheLoopsThread) {
-  const Participant ours("lo", 208);
+  const bus::Participant ours("lo", 208);
   auto recorder = Start(ours, "/dev/null");
   std::uint64_t counted = 0;
   for (std::int64_t step = 0; step < 1000; ++step) {
-    const std::uint64_t before = AllocationsOfThisThread();
+    const std::uint64_t before = test::AllocationsOfThisThread();
     recorder->Mark(step);
     if (Moment* moment = recorder->Claim(); moment != nullptr) {
       moment->truth.step = step + 1;
       moment->truth.qpos.assign(2, 1.0);
       recorder->Commit();
     }
-    counted += AllocationsOfThisThread() - before;
+    counted += test::AllocationsOfThisThread() - before;
   }
   EXPECT_EQ(counted, 0U);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

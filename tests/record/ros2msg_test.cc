@@ -4,7 +4,7 @@
 
 #include "idl/type_table.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 TEST(Ros2MsgTest, KnowsTheFieldsOfAllTypesOfTheVendor) {
@@ -67,4 +67,4 @@ TEST(Ros2MsgTest, WritesArraysOfStructs) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -4,7 +4,7 @@
 
 #include "tests/record/mcap_files.h"
 
-namespace understudy {
+namespace understudy::record {
 namespace {
 
 using ::testing::ElementsAre;
@@ -66,4 +66,4 @@ TEST(EventTest, RefusesBigEndian) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::record

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using ::testing::Contains;
@@ -77,7 +77,7 @@ TEST_F(GamepadsTest, APadThatIsPluggedInIsUsed) {
   pad.Move(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767);
   const std::optional<PadState> state = gamepads.Poll();
   ASSERT_TRUE(state);
-  const RemoteReading reading = ReadPad(*state, kDeadZone, 0);
+  const robot::RemoteReading reading = ReadPad(*state, kDeadZone, 0);
   EXPECT_EQ(reading.keys, 0x220);
   EXPECT_EQ(reading.ly, 1);
   EXPECT_EQ(reading.lx, 0);
@@ -140,7 +140,7 @@ TEST_F(GamepadsTest, AMappingMakesItKnown) {
     const std::string list = gamepads.List();
     guid = list.substr(list.find("guid ") + 5, 32);
   }
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   // What is B of the pad is button 0 of the joystick.
   const std::string file =
       folder.Write("pads.txt", guid + ",Wheel,b:b0,leftx:a1,platform:Linux,\n");
@@ -158,4 +158,4 @@ TEST_F(GamepadsTest, RefusesAMappingFileThatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -4,13 +4,13 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using Kind = TerminalEvent::Kind;
 
 std::string Names(const Keyboard& keyboard, double t) {
-  return RemoteKeyNames(keyboard.Read(t).keys);
+  return robot::RemoteKeyNames(keyboard.Read(t).keys);
 }
 
 // A keyboard whose terminal tells releases.
@@ -38,7 +38,7 @@ TEST(KeyboardTest, EveryKeyDoesWhatTheTableSays) {
   for (const KeyBinding& binding : kKeyBindings) {
     Keyboard keyboard;
     keyboard.Take({.key = binding.key}, 0);
-    const RemoteReading reading = keyboard.Read(0);
+    const robot::RemoteReading reading = keyboard.Read(0);
     EXPECT_EQ(reading.keys, binding.remote_key);
     if (binding.axis != nullptr) {
       EXPECT_EQ(reading.*binding.axis, binding.to);
@@ -138,4 +138,4 @@ TEST(KeyboardTest, ControlCEndsAndPressesNothing) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -9,7 +9,7 @@
 #include "robot/remote_keys.h"
 #include "wire/remote_codec.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 PadState Pressed(PadButton button) {
@@ -50,9 +50,9 @@ TEST(PadMappingTest, EveryButtonIsItsKey) {
   };
   EXPECT_EQ(std::size(kRows), kPadButtons);
   for (const Row& row : kRows) {
-    const RemoteReading reading = ReadPad(Pressed(row.button), kDeadZone, 0);
-    EXPECT_EQ(RemoteKeyNames(reading.keys), row.key);
-    const auto bytes = EncodeRemote(reading);
+    const robot::RemoteReading reading = ReadPad(Pressed(row.button), kDeadZone, 0);
+    EXPECT_EQ(robot::RemoteKeyNames(reading.keys), row.key);
+    const auto bytes = wire::EncodeRemote(reading);
     EXPECT_EQ(bytes[0], 0x55);
     EXPECT_EQ(bytes[1], 0x51);
     EXPECT_EQ(bytes[2], row.low) << row.key;
@@ -65,9 +65,9 @@ TEST(PadMappingTest, EveryButtonIsItsKey) {
 TEST(PadMappingTest, TriggersAreL2AndR2) {
   PadState pad;
   pad.left_trigger = 1;
-  EXPECT_EQ(RemoteKeyNames(ReadPad(pad, kDeadZone, 0).keys), "L2");
+  EXPECT_EQ(robot::RemoteKeyNames(ReadPad(pad, kDeadZone, 0).keys), "L2");
   pad.right_trigger = 0.6;
-  const auto bytes = EncodeRemote(ReadPad(pad, kDeadZone, 0));
+  const auto bytes = wire::EncodeRemote(ReadPad(pad, kDeadZone, 0));
   EXPECT_EQ(bytes[2], 0x30);
   EXPECT_EQ(FloatAt(bytes, 16), 1.0F);
 }
@@ -76,7 +76,7 @@ TEST(PadMappingTest, ATriggerHalfPulledStaysWhatItWas) {
   PadState pad;
   pad.left_trigger = 0.45;
   EXPECT_EQ(ReadPad(pad, kDeadZone, 0).keys, 0);
-  EXPECT_EQ(RemoteKeyNames(ReadPad(pad, kDeadZone, 0x20).keys), "L2");
+  EXPECT_EQ(robot::RemoteKeyNames(ReadPad(pad, kDeadZone, 0x20).keys), "L2");
   pad.left_trigger = 0.39;
   EXPECT_EQ(ReadPad(pad, kDeadZone, 0x20).keys, 0);
 }
@@ -85,20 +85,20 @@ TEST(PadMappingTest, SticksAreRightAndForwardWhereTheWireHasThem) {
   PadState pad;
   pad.left_x = 1;
   pad.right_x = -1;
-  EXPECT_EQ(FloatAt(EncodeRemote(ReadPad(pad, kDeadZone, 0)), 4), 1.0F);
-  EXPECT_EQ(FloatAt(EncodeRemote(ReadPad(pad, kDeadZone, 0)), 8), -1.0F);
+  EXPECT_EQ(FloatAt(wire::EncodeRemote(ReadPad(pad, kDeadZone, 0)), 4), 1.0F);
+  EXPECT_EQ(FloatAt(wire::EncodeRemote(ReadPad(pad, kDeadZone, 0)), 8), -1.0F);
   pad = {};
   pad.left_y = -1;  // away from the person
   pad.right_y = 1;
-  EXPECT_EQ(FloatAt(EncodeRemote(ReadPad(pad, kDeadZone, 0)), 20), 1.0F);
-  EXPECT_EQ(FloatAt(EncodeRemote(ReadPad(pad, kDeadZone, 0)), 12), -1.0F);
+  EXPECT_EQ(FloatAt(wire::EncodeRemote(ReadPad(pad, kDeadZone, 0)), 20), 1.0F);
+  EXPECT_EQ(FloatAt(wire::EncodeRemote(ReadPad(pad, kDeadZone, 0)), 12), -1.0F);
 }
 
 TEST(PadMappingTest, AStickNearItsMiddleIsInIt) {
   PadState pad;
   pad.left_x = 0.06;
   pad.left_y = -0.07;
-  const RemoteReading reading = ReadPad(pad, 0.1, 0);
+  const robot::RemoteReading reading = ReadPad(pad, 0.1, 0);
   EXPECT_EQ(reading.lx, 0);
   EXPECT_EQ(reading.ly, 0);
   EXPECT_FALSE(std::signbit(reading.ly));
@@ -119,7 +119,7 @@ TEST(PadMappingTest, AStickKeepsItsDirectionAndItsRange) {
   PadState pad;
   pad.right_x = 0.4;
   pad.right_y = -0.3;
-  const RemoteReading reading = ReadPad(pad, 0.1, 0);
+  const robot::RemoteReading reading = ReadPad(pad, 0.1, 0);
   EXPECT_NEAR(reading.ry / reading.rx, 0.75, 1e-9);
   pad.right_x = pad.right_y = 1;  // a stick whose gate is square
   EXPECT_EQ(ReadPad(pad, 0.1, 0).rx, 1);
@@ -133,4 +133,4 @@ TEST(PadMappingTest, AChordIsOneReading) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

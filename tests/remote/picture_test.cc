@@ -5,7 +5,7 @@
 
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using ::testing::HasSubstr;
@@ -14,7 +14,8 @@ using ::testing::Not;
 TEST(PictureTest, ShowsEveryKeyWithTheOneThatPressesIt) {
   const std::string screen = Draw({.title = "of go2"}, 80, 24);
   EXPECT_THAT(screen, HasSubstr("of go2"));
-  for (const std::string_view key : kRemoteKeys) EXPECT_THAT(screen, HasSubstr(std::string(key)));
+  for (const std::string_view key : robot::kRemoteKeys)
+    EXPECT_THAT(screen, HasSubstr(std::string(key)));
   EXPECT_THAT(screen, HasSubstr("L2:w"));
   EXPECT_THAT(screen, Not(HasSubstr("\033[7m")));
 }
@@ -47,4 +48,4 @@ TEST(PictureTest, PassesOnNothingThatATerminalWouldObey) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

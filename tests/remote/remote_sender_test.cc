@@ -4,21 +4,21 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 class RemoteSenderTest : public ::testing::Test {
  protected:
   // Every 5 ms from `from` to `to`.
-  void HoldFor(const RemoteReading& reading, double from, double to) {
+  void HoldFor(const robot::RemoteReading& reading, double from, double to) {
     for (double t = from; t < to; t += 0.005) sender_.Hold(reading, t);
   }
 
-  std::vector<SetRemote> sent_;
-  RemoteSender sender_{[this](const SetRemote& order) { sent_.push_back(order); }};
+  std::vector<emulator::SetRemote> sent_;
+  RemoteSender sender_{[this](const emulator::SetRemote& order) { sent_.push_back(order); }};
 };
 
-constexpr RemoteReading kB{.keys = 0x200};
+constexpr robot::RemoteReading kB{.keys = 0x200};
 
 TEST_F(RemoteSenderTest, SwitchesTheRemoteOnAndIsThenSilentWhileNothingIsHeld) {
   HoldFor({}, 0, 60);
@@ -67,4 +67,4 @@ TEST_F(RemoteSenderTest, LetsGoOnce) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::remote {
 namespace {
 
 using Kind = TerminalEvent::Kind;
@@ -100,4 +100,4 @@ TEST(TerminalDecoderTest, SurvivesAnyBytes) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::remote

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 // 40 V full, 30 V empty, 1 ohm, 10 Ah.
@@ -131,4 +131,4 @@ TEST(BatteryTest, KeepsItsVoltageWithoutResistance) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 TEST(FirmwareTest, IsNumbersBetweenDots) {
@@ -33,4 +33,4 @@ TEST(FirmwareTest, HasAServiceFromItsFirstToBeforeItsLastVersion) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

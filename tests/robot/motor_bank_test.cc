@@ -4,7 +4,7 @@
 
 #include "robot/motor.h"
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 // Three motors; 1 and 2 are the pitch and roll of a parallel joint.
@@ -200,4 +200,4 @@ TEST_F(MotorBankTest, HeatsByTheTorqueItGivesNotByTheOneItWants) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

@@ -5,7 +5,7 @@
 
 #include "robot/motor.h"
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -109,4 +109,4 @@ TEST(AvailableTorqueTest, PassesNanThrough) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

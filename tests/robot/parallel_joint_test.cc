@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 // A = pitch + 2 roll, B = pitch - 2 roll
@@ -50,4 +50,4 @@ TEST(ParallelJointTest, GivesTheSamePowerOnBothSides) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

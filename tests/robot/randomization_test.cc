@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 using testing::ElementsAre;
@@ -148,4 +148,4 @@ TEST_F(MotorsTest, FollowLaterByTheDelayDrawn) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::robot {
 namespace {
 
 TEST(RemoteKeysTest, HaveTheVendorsBits) {
@@ -25,4 +25,4 @@ TEST(RemoteKeysTest, AreNamedInTheOrderOfTheirBits) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::robot

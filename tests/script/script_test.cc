@@ -2,12 +2,14 @@
 
 #include "tests/config/config_fixture.h"
 
-namespace understudy {
+namespace understudy::script {
 namespace {
 
-std::vector<ScriptEvent> Read(const std::string& text) { return ReadScript(ParseYaml(text, "s")); }
+std::vector<emulator::ScriptEvent> Read(const std::string& text) {
+  return ReadScript(config::ParseYaml(text, "s"));
+}
 std::string ErrorIn(const std::string& event) {
-  return ErrorOf([&] { Read("script:\n  - " + event + "\n"); });
+  return config::ErrorOf([&] { Read("script:\n  - " + event + "\n"); });
 }
 template <class Kind>
 Kind One(const std::string& event) {
@@ -15,29 +17,31 @@ Kind One(const std::string& event) {
 }
 
 TEST(ScriptTest, ReadsEveryEvent) {
-  EXPECT_EQ(One<PressRemote>("{at: 1, press: L2+B}").keys, 0x220);
-  EXPECT_EQ(One<PressRemote>("{at: 1, press: A, for: 2}").seconds, 2);
-  EXPECT_EQ(One<HoldRemote>("{at: 1, hold: L2}").keys, 0x20);
-  EXPECT_EQ(One<ReleaseRemote>("{at: 1, release: L2}").keys, 0x20);
-  EXPECT_EQ(One<MoveSticks>("{at: 1, sticks: {ly: 0.5}, for: 2}").ly, 0.5);
-  EXPECT_FALSE(One<SwitchRemote>("{at: 1, remote: off}").on);
-  One<AttachCrane>("{at: 1, crane: attach}");
-  One<ReleaseCrane>("{at: 1, crane: release}");
-  EXPECT_EQ(One<LowerCrane>("{at: 1, crane: {lower: 0.2}}").by, 0.2);
-  EXPECT_EQ(One<LowerCrane>("{at: 1, crane: {raise: 0.2}}").by, -0.2);
-  EXPECT_TRUE(One<ClampBase>("{at: 1, clamp: on}").on);
-  EXPECT_EQ(One<ResetRobot>("{at: 1, reset: true}").pose, std::nullopt);
-  EXPECT_EQ(One<ResetRobot>("{at: 1, reset: standing}").pose, StartPose::kStanding);
-  EXPECT_EQ(One<SetSpeed>("{at: 1, speed: 0.5}").speed, 0.5);
-  EXPECT_EQ(One<SetSpeed>("{at: 1, speed: max}").speed, 0);
+  EXPECT_EQ(One<emulator::PressRemote>("{at: 1, press: L2+B}").keys, 0x220);
+  EXPECT_EQ(One<emulator::PressRemote>("{at: 1, press: A, for: 2}").seconds, 2);
+  EXPECT_EQ(One<emulator::HoldRemote>("{at: 1, hold: L2}").keys, 0x20);
+  EXPECT_EQ(One<emulator::ReleaseRemote>("{at: 1, release: L2}").keys, 0x20);
+  EXPECT_EQ(One<emulator::MoveSticks>("{at: 1, sticks: {ly: 0.5}, for: 2}").ly, 0.5);
+  EXPECT_FALSE(One<emulator::SwitchRemote>("{at: 1, remote: off}").on);
+  One<emulator::AttachCrane>("{at: 1, crane: attach}");
+  One<emulator::ReleaseCrane>("{at: 1, crane: release}");
+  EXPECT_EQ(One<emulator::LowerCrane>("{at: 1, crane: {lower: 0.2}}").by, 0.2);
+  EXPECT_EQ(One<emulator::LowerCrane>("{at: 1, crane: {raise: 0.2}}").by, -0.2);
+  EXPECT_TRUE(One<emulator::ClampBase>("{at: 1, clamp: on}").on);
+  EXPECT_EQ(One<emulator::ResetRobot>("{at: 1, reset: true}").pose, std::nullopt);
+  EXPECT_EQ(One<emulator::ResetRobot>("{at: 1, reset: standing}").pose,
+            robot::StartPose::kStanding);
+  EXPECT_EQ(One<emulator::SetSpeed>("{at: 1, speed: 0.5}").speed, 0.5);
+  EXPECT_EQ(One<emulator::SetSpeed>("{at: 1, speed: max}").speed, 0);
 }
 
 TEST(ScriptTest, ReadsAPushByForceOrImpulse) {
-  const auto force = One<PushBody>("{at: 1, push: {body: trunk, force: [1, 2, -3]}, for: 0.1}");
+  const auto force =
+      One<emulator::PushBody>("{at: 1, push: {body: trunk, force: [1, 2, -3]}, for: 0.1}");
   EXPECT_EQ(force.body, "trunk");
   EXPECT_EQ(force.force, Eigen::Vector3d(1, 2, -3));
   EXPECT_EQ(force.seconds, 0.1);
-  const auto impulse = One<PushBody>("{at: 1, push: {impulse: [0, 5, 0]}, for: 0.25}");
+  const auto impulse = One<emulator::PushBody>("{at: 1, push: {impulse: [0, 5, 0]}, for: 0.25}");
   EXPECT_EQ(impulse.body, "");
   EXPECT_EQ(impulse.force, Eigen::Vector3d(0, 20, 0));
 }
@@ -47,8 +51,8 @@ TEST(ScriptTest, SortsByTimeAndKeepsTheOrderOfEqualTimes) {
   ASSERT_EQ(events.size(), 3U);
   EXPECT_EQ(events[0].at, 1);
   EXPECT_EQ(events[0].where, "s:3");
-  EXPECT_EQ(std::get<HoldRemote>(events[1].order).keys, 0x100);
-  EXPECT_EQ(std::get<HoldRemote>(events[2].order).keys, 0x400);
+  EXPECT_EQ(std::get<emulator::HoldRemote>(events[1].order).keys, 0x100);
+  EXPECT_EQ(std::get<emulator::HoldRemote>(events[2].order).keys, 0x400);
 }
 
 TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
@@ -79,15 +83,15 @@ TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
 TEST(ScriptTest, NamesTheNearestOfAnUnknownKey) {
   EXPECT_THAT(ErrorIn("{at: 1, pres: A}"), testing::StartsWith("s:2: unknown key 'pres'; did you "
                                                                "mean 'press'?"));
-  EXPECT_THAT(ErrorOf([] { Read("script: []\nrobot: {}\n"); }),
+  EXPECT_THAT(config::ErrorOf([] { Read("script: []\nrobot: {}\n"); }),
               testing::StartsWith("s:2: unknown key 'robot'"));
 }
 
 TEST(ScriptTest, IsKnownByItsKey) {
-  EXPECT_TRUE(IsScript(ParseYaml("script: []", "s")));
-  EXPECT_FALSE(IsScript(ParseYaml("robot: {}", "s")));
-  EXPECT_FALSE(IsScript(ParseYaml("[1]", "s")));
+  EXPECT_TRUE(IsScript(config::ParseYaml("script: []", "s")));
+  EXPECT_FALSE(IsScript(config::ParseYaml("robot: {}", "s")));
+  EXPECT_FALSE(IsScript(config::ParseYaml("[1]", "s")));
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::script

@@ -8,13 +8,13 @@
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::sensors {
 namespace {
 
 // Every number on its lattice to the last bit.
 bool OnLattice(double value, double step) { return std::round(value / step) * step == value; }
 
-class SensorsTest : public MujocoTest {
+class SensorsTest : public test::MujocoTest {
  protected:
   SensorsTest() {
     spec_.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
@@ -26,33 +26,33 @@ class SensorsTest : public MujocoTest {
       world_.BeginStep();
       motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
       battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
-      EXPECT_EQ(world_.EndStep(motors_.torque()), StepHealth::kFine);
+      EXPECT_EQ(world_.EndStep(motors_.torque()), physics::StepHealth::kFine);
     }
   }
 
-  static RobotCommand Moving() {
-    RobotCommand command;
+  static robot::RobotCommand Moving() {
+    robot::RobotCommand command;
     for (int i = 0; i < 6; ++i) {
       command.motors.push_back({.enabled = i != 2, .q = 0.1 * i, .kp = 20, .kd = 1});
     }
     return command;
   }
 
-  RobotState Sample(Sensors* sensors) {
-    RobotState state;
+  robot::RobotState Sample(Sensors* sensors) {
+    robot::RobotState state;
     sensors->Sample(world_, motors_, command_, battery_, 200, &state);
     return state;
   }
-  RobotState Sample(const SensorConfig& config) {
+  robot::RobotState Sample(const SensorConfig& config) {
     Sensors sensors(config, spec_);
     return Sample(&sensors);
   }
 
-  RobotSpec spec_ = FixtureRobot();
-  RobotCommand command_ = Moving();
-  PhysicsWorld world_ = FixtureWorld(spec_);
-  MotorBank motors_{spec_};
-  Battery battery_{spec_.battery};
+  robot::RobotSpec spec_ = test::FixtureRobot();
+  robot::RobotCommand command_ = Moving();
+  physics::PhysicsWorld world_ = test::FixtureWorld(spec_);
+  robot::MotorBank motors_{spec_};
+  robot::Battery battery_{spec_.battery};
 };
 
 constexpr SensorConfig kTruth{.quantise = false, .noise = false};
@@ -61,7 +61,7 @@ constexpr SensorConfig kNoise{.quantise = false, .noise = true};
 constexpr SensorConfig kBoth{.quantise = true, .noise = true};
 
 TEST_F(SensorsTest, TellTheTruthWhenBothAreOff) {
-  const RobotState state = Sample(kTruth);
+  const robot::RobotState state = Sample(kTruth);
   ASSERT_EQ(state.motors.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(state.motors[i].q, world_.q()[i]);
@@ -84,13 +84,13 @@ TEST_F(SensorsTest, TellTheTruthWhenBothAreOff) {
 }
 
 TEST_F(SensorsTest, RoundToTheLatticeToTheLastBit) {
-  const RobotState state = Sample(kBoth);
+  const robot::RobotState state = Sample(kBoth);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_TRUE(OnLattice(state.motors[i].q, 1.0 / 4096));
     EXPECT_TRUE(OnLattice(state.motors[i].dq, 1.0 / 64));
     EXPECT_TRUE(OnLattice(state.motors[i].tau, 1.0 / 32));
   }
-  for (const ImuReading& imu : {state.imu, state.secondary_imu}) {
+  for (const robot::ImuReading& imu : {state.imu, state.secondary_imu}) {
     for (int i = 0; i < 3; ++i) {
       EXPECT_TRUE(OnLattice(imu.w_WI_I[i], 1.0 / 1024));
       EXPECT_TRUE(OnLattice(imu.f_WI_I[i], 1.0 / 256));
@@ -99,7 +99,7 @@ TEST_F(SensorsTest, RoundToTheLatticeToTheLastBit) {
 }
 
 TEST_F(SensorsTest, RoundToTheNearestPointOfTheLattice) {
-  const RobotState state = Sample(kLattice);
+  const robot::RobotState state = Sample(kLattice);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_LE(std::abs(state.motors[i].q - world_.q()[i]), 0.5 / 4096);
     EXPECT_LE(std::abs(state.motors[i].dq - world_.dq()[i]), 0.5 / 64);
@@ -109,8 +109,8 @@ TEST_F(SensorsTest, RoundToTheNearestPointOfTheLattice) {
 }
 
 TEST_F(SensorsTest, LeaveAReadingWithoutALatticeAlone) {
-  for (MotorSpec& motor : spec_.motors) motor.q_step = 0;
-  const RobotState state = Sample(kLattice);
+  for (robot::MotorSpec& motor : spec_.motors) motor.q_step = 0;
+  const robot::RobotState state = Sample(kLattice);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(state.motors[i].q, world_.q()[i]);
 }
 
@@ -118,8 +118,8 @@ TEST_F(SensorsTest, GiveTheSameNoiseForTheSameSeed) {
   Sensors one({.seed = 7}, spec_);
   Sensors two({.seed = 7}, spec_);
   for (int i = 0; i < 10; ++i) {
-    const RobotState a = Sample(&one);
-    const RobotState b = Sample(&two);
+    const robot::RobotState a = Sample(&one);
+    const robot::RobotState b = Sample(&two);
     for (std::size_t m = 0; m < 6; ++m) {
       EXPECT_EQ(a.motors[m].q, b.motors[m].q);
       EXPECT_EQ(a.motors[m].dq, b.motors[m].dq);
@@ -143,21 +143,23 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
     const char* name;
     double sigma;
     double truth;
-    std::function<double(const RobotState&)> value;
+    std::function<double(const robot::RobotState&)> value;
   };
   const Reading readings[] = {
-      {"q", 2.0 / 4096, world_.q()[1], [](const RobotState& s) { return s.motors[1].q; }},
-      {"dq", 3.0 / 64, world_.dq()[3], [](const RobotState& s) { return s.motors[3].dq; }},
-      {"tau", 4.0 / 32, motors_.torque()[0], [](const RobotState& s) { return s.motors[0].tau; }},
-      {"gyro", 0.01, world_.Imu().w_WI_I.y(), [](const RobotState& s) { return s.imu.w_WI_I.y(); }},
+      {"q", 2.0 / 4096, world_.q()[1], [](const robot::RobotState& s) { return s.motors[1].q; }},
+      {"dq", 3.0 / 64, world_.dq()[3], [](const robot::RobotState& s) { return s.motors[3].dq; }},
+      {"tau", 4.0 / 32, motors_.torque()[0],
+       [](const robot::RobotState& s) { return s.motors[0].tau; }},
+      {"gyro", 0.01, world_.Imu().w_WI_I.y(),
+       [](const robot::RobotState& s) { return s.imu.w_WI_I.y(); }},
       {"accel", 0.05, world_.SecondaryImu().f_WI_I.z(),
-       [](const RobotState& s) { return s.secondary_imu.f_WI_I.z(); }},
+       [](const robot::RobotState& s) { return s.secondary_imu.f_WI_I.z(); }},
   };
   constexpr int kSamples = 20'000;
   double sum[std::size(readings)] = {};
   double square[std::size(readings)] = {};
   Sensors sensors(kNoise, spec_);
-  RobotState state;
+  robot::RobotState state;
   for (int i = 0; i < kSamples; ++i) {
     sensors.Sample(world_, motors_, command_, battery_, 0, &state);
     for (std::size_t r = 0; r < std::size(readings); ++r) {
@@ -173,22 +175,22 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
 }
 
 TEST_F(SensorsTest, ShowMostOfTheWindingsRiseAtTheCasing) {
-  const RobotState state = Sample(kTruth);
-  for (const MotorReading& motor : state.motors) {
+  const robot::RobotState state = Sample(kTruth);
+  for (const robot::MotorReading& motor : state.motors) {
     EXPECT_GT(motor.casing_c, 20);
     EXPECT_LT(motor.casing_c, motor.winding_c);
   }
 }
 
 TEST_F(SensorsTest, ReportTheJointSpaceOfTheCommand) {
-  EXPECT_EQ(Sample(kTruth).joint_space, JointSpace::kPitchRoll);
-  command_.joint_space = JointSpace::kMotors;
-  EXPECT_EQ(Sample(kTruth).joint_space, JointSpace::kMotors);
+  EXPECT_EQ(Sample(kTruth).joint_space, robot::JointSpace::kPitchRoll);
+  command_.joint_space = robot::JointSpace::kMotors;
+  EXPECT_EQ(Sample(kTruth).joint_space, robot::JointSpace::kMotors);
 }
 
 TEST_F(SensorsTest, LeaveTheRemoteAlone) {
   Sensors sensors(kTruth, spec_);
-  RobotState state;
+  robot::RobotState state;
   state.remote.keys = 42;
   sensors.Sample(world_, motors_, command_, battery_, 0, &state);
   EXPECT_EQ(state.remote.keys, 42);
@@ -196,11 +198,11 @@ TEST_F(SensorsTest, LeaveTheRemoteAlone) {
 
 TEST_F(SensorsTest, LeaveTheSecondUnitAloneWhereThereIsNone) {
   spec_.imu.secondary_site.clear();
-  const RobotState state = Sample(kBoth);
+  const robot::RobotState state = Sample(kBoth);
   EXPECT_EQ(state.secondary_imu.f_WI_I, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(state.secondary_imu.temperature_c, 0);
   EXPECT_EQ(state.imu.temperature_c, 40);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::sensors

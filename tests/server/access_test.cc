@@ -2,7 +2,7 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 class AccessTest : public ::testing::Test {
@@ -104,4 +104,4 @@ TEST_F(AccessTest, LooksAtNothingButTheLengthOfAnEmptyToken) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

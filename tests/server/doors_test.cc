@@ -12,7 +12,7 @@
 #include "server/server.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
@@ -54,22 +54,24 @@ class DoorsTest : public ::testing::Test {
     EXPECT_THAT(client->Receive("\r\n\r\n"), StartsWith("HTTP/1.1 101"));
     return client;
   }
-  ControlStream Watch(const std::string& target) const {
-    return ControlStream(path_, target, test::kBound);
+  client::ControlStream Watch(const std::string& target) const {
+    return client::ControlStream(path_, target, test::kBound);
   }
-  bool StillServes() const { return Call(path_, "GET", "/status", "", test::kBound).status == 200; }
+  bool StillServes() const {
+    return client::Call(path_, "GET", "/status", "", test::kBound).status == 200;
+  }
 
   test::TempFolder temp_;
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
-  StatusBoard board_;
-  Inbox inbox_;
-  FrameBoard frames_{Frame{}};
+  emulator::StatusBoard board_;
+  emulator::Inbox inbox_;
+  emulator::FrameBoard frames_{emulator::Frame{}};
   const PanelSocket panel_{"127.0.0.1", 0};
   std::optional<ControlServer> dut_;
 };
 
 TEST_F(DoorsTest, TellsItsAddressWithTheTokenAtTheUnixSocketOnly) {
-  const ControlReply reply = Call(path_, "GET", "/panel", "", test::kBound);
+  const client::ControlReply reply = client::Call(path_, "GET", "/panel", "", test::kBound);
   EXPECT_EQ(json::parse(reply.body)["url"], dut_->url());
   EXPECT_THAT(dut_->url(), StartsWith("http://" + panel_.host() + "/#token="));
   EXPECT_THAT(Ask("GET /panel", HostLine()), StartsWith("HTTP/1.1 401"));
@@ -84,7 +86,7 @@ TEST_F(DoorsTest, TheSameRoutesAreOnTcp) {
 }
 
 TEST_F(DoorsTest, RefusesAWriteWithoutTheToken) {
-  const test::Ticking ticking(&inbox_, [](const Order&) { return Answer{}; });
+  const test::Ticking ticking(&inbox_, [](const emulator::Order&) { return emulator::Answer{}; });
   EXPECT_THAT(Ask("POST /reset", HostLine()), StartsWith("HTTP/1.1 401"));
   EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer 0123\r\n"),
               StartsWith("HTTP/1.1 401"));
@@ -103,7 +105,8 @@ TEST_F(DoorsTest, RefusesAPageThatIsNotItsOwn) {
 
 TEST_F(DoorsTest, AFrameIsFilledInByTheTick) {
   const test::Showing tick(&frames_);
-  const ControlReply reply = Call(path_, "GET", "/frame?parts=com", "", test::kBound);
+  const client::ControlReply reply =
+      client::Call(path_, "GET", "/frame?parts=com", "", test::kBound);
   EXPECT_EQ(reply.status, 200u);
   EXPECT_EQ(json::parse(reply.body)["step"], 1);
   EXPECT_EQ(json::parse(reply.body).size(), 5u);
@@ -111,15 +114,15 @@ TEST_F(DoorsTest, AFrameIsFilledInByTheTick) {
 
 TEST_F(DoorsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
   Start({.patience = std::chrono::milliseconds{20}});
-  EXPECT_EQ(Call(path_, "GET", "/frame", "", test::kBound).status, 503u);
+  EXPECT_EQ(client::Call(path_, "GET", "/frame", "", test::kBound).status, 503u);
   const test::Showing tick(&frames_);
   EXPECT_TRUE(test::Eventually(
-      [&] { return Call(path_, "GET", "/frame", "", test::kBound).status == 200; }));
+      [&] { return client::Call(path_, "GET", "/frame", "", test::kBound).status == 200; }));
 }
 
 TEST_F(DoorsTest, FramesComeOnAWebSocketOneAfterTheOther) {
   const test::Showing tick(&frames_);
-  ControlStream stream = Watch("/frames?hz=240&parts=com");
+  client::ControlStream stream = Watch("/frames?hz=240&parts=com");
   std::int64_t last = 0;
   for (int i = 0; i < 5; ++i) {
     const std::int64_t step = json::parse(stream.Next())["step"];
@@ -130,9 +133,9 @@ TEST_F(DoorsTest, FramesComeOnAWebSocketOneAfterTheOther) {
 
 TEST_F(DoorsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
   const test::Showing tick(&frames_);
-  ControlStream slow = Watch("/frames?hz=1");
+  client::ControlStream slow = Watch("/frames?hz=1");
   slow.Next();
-  ControlStream quick = Watch("/frames?hz=240");
+  client::ControlStream quick = Watch("/frames?hz=240");
   for (int i = 0; i < 20; ++i) quick.Next();  // nothing is filled in for the slow one meanwhile
   const std::int64_t quickest = json::parse(quick.Next())["step"];
   EXPECT_LE(quickest, 60);
@@ -140,9 +143,10 @@ TEST_F(DoorsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
 
 TEST_F(DoorsTest, AnyNumberWatchAtOnce) {
   const test::Showing tick(&frames_);
-  std::list<ControlStream> watchers;
+  std::list<client::ControlStream> watchers;
   for (int i = 0; i < 20; ++i) watchers.push_back(Watch("/frames?hz=60"));
-  for (ControlStream& watcher : watchers) EXPECT_THAT(watcher.Next(), StartsWith("{\"step\":"));
+  for (client::ControlStream& watcher : watchers)
+    EXPECT_THAT(watcher.Next(), StartsWith("{\"step\":"));
 }
 
 TEST_F(DoorsTest, WhoWatchesOnTcpNeedsNoToken) {
@@ -160,10 +164,11 @@ TEST_F(DoorsTest, SaysWhyAWebSocketIsRefused) {
 }
 
 TEST_F(DoorsTest, OrdersOnAWebSocketAreAnsweredInTheirTurn) {
-  const test::Ticking ticking(&inbox_, [](const Order& order) {
-    return std::holds_alternative<ResetRobot>(order) ? Answer{"not now"} : Answer{};
+  const test::Ticking ticking(&inbox_, [](const emulator::Order& order) {
+    return std::holds_alternative<emulator::ResetRobot>(order) ? emulator::Answer{"not now"}
+                                                               : emulator::Answer{};
   });
-  ControlStream stream = Watch("/orders");
+  client::ControlStream stream = Watch("/orders");
   stream.Send(R"({"path": "/crane", "body": {"lower": 0.1}, "id": 1})");
   stream.Send(R"({"path": "/reset", "id": "two"})");
   stream.Send(R"({"path": "/clamp", "body": {"on": 3}})");
@@ -174,7 +179,7 @@ TEST_F(DoorsTest, OrdersOnAWebSocketAreAnsweredInTheirTurn) {
 }
 
 TEST_F(DoorsTest, WhatIsNoOrderIsAnsweredWithTheReason) {
-  ControlStream stream = Watch("/orders");
+  client::ControlStream stream = Watch("/orders");
   const std::string deep(30'000, '[');
   for (const std::string& message :
        {std::string{"x"}, std::string{}, std::string{"[]"}, std::string{"{}"}, deep,
@@ -214,7 +219,7 @@ TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
 }
 
 TEST_F(DoorsTest, AMessageTooLongEndsItsWebSocketAlone) {
-  ControlStream stream = Watch("/orders");
+  client::ControlStream stream = Watch("/orders");
   EXPECT_THROW(
       {
         stream.Send(std::string(65 * 1024, ' '));
@@ -228,7 +233,7 @@ TEST_F(DoorsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
   Start({.idle = std::chrono::milliseconds{300}});
   const test::Showing tick(&frames_);
   const auto deaf = Open("/frames?hz=240");
-  ControlStream other = Watch("/frames?hz=240");
+  client::ControlStream other = Watch("/frames?hz=240");
   for (int i = 0; i < 10; ++i) other.Next();
   // It answers no ping.
   const std::string all = deaf->ReceiveAll();
@@ -238,7 +243,7 @@ TEST_F(DoorsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
 TEST_F(DoorsTest, AWatcherThatReadsStays) {
   Start({.idle = std::chrono::milliseconds{500}});
   const test::Showing tick(&frames_);
-  ControlStream stream = Watch("/frames?hz=100");
+  client::ControlStream stream = Watch("/frames?hz=100");
   for (int i = 0; i < 60; ++i) stream.Next();
 }
 
@@ -251,9 +256,9 @@ TEST_F(DoorsTest, OutlivesWatchersThatGoWithoutAWord) {
 
 TEST_F(DoorsTest, EndsWhileItIsWatched) {
   const test::Showing tick(&frames_);
-  ControlStream watched = Watch("/frames");
+  client::ControlStream watched = Watch("/frames");
   watched.Next();
-  ControlStream ordering = Watch("/orders");
+  client::ControlStream ordering = Watch("/orders");
   ordering.Send(R"({"path": "/reset"})");
   dut_.reset();
   EXPECT_THROW(for (;;) watched.Next(), ControlError);
@@ -332,4 +337,4 @@ TEST(PanelSocketTest, TellsABrowserOfThisMachineWhereToGo) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

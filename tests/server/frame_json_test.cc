@@ -6,14 +6,14 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
 
-Frame SomeFrame() {
-  Frame frame;
-  frame.parts = kAllFrameParts;
+emulator::Frame SomeFrame() {
+  emulator::Frame frame;
+  frame.parts = emulator::kAllFrameParts;
   frame.body_names = {"world", "base \"link\""};
   frame.step = 7;
   frame.time = 0.007;
@@ -36,7 +36,7 @@ Frame SomeFrame() {
 }
 
 TEST(FrameJsonTest, HasEveryPart) {
-  const json frame = json::parse(FrameJson(SomeFrame(), kAllFrameParts));
+  const json frame = json::parse(FrameJson(SomeFrame(), emulator::kAllFrameParts));
   EXPECT_EQ(frame["step"], 7);
   EXPECT_EQ(frame["time"], 0.007);
   EXPECT_EQ(frame["speed"], 0.5);
@@ -58,40 +58,40 @@ TEST(FrameJsonTest, HasEveryPart) {
   EXPECT_EQ(frame["wireless_remote"].size(), 40u);
   EXPECT_EQ(frame["wireless_remote"][0], 0x55);
   EXPECT_EQ(frame["command"][0]["kp"], 20.0);
-  EXPECT_EQ(frame.size(), 4 + std::size(kFrameParts));
+  EXPECT_EQ(frame.size(), 4 + std::size(emulator::kFrameParts));
 }
 
 TEST(FrameJsonTest, HasOnlyWhatIsAskedForAndThere) {
-  Frame frame = SomeFrame();
-  EXPECT_EQ(json::parse(FrameJson(frame, kPartCom)).size(), 5u);
-  frame.parts = kPartCom;
-  EXPECT_EQ(json::parse(FrameJson(frame, kAllFrameParts)).size(), 5u);
+  emulator::Frame frame = SomeFrame();
+  EXPECT_EQ(json::parse(FrameJson(frame, emulator::kPartCom)).size(), 5u);
+  frame.parts = emulator::kPartCom;
+  EXPECT_EQ(json::parse(FrameJson(frame, emulator::kAllFrameParts)).size(), 5u);
 }
 
 TEST(FrameJsonTest, WhatIsNoNumberIsNull) {
-  Frame frame = SomeFrame();
+  emulator::Frame frame = SomeFrame();
   frame.positions = {std::nan(""), INFINITY, 1e300};
   frame.com = {std::nan(""), 1e300, 0};
-  const json text = json::parse(FrameJson(frame, kAllFrameParts));
+  const json text = json::parse(FrameJson(frame, emulator::kAllFrameParts));
   EXPECT_EQ(text["qpos"], json({nullptr, nullptr, 1e300}));
   EXPECT_EQ(text["com"], json({nullptr, nullptr, 0.0}));
 }
 
 TEST(FrameJsonTest, SurvivesANameThatIsNoText) {
-  Frame frame = SomeFrame();
+  emulator::Frame frame = SomeFrame();
   frame.body_names[1] = "\xff";
-  EXPECT_FALSE(json::parse(FrameJson(frame, kPartPushes), nullptr, false).is_discarded());
+  EXPECT_FALSE(json::parse(FrameJson(frame, emulator::kPartPushes), nullptr, false).is_discarded());
 }
 
 TEST(FrameJsonTest, ReadsTheNamesOfParts) {
   std::string unknown;
-  EXPECT_EQ(ReadFrameParts("qpos,com", &unknown), kPartPositions | kPartCom);
+  EXPECT_EQ(ReadFrameParts("qpos,com", &unknown), emulator::kPartPositions | emulator::kPartCom);
   EXPECT_EQ(ReadFrameParts("", &unknown), 0u);
-  EXPECT_EQ(ReadFrameParts("qpos,", &unknown), kPartPositions);
+  EXPECT_EQ(ReadFrameParts("qpos,", &unknown), emulator::kPartPositions);
   EXPECT_EQ(ReadFrameParts("qpos,,com", &unknown), std::nullopt);
   EXPECT_EQ(ReadFrameParts("com,refusals", &unknown), std::nullopt);
   EXPECT_EQ(unknown, "refusals");
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

@@ -7,7 +7,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using ::testing::HasSubstr;
@@ -24,13 +24,13 @@ class MetricsTest : public ::testing::Test {
     return MetricsText({.robot = "g1", .version = "0.1"}, status_, frame_);
   }
 
-  Status status_;
-  Frame frame_;
+  emulator::Status status_;
+  emulator::Frame frame_;
 };
 
 TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {
   status_.commands.accepted = 7;
-  status_.commands.refused[static_cast<std::size_t>(Refusal::kCrc)] = 5;
+  status_.commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)] = 5;
   status_.hands[0].commands.accepted = 3;
   status_.arm_commands.accepted = 4;
   const std::string text = Dut();
@@ -98,4 +98,4 @@ TEST_F(MetricsTest, EveryFamilyHasOneHelpOneTypeAndItsSamplesBelow) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

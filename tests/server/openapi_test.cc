@@ -10,7 +10,7 @@
 #include "server/routes.h"
 #include "server/status_json.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 const YAML::Node& Document() {
@@ -42,7 +42,7 @@ TEST(OpenApiTest, HasEveryPartOfAFrameAndNoOther) {
     documented.insert(key.first.as<std::string>());
   }
   std::set<std::string> sent{"step", "time", "speed", "paused"};
-  for (const FramePartName& part : kFrameParts) sent.emplace(part.name);
+  for (const emulator::FramePartName& part : emulator::kFrameParts) sent.emplace(part.name);
   EXPECT_EQ(documented, sent);
 }
 
@@ -76,4 +76,4 @@ TEST(OpenApiTest, WhatWritesAsksForTheToken) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

@@ -8,16 +8,16 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 double LoweredBy(const OrderReading& reading) {
-  return std::get<LowerCrane>(std::get<Order>(reading)).by;
+  return std::get<emulator::LowerCrane>(std::get<emulator::Order>(reading)).by;
 }
 
 template <class Kind>
 bool Is(const OrderReading& reading) {
-  const auto* order = std::get_if<Order>(&reading);
+  const auto* order = std::get_if<emulator::Order>(&reading);
   return order != nullptr && std::holds_alternative<Kind>(*order);
 }
 
@@ -47,17 +47,21 @@ TEST(OrderJsonTest, ReadsEveryCraneOrder) {
   EXPECT_EQ(LoweredBy(ReadCraneOrder(R"({"lower": 0.25})")), 0.25);
   EXPECT_EQ(LoweredBy(ReadCraneOrder(R"({"lower": 1})")), 1);
   EXPECT_EQ(LoweredBy(ReadCraneOrder(R"({"raise": 0.25})")), -0.25);
-  EXPECT_TRUE(Is<AttachCrane>(ReadCraneOrder(R"({"attach": true})")));
-  EXPECT_TRUE(Is<ReleaseCrane>(ReadCraneOrder(R"({"release": true})")));
+  EXPECT_TRUE(Is<emulator::AttachCrane>(ReadCraneOrder(R"({"attach": true})")));
+  EXPECT_TRUE(Is<emulator::ReleaseCrane>(ReadCraneOrder(R"({"release": true})")));
 }
 
 TEST(OrderJsonTest, ReadsBothClampOrders) {
-  EXPECT_TRUE(std::get<ClampBase>(std::get<Order>(ReadClampOrder(R"({"on": true})"))).on);
-  EXPECT_FALSE(std::get<ClampBase>(std::get<Order>(ReadClampOrder(R"({"on": false})"))).on);
+  EXPECT_TRUE(
+      std::get<emulator::ClampBase>(std::get<emulator::Order>(ReadClampOrder(R"({"on": true})")))
+          .on);
+  EXPECT_FALSE(
+      std::get<emulator::ClampBase>(std::get<emulator::Order>(ReadClampOrder(R"({"on": false})")))
+          .on);
 }
 
 TEST(OrderJsonTest, ReadsAPush) {
-  const auto push = std::get<PushBody>(std::get<Order>(
+  const auto push = std::get<emulator::PushBody>(std::get<emulator::Order>(
       ReadPushOrder(R"({"body": "trunk", "force": [1, -2, 3.5], "seconds": 0.25})")));
   EXPECT_EQ(push.body, "trunk");
   EXPECT_EQ(push.force, Eigen::Vector3d(1, -2, 3.5));
@@ -74,15 +78,15 @@ TEST(OrderJsonTest, RefusesAPushWithoutForceOrTime) {
 }
 
 TEST(OrderJsonTest, ReadsEveryRemoteOrder) {
-  const auto press =
-      std::get<PressRemote>(std::get<Order>(ReadRemoteOrder(R"({"press": "l2+b", "seconds": 2})")));
+  const auto press = std::get<emulator::PressRemote>(
+      std::get<emulator::Order>(ReadRemoteOrder(R"({"press": "l2+b", "seconds": 2})")));
   EXPECT_EQ(press.keys, 0x220);
   EXPECT_EQ(press.seconds, 2);
-  EXPECT_TRUE(Is<HoldRemote>(ReadRemoteOrder(R"({"hold": "L2"})")));
-  EXPECT_TRUE(Is<ReleaseRemote>(ReadRemoteOrder(R"({"release": "L2"})")));
-  EXPECT_TRUE(Is<SwitchRemote>(ReadRemoteOrder(R"({"on": false})")));
-  const auto sticks = std::get<MoveSticks>(
-      std::get<Order>(ReadRemoteOrder(R"({"sticks": {"ly": 0.5}, "seconds": 3})")));
+  EXPECT_TRUE(Is<emulator::HoldRemote>(ReadRemoteOrder(R"({"hold": "L2"})")));
+  EXPECT_TRUE(Is<emulator::ReleaseRemote>(ReadRemoteOrder(R"({"release": "L2"})")));
+  EXPECT_TRUE(Is<emulator::SwitchRemote>(ReadRemoteOrder(R"({"on": false})")));
+  const auto sticks = std::get<emulator::MoveSticks>(
+      std::get<emulator::Order>(ReadRemoteOrder(R"({"sticks": {"ly": 0.5}, "seconds": 3})")));
   EXPECT_EQ(sticks.ly, 0.5);
   EXPECT_FALSE(sticks.lx.has_value());
   EXPECT_EQ(sticks.seconds, 3);
@@ -105,7 +109,7 @@ TEST(OrderJsonTest, RefusesATimeForWhatLastsUntilAnotherOrder) {
 }
 
 TEST(OrderJsonTest, ReadsTheWholeRemoteAtOnce) {
-  const auto set = std::get<SetRemote>(std::get<Order>(
+  const auto set = std::get<emulator::SetRemote>(std::get<emulator::Order>(
       ReadRemoteOrder(R"({"set": {"keys": "L2+B", "lx": -0.5, "ry": 1}, "seconds": 0.5})")));
   EXPECT_EQ(set.reading.keys, 0x220);
   EXPECT_EQ(set.reading.lx, -0.5);
@@ -117,7 +121,9 @@ TEST(OrderJsonTest, ReadsTheWholeRemoteAtOnce) {
 TEST(OrderJsonTest, ReadsARemoteOnWhichNothingIsHeld) {
   for (const char* body :
        {R"({"set": {}, "seconds": 1})", R"({"set": {"keys": ""}, "seconds": 1})"}) {
-    EXPECT_EQ(std::get<SetRemote>(std::get<Order>(ReadRemoteOrder(body))).reading.keys, 0);
+    EXPECT_EQ(std::get<emulator::SetRemote>(std::get<emulator::Order>(ReadRemoteOrder(body)))
+                  .reading.keys,
+              0);
   }
 }
 
@@ -138,19 +144,19 @@ TEST(OrderJsonTest, RefusesAWholeRemoteWithWhatIsNone) {
 }
 
 TEST(OrderJsonTest, ResetTakesAnEmptyObjectOrNothing) {
-  EXPECT_TRUE(Is<ResetRobot>(ReadResetOrder("{}")));
-  EXPECT_TRUE(Is<ResetRobot>(ReadResetOrder("")));
+  EXPECT_TRUE(Is<emulator::ResetRobot>(ReadResetOrder("{}")));
+  EXPECT_TRUE(Is<emulator::ResetRobot>(ReadResetOrder("")));
 }
 
 TEST(OrderJsonTest, ResetTakesThePosesThatARobotCanStartIn) {
   const auto pose = [](const char* body) {
-    return std::get<ResetRobot>(std::get<Order>(ReadResetOrder(body))).pose;
+    return std::get<emulator::ResetRobot>(std::get<emulator::Order>(ReadResetOrder(body))).pose;
   };
-  EXPECT_EQ(pose(R"({"pose": "lying"})"), StartPose::kLying);
-  EXPECT_EQ(pose(R"({"pose": "damped"})"), StartPose::kLying);
-  EXPECT_EQ(pose(R"({"pose": "standing"})"), StartPose::kStanding);
-  EXPECT_EQ(pose(R"({"pose": "hanging"})"), StartPose::kHanging);
-  EXPECT_EQ(pose(R"({"pose": "clamped"})"), StartPose::kClamped);
+  EXPECT_EQ(pose(R"({"pose": "lying"})"), robot::StartPose::kLying);
+  EXPECT_EQ(pose(R"({"pose": "damped"})"), robot::StartPose::kLying);
+  EXPECT_EQ(pose(R"({"pose": "standing"})"), robot::StartPose::kStanding);
+  EXPECT_EQ(pose(R"({"pose": "hanging"})"), robot::StartPose::kHanging);
+  EXPECT_EQ(pose(R"({"pose": "clamped"})"), robot::StartPose::kClamped);
   EXPECT_EQ(pose("{}"), std::nullopt);
 }
 
@@ -167,7 +173,7 @@ TEST(OrderJsonTest, ResetRefusesAnotherKey) {
 }
 
 TEST(OrderJsonTest, ReadsADrag) {
-  const auto drag = std::get<DragBody>(std::get<Order>(
+  const auto drag = std::get<emulator::DragBody>(std::get<emulator::Order>(
       ReadDragOrder(R"({"body": "trunk", "at": [0, 0.1, 0], "to": [1, 2, 3], "seconds": 2})")));
   EXPECT_EQ(drag.body, "trunk");
   EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0.1, 0));
@@ -176,15 +182,15 @@ TEST(OrderJsonTest, ReadsADrag) {
 }
 
 TEST(OrderJsonTest, ADragHoldsTheBodysOriginForHalfASecondUnlessToldOtherwise) {
-  const auto drag =
-      std::get<DragBody>(std::get<Order>(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 3]})")));
+  const auto drag = std::get<emulator::DragBody>(
+      std::get<emulator::Order>(ReadDragOrder(R"({"body": "trunk", "to": [1, 2, 3]})")));
   EXPECT_EQ(drag.p_BP, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(drag.seconds, 0.5);
 }
 
 TEST(OrderJsonTest, ReadsTheReleaseOfOneBodyAndOfAll) {
   const auto body = [](const char* text) {
-    return std::get<ReleaseDrag>(std::get<Order>(ReadDragOrder(text))).body;
+    return std::get<emulator::ReleaseDrag>(std::get<emulator::Order>(ReadDragOrder(text))).body;
   };
   EXPECT_EQ(body(R"({"body": "trunk", "release": true})"), "trunk");
   EXPECT_EQ(body(R"({"release": true})"), "");
@@ -216,8 +222,12 @@ TEST(OrderJsonTest, RefusesAReleaseOfADragThatSaysMore) {
 }
 
 TEST(OrderJsonTest, ReadsBothPauseOrders) {
-  EXPECT_TRUE(std::get<PauseRun>(std::get<Order>(ReadPauseOrder(R"({"on": true})"))).on);
-  EXPECT_FALSE(std::get<PauseRun>(std::get<Order>(ReadPauseOrder(R"({"on": false})"))).on);
+  EXPECT_TRUE(
+      std::get<emulator::PauseRun>(std::get<emulator::Order>(ReadPauseOrder(R"({"on": true})")))
+          .on);
+  EXPECT_FALSE(
+      std::get<emulator::PauseRun>(std::get<emulator::Order>(ReadPauseOrder(R"({"on": false})")))
+          .on);
 }
 
 TEST(OrderJsonTest, RefusesAPauseThatIsNeitherOnNorOff) {
@@ -228,7 +238,7 @@ TEST(OrderJsonTest, RefusesAPauseThatIsNeitherOnNorOff) {
 
 TEST(OrderJsonTest, ReadsSteps) {
   const auto steps = [](const char* body) {
-    return std::get<StepRun>(std::get<Order>(ReadStepOrder(body))).steps;
+    return std::get<emulator::StepRun>(std::get<emulator::Order>(ReadStepOrder(body))).steps;
   };
   EXPECT_EQ(steps(R"({"steps": 250})"), 250);
   EXPECT_EQ(steps("{}"), 1);
@@ -244,7 +254,7 @@ TEST(OrderJsonTest, RefusesStepsThatAreNoNumberOfSteps) {
 
 TEST(OrderJsonTest, ReadsASpeed) {
   const auto speed = [](const char* body) {
-    return std::get<SetSpeed>(std::get<Order>(ReadSpeedOrder(body))).speed;
+    return std::get<emulator::SetSpeed>(std::get<emulator::Order>(ReadSpeedOrder(body))).speed;
   };
   EXPECT_EQ(speed(R"({"speed": 0})"), 0);
   EXPECT_EQ(speed(R"({"speed": 0.001})"), 0.001);
@@ -346,4 +356,4 @@ TEST(OrderJsonTest, SurvivesBytesThatAreNoText) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

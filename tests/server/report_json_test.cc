@@ -2,13 +2,13 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
 
 TEST(TimingsJsonTest, TellsWhatIsMeasured) {
-  Status status;
+  emulator::Status status;
   status.steps = 2;
   status.pace.overruns = 1;
   status.ticks.Add(15e-6);
@@ -24,11 +24,14 @@ TEST(TimingsJsonTest, TellsWhatIsMeasured) {
 }
 
 TEST(RefusalsJsonTest, SaysWhyAndWhatToDo) {
-  Frame frame;
+  emulator::Frame frame;
   frame.command_topics = {"rt/lowcmd", "", "", "rt/dex3/left/cmd"};
-  frame.refusals = {
-      {.first = 1, .last = 2, .reason = Refusal::kCrc, .count = 500},
-      {.first = 3, .last = 3, .topic = kFirstHandTopic, .reason = Refusal::kMotorMode, .count = 1}};
+  frame.refusals = {{.first = 1, .last = 2, .reason = robot::Refusal::kCrc, .count = 500},
+                    {.first = 3,
+                     .last = 3,
+                     .topic = robot::kFirstHandTopic,
+                     .reason = robot::Refusal::kMotorMode,
+                     .count = 1}};
   const json refusals = RefusalsJson(frame)["refusals"];
   ASSERT_EQ(refusals.size(), 2u);
   EXPECT_EQ(refusals[0]["time"], 2.0);
@@ -42,4 +45,4 @@ TEST(RefusalsJsonTest, SaysWhyAndWhatToDo) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

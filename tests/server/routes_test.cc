@@ -3,7 +3,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using ::testing::HasSubstr;
@@ -17,13 +17,13 @@ class RoutesTest : public ::testing::Test {
     return std::get<HttpReply>(Dut(method, target, body));
   }
 
-  StatusBoard board_;
-  FrameBoard frames_{Frame{}};
+  emulator::StatusBoard board_;
+  emulator::FrameBoard frames_{emulator::Frame{}};
   Plane plane_{.identity = {.robot = "g1"}, .board = &board_, .frames = &frames_};
 };
 
 TEST_F(RoutesTest, StatusIsThatOfTheBoard) {
-  Status status;
+  emulator::Status status;
   status.steps = 7;
   board_.Post(status);
   const HttpReply reply = ReplyTo("GET", "/status");
@@ -35,13 +35,14 @@ TEST_F(RoutesTest, StatusIsThatOfTheBoard) {
 TEST_F(RoutesTest, LeavesAQueryAside) { EXPECT_EQ(ReplyTo("GET", "/status?x=1").status, 200u); }
 
 TEST_F(RoutesTest, OrdersArePosted) {
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/crane", R"({"lower": 1})")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/clamp", R"({"on": true})")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/reset", "{}")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/pause", R"({"on": true})")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/step", "{}")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/speed", R"({"speed": 2})")));
-  EXPECT_TRUE(std::holds_alternative<Order>(Dut("POST", "/drag", R"({"release": true})")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/crane", R"({"lower": 1})")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/clamp", R"({"on": true})")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/reset", "{}")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/pause", R"({"on": true})")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/step", "{}")));
+  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/speed", R"({"speed": 2})")));
+  EXPECT_TRUE(
+      std::holds_alternative<emulator::Order>(Dut("POST", "/drag", R"({"release": true})")));
 }
 
 TEST_F(RoutesTest, ABodyThatCannotBeReadIs400) {
@@ -70,11 +71,11 @@ TEST_F(RoutesTest, SurvivesAPathThatIsNoText) {
 }
 
 TEST_F(RoutesTest, AFrameHasThePartsThatAreAskedFor) {
-  EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame")).parts, kAllFrameParts);
+  EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame")).parts, emulator::kAllFrameParts);
   EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame?parts=qpos,com")).parts,
-            kPartPositions | kPartCom);
+            emulator::kPartPositions | emulator::kPartCom);
   EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame?x=1&parts=qpos%2Ccom")).parts,
-            kPartPositions | kPartCom);
+            emulator::kPartPositions | emulator::kPartCom);
 }
 
 TEST_F(RoutesTest, APartThatIsNoneIs400WithTheNearest) {
@@ -89,7 +90,7 @@ TEST_F(RoutesTest, AWebSocketIsOneOnlyWhenAskedToBe) {
   const auto routed =
       Route({.method = "GET", .target = "/frames?hz=24.5&parts=com", .upgrade = true}, plane_);
   EXPECT_EQ(std::get<WatchFrames>(routed).hz, 24.5);
-  EXPECT_EQ(std::get<WatchFrames>(routed).parts, kPartCom);
+  EXPECT_EQ(std::get<WatchFrames>(routed).parts, emulator::kPartCom);
 }
 
 TEST_F(RoutesTest, ARateOutOfRangeIs400) {
@@ -124,4 +125,4 @@ TEST_F(RoutesTest, ARefusalOfTheRobotIs409) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

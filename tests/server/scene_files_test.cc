@@ -6,7 +6,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using nlohmann::json;
@@ -35,13 +35,13 @@ class SceneFilesTest : public ::testing::Test {
     robot_.feet = {{.name = "FR", .geoms = {}}};
   }
 
-  TemporaryFolder temp_;
+  test::TemporaryFolder temp_;
   std::string file_ = temp_.Write("model.xml", kModel).string();
-  SceneReader reader_{[this] {
+  physics::SceneReader reader_{[this] {
     std::string why(300, '\0');
-    return ModelHandle(mj_loadXML(file_.c_str(), nullptr, why.data(), 300));
+    return mjcf::ModelHandle(mj_loadXML(file_.c_str(), nullptr, why.data(), 300));
   }};
-  RobotSpec robot_;
+  robot::RobotSpec robot_;
   SceneFiles dut_{&reader_, &robot_};
 };
 
@@ -96,4 +96,4 @@ TEST_F(SceneFilesTest, OneCopyIsSentToAllWhoReadItAndNoneIsKept) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

@@ -11,7 +11,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using ::testing::HasSubstr;
@@ -29,9 +29,9 @@ class ControlServerTest : public ::testing::Test {
  protected:
   void Start(const ServerLimits& limits = {}) { dut_.emplace(path_, ThePlane(), limits); }
   Plane ThePlane() { return {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_}; }
-  ControlReply Ask(const std::string& method, const std::string& path,
-                   const std::string& body = "") const {
-    return Call(path_, method, path, body, test::kBound);
+  client::ControlReply Ask(const std::string& method, const std::string& path,
+                           const std::string& body = "") const {
+    return client::Call(path_, method, path, body, test::kBound);
   }
   // What comes back on a connection of its own until the server hangs up.
   std::string Tell(std::string_view bytes) const {
@@ -42,17 +42,17 @@ class ControlServerTest : public ::testing::Test {
 
   test::TempFolder temp_;
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
-  StatusBoard board_;
-  Inbox inbox_;
+  emulator::StatusBoard board_;
+  emulator::Inbox inbox_;
   std::optional<ControlServer> dut_;
 };
 
 TEST_F(ControlServerTest, TellsTheStatus) {
   Start();
-  Status status;
+  emulator::Status status;
   status.steps = 12;
   board_.Post(status);
-  const ControlReply reply = Ask("GET", "/status");
+  const client::ControlReply reply = Ask("GET", "/status");
   EXPECT_EQ(reply.status, 200u);
   const auto json = nlohmann::json::parse(reply.body);
   EXPECT_EQ(json["steps"], 12);
@@ -82,11 +82,11 @@ TEST_F(ControlServerTest, ANameInUseIsAnError) {
 TEST_F(ControlServerTest, AnOrderIsCarriedOutByTheTick) {
   Start();
   std::atomic<double> lowered = 0;
-  const test::Ticking ticking(&inbox_, [&](const Order& order) {
-    lowered = std::get<LowerCrane>(order).by;
-    return Answer{};
+  const test::Ticking ticking(&inbox_, [&](const emulator::Order& order) {
+    lowered = std::get<emulator::LowerCrane>(order).by;
+    return emulator::Answer{};
   });
-  const ControlReply reply = Ask("POST", "/crane", R"({"raise": 0.5})");
+  const client::ControlReply reply = Ask("POST", "/crane", R"({"raise": 0.5})");
   EXPECT_EQ(reply.status, 200u);
   EXPECT_EQ(reply.body, "{\"ok\":true}\n");
   EXPECT_EQ(lowered, -0.5);
@@ -94,8 +94,9 @@ TEST_F(ControlServerTest, AnOrderIsCarriedOutByTheTick) {
 
 TEST_F(ControlServerTest, ARefusedOrderIs409WithTheReason) {
   Start();
-  const test::Ticking ticking(&inbox_, [](const Order&) { return Answer{"not now"}; });
-  const ControlReply reply = Ask("POST", "/reset", "{}");
+  const test::Ticking ticking(&inbox_,
+                              [](const emulator::Order&) { return emulator::Answer{"not now"}; });
+  const client::ControlReply reply = Ask("POST", "/reset", "{}");
   EXPECT_EQ(reply.status, 409u);
   EXPECT_EQ(reply.body, "{\"error\":\"not now\"}\n");
 }
@@ -104,9 +105,9 @@ TEST_F(ControlServerTest, AnOrderTheRobotDoesNotComeToIs503AndNotCarriedOutLater
   Start({.patience = std::chrono::milliseconds{20}});
   EXPECT_EQ(Ask("POST", "/reset", "{}").status, 503u);
   int carried_out = 0;
-  inbox_.Drain([&](const Order&) {
+  inbox_.Drain([&](const emulator::Order&) {
     ++carried_out;
-    return Answer{};
+    return emulator::Answer{};
   });
   EXPECT_EQ(carried_out, 0);
 }
@@ -114,8 +115,8 @@ TEST_F(ControlServerTest, AnOrderTheRobotDoesNotComeToIs503AndNotCarriedOutLater
 TEST_F(ControlServerTest, AFullInboxIs503) {
   Start();
   const auto never = std::chrono::steady_clock::time_point::max();
-  while (inbox_.Put(ResetRobot{}, never)) continue;
-  const ControlReply reply = Ask("POST", "/reset", "{}");
+  while (inbox_.Put(emulator::ResetRobot{}, never)) continue;
+  const client::ControlReply reply = Ask("POST", "/reset", "{}");
   EXPECT_EQ(reply.status, 503u);
   EXPECT_THAT(reply.body, HasSubstr("too many orders"));
 }
@@ -127,9 +128,9 @@ TEST_F(ControlServerTest, AnOrderThatWaitsDelaysNobody) {
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   ASSERT_TRUE(test::Eventually([&] {
     bool came = false;
-    inbox_.Drain([&](const Order&) {
+    inbox_.Drain([&](const emulator::Order&) {
       came = true;
-      return Answer{};
+      return emulator::Answer{};
     });
     return came;
   }));
@@ -171,9 +172,9 @@ TEST_F(ControlServerTest, OutlivesAClientThatGoesWhileItsOrderWaits) {
     client.Send(Post("/reset", "{}"));
   }
   std::atomic<int> carried_out = 0;
-  const test::Ticking ticking(&inbox_, [&](const Order&) {
+  const test::Ticking ticking(&inbox_, [&](const emulator::Order&) {
     ++carried_out;
-    return Answer{};
+    return emulator::Answer{};
   });
   ASSERT_TRUE(test::Eventually([&] { return carried_out == 1; }));
   EXPECT_EQ(Ask("POST", "/reset", "{}").status, 200u);
@@ -194,7 +195,7 @@ TEST_F(ControlServerTest, EndsWhileAnOrderWaitsWhichMayThenStillBeAnswered) {
   client.Send(Post("/reset", "{}") + "x");
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   dut_.reset();
-  inbox_.Drain([](const Order&) { return Answer{}; });
+  inbox_.Drain([](const emulator::Order&) { return emulator::Answer{}; });
 }
 
 TEST_F(ControlServerTest, KeepsAConnectionForTheNextRequest) {
@@ -220,7 +221,7 @@ TEST_F(ControlServerTest, ABodyThatIsNotJsonIs400) {
 
 TEST_F(ControlServerTest, AnUnknownPathIs404) {
   Start();
-  const ControlReply reply = Ask("GET", "/stats");
+  const client::ControlReply reply = Ask("GET", "/stats");
   EXPECT_EQ(reply.status, 404u);
   EXPECT_THAT(reply.body, HasSubstr("/status"));
 }
@@ -242,7 +243,7 @@ TEST_F(ControlServerTest, NothingFollowsTheReplyToAHeadWhichMayHaveNoBody) {
 
 TEST_F(ControlServerTest, ABodyTooLargeIs413) {
   Start();
-  const ControlReply reply = Ask("POST", "/crane", std::string(64 * 1024 + 1, ' '));
+  const client::ControlReply reply = Ask("POST", "/crane", std::string(64 * 1024 + 1, ' '));
   EXPECT_EQ(reply.status, 413u);
   EXPECT_THAT(reply.body, HasSubstr("65536 bytes"));
 }
@@ -293,4 +294,4 @@ TEST_F(ControlServerTest, TurnsAwayOneClientTooManyAndTakesTheNextOnceThereIsRoo
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

@@ -6,7 +6,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 using ::testing::Contains;
@@ -23,7 +23,7 @@ class StaticFilesTest : public ::testing::Test {
   }
   unsigned StatusOf(std::string_view path) { return dut_.Get(path, "").status; }
 
-  TemporaryFolder temp_;
+  test::TemporaryFolder temp_;
   StaticFiles dut_{temp_.path() / "panel"};
 };
 
@@ -84,4 +84,4 @@ TEST_F(StaticFilesTest, SaysThatThereIsNoPanel) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

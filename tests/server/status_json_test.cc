@@ -4,13 +4,13 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::server {
 namespace {
 
 const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42};
 
-Status EveryFieldSet() {
-  Status status;
+emulator::Status EveryFieldSet() {
+  emulator::Status status;
   status.ready = true;
   status.silenced = true;
   status.time = 12.5;
@@ -25,17 +25,17 @@ Status EveryFieldSet() {
                  .shifts = 2,
                  .shifted = 1.5,
                  .real_time_factor = 0.9375};
-  status.gate = GateState::kFollowing;
+  status.gate = authority::GateState::kFollowing;
   status.commands.accepted = 100;
   status.commands.timeouts = 2;
   status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
   status.arm_commands.accepted = 41;
   status.user_commands.timeouts = 42;
-  status.orders.Add({.kind = OrderKind::kReset, .time = 1.5, .what = {'l', 'y'}});
+  status.orders.Add({.kind = emulator::OrderKind::kReset, .time = 1.5, .what = {'l', 'y'}});
   status.hands[0].name = {'l', 'e', 'f', 't'};
   status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
-  status.hands[0].last_refusal = Refusal::kMotorMode;
-  status.last_refusal = Refusal::kModePr;
+  status.hands[0].last_refusal = robot::Refusal::kMotorMode;
+  status.last_refusal = robot::Refusal::kModePr;
   status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
   status.command_writers = 1;
   status.motion_service = {'m', 'c', 'f'};
@@ -54,7 +54,8 @@ Status EveryFieldSet() {
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
-  status.recording = {.state = RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
+  status.recording = {
+      .state = emulator::RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
   return status;
 }
 
@@ -89,28 +90,28 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
-  Status status;
-  status.gate = GateState::kStart;
+  emulator::Status status;
+  status.gate = authority::GateState::kStart;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "start");
-  status.gate = GateState::kFollowing;
+  status.gate = authority::GateState::kFollowing;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "following");
-  status.gate = GateState::kDamping;
+  status.gate = authority::GateState::kDamping;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "damping");
-  status.gate = GateState::kLimp;
+  status.gate = authority::GateState::kLimp;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "limp");
-  status.gate = GateState::kClosed;
+  status.gate = authority::GateState::kClosed;
   EXPECT_EQ(StatusJson(kG1, status)["commands"]["state"], "motion_service");
 }
 
 TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {
-  const auto json = StatusJson(kG1, StatusBoard{}.Read());
+  const auto json = StatusJson(kG1, emulator::StatusBoard{}.Read());
   EXPECT_EQ(json["ready"], false);
   EXPECT_EQ(json["commands"]["last_refusal"], "none");
   EXPECT_EQ(json["commands"]["refused"]["crc"], 0);
 }
 
 TEST(StatusJsonTest, ANumberThatIsNotFiniteBecomesNull) {
-  Status status;
+  emulator::Status status;
   status.tilt = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(StatusJson(kG1, status).dump().find(R"("tilt":null)"), std::string::npos);
 }
@@ -124,4 +125,4 @@ TEST(StatusJsonTest, TellsWhatTheRunLeftToChance) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::server

@@ -9,7 +9,7 @@
 #include "services/robot_services.h"
 #include "tests/services/services_fixture.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using nlohmann::json;
@@ -123,7 +123,7 @@ TEST(ApiRowsTest, AskTheMotionServiceForWhatTheySay) {
 TEST(ApiRowsTest, SayThatAGoalCannotBePlayedInsteadOfClaimingIt) {
   ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
     if (!std::holds_alternative<AskGoal>(row.effect)) return;
-    caller->robot.book.verdict = MotionVerdict::kUnable;
+    caller->robot.book.verdict = authority::MotionVerdict::kUnable;
     EXPECT_NE(caller->Ask(row.id, GoodParameter(row).dump()).code, 0);
     EXPECT_FALSE(caller->notice.empty());
   });
@@ -171,7 +171,7 @@ TEST(ApiRowsTest, RefuseOrClampWhatIsOutOfRange) {
         EXPECT_EQ(code, ParameterCode(table, row)) << field.key;
       } else {
         EXPECT_NE(code, ParameterCode(table, row)) << field.key;
-        for (const MotionGoal& goal : caller->robot.book.goals) {
+        for (const authority::MotionGoal& goal : caller->robot.book.goals) {
           for (const double value : goal.value) EXPECT_LT(std::abs(value), 999);
         }
       }
@@ -219,4 +219,4 @@ TEST(ApiRowsTest, SurviveEveryOtherRobotsParameters) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

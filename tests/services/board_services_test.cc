@@ -5,7 +5,7 @@
 
 #include "tests/services/services_fixture.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using nlohmann::json;
@@ -33,7 +33,7 @@ TEST(MotionSwitcherTest, RefusesAnUnknownName) {
 
 TEST(MotionSwitcherTest, NeverClaimsToHaveStartedWhatNothingPlays) {
   Service service(TableOf("go2", "motion_switcher"));
-  MotorOwner owner({{.name = "mcf", .alias = "mcf", .on = false}}, "0", nullptr);
+  authority::MotorOwner owner({{.name = "mcf", .alias = "mcf", .on = false}}, "0", nullptr);
   std::string notice;
   const std::string parameter = R"({"name":"mcf"})";
   EXPECT_EQ(service
@@ -202,13 +202,13 @@ TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
   caller.Ask(1004, R"({"is_remote_commands_from_api":true})");
   caller.Ask(1003, move);
   EXPECT_THAT(caller.notice, HasSubstr("walks without seeing obstacles"));
-  caller.robot.book.verdict = MotionVerdict::kUnable;
+  caller.robot.book.verdict = authority::MotionVerdict::kUnable;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
   EXPECT_THAT(caller.notice, HasSubstr("nothing here can"));
-  caller.robot.book.verdict = MotionVerdict::kNotNow;
+  caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
   EXPECT_EQ(caller.notice, "");
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

@@ -5,7 +5,7 @@
 
 #include "tests/services/services_fixture.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using std::chrono::milliseconds;
@@ -72,4 +72,4 @@ TEST(LeaseTest, KeepsOthersFromCommandingButNotFromAsking) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

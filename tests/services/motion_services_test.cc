@@ -4,7 +4,7 @@
 
 #include "tests/services/services_fixture.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using nlohmann::json;
@@ -13,18 +13,18 @@ using Values = std::array<double, 4>;
 TEST(Go2SportTest, MovesForASecondWithinItsLimits) {
   Caller caller(TableOf("go2", "sport"));
   EXPECT_EQ(caller.Ask(1008, R"({"x":9,"y":-9,"z":0.5})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, MotionAction::kMove);
+  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kMove);
   EXPECT_EQ(caller.robot.book.goals.at(0).value, (Values{3.8, -1, 0.5, 1}));
 }
 
 TEST(Go2SportTest, TellsByCodeWhatBecameOfAGoal) {
   Caller caller(TableOf("go2", "sport"));
   MotionBook& book = caller.robot.book;
-  book.verdict = MotionVerdict::kNotNow;
+  book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(1002).code, 4201);
   EXPECT_EQ(caller.Ask(1016).code, 4206);
   EXPECT_EQ(caller.Ask(1028, R"({"data":true})").code, 4206);
-  book.verdict = MotionVerdict::kUnable;
+  book.verdict = authority::MotionVerdict::kUnable;
   EXPECT_EQ(caller.Ask(1017).code, 4205);
 }
 
@@ -39,7 +39,7 @@ TEST(Go2SportTest, SwitchesAutoRecoveryAndGivesItBack) {
   Caller caller(TableOf("go2", "sport"));
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":false})");
   EXPECT_EQ(caller.Ask(2054, R"({"data":true})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, MotionAction::kAutoRecovery);
+  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kAutoRecovery);
   EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 1);
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":true})");
 }
@@ -75,7 +75,8 @@ TEST(A2SportTest, TellsItsStateInTexts) {
 
 TEST(G1SportTest, AnswersZeroToStatesItDoesNotHaveOrCannotReach) {
   Caller caller(TableOf("g1", "sport"));
-  for (const MotionVerdict verdict : {MotionVerdict::kUnknown, MotionVerdict::kNotNow}) {
+  for (const authority::MotionVerdict verdict :
+       {authority::MotionVerdict::kUnknown, authority::MotionVerdict::kNotNow}) {
     caller.robot.book.verdict = verdict;
     EXPECT_EQ(caller.Ask(7101, R"({"data":99999})").code, 0);
   }
@@ -105,7 +106,7 @@ TEST(G1SportTest, SaturatesTheStandHeightAndGivesItBack) {
 
 TEST(G1SportTest, KeepsNothingOfAGoalThatWasNotTaken) {
   Caller caller(TableOf("g1", "sport"));
-  caller.robot.book.verdict = MotionVerdict::kNotNow;
+  caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(7102, R"({"data":1})").code, 0);
   EXPECT_EQ(caller.Ask(7003).data, R"({"data":0})");
 }
@@ -122,7 +123,7 @@ TEST(G1SportTest, RefusesATaskItDoesNotHave) {
   EXPECT_EQ(caller.Ask(7106, R"({"data":4})").code, 7303);
   EXPECT_EQ(caller.Ask(7106, R"({"data":-1})").code, 7303);
   EXPECT_EQ(caller.Ask(7106, R"({"data":2})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, MotionAction::kArmAction);
+  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kArmAction);
 }
 
 TEST(H1LocoTest, GivesBackThePhase) {
@@ -143,9 +144,9 @@ TEST(G1ArmTest, AnswersAnActionWhenItHasEnded) {
 TEST(G1ArmTest, SaysWhyAnActionIsNotDone) {
   Caller caller(TableOf("g1", "arm"));
   MotionBook& book = caller.robot.book;
-  book.verdict = MotionVerdict::kUnknown;
+  book.verdict = authority::MotionVerdict::kUnknown;
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":1000})").code, 7402);
-  book.verdict = MotionVerdict::kNotNow;
+  book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":26})").code, 7404);
   book.state.id = 501;
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":26})").code, 7400);
@@ -160,4 +161,4 @@ TEST(G1ArmTest, ListsActionsAndHasNoTaughtOnes) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 const std::vector<Field> kMove = {
@@ -66,4 +66,4 @@ TEST(ParameterTest, DescribesWhatItTakes) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

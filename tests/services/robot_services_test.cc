@@ -8,7 +8,7 @@
 
 #include "services/service.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 std::set<std::string_view> NamesOf(std::string_view robot) {
@@ -60,4 +60,4 @@ TEST(ServicesDocTest, IsWhatTheServicesCommandPrints) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

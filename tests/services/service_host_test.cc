@@ -12,7 +12,7 @@
 #include "tests/services/services_fixture.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using Request = unitree_api_msg_dds__Request_;
@@ -56,7 +56,7 @@ class ServiceHostTest : public testing::Test {
   static constexpr int kDomain = 141;
 
   void Send(std::int64_t id, std::int64_t api, const std::string& parameter,
-            const Options& options = {}, Writer<Request>* writer = nullptr) {
+            const Options& options = {}, bus::Writer<Request>* writer = nullptr) {
     Request request{};
     request.header.identity.id = id;
     request.header.identity.api_id = api;
@@ -75,7 +75,7 @@ class ServiceHostTest : public testing::Test {
   std::size_t carried_out() const { return robot_.book.goals.size(); }
 
   void Collect() {
-    responses_->Take([this](const Response& response, WriterHandle) {
+    responses_->Take([this](const Response& response, bus::WriterHandle) {
       order_.push_back(response.header.identity.id);
       codes_[response.header.identity.id] = response.header.status.code;
       data_[response.header.identity.id] = response.data;
@@ -83,11 +83,11 @@ class ServiceHostTest : public testing::Test {
     });
   }
   void Listen() {
-    responses_.emplace(participant_, Topic<Response>{"rt/api/echo/response",
-                                                     &unitree_api_msg_dds__Response__desc});
+    responses_.emplace(participant_, bus::Topic<Response>{"rt/api/echo/response",
+                                                          &unitree_api_msg_dds__Response__desc});
   }
   ::testing::AssertionResult Answered(std::int64_t id) {
-    if (Eventually([&] {
+    if (test::Eventually([&] {
           Poll();
           Collect();
           return codes_.contains(id);
@@ -100,12 +100,12 @@ class ServiceHostTest : public testing::Test {
   ServedRobot robot_;
   ServiceHost::WallTime now_{0};
   std::vector<std::string> said_;
-  Participant participant_{"lo", kDomain};
+  bus::Participant participant_{"lo", kDomain};
   ServiceHost host_{
       participant_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
-  Writer<Request> requests_{participant_,
-                            {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc}};
-  std::optional<Reader<Response>> responses_;
+  bus::Writer<Request> requests_{participant_,
+                                 {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc}};
+  std::optional<bus::Reader<Response>> responses_;
   std::vector<std::int64_t> order_;
   std::map<std::int64_t, std::int32_t> codes_;
   std::map<std::int64_t, std::string> data_;
@@ -127,7 +127,7 @@ TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
 
 TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
   SendText(1, "early");
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
     return carried_out() == 1;
   }));
@@ -140,7 +140,7 @@ TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
 
 TEST_F(ServiceHostTest, GivesUpAReplyThatNobodyWaitsFor) {
   SendText(1, "");
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
     return carried_out() == 1;
   }));
@@ -151,11 +151,11 @@ TEST_F(ServiceHostTest, GivesUpAReplyThatNobodyWaitsFor) {
 
 TEST_F(ServiceHostTest, GivesUpTheRepliesOfAClientThatEnded) {
   {
-    Writer<Request> client(participant_,
-                           {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc});
+    bus::Writer<Request> client(participant_,
+                                {"rt/api/echo/request", &unitree_api_msg_dds__Request__desc});
     Send(1, 7, R"({"a":""})", {}, &client);
   }
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
     return carried_out() == 1;
   }));
@@ -176,7 +176,7 @@ TEST_F(ServiceHostTest, CarriesOutButDoesNotAnswerANoreplyRequest) {
 TEST_F(ServiceHostTest, ForgetsTheOldestWhenTooManyRepliesWait) {
   for (std::size_t i = 0; i < 65; ++i) {
     SendText(static_cast<std::int64_t>(i), "");
-    ASSERT_TRUE(Eventually([&] {
+    ASSERT_TRUE(test::Eventually([&] {
       Poll();
       return carried_out() == i + 1;
     }));
@@ -188,7 +188,7 @@ TEST_F(ServiceHostTest, LosesNoReplyOfABurst) {
   Listen();
   constexpr int kBurst = 250;  // within what the reader holds
   for (int i = 0; i < kBurst; ++i) SendText(i, "");
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
     Collect();
     return codes_.size() == kBurst;
@@ -199,7 +199,7 @@ TEST_F(ServiceHostTest, LosesNoReplyOfABurst) {
 TEST_F(ServiceHostTest, ServesAtMostEightOfAServiceInAPoll) {
   for (int i = 0; i < 30; ++i) SendText(i, "");
   std::size_t before = 0, most = 0;
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
     most = std::max(most, carried_out() - before);
     before = carried_out();
@@ -258,15 +258,15 @@ TEST_F(ServiceHostTest, AnswersAnArmActionWhenItHasEnded) {
 
 TEST_F(ServiceHostTest, GivesItsLeaseToOneClient) {
   Listen();
-  Writer<Request> lease(participant_,
-                        {"rt/api/echo_lease/request", &unitree_api_msg_dds__Request__desc});
-  Reader<Response> granted(participant_,
-                           {"rt/api/echo_lease/response", &unitree_api_msg_dds__Response__desc});
+  bus::Writer<Request> lease(participant_,
+                             {"rt/api/echo_lease/request", &unitree_api_msg_dds__Request__desc});
+  bus::Reader<Response> granted(
+      participant_, {"rt/api/echo_lease/response", &unitree_api_msg_dds__Response__desc});
   Send(1, 101, R"({"name":"me"})", {}, &lease);
   std::int64_t id = 0;
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     Poll();
-    granted.Take([&](const Response& response, WriterHandle) {
+    granted.Take([&](const Response& response, bus::WriterHandle) {
       id = nlohmann::json::parse(response.data).at("id").get<std::int64_t>();
     });
     return id != 0;
@@ -280,15 +280,15 @@ TEST_F(ServiceHostTest, GivesItsLeaseToOneClient) {
 
 TEST_F(ServiceHostTest, AnnouncesAChangeOfConfig) {
   ServiceHost host(participant_, {TableOf("go2", "config")}, [](auto&) {});
-  Writer<Request> client(participant_,
-                         {"rt/api/config/request", &unitree_api_msg_dds__Request__desc});
-  Reader<unitree_go_msg_dds__ConfigChangeStatus_> changes(
+  bus::Writer<Request> client(participant_,
+                              {"rt/api/config/request", &unitree_api_msg_dds__Request__desc});
+  bus::Reader<unitree_go_msg_dds__ConfigChangeStatus_> changes(
       participant_, {"rt/config_change_status", &unitree_go_msg_dds__ConfigChangeStatus__desc});
   Send(1, 1001, R"({"name":"a","content":"b"})", {}, &client);
   std::string told;
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(test::Eventually([&] {
     host.Poll(&robot_.owner, now_);
-    changes.Take([&](const unitree_go_msg_dds__ConfigChangeStatus_& change, WriterHandle) {
+    changes.Take([&](const unitree_go_msg_dds__ConfigChangeStatus_& change, bus::WriterHandle) {
       told = std::string(change.name) + "=" + change.content;
     });
     return told == "a=b";
@@ -302,12 +302,12 @@ TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
                       return table;
                     }()},
                     [](auto&) {});
-  Writer<Request> client(participant_,
-                         {"rt/api/quiet/request", &unitree_api_msg_dds__Request__desc});
+  bus::Writer<Request> client(participant_,
+                              {"rt/api/quiet/request", &unitree_api_msg_dds__Request__desc});
   robot_.owner.Release();
-  ASSERT_TRUE(Eventually([&] { return client.matched_readers() > 0; }));
+  ASSERT_TRUE(test::Eventually([&] { return client.matched_readers() > 0; }));
   Send(1, 1, "", {}, &client);
-  ASSERT_TRUE(Eventually([&] {
+  ASSERT_TRUE(test::Eventually([&] {
     quiet.Poll(&robot_.owner, now_);
     return quiet.requests() == 1;
   }));
@@ -317,4 +317,4 @@ TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

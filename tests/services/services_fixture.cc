@@ -4,7 +4,7 @@
 
 #include "services/robot_services.h"
 
-namespace understudy {
+namespace understudy::services {
 
 ServiceTable TableOf(std::string_view robot, std::string_view service) {
   for (ServiceTable& table : ServicesOf(robot)) {
@@ -13,4 +13,4 @@ ServiceTable TableOf(std::string_view robot, std::string_view service) {
   throw std::out_of_range(std::string(robot) + " has no " + std::string(service));
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -10,26 +10,26 @@
 #include "authority/motor_owner.h"
 #include "services/service.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // What a test sets and looks at of a FakeMotion.
 struct MotionBook {
-  MotionVerdict verdict = MotionVerdict::kTaken;
-  MotionState state{};
-  std::vector<MotionGoal> goals{};
+  authority::MotionVerdict verdict = authority::MotionVerdict::kTaken;
+  robot::MotionState state{};
+  std::vector<authority::MotionGoal> goals{};
 };
 
 // A motion service that writes down what it is asked for.
-class FakeMotion final : public Motion {
+class FakeMotion final : public authority::Motion {
  public:
   explicit FakeMotion(MotionBook* book) : book_(book) {}
-  void Start(const MotionInput&) override {}
-  MotionVerdict Ask(const MotionGoal& goal) override {
+  void Start(const authority::MotionInput&) override {}
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) override {
     book_->goals.push_back(goal);
     return book_->verdict;
   }
-  void Step(const MotionInput&, double, RobotCommand*) override {}
-  MotionState state() const override { return book_->state; }
+  void Step(const authority::MotionInput&, double, robot::RobotCommand*) override {}
+  robot::MotionState state() const override { return book_->state; }
 
  private:
   MotionBook* book_;
@@ -38,11 +38,11 @@ class FakeMotion final : public Motion {
 // A robot with one motion service, "ai", that is on, and programs with and without protection.
 struct ServedRobot {
   MotionBook book;
-  MotorOwner owner{{{.name = "ai_sport", .alias = "ai"},
-                    {.name = "vui_service"},
-                    {.name = "basic_service", .is_protected = true}},
-                   "0",
-                   std::make_unique<FakeMotion>(&book)};
+  authority::MotorOwner owner{{{.name = "ai_sport", .alias = "ai"},
+                               {.name = "vui_service"},
+                               {.name = "basic_service", .is_protected = true}},
+                              "0",
+                              std::make_unique<FakeMotion>(&book)};
 };
 
 // One call, without the network.
@@ -69,6 +69,6 @@ class Caller {
 // The table of that robot's service; the test ends when there is none.
 ServiceTable TableOf(std::string_view robot, std::string_view service);
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_

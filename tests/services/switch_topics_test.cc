@@ -6,7 +6,7 @@
 #include "bus/writer.h"
 #include "tests/services/services_fixture.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 class SwitchTopicsTest : public testing::Test {
@@ -19,13 +19,13 @@ class SwitchTopicsTest : public testing::Test {
     switches_.Poll(&owner_);
   }
 
-  MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
+  authority::MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
   Service service_{TableOf("go2", "uwbswitch")};
-  Participant participant_{"lo", kDomain};
+  bus::Participant participant_{"lo", kDomain};
   SwitchTopics switches_{participant_, &service_};
-  Writer<std_msgs_msg_dds__String_> lidar_{participant_,
-                                           {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}};
-  Writer<unitree_go_msg_dds__UwbSwitch_> uwb_{
+  bus::Writer<std_msgs_msg_dds__String_> lidar_{
+      participant_, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}};
+  bus::Writer<unitree_go_msg_dds__UwbSwitch_> uwb_{
       participant_, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}};
 };
 
@@ -46,4 +46,4 @@ TEST_F(SwitchTopicsTest, SetWhatTheUwbServiceGives) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::services

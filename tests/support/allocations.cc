@@ -26,9 +26,9 @@ void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace understudy {
+namespace understudy::test {
 
 std::uint64_t Allocations() { return allocations; }
 std::uint64_t AllocationsOfThisThread() { return allocations_here; }
 
-}  // namespace understudy
+}  // namespace understudy::test

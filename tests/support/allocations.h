@@ -5,13 +5,13 @@
 
 #include <cstdint>
 
-namespace understudy {
+namespace understudy::test {
 
 // Calls of operator new since the program's start.
 std::uint64_t Allocations();
 // Those of the thread that asks.
 std::uint64_t AllocationsOfThisThread();
 
-}  // namespace understudy
+}  // namespace understudy::test
 
 #endif  // UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_

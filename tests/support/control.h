@@ -156,7 +156,7 @@ inline void LeaveStaleSocket(const std::filesystem::path& path) {
 // Drains an inbox about every millisecond, as a robot does.
 class Ticking {
  public:
-  Ticking(Inbox* inbox, std::function<Answer(const Order&)> carry_out)
+  Ticking(emulator::Inbox* inbox, std::function<emulator::Answer(const emulator::Order&)> carry_out)
       : thread_([this, inbox, carry_out = std::move(carry_out)] {
           while (!stop_) {
             inbox->Drain(carry_out);
@@ -178,10 +178,10 @@ class Ticking {
 // Shows the frame that is wanted about every millisecond, as a robot does.
 class Showing {
  public:
-  explicit Showing(FrameBoard* frames)
+  explicit Showing(emulator::FrameBoard* frames)
       : thread_([this, frames] {
           for (; !stop_; std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
-            Frame* frame = frames->Wanted();
+            emulator::Frame* frame = frames->Wanted();
             if (frame == nullptr) continue;
             frame->step = ++shown_;
             frames->Show();

@@ -5,7 +5,7 @@
 #include <chrono>
 #include <thread>
 
-namespace understudy {
+namespace understudy::test {
 
 // Asks `holds` again and again until it says yes or `bound` has passed; returns its last answer.
 template <typename Predicate>
@@ -18,6 +18,6 @@ bool Eventually(Predicate&& holds, std::chrono::milliseconds bound = std::chrono
   return true;
 }
 
-}  // namespace understudy
+}  // namespace understudy::test
 
 #endif  // UNDERSTUDY_TESTS_SUPPORT_EVENTUALLY_H_

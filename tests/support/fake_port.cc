@@ -1,12 +1,12 @@
 #include "tests/support/fake_port.h"
 
-namespace understudy {
+namespace understudy::test {
 
-void FakePort::Send(const RobotCommand& command, Refusal wire) {
+void FakePort::Send(const robot::RobotCommand& command, robot::Refusal wire) {
   waiting_.push_back({command, wire});
 }
 
-bool FakePort::TakeCommand(RobotCommand* command, Refusal* wire) {
+bool FakePort::TakeCommand(robot::RobotCommand* command, robot::Refusal* wire) {
   if (!waiting_.empty()) {
     *command = waiting_.front().command;
     *wire = waiting_.front().wire;
@@ -16,15 +16,16 @@ bool FakePort::TakeCommand(RobotCommand* command, Refusal* wire) {
   steady_taken_ = steady_.has_value() && !steady_taken_;
   if (!steady_taken_) return false;
   *command = *steady_;
-  *wire = Refusal::kNone;
+  *wire = robot::Refusal::kNone;
   return true;
 }
 
-void FakePort::SendHand(std::size_t hand, const HandCommand& command, Refusal wire) {
+void FakePort::SendHand(std::size_t hand, const robot::HandCommand& command, robot::Refusal wire) {
   hands_[hand].push_back({command, wire});
 }
 
-bool FakePort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* wire) {
+bool FakePort::TakeHandCommand(std::size_t hand, robot::HandCommand* command,
+                               robot::Refusal* wire) {
   std::deque<WaitingHand>& waiting = hands_[hand];
   if (!waiting.empty()) {
     *command = waiting.front().command;
@@ -35,11 +36,11 @@ bool FakePort::TakeHandCommand(std::size_t hand, HandCommand* command, Refusal* 
   steady_hand_taken_ = steady_hand_.has_value() && !steady_hand_taken_;
   if (!steady_hand_taken_) return false;
   *command = *steady_hand_;
-  *wire = Refusal::kNone;
+  *wire = robot::Refusal::kNone;
   return true;
 }
 
-bool FakePort::TakeArmCommand(RobotCommand* command, double* weight) {
+bool FakePort::TakeArmCommand(robot::RobotCommand* command, double* weight) {
   if (arms_.empty()) return false;
   *command = arms_.front().command;
   *weight = arms_.front().weight;
@@ -47,14 +48,14 @@ bool FakePort::TakeArmCommand(RobotCommand* command, double* weight) {
   return true;
 }
 
-bool FakePort::TakeUserCommand(RobotCommand* command) {
+bool FakePort::TakeUserCommand(robot::RobotCommand* command) {
   if (user_.empty()) return false;
   *command = user_.front();
   user_.pop_front();
   return true;
 }
 
-void FakePort::Publish(const RobotState& state, const Due& due) {
+void FakePort::Publish(const robot::RobotState& state, const wire::Due& due) {
   if (keep_all_ || samples_.empty()) {
     samples_.push_back({state, due});
   } else {
@@ -63,4 +64,4 @@ void FakePort::Publish(const RobotState& state, const Due& due) {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::test

@@ -2,10 +2,10 @@
 
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::test {
 
-RobotSpec FixtureRobot() {
-  RobotSpec spec;
+robot::RobotSpec FixtureRobot() {
+  robot::RobotSpec spec;
   spec.name = "fixture";
   spec.model = FixtureFile("fixture_robot.xml").string();
   spec.base_body = "base";
@@ -51,24 +51,25 @@ RobotSpec FixtureRobot() {
   return spec;
 }
 
-Config FixtureConfig() {
-  Config config;
+config::Config FixtureConfig() {
+  config::Config config;
   config.sensors = {.quantise = false, .noise = false};
   config.robot = FixtureRobot();
   return config;
 }
 
-PhysicsWorld FixtureWorld(const RobotSpec& spec, double timestep) {
-  return {LoadWorldModel(spec, spec.model, FixtureFile("fixture_ground.xml"), timestep), spec};
+physics::PhysicsWorld FixtureWorld(const robot::RobotSpec& spec, double timestep) {
+  return {physics::LoadWorldModel(spec, spec.model, FixtureFile("fixture_ground.xml"), timestep),
+          spec};
 }
 
 std::filesystem::path FixtureFile(const std::string& name) {
   return std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "tests" / "data" / name;
 }
 
-std::vector<std::string> MotorOrder(const RobotSpec& spec) {
+std::vector<std::string> MotorOrder(const robot::RobotSpec& spec) {
   std::vector<std::string> names;
-  for (const MotorSpec& motor : spec.motors) names.push_back(motor.joint);
+  for (const robot::MotorSpec& motor : spec.motors) names.push_back(motor.joint);
   return names;
 }
 
@@ -89,7 +90,7 @@ std::vector<std::string> ActuatorOrder(const mjModel& model) {
   return names;
 }
 
-std::vector<double> Hold(const PhysicsWorld& world, const std::vector<double>& q) {
+std::vector<double> Hold(const physics::PhysicsWorld& world, const std::vector<double>& q) {
   std::vector<double> tau;
   for (std::size_t i = 0; i < q.size(); ++i) {
     tau.push_back(200 * (q[i] - world.q()[i]) - 5 * world.dq()[i]);
@@ -97,4 +98,4 @@ std::vector<double> Hold(const PhysicsWorld& world, const std::vector<double>& q
   return tau;
 }
 
-}  // namespace understudy
+}  // namespace understudy::test

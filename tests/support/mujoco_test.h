@@ -9,21 +9,21 @@
 
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::test {
 
 // Any warning of MuJoCo that the test does not take with TakeMujocoWarning() fails it.
 class MujocoTest : public testing::Test {
  protected:
   MujocoTest() {
-    InstallMujocoHooks();
-    TakeMujocoWarning();
+    physics::InstallMujocoHooks();
+    physics::TakeMujocoWarning();
   }
   ~MujocoTest() override {
-    const std::optional<std::string> warning = TakeMujocoWarning();
+    const std::optional<std::string> warning = physics::TakeMujocoWarning();
     EXPECT_FALSE(warning.has_value()) << "MuJoCo warns: " << *warning;
   }
 };
 
-}  // namespace understudy
+}  // namespace understudy::test
 
 #endif  // UNDERSTUDY_TESTS_SUPPORT_MUJOCO_TEST_H_

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace understudy {
+namespace understudy::test {
 
 class TemporaryFolder {
  public:
@@ -34,6 +34,6 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::test
 
 #endif  // UNDERSTUDY_TESTS_SUPPORT_TEMPORARY_FOLDER_H_

@@ -17,7 +17,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::terrain {
 
 // How far [m] a ray goes until it meets the model, below 0 when it does not. `cast` is mj_ray,
 // which later versions of MuJoCo ask where to put the normal, too.
@@ -33,7 +33,7 @@ mjtNum CastRay(Cast cast, const mjModel* model, const mjData* data, const mjtNum
   }
 }
 
-class TerrainTest : public MujocoTest {
+class TerrainTest : public test::MujocoTest {
  protected:
   // The scene in a folder of that name.
   std::filesystem::path Write(const std::string& kind, const std::string& name = "scene") {
@@ -43,7 +43,7 @@ class TerrainTest : public MujocoTest {
 
   // The ground alone, ready for rays.
   void Load(const std::string& kind) {
-    model_ = LoadModelFile(Write(kind) / "scene.xml");
+    model_ = physics::LoadModelFile(Write(kind) / "scene.xml");
     data_.reset(mj_makeData(model_.get()));
     mj_forward(model_.get(), data_.get());
   }
@@ -84,12 +84,12 @@ class TerrainTest : public MujocoTest {
     spec_.image = folder_.path() / "image.png";
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   TerrainSpec spec_;
-  ModelHandle model_;
-  DataHandle data_;
+  mjcf::ModelHandle model_;
+  mjcf::DataHandle data_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::terrain
 
 #endif  // UNDERSTUDY_TESTS_TERRAIN_FIXTURE_H_

@@ -9,7 +9,7 @@
 #include "base/errors.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 using testing::ElementsAre;
@@ -38,7 +38,7 @@ class TerrainImageTest : public testing::Test {
     return bytes.str();
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_F(TerrainImageTest, ReadsBackTheSixteenBitsItWrites) {
@@ -112,4 +112,4 @@ TEST_F(TerrainImageTest, RefusesAPgmPixelWhiterThanWhite) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::terrain

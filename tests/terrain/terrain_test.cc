@@ -9,7 +9,7 @@
 
 #include "tests/terrain/fixture.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 using testing::HasSubstr;
@@ -128,7 +128,7 @@ TEST_F(TerrainTest, SlopesHaveTheGradeOfTheirDifficulty) {
 TEST_F(TerrainTest, RoughGroundReachesTheHeightOfItsDifficulty) {
   spec_.difficulty = 0.5;
   WriteTerrain("rough", spec_, folder_.path());
-  model_ = LoadModelFile(folder_.path() / "scene.xml");
+  model_ = physics::LoadModelFile(folder_.path() / "scene.xml");
   ASSERT_EQ(model_->nhfield, 1);
   const double low = model_->geom_pos[3 * (model_->ngeom - 1) + 2];
   EXPECT_GT(model_->hfield_size[2], 0.05);
@@ -203,9 +203,9 @@ TEST_F(TerrainTest, APatchLooksTheSameWhateverStandsBeforeIt) {
 }
 
 TEST_F(TerrainTest, FlatIsTheFlatSceneOfTheModels) {
-  const ModelHandle made = LoadModelFile(Write("flat") / "scene.xml");
-  const ModelHandle drawn =
-      LoadModelFile(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/scene/flat.xml");
+  const mjcf::ModelHandle made = physics::LoadModelFile(Write("flat") / "scene.xml");
+  const mjcf::ModelHandle drawn = physics::LoadModelFile(
+      std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "models/scene/flat.xml");
   ASSERT_EQ(made->ngeom, 1);
   ASSERT_EQ(drawn->ngeom, 1);
   for (int i = 0; i < 3; ++i) {
@@ -246,4 +246,4 @@ TEST_F(TerrainTest, RefusesAFolderThatCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::terrain

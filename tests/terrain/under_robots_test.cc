@@ -7,7 +7,7 @@
 #include "physics/world.h"
 #include "tests/terrain/fixture.h"
 
-namespace understudy {
+namespace understudy::terrain {
 namespace {
 
 struct Ground {
@@ -20,18 +20,18 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
     if (GetParam().kind == "image") UseImage();
   }
 
-  PhysicsWorld World() {
-    const RobotSpec& spec = config_.robot;
-    return {LoadWorldModel(spec, data_dir_ / "models" / spec.model,
-                           Write(GetParam().kind) / "scene.xml", 0.001),
+  physics::PhysicsWorld World() {
+    const robot::RobotSpec& spec = config_.robot;
+    return {physics::LoadWorldModel(spec, data_dir_ / "models" / spec.model,
+                                    Write(GetParam().kind) / "scene.xml", 0.001),
             spec};
   }
 
   // How far [m] the robot is out of the ground, negative for inside, when it is `lowered` [m] by
   // that from where it is; 1 where nothing touches.
-  static double Clearance(const PhysicsWorld& world, double lowered) {
+  static double Clearance(const physics::PhysicsWorld& world, double lowered) {
     const mjModel& model = world.model();
-    const DataHandle data(mj_copyData(nullptr, &model, &world.data()));
+    const mjcf::DataHandle data(mj_copyData(nullptr, &model, &world.data()));
     data->qpos[2] -= lowered;
     mj_forward(&model, data.get());
     double least = 1;
@@ -46,29 +46,30 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
   }
 
   // How far [m] it has to fall at most until it touches: g1.yaml has it lie 56 mm over the ground.
-  double Drop(const PoseSpec& pose) const {
+  double Drop(const robot::PoseSpec& pose) const {
     return GetParam().robot == "g1" && &pose == &config_.robot.lying ? 0.06 : 0.02;
   }
 
   const std::filesystem::path data_dir_ = UNDERSTUDY_SOURCE_DIR;
-  Config config_ = LoadConfig({.robot = GetParam().robot, .files = {}, .sets = {}}, data_dir_);
+  config::Config config_ =
+      config::LoadConfig({.robot = GetParam().robot, .files = {}, .sets = {}}, data_dir_);
 };
 
 TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
   spec_.difficulty = 1;
-  PhysicsWorld world = World();
+  physics::PhysicsWorld world = World();
   world.Reset(config_.robot.lying);
   const std::vector<double> tau(world.q().size());
   for (int i = 0; i < 200; ++i) {
     world.BeginStep();
-    ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
+    ASSERT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
   }
   EXPECT_GT(world.data().ncon, 0);
 }
 
 TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
-  PhysicsWorld world = World();
-  for (const PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
+  physics::PhysicsWorld world = World();
+  for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
     world.Reset(*pose);
     EXPECT_EQ(world.base().p_WB.z(), pose->height);
     EXPECT_GT(Clearance(world, 0), -0.01);
@@ -79,13 +80,14 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
 TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
   spec_.difficulty = 0.7;
   for (const double start : {3.0, 5.5, 7.3}) {  // m along the patch; the ground is moved, not it
-    ModelHandle model = LoadWorldModel(config_.robot, data_dir_ / "models" / config_.robot.model,
-                                       Write(GetParam().kind) / "scene.xml", 0.001);
+    mjcf::ModelHandle model =
+        physics::LoadWorldModel(config_.robot, data_dir_ / "models" / config_.robot.model,
+                                Write(GetParam().kind) / "scene.xml", 0.001);
     for (int body = 1; body < model->nbody; ++body) {
       if (model->body_weldid[body] == 0) model->body_pos[3 * body] -= start;
     }
-    PhysicsWorld world(std::move(model), config_.robot);
-    for (const PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
+    physics::PhysicsWorld world(std::move(model), config_.robot);
+    for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
       world.Reset(*pose);
       EXPECT_GT(Clearance(world, 0), -0.01) << "at " << start;
       EXPECT_LT(Clearance(world, Drop(*pose)), 0) << "at " << start;
@@ -95,7 +97,7 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
 
 TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
   spec_.friction = 0.3;  // less than any robot's own
-  PhysicsWorld world = World();
+  physics::PhysicsWorld world = World();
   world.Reset(config_.robot.standing);
   const std::vector<double> tau(world.q().size());
   int touching = 0;
@@ -109,14 +111,14 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
       ++touching;
       ASSERT_EQ(contact.friction[0], 0.3);
     }
-    ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
+    ASSERT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
   }
   EXPECT_GT(touching, 0);
 }
 
 TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {
   const auto save = [&](const std::filesystem::path& folder) {
-    const ModelHandle model = LoadWorldModel(
+    const mjcf::ModelHandle model = physics::LoadWorldModel(
         config_.robot, data_dir_ / "models" / config_.robot.model, folder / "scene.xml", 0.001);
     std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');
     mj_saveModel(model.get(), nullptr, bytes.data(), static_cast<int>(bytes.size()));
@@ -143,4 +145,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, TerrainOfKindTest, testing::ValuesIn(Grounds())
                          [](const auto& test) { return test.param.robot + "_" + test.param.kind; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::terrain

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::time {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace): 10ms reads best
@@ -45,4 +45,4 @@ TEST(SteadyClockTest, ReturnsAtOnceWhenTheDeadlineHasPassed) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::time

@@ -2,7 +2,7 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::time {
 namespace {
 
 TEST(HistogramTest, CountsWhatIsUpToABoundInItsBucket) {
@@ -18,4 +18,4 @@ TEST(HistogramTest, CountsWhatIsUpToABoundInItsBucket) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::time

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::time {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace): 10ms reads best
@@ -286,4 +286,4 @@ TEST(PacerTest, FollowsANewSpeedFromTheStepThatIsNext) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::time

@@ -5,7 +5,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::AllOf;
@@ -105,4 +105,4 @@ TEST_F(ArgumentsTest, RefusesAFilmOfNoTimeOrNoPictures) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -7,10 +7,10 @@
 #include "gmock/gmock.h"
 #include "viewer_test.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
-class CameraOperatorTest : public MujocoTest {
+class CameraOperatorTest : public test::MujocoTest {
  protected:
   CameraOperator Make(const CameraChoice& choice, const PictureSize& size = {}) {
     return {stage_, choice, size};
@@ -90,4 +90,4 @@ TEST_F(CameraOperatorTest, RefusesACameraAndABodyThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -7,7 +7,7 @@
 #include "viewer/headless_gl.h"
 #include "viewer_test.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 struct Pixel {
@@ -19,7 +19,7 @@ Pixel At(const Image& image, int x, int y) {
   return {image.rgb[i], image.rgb[i + 1], image.rgb[i + 2]};
 }
 
-class CanvasTest : public MujocoTest {
+class CanvasTest : public test::MujocoTest {
  protected:
   Image Draw(double x, bool fine) {
     stage_.Show(BallAt(x));
@@ -75,4 +75,4 @@ TEST(HeadlessGlTest, SaysWhatToInstallWhereThereIsNone) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

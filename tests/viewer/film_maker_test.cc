@@ -4,10 +4,10 @@
 #include "viewer/headless_gl.h"
 #include "viewer_test.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
-class FilmMakerTest : public MujocoTest {
+class FilmMakerTest : public test::MujocoTest {
  protected:
   FilmMaker Make(const FilmMaker::Plan& plan) {
     return {&stage_, {},
@@ -73,4 +73,4 @@ TEST_F(FilmMakerTest, DoesNotFlyThroughAReset) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

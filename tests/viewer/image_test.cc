@@ -8,7 +8,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::ElementsAre;
@@ -25,7 +25,7 @@ TEST(ImageTest, HalvesByTheMeanOfFourPixels) {
 }
 
 TEST(ImageTest, WritesAPng) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::filesystem::path file = folder.path() / "a.png";
   WritePng({.width = 2, .height = 1, .rgb = {1, 2, 3, 4, 5, 6}}, file);
   std::string head(8, '\0');
@@ -43,7 +43,7 @@ TEST(ImageTest, SaysWhyAPngCannotBeWritten) {
 }
 
 TEST(ImageTest, LeavesNothingWhereItsNameIsAFolders) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   std::filesystem::create_directory(folder.path() / "a.png");
   EXPECT_THAT(
       [&] {
@@ -54,7 +54,7 @@ TEST(ImageTest, LeavesNothingWhereItsNameIsAFolders) {
 }
 
 TEST(ImageTest, ChecksBeforehandWhereAFileGoes) {
-  const TemporaryFolder folder;
+  const test::TemporaryFolder folder;
   const std::filesystem::path there = folder.Write("a.png", "x");
   EXPECT_NO_THROW(CheckWritable(folder.path() / "b.png", false));
   EXPECT_NO_THROW(CheckWritable(there, true));
@@ -67,4 +67,4 @@ TEST(ImageTest, ChecksBeforehandWhereAFileGoes) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

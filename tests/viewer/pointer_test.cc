@@ -6,13 +6,13 @@
 
 #include "viewer_test.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using Kind = WindowEvent::Kind;
 
 // Looks along y at the ball, from 10 m; the window is as wide as high.
-class PointerTest : public MujocoTest {
+class PointerTest : public test::MujocoTest {
  protected:
   PointerTest() {
     stage_.Show(BallAt(0));
@@ -128,4 +128,4 @@ TEST_F(PointerTest, LooksAtThePointOfARightDoubleClick) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

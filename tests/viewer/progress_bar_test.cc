@@ -2,7 +2,7 @@
 
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 TEST(ProgressBarTest, SaysHowFarAndHowLongStill) {
@@ -20,4 +20,4 @@ TEST(ProgressBarTest, EndsFull) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

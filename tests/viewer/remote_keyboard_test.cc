@@ -5,16 +5,16 @@
 #include "gtest/gtest.h"
 #include "robot/remote_keys.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 TEST(RemoteKeyboardTest, PressesKeysTogether) {
   RemoteKeyboard keyboard;
   keyboard.Press(GLFW_KEY_W);
   keyboard.Press(GLFW_KEY_B);
-  EXPECT_EQ(RemoteKeyNames(keyboard.Read().keys), "L2+B");
+  EXPECT_EQ(robot::RemoteKeyNames(keyboard.Read().keys), "L2+B");
   keyboard.Release(GLFW_KEY_W);
-  EXPECT_EQ(RemoteKeyNames(keyboard.Read().keys), "B");
+  EXPECT_EQ(robot::RemoteKeyNames(keyboard.Read().keys), "B");
 }
 
 TEST(RemoteKeyboardTest, MovesTheSticks) {
@@ -53,4 +53,4 @@ TEST(RemoteKeyboardTest, IsThereEvenWhereNothingIsPressed) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

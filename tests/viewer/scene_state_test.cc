@@ -6,7 +6,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(SceneStateTest, RefusesWhatIsNoFrame) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -3,7 +3,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::HasSubstr;
@@ -48,4 +48,4 @@ TEST(ScreenTextTest, BeginsAnewWhenTimeGoesBack) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -7,14 +7,14 @@
 #include "gmock/gmock.h"
 #include "viewer_test.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-class StageTest : public MujocoTest {
+class StageTest : public test::MujocoTest {
  protected:
   // Geoms of the scene of that shape.
   int Count(int type) {
@@ -100,7 +100,7 @@ TEST_F(StageTest, RefusesWhatIsNoModel) {
        {std::string(), std::string("no model"), std::string(50'000, 'x')}) {
     EXPECT_THAT([&] { ReadBinaryModel(bytes, "run.mcap, model.mjb"); },
                 ThrowsMessage<ModelError>(HasSubstr("run.mcap, model.mjb")));
-    TakeMujocoWarning();
+    physics::TakeMujocoWarning();
   }
 }
 
@@ -108,8 +108,8 @@ TEST_F(StageTest, RefusesHalfAModel) {
   const std::string whole = BinaryModel(kBallWorld);
   EXPECT_THROW(ReadBinaryModel(std::string_view(whole).substr(0, whole.size() / 4), "x"),
                ModelError);
-  TakeMujocoWarning();
+  physics::TakeMujocoWarning();
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -11,7 +11,7 @@
 #include "gtest/gtest.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::viewer {
 namespace {
 
 using testing::HasSubstr;
@@ -31,7 +31,7 @@ class VideoFileTest : public testing::Test {
     return std::distance(std::filesystem::directory_iterator(folder_.path()), {});
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
   std::filesystem::path file_ = folder_.path() / "a.mp4";
   std::string path_ = std::getenv("PATH");
 };
@@ -102,4 +102,4 @@ TEST_F(VideoFileTest, NamesThePackageWhereThereIsNoFfmpeg) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::viewer

@@ -8,7 +8,7 @@
 #include "tests/support/temporary_folder.h"
 #include "viewer/stage.h"
 
-namespace understudy {
+namespace understudy::viewer {
 
 // A red ball of 1 m that floats free, 5 m over a dark floor, with a green arm of one hinge.
 inline constexpr char kBallWorld[] = R"(
@@ -31,15 +31,17 @@ inline constexpr char kBallWorld[] = R"(
 
 // As mj_saveModel writes it.
 inline std::string BinaryModel(const std::string& text) {
-  InstallMujocoHooks();
-  const TemporaryFolder folder;
-  const ModelHandle model = LoadModelFile(folder.Write("model.xml", text));
+  physics::InstallMujocoHooks();
+  const test::TemporaryFolder folder;
+  const mjcf::ModelHandle model = physics::LoadModelFile(folder.Write("model.xml", text));
   std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');
   mj_saveModel(model.get(), nullptr, bytes.data(), static_cast<int>(bytes.size()));
   return bytes;
 }
 
-inline ModelHandle BallModel() { return ReadBinaryModel(BinaryModel(kBallWorld), "the test's"); }
+inline mjcf::ModelHandle BallModel() {
+  return ReadBinaryModel(BinaryModel(kBallWorld), "the test's");
+}
 
 // The ball there at that second.
 inline SceneState BallAt(double x, double time = 0) {
@@ -49,6 +51,6 @@ inline SceneState BallAt(double x, double time = 0) {
   return state;
 }
 
-}  // namespace understudy
+}  // namespace understudy::viewer
 
 #endif  // UNDERSTUDY_TESTS_VIEWER_VIEWER_TEST_H_

@@ -9,19 +9,19 @@
 #include "bus/topic.h"
 #include "tests/support/eventually.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // The next message on `reader`, within a bound.
 template <typename Msg>
-std::optional<Msg> Next(Reader<Msg>* reader) {
+std::optional<Msg> Next(bus::Reader<Msg>* reader) {
   std::optional<Msg> next;
-  Eventually([&] {
-    reader->Take([&](const Msg& message, WriterHandle) { next = message; }, 1);
+  test::Eventually([&] {
+    reader->Take([&](const Msg& message, bus::WriterHandle) { next = message; }, 1);
     return next.has_value();
   });
   return next;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_TESTS_WIRE_CLIENT_H_

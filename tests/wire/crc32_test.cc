@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 // The definition, bit by bit.
@@ -43,4 +43,4 @@ TEST(Crc32Test, SeesEverySingleBit) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -8,7 +8,7 @@
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using LowCmd = unitree_go_msg_dds__LowCmd_;
@@ -17,13 +17,13 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::FloatEq;
 
-Refusal DecodeSealed(LowCmd message, RobotCommand* command) {
+robot::Refusal DecodeSealed(LowCmd message, robot::RobotCommand* command) {
   message.crc = MessageCrc(message);
   return Decode(message, GoRobot(), command);
 }
 
-Refusal DecodeSealed(const LowCmd& message) {
-  RobotCommand command = CommandOf(GoRobot());
+robot::Refusal DecodeSealed(const LowCmd& message) {
+  robot::RobotCommand command = CommandOf(GoRobot());
   return DecodeSealed(message, &command);
 }
 
@@ -32,20 +32,20 @@ TEST(GoDecodeTest, TakesTheSlotsInMotorOrder) {
   message.motor_cmd[1] = {.mode = 1, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = {}};
   message.motor_cmd[4].q = 6;
   message.motor_cmd[19].q = 7;
-  RobotCommand command = CommandOf(GoRobot());
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
+  robot::RobotCommand command = CommandOf(GoRobot());
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
   EXPECT_EQ(command.motors[0],
-            (MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
+            (robot::MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
   EXPECT_EQ(command.motors[1].q, 6);
   EXPECT_EQ(command.motors[2].q, 7);
 }
 
 TEST(GoDecodeTest, PassesTheMarksForNoPositionAndNoVelocityExactly) {
-  RobotCommand command = CommandOf(GoRobot());
-  ASSERT_EQ(DecodeSealed(InitialGoCommand(), &command), Refusal::kNone);
-  for (const MotorCommand& motor : command.motors) {
-    EXPECT_EQ(motor.q, kNoPosition);
-    EXPECT_EQ(motor.dq, kNoVelocity);
+  robot::RobotCommand command = CommandOf(GoRobot());
+  ASSERT_EQ(DecodeSealed(InitialGoCommand(), &command), robot::Refusal::kNone);
+  for (const robot::MotorCommand& motor : command.motors) {
+    EXPECT_EQ(motor.q, robot::kNoPosition);
+    EXPECT_EQ(motor.dq, robot::kNoVelocity);
   }
 }
 
@@ -54,24 +54,24 @@ TEST(GoDecodeTest, KnowsStopServoAndStrongServo) {
   message.motor_cmd[1].mode = 0;
   message.motor_cmd[4].mode = 1;
   message.motor_cmd[19].mode = 0x0A;
-  RobotCommand command = CommandOf(GoRobot());
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
+  robot::RobotCommand command = CommandOf(GoRobot());
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
   EXPECT_FALSE(command.motors[0].enabled);
   EXPECT_TRUE(command.motors[1].enabled);
   EXPECT_TRUE(command.motors[2].enabled);
 }
 
 TEST(GoDecodeTest, RefusesAnAllZeroMessageForItsCrc) {
-  RobotCommand command = CommandOf(GoRobot());
-  EXPECT_EQ(Decode(LowCmd{}, GoRobot(), &command), Refusal::kCrc);
+  robot::RobotCommand command = CommandOf(GoRobot());
+  EXPECT_EQ(Decode(LowCmd{}, GoRobot(), &command), robot::Refusal::kCrc);
 }
 
 TEST(GoDecodeTest, RefusesAWrongCrcBeforeAllElse) {
-  RobotCommand command = CommandOf(GoRobot());
+  robot::RobotCommand command = CommandOf(GoRobot());
   LowCmd message{};
   message.motor_cmd[1].mode = 9;
   message.crc = MessageCrc(message) ^ 1;
-  EXPECT_EQ(Decode(message, GoRobot(), &command), Refusal::kCrc);
+  EXPECT_EQ(Decode(message, GoRobot(), &command), robot::Refusal::kCrc);
 }
 
 TEST(GoDecodeTest, RefusesAWrongHead) {
@@ -79,7 +79,7 @@ TEST(GoDecodeTest, RefusesAWrongHead) {
     LowCmd message = InitialGoCommand();
     message.head[byte] ^= 1;
     message.motor_cmd[1].mode = 9;
-    EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
+    EXPECT_EQ(DecodeSealed(message), robot::Refusal::kHead);
   }
 }
 
@@ -87,39 +87,39 @@ TEST(GoDecodeTest, TakesAHeadThatWasNeverSet) {
   LowCmd message = InitialGoCommand();
   message.head[0] = 0;
   message.head[1] = 0;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kHead);
   message.level_flag = 0;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kNone);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kNone);
 }
 
 TEST(GoDecodeTest, RefusesTheLevelFlagOfHighLevel) {
   LowCmd message = InitialGoCommand();
   message.level_flag = 0xEE;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kHead);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kHead);
 }
 
 TEST(GoDecodeTest, RefusesAnUnknownModeOfAMotor) {
   LowCmd message = InitialGoCommand();
   message.motor_cmd[19].mode = 2;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kMotorMode);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kMotorMode);
 }
 
 TEST(GoDecodeTest, IgnoresTheModeOfASlotWithoutAMotor) {
   LowCmd message = InitialGoCommand();
   message.motor_cmd[0].mode = 2;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kNone);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kNone);
 }
 
 TEST(GoDecodeTest, FillsTheCommandEvenWhenItRefuses) {
   LowCmd message = InitialGoCommand();
   message.motor_cmd[4] = {.mode = 2, .q = 1, .dq = 0, .tau = 0, .kp = 20, .kd = 0, .reserve = {}};
-  RobotCommand command = CommandOf(GoRobot());
-  ASSERT_EQ(Decode(message, GoRobot(), &command), Refusal::kCrc);
+  robot::RobotCommand command = CommandOf(GoRobot());
+  ASSERT_EQ(Decode(message, GoRobot(), &command), robot::Refusal::kCrc);
   EXPECT_TRUE(command.motors[1].enabled);
   EXPECT_EQ(command.motors[1].kp, 20);
 }
 
-LowState EncodeOnce(const RobotState& state) {
+LowState EncodeOnce(const robot::RobotState& state) {
   LowState message{};
   Encode(state, GoRobot(), &message);
   return message;
@@ -137,14 +137,14 @@ TEST(GoEncodeTest, WritesTheHeadARobotWrites) {
 }
 
 TEST(GoEncodeTest, ClosesWithTheRightCrc) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   state.tick_ms = 77;
   const LowState message = EncodeOnce(state);
   EXPECT_EQ(message.crc, MessageCrc(message));
 }
 
 TEST(GoEncodeTest, CountsMillisecondsInTickAndWrapsAround) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   state.tick_ms = 5'119'099;
   EXPECT_EQ(EncodeOnce(state).tick, 5'119'099);
   state.tick_ms = (std::int64_t{1} << 32) + 3;
@@ -152,7 +152,7 @@ TEST(GoEncodeTest, CountsMillisecondsInTickAndWrapsAround) {
 }
 
 TEST(GoEncodeTest, PutsMotorsIntoTheirSlots) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   state.motors[1] = {
       .enabled = false, .q = 0.5, .dq = -2, .tau = 8, .casing_c = 30, .winding_c = 61.7};
   const LowState message = EncodeOnce(state);
@@ -171,8 +171,9 @@ TEST(GoEncodeTest, PutsMotorsIntoTheirSlots) {
 }
 
 TEST(GoEncodeTest, LeavesSlotsWithoutAMotorZero) {
-  RobotState state = StateOf(GoRobot());
-  for (MotorReading& motor : state.motors) motor = {.q = 1, .dq = 1, .tau = 1, .winding_c = 50};
+  robot::RobotState state = StateOf(GoRobot());
+  for (robot::MotorReading& motor : state.motors)
+    motor = {.q = 1, .dq = 1, .tau = 1, .winding_c = 50};
   const LowState message = EncodeOnce(state);
   for (const int slot : {0, 2, 3, 5, 18}) {
     const auto& motor = message.motor_state[slot];
@@ -184,7 +185,7 @@ TEST(GoEncodeTest, LeavesSlotsWithoutAMotorZero) {
 }
 
 TEST(GoEncodeTest, WritesFeetInCountsWithinTheirRange) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   state.foot_force = {40, 1e6};
   const LowState message = EncodeOnce(state);
   EXPECT_THAT(message.foot_force, ElementsAre(35, 4095, 0, 0));
@@ -192,7 +193,7 @@ TEST(GoEncodeTest, WritesFeetInCountsWithinTheirRange) {
 }
 
 TEST(GoEncodeTest, WritesTheBatteryAsARealGo2Did) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   state.battery = {.voltage = 30.674, .current = -3.627, .soc = 0.63, .temperature_c = 30};
   const LowState message = EncodeOnce(state);
   EXPECT_EQ(message.bms_state.status, 8);
@@ -207,7 +208,7 @@ TEST(GoEncodeTest, WritesTheBatteryAsARealGo2Did) {
 }
 
 TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {
-  RobotState state = StateOf(GoRobot());
+  robot::RobotState state = StateOf(GoRobot());
   EXPECT_EQ(EncodeOnce(state).bit_flag, 0x24);
   state.remote = {.there = true, .keys = 9};
   const LowState message = EncodeOnce(state);
@@ -225,4 +226,4 @@ TEST(GoEncodeTest, WritesTheBoardAsARealGo2Did) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -4,7 +4,7 @@
 
 #include "idl/unitree_go.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // All 20 slots on, without position, velocity, torque or gains. Its crc is 0.
 inline unitree_go_msg_dds__LowCmd_ InitialGoCommand() {
@@ -20,6 +20,6 @@ inline unitree_go_msg_dds__LowCmd_ InitialGoCommand() {
   return message;
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_TESTS_WIRE_GO_COMMAND_H_

@@ -11,39 +11,39 @@
 #include "wire/open_port.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
-  const Participant participant("lo", 152);
-  const RobotSpec spec = GoRobot();
+  const bus::Participant participant("lo", 152);
+  const robot::RobotSpec spec = GoRobot();
   GoPort port(participant, spec);
-  Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
   message.motor_cmd[0].kp = 1;
   message.crc = MessageCrc(message);
   ASSERT_TRUE(client.Write(message));
-  RobotCommand command = CommandOf(spec);
-  Refusal wire = Refusal::kNone;
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal wire = robot::Refusal::kNone;
   ASSERT_TRUE(port.TakeCommand(&command, &wire));
-  EXPECT_EQ(wire, Refusal::kNone);
+  EXPECT_EQ(wire, robot::Refusal::kNone);
   EXPECT_EQ(port.counts().unused_slots, 1);
 }
 
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
-  const Participant participant("lo", 153);
-  const RobotSpec spec = GoRobot();
+  const bus::Participant participant("lo", 153);
+  const robot::RobotSpec spec = GoRobot();
   const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
-  Reader<unitree_go_msg_dds__LowState_> lowstate(participant, kGoLowState);
-  Reader<unitree_go_msg_dds__LowState_> lf_lowstate(participant, kGoLfLowState);
-  Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kSportModeState);
-  Reader<unitree_go_msg_dds__SportModeState_> lf_motion(participant, kLfSportModeState);
-  for (const ReaderCore* reader :
-       std::initializer_list<const ReaderCore*>{&lowstate, &lf_lowstate, &motion, &lf_motion}) {
-    ASSERT_TRUE(Eventually([&] { return reader->matched_writers() == 1; }));
+  bus::Reader<unitree_go_msg_dds__LowState_> lowstate(participant, kGoLowState);
+  bus::Reader<unitree_go_msg_dds__LowState_> lf_lowstate(participant, kGoLfLowState);
+  bus::Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kSportModeState);
+  bus::Reader<unitree_go_msg_dds__SportModeState_> lf_motion(participant, kLfSportModeState);
+  for (const bus::ReaderCore* reader : std::initializer_list<const bus::ReaderCore*>{
+           &lowstate, &lf_lowstate, &motion, &lf_motion}) {
+    ASSERT_TRUE(test::Eventually([&] { return reader->matched_writers() == 1; }));
   }
-  RobotState state = StateOf(spec);
+  robot::RobotState state = StateOf(spec);
 
   state.tick_ms = 2;
   port->Publish(state, {.lowstate = true});
@@ -63,7 +63,7 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   EXPECT_EQ(lf->tick, 4);
   EXPECT_TRUE(Next(&lf_motion));
 
-  const auto ignore = [](const auto&, WriterHandle) {};
+  const auto ignore = [](const auto&, bus::WriterHandle) {};
   EXPECT_EQ(lowstate.Take(ignore) + lf_lowstate.Take(ignore) + motion.Take(ignore) +
                 lf_motion.Take(ignore),
             0);
@@ -71,4 +71,4 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

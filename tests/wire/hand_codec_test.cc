@@ -4,10 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
-HandSpec ThreeMotors() {
+robot::HandSpec ThreeMotors() {
   return {.name = "left",
           .motors = {{.joint = "a"}, {.joint = "b"}, {.joint = "c"}},
           .pads = {{.taxels = {3, 11}}, {.taxels = {}}},
@@ -24,38 +24,38 @@ class HandDecodeTest : public testing::Test {
     }
   }
 
-  Refusal Read(std::size_t length = 3) {
+  robot::Refusal Read(std::size_t length = 3) {
     unitree_hg_msg_dds__HandCmd_ message{};
     message.motor_cmd._length = static_cast<std::uint32_t>(length);
     message.motor_cmd._buffer = wire_.data();
     return Decode(message, spec_, &command_);
   }
 
-  const HandSpec spec_ = ThreeMotors();
+  const robot::HandSpec spec_ = ThreeMotors();
   std::array<unitree_hg_msg_dds__MotorCmd_, 4> wire_{};
-  HandCommand command_;
+  robot::HandCommand command_;
 };
 
 TEST_F(HandDecodeTest, ReadsEveryFieldOfEveryMotor) {
   wire_[2] = {.mode = 2 | 1 << 4, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = 9};
-  EXPECT_EQ(Read(), Refusal::kNone);
+  EXPECT_EQ(Read(), robot::Refusal::kNone);
   ASSERT_EQ(command_.motors.size(), 3U);
   EXPECT_EQ(command_.motors[2].motor,
-            (MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
+            (robot::MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
   EXPECT_FALSE(command_.motors[2].watched);
-  EXPECT_EQ(command_.motors[0].motor, MotorCommand{.enabled = true});
+  EXPECT_EQ(command_.motors[0].motor, robot::MotorCommand{.enabled = true});
 }
 
 TEST_F(HandDecodeTest, StatusZeroLocks) {
   wire_[1].mode = 1;
-  EXPECT_EQ(Read(), Refusal::kNone);
+  EXPECT_EQ(Read(), robot::Refusal::kNone);
   EXPECT_FALSE(command_.motors[1].motor.enabled);
   EXPECT_TRUE(command_.motors[0].motor.enabled);
 }
 
 TEST_F(HandDecodeTest, TheHighestBitHasAMotorWatched) {
   wire_[1].mode = 1 | 1 << 4 | 1 << 7;
-  EXPECT_EQ(Read(), Refusal::kNone);
+  EXPECT_EQ(Read(), robot::Refusal::kNone);
   EXPECT_TRUE(command_.motors[1].watched);
   EXPECT_TRUE(command_.motors[1].motor.enabled);
   EXPECT_FALSE(command_.motors[2].watched);
@@ -63,45 +63,46 @@ TEST_F(HandDecodeTest, TheHighestBitHasAMotorWatched) {
 
 TEST_F(HandDecodeTest, RefusesAnIdThatIsNotThePlace) {
   wire_[1].mode = 2 | 1 << 4;
-  EXPECT_EQ(Read(), Refusal::kMotorMode);
+  EXPECT_EQ(Read(), robot::Refusal::kMotorMode);
   EXPECT_TRUE(command_.motors[1].motor.enabled);  // for a lenient gate
 }
 
 // What other hg programs put into mode.
 TEST_F(HandDecodeTest, RefusesAOneInEveryMode) {
   for (auto& motor : wire_) motor.mode = 1;
-  EXPECT_EQ(Read(), Refusal::kMotorMode);
+  EXPECT_EQ(Read(), robot::Refusal::kMotorMode);
 }
 
 TEST_F(HandDecodeTest, RefusesAnUnknownStatus) {
   for (const int status : {2, 3, 4, 5, 6, 7}) {
     wire_[0].mode = static_cast<std::uint8_t>(status << 4);
-    EXPECT_EQ(Read(), Refusal::kMotorMode) << status;
+    EXPECT_EQ(Read(), robot::Refusal::kMotorMode) << status;
     EXPECT_TRUE(command_.motors[0].motor.enabled);
   }
 }
 
 TEST_F(HandDecodeTest, RefusesAnotherNumberOfMotorsAndLeavesTheCommandAlone) {
-  ASSERT_EQ(Read(), Refusal::kNone);
+  ASSERT_EQ(Read(), robot::Refusal::kNone);
   wire_[0].q = 7;
-  for (const std::size_t length : {0U, 2U, 4U}) EXPECT_EQ(Read(length), Refusal::kMotorCount);
+  for (const std::size_t length : {0U, 2U, 4U})
+    EXPECT_EQ(Read(length), robot::Refusal::kMotorCount);
   EXPECT_EQ(command_.motors.size(), 3U);
   EXPECT_EQ(command_.motors[0].motor.q, 0);
 }
 
 TEST_F(HandDecodeTest, RefusesAMessageWithoutASequence) {
   const unitree_hg_msg_dds__HandCmd_ message{};
-  EXPECT_EQ(Decode(message, spec_, &command_), Refusal::kMotorCount);
+  EXPECT_EQ(Decode(message, spec_, &command_), robot::Refusal::kMotorCount);
 }
 
 class HandStateTest : public testing::Test {
  protected:
-  const HandSpec spec_ = ThreeMotors();
+  const robot::HandSpec spec_ = ThreeMotors();
   HandStateMessage message_{spec_};
 };
 
 TEST_F(HandStateTest, TellsEveryMotorWithItsMode) {
-  HandReading reading{.motors = std::vector<MotorReading>(3), .timed_out = {0, 0, 1}};
+  robot::HandReading reading{.motors = std::vector<robot::MotorReading>(3), .timed_out = {0, 0, 1}};
   reading.motors[1] = {
       .enabled = true, .q = 1, .dq = 2, .tau = 3, .casing_c = 40.4, .winding_c = 50.6};
   message_.Encode(reading);
@@ -139,4 +140,4 @@ TEST_F(HandStateTest, StaysWholeWhenMoved) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

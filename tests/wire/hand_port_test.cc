@@ -12,22 +12,22 @@
 #include "tests/wire/robots.h"
 #include "wire/hg_port.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using HandCmd = unitree_hg_msg_dds__HandCmd_;
 using HandState = unitree_hg_msg_dds__HandState_;
 
-constexpr Topic<HandCmd> kLeftCmd{"rt/dex/left/cmd", &unitree_hg_msg_dds__HandCmd__desc};
-constexpr Topic<HandCmd> kRightCmd{"rt/dex/right/cmd", &unitree_hg_msg_dds__HandCmd__desc};
+constexpr bus::Topic<HandCmd> kLeftCmd{"rt/dex/left/cmd", &unitree_hg_msg_dds__HandCmd__desc};
+constexpr bus::Topic<HandCmd> kRightCmd{"rt/dex/right/cmd", &unitree_hg_msg_dds__HandCmd__desc};
 
-constexpr Topic<HandState> State(const char* name) {
+constexpr bus::Topic<HandState> State(const char* name) {
   return {name, &unitree_hg_msg_dds__HandState__desc};
 }
 
 // Two hands of two motors.
-RobotSpec Handy() {
-  RobotSpec spec = HgRobot();
+robot::RobotSpec Handy() {
+  robot::RobotSpec spec = HgRobot();
   for (const char* side : {"left", "right"}) {
     spec.hands.push_back({.name = side,
                           .topic = std::string("dex/") + side,
@@ -37,23 +37,23 @@ RobotSpec Handy() {
   return spec;
 }
 
-RobotState HandyState(const RobotSpec& spec) {
-  RobotState state = StateOf(spec);
-  state.hands.assign(2, {.motors = std::vector<MotorReading>(2), .timed_out = {0, 0}});
+robot::RobotState HandyState(const robot::RobotSpec& spec) {
+  robot::RobotState state = StateOf(spec);
+  state.hands.assign(2, {.motors = std::vector<robot::MotorReading>(2), .timed_out = {0, 0}});
   return state;
 }
 
 // A robot on the wire, in a domain of its own, and what was taken from one of its hands.
 struct Played {
-  explicit Played(int domain, RobotSpec robot = Handy())
+  explicit Played(int domain, robot::RobotSpec robot = Handy())
       : participant("lo", domain), spec(std::move(robot)), port(participant, spec) {}
   bool Take(std::size_t hand) { return port.TakeHandCommand(hand, &command, &wire); }
 
-  Participant participant;
-  RobotSpec spec;
+  bus::Participant participant;
+  robot::RobotSpec spec;
   HgPort port;
-  HandCommand command{.motors = std::vector<HandMotorCommand>(2)};
-  Refusal wire = Refusal::kNone;
+  robot::HandCommand command{.motors = std::vector<robot::HandMotorCommand>(2)};
+  robot::Refusal wire = robot::Refusal::kNone;
 };
 
 // A command to two motors.
@@ -71,11 +71,11 @@ struct Command {
 };
 
 // The angle of the first motor and the number of pads of the next state.
-std::pair<float, std::uint32_t> Heard(Reader<HandState>* reader) {
+std::pair<float, std::uint32_t> Heard(bus::Reader<HandState>* reader) {
   std::pair<float, std::uint32_t> heard{-1, 0};
-  Eventually([&] {
+  test::Eventually([&] {
     return reader->Take(
-               [&](const HandState& state, WriterHandle) {
+               [&](const HandState& state, bus::WriterHandle) {
                  heard = {state.motor_state._buffer[0].q, state.press_sensor_state._length};
                },
                1) == 1;
@@ -91,14 +91,14 @@ TEST(HandPortTest, HasNoCommandBeforeTheFirst) {
 
 TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
   Played robot(191);
-  Writer<HandCmd> left(robot.participant, kLeftCmd);
-  Writer<HandCmd> right(robot.participant, kRightCmd);
-  ASSERT_TRUE(
-      Eventually([&] { return left.matched_readers() == 1 && right.matched_readers() == 1; }));
+  bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
+  bus::Writer<HandCmd> right(robot.participant, kRightCmd);
+  ASSERT_TRUE(test::Eventually(
+      [&] { return left.matched_readers() == 1 && right.matched_readers() == 1; }));
   ASSERT_TRUE(right.Write(Command(1).message));
   ASSERT_TRUE(right.Write(Command(2).message));
-  ASSERT_TRUE(Eventually([&] { return robot.Take(1); }));
-  EXPECT_EQ(robot.wire, Refusal::kNone);
+  ASSERT_TRUE(test::Eventually([&] { return robot.Take(1); }));
+  EXPECT_EQ(robot.wire, robot::Refusal::kNone);
   EXPECT_EQ(robot.command.motors[1].motor.q, 1);
   ASSERT_TRUE(robot.Take(1));
   EXPECT_EQ(robot.command.motors[1].motor.q, 2);
@@ -108,28 +108,28 @@ TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
 
 TEST(HandPortTest, TellsACommandForAnotherNumberOfMotors) {
   Played robot(192);
-  Writer<HandCmd> left(robot.participant, kLeftCmd);
-  ASSERT_TRUE(Eventually([&] { return left.matched_readers() == 1; }));
+  bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
+  ASSERT_TRUE(test::Eventually([&] { return left.matched_readers() == 1; }));
   for (const std::uint32_t length : {0U, 1U, 3U}) {
     ASSERT_TRUE(left.Write(Command(1, length).message));
-    ASSERT_TRUE(Eventually([&] { return robot.Take(0); }));
-    EXPECT_EQ(robot.wire, Refusal::kMotorCount) << length;
+    ASSERT_TRUE(test::Eventually([&] { return robot.Take(0); }));
+    EXPECT_EQ(robot.wire, robot::Refusal::kMotorCount) << length;
   }
 }
 
 TEST(HandPortTest, PublishesEachHandFastAndSlow) {
   Played robot(193);
-  Reader<HandState> left(robot.participant, State("rt/dex/left/state"));
-  Reader<HandState> right(robot.participant, State("rt/dex/right/state"));
-  Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
-  Reader<HandState> lf_right(robot.participant, State("rt/lf/dex/right/state"));
-  RobotState state = HandyState(robot.spec);
+  bus::Reader<HandState> left(robot.participant, State("rt/dex/left/state"));
+  bus::Reader<HandState> right(robot.participant, State("rt/dex/right/state"));
+  bus::Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
+  bus::Reader<HandState> lf_right(robot.participant, State("rt/lf/dex/right/state"));
+  robot::RobotState state = HandyState(robot.spec);
   state.hands[0].motors[0].q = 1;
   state.hands[1].motors[0].q = 2;
   robot.port.Publish(state, {.hands = true});
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));
-  const auto ignore = [](const auto&, WriterHandle) {};
+  const auto ignore = [](const auto&, bus::WriterHandle) {};
   EXPECT_EQ(lf_left.Take(ignore), 0);
   robot.port.Publish(state, {.lf = true});
   EXPECT_EQ(Heard(&lf_left), std::pair(1.0F, 1U));
@@ -141,32 +141,32 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
 
 TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
   Played robot(194, HgRobot());
-  Writer<HandCmd> left(robot.participant, kLeftCmd);
-  Reader<unitree_hg_msg_dds__LowState_> lowstate(
+  bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
+  bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(
       robot.participant, {"rt/lowstate", &unitree_hg_msg_dds__LowState__desc});
-  ASSERT_TRUE(Eventually([&] { return lowstate.matched_writers() == 1; }));
+  ASSERT_TRUE(test::Eventually([&] { return lowstate.matched_writers() == 1; }));
   EXPECT_EQ(left.matched_readers(), 0);
 }
 
 // Cyclone makes and frees a sequence's memory for each sample in its own C, which is not counted.
 TEST(HandPortTest, AllocatesNothingInATick) {
   Played robot(195);
-  Writer<HandCmd> left(robot.participant, kLeftCmd);
-  ASSERT_TRUE(Eventually([&] { return left.matched_readers() == 1; }));
-  const RobotState state = HandyState(robot.spec);
+  bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
+  ASSERT_TRUE(test::Eventually([&] { return left.matched_readers() == 1; }));
+  const robot::RobotState state = HandyState(robot.spec);
   const Command message(1);
-  const std::uint64_t before = Allocations();
+  const std::uint64_t before = test::Allocations();
   left.Write(message.message);
   const bool taken = robot.Take(0);
   robot.port.Publish(state, {.hands = true, .lf = true});
-  const std::uint64_t after = Allocations();
+  const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);
 }
 
 TEST(HandPortTest, RefusesAHandThatDoesNotFit) {
-  const Participant participant("lo", 196);
-  HandSpec hand = Handy().hands[0];
+  const bus::Participant participant("lo", 196);
+  robot::HandSpec hand = Handy().hands[0];
   hand.motors.resize(17);
   EXPECT_THROW(HandPort(participant, hand), ModelError);
   hand = Handy().hands[0];
@@ -175,4 +175,4 @@ TEST(HandPortTest, RefusesAHandThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -5,7 +5,7 @@
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using Bms = unitree_hg_msg_dds__BmsState_;
@@ -17,17 +17,17 @@ using ::testing::ElementsAre;
 LowCmd Enabled() {
   LowCmd message{};
   message.mode_machine = 5;
-  for (const MotorSpec& motor : HgRobot().motors) message.motor_cmd[motor.slot].mode = 1;
+  for (const robot::MotorSpec& motor : HgRobot().motors) message.motor_cmd[motor.slot].mode = 1;
   return message;
 }
 
-Refusal DecodeSealed(LowCmd message, RobotCommand* command) {
+robot::Refusal DecodeSealed(LowCmd message, robot::RobotCommand* command) {
   message.crc = MessageCrc(message);
   return Decode(message, HgRobot(), command);
 }
 
-Refusal DecodeSealed(const LowCmd& message) {
-  RobotCommand command = CommandOf(HgRobot());
+robot::Refusal DecodeSealed(const LowCmd& message) {
+  robot::RobotCommand command = CommandOf(HgRobot());
   return DecodeSealed(message, &command);
 }
 
@@ -35,78 +35,78 @@ TEST(HgDecodeTest, TakesTheSlotsInMotorOrder) {
   LowCmd message = Enabled();
   message.motor_cmd[2] = {.mode = 1, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = 0};
   message.motor_cmd[34].q = 6;
-  RobotCommand command = CommandOf(HgRobot());
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
+  robot::RobotCommand command = CommandOf(HgRobot());
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
   EXPECT_EQ(command.motors[0],
-            (MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
+            (robot::MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
   EXPECT_EQ(command.motors[3].q, 6);
 }
 
 TEST(HgDecodeTest, TakesBothJointSpaces) {
   LowCmd message = Enabled();
-  RobotCommand command = CommandOf(HgRobot());
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
-  EXPECT_EQ(command.joint_space, JointSpace::kPitchRoll);
+  robot::RobotCommand command = CommandOf(HgRobot());
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
+  EXPECT_EQ(command.joint_space, robot::JointSpace::kPitchRoll);
   message.mode_pr = 1;
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
-  EXPECT_EQ(command.joint_space, JointSpace::kMotors);
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
+  EXPECT_EQ(command.joint_space, robot::JointSpace::kMotors);
 }
 
 TEST(HgDecodeTest, TakesADisabledMotor) {
   LowCmd message = Enabled();
   message.motor_cmd[7].mode = 0;
-  RobotCommand command = CommandOf(HgRobot());
-  ASSERT_EQ(DecodeSealed(message, &command), Refusal::kNone);
+  robot::RobotCommand command = CommandOf(HgRobot());
+  ASSERT_EQ(DecodeSealed(message, &command), robot::Refusal::kNone);
   EXPECT_FALSE(command.motors[2].enabled);
 }
 
 TEST(HgDecodeTest, RefusesAnAllZeroMessageForItsCrc) {
-  RobotCommand command = CommandOf(HgRobot());
-  EXPECT_EQ(Decode(LowCmd{}, HgRobot(), &command), Refusal::kCrc);
+  robot::RobotCommand command = CommandOf(HgRobot());
+  EXPECT_EQ(Decode(LowCmd{}, HgRobot(), &command), robot::Refusal::kCrc);
 }
 
 TEST(HgDecodeTest, RefusesAWrongCrcBeforeAllElse) {
-  RobotCommand command = CommandOf(HgRobot());
+  robot::RobotCommand command = CommandOf(HgRobot());
   LowCmd message = Enabled();
   message.mode_machine = 6;
   message.crc = MessageCrc(message) ^ 1;
-  EXPECT_EQ(Decode(message, HgRobot(), &command), Refusal::kCrc);
+  EXPECT_EQ(Decode(message, HgRobot(), &command), robot::Refusal::kCrc);
 }
 
 TEST(HgDecodeTest, RefusesWrongModeMachine) {
   LowCmd message = Enabled();
   message.mode_machine = 0;
   message.mode_pr = 2;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kModeMachine);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kModeMachine);
 }
 
 TEST(HgDecodeTest, RefusesAnUnknownModePr) {
   LowCmd message = Enabled();
   message.mode_pr = 2;
   message.motor_cmd[2].mode = 2;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kModePr);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kModePr);
 }
 
 TEST(HgDecodeTest, RefusesAnUnknownModeOfAMotor) {
   LowCmd message = Enabled();
   message.motor_cmd[34].mode = 0x0A;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kMotorMode);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kMotorMode);
 }
 
 TEST(HgDecodeTest, IgnoresTheModeOfASlotWithoutAMotor) {
   LowCmd message = Enabled();
   message.motor_cmd[0].mode = 0x0A;
-  EXPECT_EQ(DecodeSealed(message), Refusal::kNone);
+  EXPECT_EQ(DecodeSealed(message), robot::Refusal::kNone);
 }
 
-LowState EncodeOnce(const RobotState& state) {
+LowState EncodeOnce(const robot::RobotState& state) {
   LowState message{};
   Encode(state, HgRobot(), &message);
   return message;
 }
 
 TEST(HgEncodeTest, WritesWhatARealG1Showed) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.tick_ms = 42;
   const LowState message = EncodeOnce(state);
   EXPECT_THAT(message.version, Each(0));
@@ -119,7 +119,7 @@ TEST(HgEncodeTest, WritesWhatARealG1Showed) {
 }
 
 TEST(HgEncodeTest, PutsMotorsIntoTheirSlots) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.battery.voltage = 47.8;
   state.motors[3] = {.q = 0.5, .dq = -2, .tau = 8, .casing_c = 31.4, .winding_c = -3};
   const LowState message = EncodeOnce(state);
@@ -135,9 +135,9 @@ TEST(HgEncodeTest, PutsMotorsIntoTheirSlots) {
 }
 
 TEST(HgEncodeTest, LeavesSlotsWithoutAMotorZero) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.battery.voltage = 48;
-  for (MotorReading& motor : state.motors) motor.q = 1;
+  for (robot::MotorReading& motor : state.motors) motor.q = 1;
   const LowState message = EncodeOnce(state);
   for (const int slot : {0, 1, 3, 5, 6, 33}) {
     EXPECT_EQ(message.motor_state[slot].mode, 0);
@@ -149,8 +149,8 @@ TEST(HgEncodeTest, LeavesSlotsWithoutAMotorZero) {
 // ratio 0.5, pitch 1 and roll 0.5: A = 1 + 0.25, B = 1 - 0.25. Torques: pitch 4, roll 1 make
 // A = (4 + 2) / 2, B = (4 - 2) / 2.
 TEST(HgEncodeTest, ShowsMotorBInThePitchSlotAndAInTheRollSlot) {
-  RobotState state = StateOf(HgRobot());
-  state.joint_space = JointSpace::kMotors;
+  robot::RobotState state = StateOf(HgRobot());
+  state.joint_space = robot::JointSpace::kMotors;
   state.motors[1] = {.q = 0.5, .dq = 5, .tau = 1};
   state.motors[2] = {.q = 1, .dq = 10, .tau = 4};
   const LowState message = EncodeOnce(state);
@@ -166,7 +166,7 @@ TEST(HgEncodeTest, ShowsMotorBInThePitchSlotAndAInTheRollSlot) {
 }
 
 TEST(HgEncodeTest, ShowsTheSerialJointsInPitchRoll) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.motors[1].q = 0.5;
   state.motors[2].q = 1;
   const LowState message = EncodeOnce(state);
@@ -175,13 +175,13 @@ TEST(HgEncodeTest, ShowsTheSerialJointsInPitchRoll) {
 }
 
 TEST(HgEncodeTest, PassesTheRemote) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.remote = {.there = true, .keys = 9};
   EXPECT_EQ(EncodeOnce(state).wireless_remote[2], 9);
 }
 
 TEST(HgBmsTest, WritesCellsPackAndCharge) {
-  RobotState state = StateOf(HgRobot());
+  robot::RobotState state = StateOf(HgRobot());
   state.battery = {.voltage = 52, .current = -2.1, .soc = 0.805, .temperature_c = 28};
   Bms message{};
   EncodeBms(state, HgRobot(), &message);
@@ -193,4 +193,4 @@ TEST(HgBmsTest, WritesCellsPackAndCharge) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

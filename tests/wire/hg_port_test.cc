@@ -10,17 +10,17 @@
 #include "wire/open_port.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 TEST(HgPortTest, PublishesTheFastMessages) {
-  const Participant participant("lo", 162);
-  const RobotSpec spec = HgRobot();
+  const bus::Participant participant("lo", 162);
+  const robot::RobotSpec spec = HgRobot();
   const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
-  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
-  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
-  Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kOdomModeState);
-  RobotState state = StateOf(spec);
+  bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
+  bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
+  bus::Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kOdomModeState);
+  robot::RobotState state = StateOf(spec);
   state.tick_ms = 9;
   state.secondary_imu.temperature_c = 61;
   port->Publish(state, {.lowstate = true, .motion = true});
@@ -35,15 +35,15 @@ TEST(HgPortTest, PublishesTheFastMessages) {
 }
 
 TEST(HgPortTest, PublishesTheSlowMessages) {
-  const Participant participant("lo", 163);
-  const RobotSpec spec = HgRobot();
+  const bus::Participant participant("lo", 163);
+  const robot::RobotSpec spec = HgRobot();
   const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
-  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLfLowState);
-  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kLfSecondaryImu);
-  Reader<unitree_hg_msg_dds__BmsState_> bms(participant, kLfBmsState);
-  Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kLfOdomModeState);
-  Reader<unitree_hg_msg_dds__LowState_> fast(participant, kHgLowState);
-  RobotState state = StateOf(spec);
+  bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLfLowState);
+  bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kLfSecondaryImu);
+  bus::Reader<unitree_hg_msg_dds__BmsState_> bms(participant, kLfBmsState);
+  bus::Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kLfOdomModeState);
+  bus::Reader<unitree_hg_msg_dds__LowState_> fast(participant, kHgLowState);
+  robot::RobotState state = StateOf(spec);
   state.battery.soc = 0.5;
   port->Publish(state, {.lf = true});
   EXPECT_TRUE(Next(&lowstate));
@@ -52,63 +52,63 @@ TEST(HgPortTest, PublishesTheSlowMessages) {
   const auto battery = Next(&bms);
   ASSERT_TRUE(battery);
   EXPECT_EQ(battery->soc, 50);
-  EXPECT_EQ(fast.Take([](const auto&, WriterHandle) {}), 0);
+  EXPECT_EQ(fast.Take([](const auto&, bus::WriterHandle) {}), 0);
   EXPECT_EQ(port->counts().write_failures, 0);
 }
 
 TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
-  const Participant participant("lo", 164);
-  RobotSpec spec = HgRobot();
+  const bus::Participant participant("lo", 164);
+  robot::RobotSpec spec = HgRobot();
   spec.imu.secondary_site.clear();
   HgPort port(participant, spec);
-  Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
-  Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
-  ASSERT_TRUE(Eventually([&] { return lowstate.matched_writers() == 1; }));
+  bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
+  bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
+  ASSERT_TRUE(test::Eventually([&] { return lowstate.matched_writers() == 1; }));
   EXPECT_EQ(secondary.matched_writers(), 0);
 }
 
 TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
-  const Participant participant("lo", 181);
-  RobotSpec spec = HgRobot();
+  const bus::Participant participant("lo", 181);
+  robot::RobotSpec spec = HgRobot();
   spec.arm_sdk.slots = {7};
   spec.arm_sdk.weight_slot = 29;
   spec.user_lowcmd = true;
   HgPort port(participant, spec);
-  Writer<unitree_hg_msg_dds__LowCmd_> arms(participant, kHgArmSdk);
-  Writer<unitree_hg_msg_dds__LowCmd_> user(participant, kUserLowCmd);
+  bus::Writer<unitree_hg_msg_dds__LowCmd_> arms(participant, kHgArmSdk);
+  bus::Writer<unitree_hg_msg_dds__LowCmd_> user(participant, kUserLowCmd);
   ASSERT_TRUE(
-      Eventually([&] { return arms.matched_readers() == 1 && user.matched_readers() == 1; }));
+      test::Eventually([&] { return arms.matched_readers() == 1 && user.matched_readers() == 1; }));
   unitree_hg_msg_dds__LowCmd_ message{};
   message.motor_cmd[7].q = 1;
   message.motor_cmd[29].q = 0.5F;
-  RobotCommand command = CommandOf(spec);
+  robot::RobotCommand command = CommandOf(spec);
   double weight = 0;
   EXPECT_FALSE(port.TakeArmCommand(&command, &weight));
   EXPECT_FALSE(port.TakeUserCommand(&command));
   ASSERT_TRUE(arms.Write(message));
-  ASSERT_TRUE(Eventually([&] { return port.TakeArmCommand(&command, &weight); }));
+  ASSERT_TRUE(test::Eventually([&] { return port.TakeArmCommand(&command, &weight); }));
   EXPECT_EQ(weight, 0.5);
   EXPECT_EQ(command.motors[2].q, 1);
   EXPECT_TRUE(command.motors[2].enabled);
   message.motor_cmd[7].q = 2;
   ASSERT_TRUE(user.Write(message));
-  ASSERT_TRUE(Eventually([&] { return port.TakeUserCommand(&command); }));
+  ASSERT_TRUE(test::Eventually([&] { return port.TakeUserCommand(&command); }));
   EXPECT_EQ(command.motors[2].q, 2);
   EXPECT_TRUE(command.motors[0].enabled);
 }
 
 TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
-  const Participant participant("lo", 182);
-  RobotSpec spec = HgRobot();
+  const bus::Participant participant("lo", 182);
+  robot::RobotSpec spec = HgRobot();
   spec.firmware = "1.5.3";
   spec.state_id_since = "1.5.1";
   spec.services = {{.name = "g1_arm_example"}};
   HgPort port(participant, spec);
-  Reader<unitree_hg_msg_dds__SportModeState_> fsm(participant, kHgSportModeState);
-  Reader<std_msgs_msg_dds__String_> arms(participant, kArmActionState);
+  bus::Reader<unitree_hg_msg_dds__SportModeState_> fsm(participant, kHgSportModeState);
+  bus::Reader<std_msgs_msg_dds__String_> arms(participant, kArmActionState);
   ASSERT_TRUE(
-      Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
-  RobotState state = StateOf(spec);
+      test::Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
+  robot::RobotState state = StateOf(spec);
   port.Publish(state, {.motion = true, .lf = true});
   state.motion = {.id = 4, .mode = 1, .arm_action = 27};
   port.Publish(state, {.motion = true, .lf = true});
@@ -117,8 +117,8 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
   EXPECT_EQ(heard->fsm_id, 4U);
   EXPECT_EQ(heard->fsm_mode, 1U);
   std::string text;
-  ASSERT_TRUE(Eventually([&] {
-    return arms.Take([&](const std_msgs_msg_dds__String_& message, WriterHandle) {
+  ASSERT_TRUE(test::Eventually([&] {
+    return arms.Take([&](const std_msgs_msg_dds__String_& message, bus::WriterHandle) {
       text = message.data;
     }) > 0;
   }));
@@ -126,4 +126,4 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using Go = unitree_go_msg_dds__IMUState_;
@@ -55,7 +55,7 @@ using Families = ::testing::Types<Go, Hg>;
 TYPED_TEST_SUITE(ImuCodecTest, Families);
 
 TYPED_TEST(ImuCodecTest, WritesWXYZGyroAccelerometerAndTemperature) {
-  ImuReading reading;
+  robot::ImuReading reading;
   reading.R_WI = Eigen::Quaterniond(0.5, 0.5, -0.5, 0.5);
   reading.w_WI_I = {1, 2, 3};
   reading.f_WI_I = {4, 5, 9.8125};
@@ -70,13 +70,13 @@ TYPED_TEST(ImuCodecTest, WritesWXYZGyroAccelerometerAndTemperature) {
 
 TYPED_TEST(ImuCodecTest, WritesAUnitQuaternionBeforeTheFirstReading) {
   TypeParam message{};
-  EncodeImu(ImuReading{}, &message);
+  EncodeImu(robot::ImuReading{}, &message);
   EXPECT_THAT(message.quaternion, ElementsAre(1, 0, 0, 0));
   EXPECT_THAT(message.rpy, ElementsAre(0, 0, 0));
 }
 
 TYPED_TEST(ImuCodecTest, NormalisesTheQuaternion) {
-  ImuReading reading;
+  robot::ImuReading reading;
   reading.R_WI = Eigen::Quaterniond(0, 0, 3, 4);
   TypeParam message{};
   EncodeImu(reading, &message);
@@ -85,7 +85,7 @@ TYPED_TEST(ImuCodecTest, NormalisesTheQuaternion) {
 
 TYPED_TEST(ImuCodecTest, MakesTheIdentityOfNoRotation) {
   for (const double bad : {0.0, std::nan(""), std::numeric_limits<double>::infinity()}) {
-    ImuReading reading;
+    robot::ImuReading reading;
     reading.R_WI = Eigen::Quaterniond(bad, bad, bad, bad);
     TypeParam message{};
     EncodeImu(reading, &message);
@@ -95,7 +95,7 @@ TYPED_TEST(ImuCodecTest, MakesTheIdentityOfNoRotation) {
 }
 
 TYPED_TEST(ImuCodecTest, StartsWithAPositiveW) {
-  ImuReading reading;
+  robot::ImuReading reading;
   reading.R_WI = Eigen::Quaterniond(-1, 0, 0, 0);
   TypeParam message{};
   EncodeImu(reading, &message);
@@ -104,7 +104,7 @@ TYPED_TEST(ImuCodecTest, StartsWithAPositiveW) {
 
 TYPED_TEST(ImuCodecTest, DoesNotJumpBetweenTheTwoSigns) {
   TypeParam message{};
-  ImuReading reading;
+  robot::ImuReading reading;
   float before[4] = {1, 0, 0, 0};
   for (int step = 0; step <= 100; ++step) {  // once around and more, a sign at random
     reading.R_WI = FromRpy(0, 0, 0.1 * step);
@@ -132,4 +132,4 @@ TEST(HgImuCodecTest, KnowsFrost) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

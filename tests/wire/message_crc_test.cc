@@ -8,7 +8,7 @@
 
 #include "tests/wire/go_command.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 // The six vectors are the vendor's: computed by both its C++ and its Python SDK (sdk_surface.md,
@@ -82,4 +82,4 @@ TEST(MessageCrcTest, SeesAllButTheGapsAndItself) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

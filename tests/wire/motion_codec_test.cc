@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using Message = unitree_go_msg_dds__SportModeState_;
@@ -12,7 +12,7 @@ using ::testing::Each;
 using ::testing::ElementsAre;
 
 TEST(MotionCodecTest, WritesWhereTheBaseIs) {
-  RobotState state;
+  robot::RobotState state;
   state.tick_ms = 12'345;
   state.base.p_WB = {1, 2, 0.25};
   state.base.v_WB_W = {-1, 0.5, 0};
@@ -26,7 +26,7 @@ TEST(MotionCodecTest, WritesWhereTheBaseIs) {
 }
 
 TEST(MotionCodecTest, RepeatsTheGyrosZBitForBit) {
-  RobotState state;
+  robot::RobotState state;
   state.imu.w_WI_I = {0, 0, 0.1};
   Message message{};
   EncodeMotion(state, {}, MotionFields::kStateId, &message);
@@ -45,7 +45,7 @@ TEST(MotionCodecTest, IsInDampingWithoutAMotionService) {
 }
 
 TEST(MotionCodecTest, TellsTheStateAsItsFirmwareDoes) {
-  RobotState state;
+  robot::RobotState state;
   state.motion = {.id = 1002, .mode = 6, .progress = 1};
   Message message{};
   EncodeMotion(state, {}, MotionFields::kStateId, &message);
@@ -63,9 +63,9 @@ TEST(MotionCodecTest, TellsTheStateAsItsFirmwareDoes) {
 }
 
 TEST(MotionCodecTest, FillsWhatOldFirmwareFilled) {
-  RobotSpec spec;
+  robot::RobotSpec spec;
   spec.foot_sensor = {.offset_counts = 15, .counts_per_newton = 0.5};
-  RobotState state;
+  robot::RobotState state;
   state.foot_force = {0, 10, 20, 30};
   Message message{};
   EncodeMotion(state, spec, MotionFields::kMode, &message);
@@ -77,19 +77,19 @@ TEST(MotionCodecTest, FillsWhatOldFirmwareFilled) {
 }
 
 TEST(MotionCodecTest, GoesByRobotAndFirmware) {
-  RobotSpec spec;
+  robot::RobotSpec spec;
   spec.feet.resize(4);
   spec.firmware = "1.1.5";
   spec.state_id_since = "1.1.6";
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kMode);
   spec.firmware = "1.1.6";
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kStateId);
-  spec.family = WireFamily::kHg;
+  spec.family = robot::WireFamily::kHg;
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kNone);
 }
 
 TEST(MotionCodecTest, TellsAHumanoidsStateMachine) {
-  RobotState state;
+  robot::RobotState state;
   state.motion = {.id = 501, .mode = 1};
   unitree_hg_msg_dds__SportModeState_ message{};
   EncodeFsm(state, &message);
@@ -105,7 +105,7 @@ TEST(MotionCodecTest, NamesTheArmsAction) {
 }
 
 TEST(MotionCodecTest, LeavesOutWhatNewFirmwareDropped) {
-  RobotState state;
+  robot::RobotState state;
   state.foot_force = {100, 100, 100, 100};
   Message message{};
   EncodeMotion(state, {}, MotionFields::kStateId, &message);
@@ -120,4 +120,4 @@ TEST(MotionCodecTest, LeavesOutWhatNewFirmwareDropped) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

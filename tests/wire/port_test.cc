@@ -11,7 +11,7 @@
 #include "wire/message_crc.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 struct Go {
@@ -20,7 +20,7 @@ struct Go {
   static constexpr auto& kLowCmd = kGoLowCmd;
   static constexpr int kFirstDomain = 156;
   static constexpr int kSlots = 20;
-  static RobotSpec Robot() { return GoRobot(); }
+  static robot::RobotSpec Robot() { return GoRobot(); }
   // Sets one motor, the one with index 1.
   static LowCmd Command(float q) {
     LowCmd message = InitialGoCommand();
@@ -36,7 +36,7 @@ struct Hg {
   static constexpr auto& kLowCmd = kHgLowCmd;
   static constexpr int kFirstDomain = 167;
   static constexpr int kSlots = 35;
-  static RobotSpec Robot() { return HgRobot(); }
+  static robot::RobotSpec Robot() { return HgRobot(); }
   static LowCmd Command(float q) {
     LowCmd message{};
     message.mode_machine = 5;
@@ -51,63 +51,63 @@ template <typename Family>
 class PortTest : public testing::Test {
  protected:
   // Tests run side by side: each has a domain of its own.
-  static Participant Join(int test) { return {"lo", Family::kFirstDomain + test}; }
+  static bus::Participant Join(int test) { return {"lo", Family::kFirstDomain + test}; }
 
-  RobotSpec spec_ = Family::Robot();
-  RobotCommand command_ = CommandOf(spec_);
-  Refusal wire_ = Refusal::kNone;
+  robot::RobotSpec spec_ = Family::Robot();
+  robot::RobotCommand command_ = CommandOf(spec_);
+  robot::Refusal wire_ = robot::Refusal::kNone;
 };
 
 using Families = testing::Types<Go, Hg>;
 TYPED_TEST_SUITE(PortTest, Families);
 
 TYPED_TEST(PortTest, HasNoCommandBeforeTheFirst) {
-  const Participant participant = TestFixture::Join(0);
+  const bus::Participant participant = TestFixture::Join(0);
   typename TypeParam::Port port(participant, this->spec_);
   EXPECT_EQ(port.command_writers(), 0);
   EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
 }
 
 TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
-  const Participant participant = TestFixture::Join(1);
+  const bus::Participant participant = TestFixture::Join(1);
   typename TypeParam::Port port(participant, this->spec_);
-  Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
+  bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   ASSERT_TRUE(client.Write(TypeParam::Command(1)));
   auto broken = TypeParam::Command(2);
   broken.crc ^= 1;
   ASSERT_TRUE(client.Write(broken));
 
   ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
-  EXPECT_EQ(this->wire_, Refusal::kNone);
+  EXPECT_EQ(this->wire_, robot::Refusal::kNone);
   EXPECT_EQ(this->command_.motors[1].q, 1);
   ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
-  EXPECT_EQ(this->wire_, Refusal::kCrc);
+  EXPECT_EQ(this->wire_, robot::Refusal::kCrc);
   EXPECT_EQ(this->command_.motors[1].q, 2);
   EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
 }
 
 TYPED_TEST(PortTest, AllocatesNothingInATick) {
-  const Participant participant = TestFixture::Join(2);
+  const bus::Participant participant = TestFixture::Join(2);
   typename TypeParam::Port port(participant, this->spec_);
-  Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
-  ASSERT_TRUE(Eventually([&] { return port.command_writers() == 1; }));
-  const RobotState state = StateOf(this->spec_);
+  bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  const robot::RobotState state = StateOf(this->spec_);
   const auto message = TypeParam::Command(1);
-  const std::uint64_t before = Allocations();
+  const std::uint64_t before = test::Allocations();
   client.Write(message);
   const bool taken = port.TakeCommand(&this->command_, &this->wire_);
   port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
-  const std::uint64_t after = Allocations();
+  const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);
 }
 
 TYPED_TEST(PortTest, RefusesARobotThatDoesNotFit) {
-  const Participant participant = TestFixture::Join(3);
+  const bus::Participant participant = TestFixture::Join(3);
   this->spec_.motors.back().slot = TypeParam::kSlots;
   EXPECT_THROW(typename TypeParam::Port(participant, this->spec_), ModelError);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

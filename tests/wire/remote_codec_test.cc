@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using ::testing::Each;
@@ -16,7 +16,7 @@ float FloatAt(const std::array<std::uint8_t, 40>& bytes, std::size_t at) {
 }
 
 TEST(RemoteCodecTest, IsAllZeroWhileNoRemoteIsThere) {
-  EXPECT_THAT(EncodeRemote(RemoteReading{}), Each(0));
+  EXPECT_THAT(EncodeRemote(robot::RemoteReading{}), Each(0));
 }
 
 TEST(RemoteCodecTest, PutsKeysAndSticksWhereTheVendorReadsThem) {
@@ -45,4 +45,4 @@ TEST(RemoteCodecTest, TellsTheSameOnItsOwnTopic) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

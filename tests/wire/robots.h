@@ -5,13 +5,13 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::wire {
 
 // Three motors, two feet, eight cells.
-inline RobotSpec GoRobot() {
-  RobotSpec spec;
+inline robot::RobotSpec GoRobot() {
+  robot::RobotSpec spec;
   spec.name = "go";
-  spec.family = WireFamily::kGo;
+  spec.family = robot::WireFamily::kGo;
   spec.motors = {{.joint = "a", .slot = 1}, {.joint = "b", .slot = 4}, {.joint = "c", .slot = 19}};
   spec.feet = {{.name = "FR", .geoms = {}}, {.name = "FL", .geoms = {}}};
   spec.foot_sensor = {.offset_counts = 15, .counts_per_newton = 0.5};
@@ -21,10 +21,10 @@ inline RobotSpec GoRobot() {
 
 // Four motors of which "roll" (index 1) and "pitch" (index 2) are a parallel pair; 13 cells, two
 // inertial units.
-inline RobotSpec HgRobot() {
-  RobotSpec spec;
+inline robot::RobotSpec HgRobot() {
+  robot::RobotSpec spec;
   spec.name = "hg";
-  spec.family = WireFamily::kHg;
+  spec.family = robot::WireFamily::kHg;
   spec.mode_machine = 5;
   spec.motors = {{.joint = "knee", .slot = 2},
                  {.joint = "roll", .slot = 4},
@@ -36,17 +36,17 @@ inline RobotSpec HgRobot() {
   return spec;
 }
 
-inline RobotState StateOf(const RobotSpec& spec) {
-  RobotState state;
+inline robot::RobotState StateOf(const robot::RobotSpec& spec) {
+  robot::RobotState state;
   state.motors.resize(spec.motors.size());
   state.foot_force.resize(spec.feet.size());
   return state;
 }
 
-inline RobotCommand CommandOf(const RobotSpec& spec) {
-  return {.motors = std::vector<MotorCommand>(spec.motors.size())};
+inline robot::RobotCommand CommandOf(const robot::RobotSpec& spec) {
+  return {.motors = std::vector<robot::MotorCommand>(spec.motors.size())};
 }
 
-}  // namespace understudy
+}  // namespace understudy::wire
 
 #endif  // UNDERSTUDY_TESTS_WIRE_ROBOTS_H_

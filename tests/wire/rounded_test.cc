@@ -6,7 +6,7 @@
 
 #include <gmock/gmock.h>
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 TEST(RoundedTest, RoundsToTheNearest) {
@@ -29,4 +29,4 @@ TEST(RoundedTest, StaysWithinItsBounds) {
 TEST(RoundedTest, MakesTheLowestOfNaN) { EXPECT_EQ(Rounded<std::int16_t>(std::nan(""), 7, 9), 7); }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -6,7 +6,7 @@
 #include "idl/unitree_go.h"
 #include "tests/wire/robots.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using Message = unitree_go_msg_dds__LowCmd_;
@@ -17,37 +17,37 @@ TEST(SlotsTest, AcceptARobotThatFits) {
 }
 
 TEST(SlotsTest, RefuseAMotorBeyondTheLast) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.motors[2].slot = 20;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
 
 TEST(SlotsTest, RefuseMotorsOutOfOrder) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.motors[1].slot = 0;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
 
 TEST(SlotsTest, RefuseTwoMotorsInOneSlot) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.motors[1].slot = spec.motors[0].slot;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
 
 TEST(SlotsTest, RefuseANegativeSlot) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.motors[0].slot = -1;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
 
 TEST(SlotsTest, RefuseABatteryOfTooManyCells) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.battery.cells = 16;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
 
 TEST(SlotsTest, RefuseABatteryWithoutCells) {
-  RobotSpec spec = GoRobot();
+  robot::RobotSpec spec = GoRobot();
   spec.battery.cells = 0;
   EXPECT_THROW(CheckFits(spec, kGoMotorSlots, kGoCells), ModelError);
 }
@@ -58,7 +58,7 @@ TEST(UnusedSlotCommandsTest, AreNoneInAnEmptyMessage) {
 
 TEST(UnusedSlotCommandsTest, DoNotCountSlotsWithAMotor) {
   Message message{};
-  for (const MotorSpec& motor : GoRobot().motors) message.motor_cmd[motor.slot].kp = 1;
+  for (const robot::MotorSpec& motor : GoRobot().motors) message.motor_cmd[motor.slot].kp = 1;
   EXPECT_EQ(UnusedSlotCommands(message, GoRobot()), 0);
 }
 
@@ -74,4 +74,4 @@ TEST(UnusedSlotCommandsTest, CountGainsAndTorqueButNotModePositionAndRate) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

@@ -9,7 +9,7 @@
 #include "tests/support/eventually.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::wire {
 namespace {
 
 using ::testing::IsEmpty;
@@ -25,7 +25,7 @@ class Stranger {
         writer_(dds_create_writer(participant_.handle(), MakeTopic(type), nullptr, nullptr),
                 "create the stranger's writer") {}
 
-  ParticipantKey key() const {
+  bus::ParticipantKey key() const {
     dds_guid_t guid{};
     dds_get_guid(participant_.handle(), &guid);
     return std::to_array(guid.v);
@@ -40,7 +40,7 @@ class Stranger {
     return dds_create_topic(participant_.handle(), type, "rt/lowstate", nullptr, nullptr);
   }
 
-  Entity participant_, writer_;
+  bus::Entity participant_, writer_;
 };
 
 const unitree_go_msg_dds__LowState_ kGoState{};
@@ -49,15 +49,16 @@ const unitree_hg_msg_dds__LowState_ kHgState{};
 // Polls until `count` strangers have appeared.
 void AwaitStrangers(StrangerWatch* watch, std::size_t count) {
   std::size_t appeared = 0;
-  ASSERT_TRUE(Eventually([&] { return (appeared += watch->Poll().appeared.size()) == count; }));
+  ASSERT_TRUE(
+      test::Eventually([&] { return (appeared += watch->Poll().appeared.size()) == count; }));
 }
 
 // Polls while the stranger speaks until somebody is heard for the first time.
 template <typename Msg>
-std::vector<Neighbour> AwaitSpeech(StrangerWatch* watch, const Stranger& stranger,
-                                   const Msg& message) {
-  std::vector<Neighbour> spoke;
-  Eventually([&] {
+std::vector<bus::Neighbour> AwaitSpeech(StrangerWatch* watch, const Stranger& stranger,
+                                        const Msg& message) {
+  std::vector<bus::Neighbour> spoke;
+  test::Eventually([&] {
     stranger.Say(message);
     spoke = watch->Poll().spoke;
     return !spoke.empty();
@@ -66,8 +67,8 @@ std::vector<Neighbour> AwaitSpeech(StrangerWatch* watch, const Stranger& strange
 }
 
 TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
-  const Participant ours("lo", 171);
-  Writer<unitree_go_msg_dds__LowState_> writer(ours, kGoLowState);
+  const bus::Participant ours("lo", 171);
+  bus::Writer<unitree_go_msg_dds__LowState_> writer(ours, kGoLowState);
   StrangerWatch watch(ours);
   ASSERT_TRUE(writer.Write(kGoState));
   const StrangerWatch::News news = watch.Poll();
@@ -78,7 +79,7 @@ TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
 }
 
 TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
-  const Participant ours("lo", 172);
+  const bus::Participant ours("lo", 172);
   StrangerWatch watch(ours);
   const Stranger stranger(172, kGoLowState.descriptor);
   AwaitStrangers(&watch, 1);
@@ -88,13 +89,13 @@ TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
 }
 
 TEST(StrangerWatchTest, NamesTheOneThatSpeaksAmongSeveral) {
-  const Participant ours("lo", 173);
+  const bus::Participant ours("lo", 173);
   StrangerWatch watch(ours);
   const Stranger first(173, kGoLowState.descriptor), second(173, kHgLowState.descriptor),
       third(173, kGoLowState.descriptor);
   AwaitStrangers(&watch, 3);
 
-  const std::vector<Neighbour> spoke = AwaitSpeech(&watch, second, kHgState);
+  const std::vector<bus::Neighbour> spoke = AwaitSpeech(&watch, second, kHgState);
 
   ASSERT_THAT(spoke, SizeIs(1));
   EXPECT_EQ(spoke.front().participant, second.key());
@@ -104,14 +105,14 @@ TEST(StrangerWatchTest, NamesTheOneThatSpeaksAmongSeveral) {
 }
 
 TEST(StrangerWatchTest, TellsOfASecondSpeakerWhileTheFirstGoesOn) {
-  const Participant ours("lo", 174);
+  const bus::Participant ours("lo", 174);
   StrangerWatch watch(ours);
   const Stranger first(174, kGoLowState.descriptor), second(174, kGoLowState.descriptor);
   AwaitStrangers(&watch, 2);
   ASSERT_THAT(AwaitSpeech(&watch, first, kGoState), SizeIs(1));
   for (int i = 0; i < 10; ++i) first.Say(kGoState);
 
-  const std::vector<Neighbour> spoke = AwaitSpeech(&watch, second, kGoState);
+  const std::vector<bus::Neighbour> spoke = AwaitSpeech(&watch, second, kGoState);
 
   ASSERT_THAT(spoke, SizeIs(1));
   EXPECT_EQ(spoke.front().participant, second.key());
@@ -119,26 +120,26 @@ TEST(StrangerWatchTest, TellsOfASecondSpeakerWhileTheFirstGoesOn) {
 }
 
 TEST(StrangerWatchTest, ForgetsASpeakerThatHasGone) {
-  const Participant ours("lo", 175);
+  const bus::Participant ours("lo", 175);
   StrangerWatch watch(ours);
   std::optional<Stranger> stranger;
   stranger.emplace(175, kGoLowState.descriptor);
   AwaitStrangers(&watch, 1);
   ASSERT_THAT(AwaitSpeech(&watch, *stranger, kGoState), SizeIs(1));
   stranger.reset();
-  EXPECT_TRUE(Eventually([&] {
+  EXPECT_TRUE(test::Eventually([&] {
     watch.Poll();
     return watch.speaking().empty();
   }));
 }
 
 TEST(StrangersTest, AreDescribedOneByOne) {
-  const Neighbour one{.process = "a", .pid = "1"}, two{.process = "b", .pid = "2"};
-  EXPECT_EQ(Describe(std::vector<Neighbour>{}), "");
+  const bus::Neighbour one{.process = "a", .pid = "1"}, two{.process = "b", .pid = "2"};
+  EXPECT_EQ(Describe(std::vector<bus::Neighbour>{}), "");
   EXPECT_EQ(Describe(std::vector{one}), "process 1 (a)");
   EXPECT_EQ(Describe(std::vector{one, two}), "process 1 (a) and process 2 (b)");
   EXPECT_EQ(Describe(std::vector{one, two, one}), "process 1 (a), process 2 (b) and process 1 (a)");
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::wire

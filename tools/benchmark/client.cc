@@ -6,21 +6,21 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 
-namespace understudy {
+namespace understudy::bench {
 namespace {
 
 constexpr std::chrono::seconds kLong(1);
 
 template <typename Family>
-[[noreturn]] void Echo(const Participant& participant) {
+[[noreturn]] void Echo(const bus::Participant& participant) {
   using LowCmd = typename Family::LowCmd;
   using LowState = typename Family::LowState;
   WaitingReader<LowCmd> pings(participant, {"bench/ping", Family::kLowCmd.descriptor});
-  Writer<LowState> pongs(participant, {"bench/pong", Family::kLowState.descriptor});
+  bus::Writer<LowState> pongs(participant, {"bench/pong", Family::kLowState.descriptor});
   LowState pong{};
   while (true) {
     pings.Wait(kLong);
-    pings.Take([&](const LowCmd& ping, WriterHandle) {
+    pings.Take([&](const LowCmd& ping, bus::WriterHandle) {
       pong.tick = ping.crc;
       pongs.Write(pong);
     });
@@ -28,12 +28,12 @@ template <typename Family>
 }
 
 template <typename Family>
-[[noreturn]] void Listen(const Participant& participant) {
+[[noreturn]] void Listen(const bus::Participant& participant) {
   using LowState = typename Family::LowState;
   WaitingReader<LowState> states(participant, Family::kLowState);
   while (true) {
     states.Wait(kLong);
-    states.Take([](const LowState&, WriterHandle) {});
+    states.Take([](const LowState&, bus::WriterHandle) {});
   }
 }
 
@@ -44,10 +44,11 @@ std::vector<std::string> HelperArguments(const std::string& helper, const std::s
 }
 
 void RunHelper(const std::string& helper, const std::string& robot) {
-  const bool go = LoadConfig({.robot = robot}, DataDir()).robot.family == WireFamily::kGo;
-  const Participant participant("lo", 0);
+  const bool go = config::LoadConfig({.robot = robot}, config::DataDir()).robot.family ==
+                  robot::WireFamily::kGo;
+  const bus::Participant participant("lo", 0);
   if (helper == "listen") go ? Listen<GoFamily>(participant) : Listen<HgFamily>(participant);
   go ? Echo<GoFamily>(participant) : Echo<HgFamily>(participant);
 }
 
-}  // namespace understudy
+}  // namespace understudy::bench

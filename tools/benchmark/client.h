@@ -12,28 +12,28 @@
 #include "bus/reader.h"
 #include "wire/topics.h"
 
-namespace understudy {
+namespace understudy::bench {
 
 // What the two wire families call the same thing.
 struct GoFamily {
   using LowCmd = unitree_go_msg_dds__LowCmd_;
   using LowState = unitree_go_msg_dds__LowState_;
-  static constexpr const Topic<LowCmd>& kLowCmd = kGoLowCmd;
-  static constexpr const Topic<LowState>& kLowState = kGoLowState;
+  static constexpr const bus::Topic<LowCmd>& kLowCmd = wire::kGoLowCmd;
+  static constexpr const bus::Topic<LowState>& kLowState = wire::kGoLowState;
 };
 struct HgFamily {
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
   using LowState = unitree_hg_msg_dds__LowState_;
-  static constexpr const Topic<LowCmd>& kLowCmd = kHgLowCmd;
-  static constexpr const Topic<LowState>& kLowState = kHgLowState;
+  static constexpr const bus::Topic<LowCmd>& kLowCmd = wire::kHgLowCmd;
+  static constexpr const bus::Topic<LowState>& kLowState = wire::kHgLowState;
 };
 
 // A reader that sleeps until something has come, as the vendor's clients do.
 template <typename Msg>
-class WaitingReader : public Reader<Msg> {
+class WaitingReader : public bus::Reader<Msg> {
  public:
-  WaitingReader(const Participant& participant, const Topic<Msg>& topic)
-      : Reader<Msg>(participant, topic),
+  WaitingReader(const bus::Participant& participant, const bus::Topic<Msg>& topic)
+      : bus::Reader<Msg>(participant, topic),
         condition_(dds_create_readcondition(this->handle(), DDS_ANY_STATE), "wait for a message"),
         waitset_(dds_create_waitset(participant.handle()), "wait for a message") {
     dds_waitset_attach(waitset_.handle(), condition_.handle(), 0);
@@ -45,7 +45,7 @@ class WaitingReader : public Reader<Msg> {
   }
 
  private:
-  Entity condition_, waitset_;
+  bus::Entity condition_, waitset_;
 };
 
 // The command line that starts this program as a helper of itself: "echo" or "listen".
@@ -55,6 +55,6 @@ std::vector<std::string> HelperArguments(const std::string& helper, const std::s
 // LowState on bench/pong. Listen reads rt/lowstate.
 [[noreturn]] void RunHelper(const std::string& helper, const std::string& robot);
 
-}  // namespace understudy
+}  // namespace understudy::bench
 
 #endif  // UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_

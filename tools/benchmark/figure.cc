@@ -6,7 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace understudy {
+namespace understudy::bench {
 
 bool Figure::Met() const {
   if (!bound) return true;
@@ -66,4 +66,4 @@ std::string Json(const std::vector<Figure>& figures) {
   return nlohmann::ordered_json{{"figures", rows}}.dump() + "\n";
 }
 
-}  // namespace understudy
+}  // namespace understudy::bench

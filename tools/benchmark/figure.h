@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace understudy {
+namespace understudy::bench {
 
 enum class Wanted { kAtLeast, kAtMost };
 
@@ -30,6 +30,6 @@ double Percentile(std::vector<double> values, double p);
 std::string Table(const std::vector<Figure>& figures);
 std::string Json(const std::vector<Figure>& figures);  // one object, in one line
 
-}  // namespace understudy
+}  // namespace understudy::bench
 
 #endif  // UNDERSTUDY_TOOLS_BENCHMARK_FIGURE_H_

@@ -14,7 +14,7 @@
 #include "process.h"
 #include "wire/message_crc.h"
 
-namespace understudy {
+namespace understudy::bench {
 namespace {
 
 using Clock = std::chrono::steady_clock;
@@ -49,7 +49,7 @@ std::optional<Clock::time_point> Await(WaitingReader<Msg>* reader, milliseconds 
   while (Clock::now() < until) {
     if (!reader->Wait(until - Clock::now())) continue;
     bool seen = false;
-    reader->Take([&](const Msg& message, WriterHandle) { seen = seen || matches(message); });
+    reader->Take([&](const Msg& message, bus::WriterHandle) { seen = seen || matches(message); });
     if (seen) return Clock::now();
   }
   return std::nullopt;
@@ -58,14 +58,14 @@ std::optional<Clock::time_point> Await(WaitingReader<Msg>* reader, milliseconds 
 template <typename Family>
 class Probe {
  public:
-  Probe(const Participant& participant, const RobotSpec& spec)
+  Probe(const bus::Participant& participant, const robot::RobotSpec& spec)
       : slot_(static_cast<std::size_t>(spec.motors[0].slot)),
         commands_(participant, Family::kLowCmd),
         states_(participant, Family::kLowState),
         pings_(participant, {"bench/ping", Family::kLowCmd.descriptor}),
         pongs_(participant, {"bench/pong", Family::kLowState.descriptor}) {
     PrepareCommand(spec.mode_machine, &command_);
-    for (const MotorSpec& motor : spec.motors) {
+    for (const robot::MotorSpec& motor : spec.motors) {
       auto& wire = command_.motor_cmd[motor.slot];
       wire.mode = 1;
       wire.kd = 1;
@@ -75,7 +75,7 @@ class Probe {
   // µs from write to seen, nullopt when lost.
   std::optional<double> Command() {
     command_.motor_cmd[slot_].tau = static_cast<float>(tau_ = -tau_);
-    command_.crc = MessageCrc(command_);
+    command_.crc = wire::MessageCrc(command_);
     const Clock::time_point start = Clock::now();
     commands_.Write(command_);
     const auto seen = Await(&states_, kLost, [this](const auto& state) {
@@ -98,17 +98,18 @@ class Probe {
   double tau_ = kTau;
   std::uint32_t ping_ = 0;
   typename Family::LowCmd command_{};
-  Writer<typename Family::LowCmd> commands_;
+  bus::Writer<typename Family::LowCmd> commands_;
   WaitingReader<typename Family::LowState> states_;
-  Writer<typename Family::LowCmd> pings_;
+  bus::Writer<typename Family::LowCmd> pings_;
   WaitingReader<typename Family::LowState> pongs_;
 };
 
 template <typename Family>
-std::vector<Figure> Latency(const std::string& understudy, const RobotSpec& robot, int samples) {
+std::vector<Figure> Latency(const std::string& understudy, const robot::RobotSpec& robot,
+                            int samples) {
   const Daemon daemon(understudy, robot.name, {});
   const Process echo(HelperArguments("echo", robot.name));
-  const Participant participant("lo", 0);
+  const bus::Participant participant("lo", 0);
   Probe<Family> probe(participant, robot);
   daemon.AwaitReady();
   const Clock::time_point until = Clock::now() + kPatience;
@@ -144,8 +145,8 @@ std::vector<Figure> Latency(const std::string& understudy, const RobotSpec& robo
 }
 
 template <typename Family>
-Figure Start(const std::string& understudy, const RobotSpec& robot, int rounds) {
-  const Participant participant("lo", 0);
+Figure Start(const std::string& understudy, const robot::RobotSpec& robot, int rounds) {
+  const bus::Participant participant("lo", 0);
   WaitingReader<typename Family::LowState> states(participant, Family::kLowState);
   std::vector<double> times;
   for (int round = 0; round < rounds; ++round) {
@@ -166,15 +167,15 @@ Figure Start(const std::string& understudy, const RobotSpec& robot, int rounds) 
 
 std::vector<Figure> MeasureLatency(const std::string& understudy, const std::string& robot,
                                    int samples) {
-  const RobotSpec spec = LoadConfig({.robot = robot}, DataDir()).robot;
-  return spec.family == WireFamily::kGo ? Latency<GoFamily>(understudy, spec, samples)
-                                        : Latency<HgFamily>(understudy, spec, samples);
+  const robot::RobotSpec spec = config::LoadConfig({.robot = robot}, config::DataDir()).robot;
+  return spec.family == robot::WireFamily::kGo ? Latency<GoFamily>(understudy, spec, samples)
+                                               : Latency<HgFamily>(understudy, spec, samples);
 }
 
 Figure MeasureStart(const std::string& understudy, const std::string& robot, int rounds) {
-  const RobotSpec spec = LoadConfig({.robot = robot}, DataDir()).robot;
-  return spec.family == WireFamily::kGo ? Start<GoFamily>(understudy, spec, rounds)
-                                        : Start<HgFamily>(understudy, spec, rounds);
+  const robot::RobotSpec spec = config::LoadConfig({.robot = robot}, config::DataDir()).robot;
+  return spec.family == robot::WireFamily::kGo ? Start<GoFamily>(understudy, spec, rounds)
+                                               : Start<HgFamily>(understudy, spec, rounds);
 }
 
 std::vector<Figure> MeasureMemory(const std::string& understudy, const std::string& robot,
@@ -191,4 +192,4 @@ std::vector<Figure> MeasureMemory(const std::string& understudy, const std::stri
            .bound = kWantedMemory}};
 }
 
-}  // namespace understudy
+}  // namespace understudy::bench

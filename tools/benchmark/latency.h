@@ -7,7 +7,7 @@
 
 #include "figure.h"
 
-namespace understudy {
+namespace understudy::bench {
 
 // From a write of rt/lowcmd to the first rt/lowstate that shows its torque, at a client, `samples`
 // times at random phases of the robot's period; in turns with the round trip of the same messages
@@ -23,6 +23,6 @@ Figure MeasureStart(const std::string& understudy, const std::string& robot, int
 std::vector<Figure> MeasureMemory(const std::string& understudy, const std::string& robot,
                                   double seconds);
 
-}  // namespace understudy
+}  // namespace understudy::bench
 
 #endif  // UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_

@@ -16,7 +16,7 @@
 #include "latency.h"
 #include "stepping.h"
 
-namespace understudy {
+namespace understudy::bench {
 namespace {
 
 struct Effort {
@@ -59,7 +59,7 @@ int Main(int argc, char** argv) {
   }
   if (!helper.empty()) RunHelper(helper, helper_robot);
 
-  EnterPrivateNetwork();
+  exec::EnterPrivateNetwork();
   const Effort effort = brief ? kBrief : Effort{};
   std::vector<Figure> figures;
   const auto add = [&figures](const std::vector<Figure>& more) {
@@ -74,7 +74,7 @@ int Main(int argc, char** argv) {
     add(MeasureLatency(understudy, one.robot, effort.samples));
     add(MeasureMemory(understudy, one.robot, effort.memory_after));
   }
-  for (const std::string& robot : RobotNames(DataDir())) {
+  for (const std::string& robot : config::RobotNames(config::DataDir())) {
     figures.push_back(MeasureStart(understudy, robot, effort.starts));
   }
   std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);
@@ -82,11 +82,11 @@ int Main(int argc, char** argv) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::bench
 
 int main(int argc, char** argv) {
   try {
-    return understudy::Main(argc, argv);
+    return understudy::bench::Main(argc, argv);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "bench: %s\n", error.what());
     return 1;

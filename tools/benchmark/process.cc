@@ -18,7 +18,7 @@
 #include "client/client.h"
 #include "client/control_folder.h"
 
-namespace understudy {
+namespace understudy::bench {
 namespace {
 
 using std::chrono::milliseconds;
@@ -27,7 +27,7 @@ constexpr milliseconds kPatience(20'000);
 constexpr milliseconds kReplyPatience(5'000);
 
 nlohmann::json StatusAt(const std::filesystem::path& socket) {
-  return nlohmann::json::parse(Call(socket, "GET", "/status", "", kReplyPatience).body);
+  return nlohmann::json::parse(client::Call(socket, "GET", "/status", "", kReplyPatience).body);
 }
 
 pid_t Start(const std::vector<std::string>& arguments) {
@@ -92,8 +92,8 @@ double Process::Megabytes(const std::string& key) const {
 
 Daemon::Daemon(const std::string& understudy, const std::string& robot,
                const std::vector<std::string>& options)
-    : socket_(ControlSocket(DefaultName("bench"))),
-      process_(RunArguments(understudy, robot, DefaultName("bench"), options)) {}
+    : socket_(client::ControlSocket(client::DefaultName("bench"))),
+      process_(RunArguments(understudy, robot, client::DefaultName("bench"), options)) {}
 
 void Daemon::AwaitReady() const {
   const auto until = std::chrono::steady_clock::now() + kPatience;
@@ -109,4 +109,4 @@ void Daemon::AwaitReady() const {
 
 std::int64_t Daemon::Steps() const { return StatusAt(socket_).at("steps").get<std::int64_t>(); }
 
-}  // namespace understudy
+}  // namespace understudy::bench

@@ -9,7 +9,7 @@
 
 #include <sys/types.h>
 
-namespace understudy {
+namespace understudy::bench {
 
 // A child that is silent and ends with this object.
 class Process {
@@ -54,6 +54,6 @@ class Daemon {
   Process process_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::bench
 
 #endif  // UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_

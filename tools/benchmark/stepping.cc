@@ -14,7 +14,7 @@
 #include "physics/world_model.h"
 #include "process.h"
 
-namespace understudy {
+namespace understudy::bench {
 namespace {
 
 using Wall = std::chrono::steady_clock;
@@ -36,20 +36,20 @@ struct Speed {
 // MuJoCo and nothing else.
 class BareLoop {
  public:
-  explicit BareLoop(const Config& config)
-      : model_(LoadWorldModel(config.robot, ModelFile(config.robot),
-                              SceneFile(config.scene, config.terrain).path(),
-                              config.physics.timestep)),
+  explicit BareLoop(const config::Config& config)
+      : model_(physics::LoadWorldModel(config.robot, config::ModelFile(config.robot),
+                                       config::SceneFile(config.scene, config.terrain).path(),
+                                       config.physics.timestep)),
         data_(mj_makeData(model_.get())),
         crane_(config.crane),
         hangs_(config.start.pose == "hanging"),
         damping_(config.gate.damping_kd),
         body_(mj_name2id(model_.get(), mjOBJ_BODY, config.robot.crane_body.c_str())),
         hook_(config.robot.crane_point.data()) {
-    const RobotSpec& robot = config.robot;
-    const PoseSpec& pose = hangs_ ? robot.hanging : robot.standing;
+    const robot::RobotSpec& robot = config.robot;
+    const robot::PoseSpec& pose = hangs_ ? robot.hanging : robot.standing;
     for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-      const MotorSpec& motor = robot.motors[i];
+      const robot::MotorSpec& motor = robot.motors[i];
       const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
       joints_.push_back({.q = model_->jnt_qposadr[joint],
                          .dq = model_->jnt_dofadr[joint],
@@ -97,7 +97,7 @@ class BareLoop {
           joint.kp * (joint.wanted - data_->qpos[joint.q]) - joint.kd * data_->qvel[joint.dq];
     }
     if (hangs_) {
-      const PointReading hook = Hook();
+      const physics::PointReading hook = Hook();
       const Eigen::Vector3d force = crane_.Step(hook, model_->opt.timestep);
       const Eigen::Map<const Eigen::Vector3d> centre(data_->xipos + 3 * body_);
       const Eigen::Vector3d torque = (hook.p_WP - centre).cross(force);
@@ -107,7 +107,7 @@ class BareLoop {
     mj_step2(model_.get(), data_.get());
   }
 
-  PointReading Hook() const {
+  physics::PointReading Hook() const {
     const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(data_->xmat +
                                                                               9 * body_);
     const Eigen::Vector3d offset = R_WB * hook_;
@@ -118,9 +118,9 @@ class BareLoop {
                       Eigen::Vector3d(v[0], v[1], v[2]).cross(offset)};
   }
 
-  ModelHandle model_;
-  DataHandle data_;
-  Crane crane_;
+  mjcf::ModelHandle model_;
+  mjcf::DataHandle data_;
+  physics::Crane crane_;
   bool hangs_;
   double damping_;
   int body_;
@@ -147,7 +147,8 @@ Speed Run(const Daemon& daemon, double window) {
 std::vector<Figure> MeasureStepping(const std::string& understudy, const std::string& robot,
                                     const std::string& start, bool listener, int rounds,
                                     double window) {
-  const Config config = LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, DataDir());
+  const config::Config config =
+      config::LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, config::DataDir());
   BareLoop bare(config);
   std::optional<Process> client;
   if (listener) client.emplace(HelperArguments("listen", robot));
@@ -185,4 +186,4 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const std::st
   return figures;
 }
 
-}  // namespace understudy
+}  // namespace understudy::bench

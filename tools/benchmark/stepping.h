@@ -7,7 +7,7 @@
 
 #include "figure.h"
 
-namespace understudy {
+namespace understudy::bench {
 
 // The real program, headless at --speed max and publishing on DDS, beside a loop of nothing but
 // mj_step1, the torques that hold the same pose, and mj_step2: same compiled model, scene and
@@ -18,6 +18,6 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const std::st
                                     const std::string& start, bool listener, int rounds,
                                     double window);
 
-}  // namespace understudy
+}  // namespace understudy::bench
 
 #endif  // UNDERSTUDY_TOOLS_BENCHMARK_STEPPING_H_

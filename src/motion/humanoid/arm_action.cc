@@ -4,7 +4,7 @@
 #include <limits>
 #include <string>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr double kLongestHold = 20;  // s: unitree_sdk2 g1_arm_action_client.hpp
@@ -12,7 +12,7 @@ constexpr double kLetDown = 1.4;     // s, assumed
 
 }  // namespace
 
-ArmActionPlayer::ArmActionPlayer(const RobotSpec& spec, const BodyModel& body) {
+ArmActionPlayer::ArmActionPlayer(const robot::RobotSpec& spec, const BodyModel& body) {
   constexpr double kFar = std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     for (std::size_t joint = 0; joint < kArmJoints; ++joint) {
@@ -33,23 +33,25 @@ ArmActionPlayer::ArmActionPlayer(const RobotSpec& spec, const BodyModel& body) {
   Reset();
 }
 
-MotionVerdict ArmActionPlayer::Begin(int id) {
+authority::MotionVerdict ArmActionPlayer::Begin(int id) {
   const ArmAction* action = FindArmAction(id);
   if (id != kReleaseArms && action == nullptr) {
-    return IsUnplayedArmAction(id) ? MotionVerdict::kUnable : MotionVerdict::kUnknown;
+    return IsUnplayedArmAction(id) ? authority::MotionVerdict::kUnable
+                                   : authority::MotionVerdict::kUnknown;
   }
   if (action_ != nullptr) {
-    if (!holding_ || (id != kReleaseArms && id != action_->id)) return MotionVerdict::kNotNow;
+    if (!holding_ || (id != kReleaseArms && id != action_->id))
+      return authority::MotionVerdict::kNotNow;
     Release();
-    return MotionVerdict::kTaken;
+    return authority::MotionVerdict::kTaken;
   }
-  if (id == kReleaseArms) return MotionVerdict::kTaken;
+  if (id == kReleaseArms) return authority::MotionVerdict::kTaken;
   action_ = action;
   next_key_ = 1;
   holding_ = releasing_ = false;
   held_ = 0;
   GoTo(action->keys.front());
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
 void ArmActionPlayer::Release() {
@@ -93,4 +95,4 @@ void ArmActionPlayer::GoTo(const ArmKey& key) {
   move_.Begin(from_, to_, key.duration);
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

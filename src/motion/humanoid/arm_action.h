@@ -11,7 +11,7 @@
 #include "motion/joint_move.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Where the arms are to be, over what the robot stands with. Joints that a robot lacks are left
 // out; angles stop at the joints' range. Allocates in the constructor only.
@@ -19,11 +19,11 @@ class ArmActionPlayer {
  public:
   // The arms of `spec.standing` are where they rest. The ranges are read from `body`, which is not
   // kept.
-  ArmActionPlayer(const RobotSpec& spec, const BodyModel& body);
+  ArmActionPlayer(const robot::RobotSpec& spec, const BodyModel& body);
 
   // Begins the vendor's action `id`, or says why not: kNotNow while another one is under way or
   // held, kUnknown, kUnable. 99 and the number of what is held let the arms down.
-  MotionVerdict Begin(int id);
+  authority::MotionVerdict Begin(int id);
   void Release();  // lets the arms down from wherever they are
   void Reset();    // at rest, at once
 
@@ -57,6 +57,6 @@ class ArmActionPlayer {
   double held_ = 0;  // s
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_ARM_ACTION_H_

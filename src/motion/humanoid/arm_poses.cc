@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 // Every angle and time here is assumed: our own idea of the gesture that the vendor names
@@ -98,4 +98,4 @@ bool IsUnplayedArmAction(int id) {
   return std::find(std::begin(kUnplayed), std::end(kUnplayed), id) != std::end(kUnplayed);
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

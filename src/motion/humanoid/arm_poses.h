@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-namespace understudy {
+namespace understudy::motion {
 
 inline constexpr std::size_t kArmJoints = 7;
 
@@ -45,6 +45,6 @@ const ArmAction* FindArmAction(int id);
 // What the vendor's robots have beyond that: a turn of the body, and gestures nobody describes.
 bool IsUnplayedArmAction(int id);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_ARM_POSES_H_

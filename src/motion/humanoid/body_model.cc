@@ -7,7 +7,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Rotation = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>;
@@ -75,7 +75,7 @@ void AddGeom(const mjModel& model, const mjData& data, int geom, SoleExtent* sol
 
 }  // namespace
 
-BodyModel::BodyModel(const mjModel& model, const RobotSpec& spec)
+BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
     : model_(model),
       data_(mj_makeData(&model)),
       base_body_(mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str())),
@@ -88,7 +88,7 @@ BodyModel::BodyModel(const mjModel& model, const RobotSpec& spec)
       carried_com_(static_cast<std::size_t>(model.nbody), Eigen::Vector3d::Zero()) {
   if (spec.feet.empty()) throw ModelError(spec.name + ": no feet to stand on (feet)");
   std::copy_n(model.body_subtreemass, model.nbody, carried_mass_.begin());
-  for (const MotorSpec& motor : spec.motors) {
+  for (const robot::MotorSpec& motor : spec.motors) {
     Joint joint;
     joint.id = mj_name2id(&model, mjOBJ_JOINT, motor.joint.c_str());
     joint.q_address = model.jnt_qposadr[joint.id];
@@ -106,14 +106,14 @@ BodyModel::BodyModel(const mjModel& model, const RobotSpec& spec)
   for (std::size_t i = 0; i < feet_.size(); ++i) FindSole(spec, i);
   FindInertia();
   const std::vector<double> zero(spec.motors.size());
-  ImuReading upright;
+  robot::ImuReading upright;
   upright.R_WI =
       Eigen::Quaterniond(Eigen::Matrix3d(Rotation(data_->xmat + 9 * base_body_).transpose() *
                                          Rotation(data_->site_xmat + 9 * imu_site_)));
   Update(zero, zero, upright);
 }
 
-void BodyModel::FindSole(const RobotSpec& spec, std::size_t foot) {
+void BodyModel::FindSole(const robot::RobotSpec& spec, std::size_t foot) {
   SoleExtent extent;
   Foot& f = feet_[foot];
   for (const std::string& name : spec.feet[foot].geoms) {
@@ -187,7 +187,7 @@ void BodyModel::ReadPlaces() {
 }
 
 void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
-                       const ImuReading& imu) {
+                       const robot::ImuReading& imu) {
   for (std::size_t i = 0; i < joints_.size(); ++i) data_->qpos[joints_[i].q_address] = q[i];
   mj_kinematics(&model_, data_.get());
   const Rotation R_WB(data_->xmat + 9 * base_body_);
@@ -251,4 +251,4 @@ void BodyModel::AddGroundReaction(std::size_t foot, const Eigen::Vector3d& force
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -10,7 +10,7 @@
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // The underside of a foot: a rectangle.
 struct Sole {
@@ -30,11 +30,11 @@ class BodyModel {
   // `model`, as LoadWorldModel makes it with the same spec, must outlive the body model. Soles are
   // flat in the pose whose joint angles are all 0: true of every humanoid whose description is
   // here. Throws ModelError when the spec has no feet or one has no geoms in the model.
-  BodyModel(const mjModel& model, const RobotSpec& spec);
+  BodyModel(const mjModel& model, const robot::RobotSpec& spec);
 
   // Angles [rad] and rates [rad/s] in motor order and LowState's unit, all of one instant.
   // Everything below is of that instant; before the first call, of joint angles 0 and upright.
-  void Update(std::span<const double> q, std::span<const double> dq, const ImuReading& imu);
+  void Update(std::span<const double> q, std::span<const double> dq, const robot::ImuReading& imu);
 
   double motor_period() const { return model_.opt.timestep; }     // s, of the motor law
   double mass() const { return mass_; }                           // kg
@@ -85,12 +85,12 @@ class BodyModel {
   };
 
   void ReadPlaces();
-  void FindSole(const RobotSpec& spec, std::size_t foot);
+  void FindSole(const robot::RobotSpec& spec, std::size_t foot);
   void FindInertia();
   bool IsBelow(int body, int ancestor) const;
 
   const mjModel& model_;
-  DataHandle data_;
+  mjcf::DataHandle data_;
   int base_body_ = 0;
   int imu_site_ = 0;
   double mass_ = 0;
@@ -105,6 +105,6 @@ class BodyModel {
   Eigen::Vector3d p_OC_{0, 0, 0}, v_OC_{0, 0, 0}, p_OB_{0, 0, 0}, v_OB_{0, 0, 0};
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_BODY_MODEL_H_

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 bool Has(const std::vector<double>& ids, int id) {
@@ -11,7 +11,7 @@ bool Has(const std::vector<double>& ids, int id) {
 
 }  // namespace
 
-HumanoidStance StanceOf(const HumanoidMotionSpec& spec, int id) {
+HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id) {
   if (id == kZeroTorqueId) return HumanoidStance::kZeroTorque;
   if (id == kDampingId) return HumanoidStance::kDamping;
   if (id < 0) return HumanoidStance::kNone;
@@ -20,22 +20,23 @@ HumanoidStance StanceOf(const HumanoidMotionSpec& spec, int id) {
   return Has(spec.unplayed, id) ? HumanoidStance::kUnplayed : HumanoidStance::kNone;
 }
 
-MotionVerdict MayGo(const HumanoidMotionSpec& spec, int from, int to, bool moving) {
+authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, int to,
+                               bool moving) {
   const HumanoidStance stance = StanceOf(spec, from);
   const HumanoidStance wanted = StanceOf(spec, to);
-  if (wanted == HumanoidStance::kNone) return MotionVerdict::kUnknown;
-  if (wanted == HumanoidStance::kDamping) return MotionVerdict::kTaken;
+  if (wanted == HumanoidStance::kNone) return authority::MotionVerdict::kUnknown;
+  if (wanted == HumanoidStance::kDamping) return authority::MotionVerdict::kTaken;
   const auto taken_if = [](bool legal) {
-    return legal ? MotionVerdict::kTaken : MotionVerdict::kNotNow;
+    return legal ? authority::MotionVerdict::kTaken : authority::MotionVerdict::kNotNow;
   };
-  if (wanted == HumanoidStance::kZeroTorque) return MotionVerdict::kTaken;
-  if (stance == HumanoidStance::kZeroTorque) return MotionVerdict::kNotNow;
-  if (to == from && to != spec.balanced_squat) return MotionVerdict::kTaken;
-  if (moving) return MotionVerdict::kNotNow;
-  if (wanted == HumanoidStance::kUnplayed) return MotionVerdict::kUnable;
+  if (wanted == HumanoidStance::kZeroTorque) return authority::MotionVerdict::kTaken;
+  if (stance == HumanoidStance::kZeroTorque) return authority::MotionVerdict::kNotNow;
+  if (to == from && to != spec.balanced_squat) return authority::MotionVerdict::kTaken;
+  if (moving) return authority::MotionVerdict::kNotNow;
+  if (wanted == HumanoidStance::kUnplayed) return authority::MotionVerdict::kUnable;
   if (to == spec.balanced_squat) {
     // From damping the robot would have to rise from where it squats on the ground.
-    if (stance == HumanoidStance::kDamping) return MotionVerdict::kUnable;
+    if (stance == HumanoidStance::kDamping) return authority::MotionVerdict::kUnable;
     return taken_if(stance == HumanoidStance::kBalanced);
   }
   if (wanted == HumanoidStance::kBalanced) {
@@ -43,8 +44,8 @@ MotionVerdict MayGo(const HumanoidMotionSpec& spec, int from, int to, bool movin
                     (stance == HumanoidStance::kBalanced && from != spec.balanced_squat));
   }
   // Locked: no arrow leads from balancing back to standing locked, or out of the balanced squat.
-  if (from == spec.balanced_squat) return MotionVerdict::kNotNow;
+  if (from == spec.balanced_squat) return authority::MotionVerdict::kNotNow;
   return taken_if(to != spec.lock_stand || stance != HumanoidStance::kBalanced);
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -5,7 +5,7 @@
 #include "authority/motion.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 inline constexpr int kZeroTorqueId = 0;  // on every humanoid of the vendor's
 inline constexpr int kDampingId = 1;
@@ -20,14 +20,15 @@ enum class HumanoidStance : std::uint8_t {
   kNone,      // no such state
 };
 
-HumanoidStance StanceOf(const HumanoidMotionSpec& spec, int id);
+HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
 
 // Whether SetFsm may lead from one state to another: the vendor's picture of the G1's transitions
 // (hardware_contract.md, 4.1), assumed for every humanoid. `moving`: an action with an end is under
 // way, then only damping is reached. kTaken for a state the robot is in already and, as on
 // hardware, for zero torque from any that bears load, which then does nothing.
-MotionVerdict MayGo(const HumanoidMotionSpec& spec, int from, int to, bool moving);
+authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, int to,
+                               bool moving);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_FSM_H_

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr double kSensePeriod = 0.004;  // s: the body needs 1/20 of that per step of feedback
@@ -35,7 +35,7 @@ constexpr double kFallenTilt = 1;  // rad
 
 }  // namespace
 
-HumanoidMotion::HumanoidMotion(const RobotSpec& spec, const mjModel& model)
+HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const mjModel& model)
     : spec_(spec),
       ids_(spec.motion.humanoid),
       body_(model, spec),
@@ -62,7 +62,7 @@ HumanoidMotion::Stand HumanoidMotion::StandOf(std::span<const double> q) {
   const std::vector<double> still(q.size());
   // The unit's reading for an upright base, then for flat soles: both from what it reads when the
   // soles are as they are.
-  ImuReading imu;
+  robot::ImuReading imu;
   body_.Update(q, still, imu);
   const Eigen::Matrix3d R_IB = body_.attitude();  // the unit was taken to be upright
   const auto tilt_of_soles = [&] {
@@ -94,7 +94,7 @@ void HumanoidMotion::FindGains() {
   }
 }
 
-void HumanoidMotion::Start(const MotionInput& input) {
+void HumanoidMotion::Start(const authority::MotionInput& input) {
   arms_.Reset();
   id_ = kZeroTorqueId;
   fresh_ = true;
@@ -112,58 +112,59 @@ void HumanoidMotion::Start(const MotionInput& input) {
   posture_.Begin(q_, spec_.standing.q, kSettleTime);
 }
 
-MotionVerdict HumanoidMotion::Ask(const MotionGoal& goal) {
-  if (!std::isfinite(goal.value[0])) return MotionVerdict::kUnknown;
+authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) {
+  if (!std::isfinite(goal.value[0])) return authority::MotionVerdict::kUnknown;
   const int number = static_cast<int>(std::clamp(goal.value[0], -1.0, 1e6));
   const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
-  const auto when_balanced = [balanced](MotionVerdict verdict) {
-    return balanced ? verdict : MotionVerdict::kNotNow;
+  const auto when_balanced = [balanced](authority::MotionVerdict verdict) {
+    return balanced ? verdict : authority::MotionVerdict::kNotNow;
   };
   switch (goal.action) {
-    case MotionAction::kZeroTorque:
+    case authority::MotionAction::kZeroTorque:
       return SetFsm(kZeroTorqueId);
-    case MotionAction::kDamp:
+    case authority::MotionAction::kDamp:
       return SetFsm(kDampingId);
-    case MotionAction::kStandUp:
-    case MotionAction::kRiseSit:
+    case authority::MotionAction::kStandUp:
+    case authority::MotionAction::kRiseSit:
       return SetFsm(ids_.lock_stand);
-    case MotionAction::kStandDown:
+    case authority::MotionAction::kStandDown:
       return SetFsm(ids_.squat);
-    case MotionAction::kSit:
+    case authority::MotionAction::kSit:
       return SetFsm(ids_.sit);
-    case MotionAction::kBalanceStand:
+    case authority::MotionAction::kBalanceStand:
       return SetFsm(ids_.balance.empty() ? -1 : static_cast<int>(ids_.balance.front()));
-    case MotionAction::kSetFsm:
+    case authority::MotionAction::kSetFsm:
       return SetFsm(number);
-    case MotionAction::kStopMove:
-      return when_balanced(MotionVerdict::kTaken);  // it does not move
-    case MotionAction::kMove:
-      return when_balanced(MotionVerdict::kUnable);
-    case MotionAction::kSetBalanceMode:
-      return when_balanced(number == 0 ? MotionVerdict::kTaken : MotionVerdict::kUnable);
-    case MotionAction::kSetStandHeight:
-      return balanced ? SetStandHeight(goal.value[0]) : MotionVerdict::kNotNow;
-    case MotionAction::kArmAction:
+    case authority::MotionAction::kStopMove:
+      return when_balanced(authority::MotionVerdict::kTaken);  // it does not move
+    case authority::MotionAction::kMove:
+      return when_balanced(authority::MotionVerdict::kUnable);
+    case authority::MotionAction::kSetBalanceMode:
+      return when_balanced(number == 0 ? authority::MotionVerdict::kTaken
+                                       : authority::MotionVerdict::kUnable);
+    case authority::MotionAction::kSetStandHeight:
+      return balanced ? SetStandHeight(goal.value[0]) : authority::MotionVerdict::kNotNow;
+    case authority::MotionAction::kArmAction:
       return BeginArmAction(number);
-    case MotionAction::kStopArmAction:
+    case authority::MotionAction::kStopArmAction:
       arms_.Release();
-      return MotionVerdict::kTaken;
-    case MotionAction::kRecoveryStand:
-      return MotionVerdict::kUnable;
-    case MotionAction::kHello:
-    case MotionAction::kStretch:
-    case MotionAction::kPose:
-    case MotionAction::kEuler:
-    case MotionAction::kBodyHeight:
-    case MotionAction::kAutoRecovery:
+      return authority::MotionVerdict::kTaken;
+    case authority::MotionAction::kRecoveryStand:
+      return authority::MotionVerdict::kUnable;
+    case authority::MotionAction::kHello:
+    case authority::MotionAction::kStretch:
+    case authority::MotionAction::kPose:
+    case authority::MotionAction::kEuler:
+    case authority::MotionAction::kBodyHeight:
+    case authority::MotionAction::kAutoRecovery:
       break;  // a quadruped's
   }
-  return MotionVerdict::kUnknown;
+  return authority::MotionVerdict::kUnknown;
 }
 
-MotionVerdict HumanoidMotion::SetFsm(int id) {
-  const MotionVerdict verdict = MayGo(ids_, id_, id, moving());
-  if (verdict != MotionVerdict::kTaken) return verdict;
+authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
+  const authority::MotionVerdict verdict = MayGo(ids_, id_, id, moving());
+  if (verdict != authority::MotionVerdict::kTaken) return verdict;
   if (id == kZeroTorqueId && id_ != kDampingId) return verdict;  // nothing, where it bears load
   if (id == id_ && id != ids_.balanced_squat) return verdict;
   if (id == kZeroTorqueId || id == kDampingId) {
@@ -204,24 +205,24 @@ void HumanoidMotion::Balance(int id) {
   id_ = id;
 }
 
-MotionVerdict HumanoidMotion::SetStandHeight(double height) {
-  if (ids_.squat_q.empty()) return MotionVerdict::kUnable;
-  if (moving() || id_ == ids_.balanced_squat) return MotionVerdict::kNotNow;
+authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
+  if (ids_.squat_q.empty()) return authority::MotionVerdict::kUnable;
+  if (moving() || id_ == ids_.balanced_squat) return authority::MotionVerdict::kNotNow;
   const std::array from = {depth_.q(0)};
   const std::array to = {kLowStand * (1 - std::clamp(height, 0.0, 1.0))};
   depth_.Begin(from, to, kHeightTime);
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict HumanoidMotion::BeginArmAction(int id) {
-  if (!ids_.arm_actions) return MotionVerdict::kUnknown;
+authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
+  if (!ids_.arm_actions) return authority::MotionVerdict::kUnknown;
   const bool allowed =
       StanceOf(ids_, id_) == HumanoidStance::kBalanced && id_ != ids_.balanced_squat;
   // A number that does not exist is said before a state that does not allow it.
   if (!allowed && id != kReleaseArms && FindArmAction(id) == nullptr && !IsUnplayedArmAction(id)) {
-    return MotionVerdict::kUnknown;
+    return authority::MotionVerdict::kUnknown;
   }
-  return allowed ? arms_.Begin(id) : MotionVerdict::kNotNow;
+  return allowed ? arms_.Begin(id) : authority::MotionVerdict::kNotNow;
 }
 
 bool HumanoidMotion::moving() const {
@@ -235,7 +236,7 @@ bool HumanoidMotion::moving() const {
   }
 }
 
-MotionState HumanoidMotion::state() const {
+robot::MotionState HumanoidMotion::state() const {
   return {.id = id_,
           .mode = moving() ? 1 : 0,
           .progress = moving() || (arms_.id() != 0 && !arms_.holding()) ? 1 : 0,
@@ -244,7 +245,8 @@ MotionState HumanoidMotion::state() const {
           .body_height = body_.base().z()};
 }
 
-void HumanoidMotion::Step(const MotionInput& input, double dt, RobotCommand* command) {
+void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
+                          robot::RobotCommand* command) {
   Feel(input, dt);
   since_sensed_ += dt;
   if (fresh_ || since_sensed_ > kSensePeriod - dt / 2) {
@@ -252,7 +254,7 @@ void HumanoidMotion::Step(const MotionInput& input, double dt, RobotCommand* com
     since_sensed_ = 0;
     fresh_ = false;
   }
-  command->joint_space = JointSpace::kPitchRoll;
+  command->joint_space = robot::JointSpace::kPitchRoll;
   switch (StanceOf(ids_, id_)) {
     case HumanoidStance::kLocked:
       posture_.Advance(dt);
@@ -271,7 +273,7 @@ void HumanoidMotion::Step(const MotionInput& input, double dt, RobotCommand* com
   }
 }
 
-void HumanoidMotion::Feel(const MotionInput& input, double dt) {
+void HumanoidMotion::Feel(const authority::MotionInput& input, double dt) {
   std::copy(input.q.begin(), input.q.end(), q_.begin());
   const double force = std::accumulate(input.foot_force.begin(), input.foot_force.end(), 0.0);
   const double share = force / (kFullLoad * body_.mass() * body_.gravity());
@@ -279,7 +281,7 @@ void HumanoidMotion::Feel(const MotionInput& input, double dt) {
   load_ = dt == 0 ? load : load_ + (load - load_) * dt / (dt + kLoadTime);
 }
 
-void HumanoidMotion::Sense(const MotionInput& input, double dt) {
+void HumanoidMotion::Sense(const authority::MotionInput& input, double dt) {
   body_.Update(input.q, input.dq, input.imu);
   const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
   if (balanced && body_.attitude()(2, 2) < std::cos(kFallenTilt)) {
@@ -313,18 +315,18 @@ double HumanoidMotion::Crouched(std::size_t motor) const {
   return depth_.q(0) == 0 ? q : q + depth_.q(0) * (ids_.squat_q[motor] - q);
 }
 
-void HumanoidMotion::Brake(RobotCommand* command) const {
+void HumanoidMotion::Brake(robot::RobotCommand* command) const {
   const bool limp = id_ == kZeroTorqueId;
   for (std::size_t i = 0; i < kd_.size(); ++i) {
     command->motors[i] = {.enabled = true, .kd = limp ? 0 : kd_[i]};
   }
 }
 
-void HumanoidMotion::HoldPosture(RobotCommand* command) const {
+void HumanoidMotion::HoldPosture(robot::RobotCommand* command) const {
   const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
   const double soft = balanced ? load_ * SmoothStep(balanced_for_ / kBlendTime) : 0;
   for (std::size_t i = 0; i < kp_.size(); ++i) {
-    MotorCommand& motor = command->motors[i];
+    robot::MotorCommand& motor = command->motors[i];
     motor = {.enabled = true,
              .q = balanced ? Crouched(i) : posture_.q(i),
              .dq = balanced ? 0 : posture_.dq(i),
@@ -335,14 +337,15 @@ void HumanoidMotion::HoldPosture(RobotCommand* command) const {
   }
   if (!balanced) return;
   for (std::size_t i = 0; i < arms_.motors().size(); ++i) {
-    MotorCommand& motor = command->motors[static_cast<std::size_t>(arms_.motors()[i])];
+    robot::MotorCommand& motor = command->motors[static_cast<std::size_t>(arms_.motors()[i])];
     motor.q = arms_.q(i);
     motor.dq = arms_.dq(i);
   }
 }
 
-std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const PhysicsWorld& world) {
+std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,
+                                                      const physics::PhysicsWorld& world) {
   return std::make_unique<HumanoidMotion>(spec, world.model());
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

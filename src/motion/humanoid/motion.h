@@ -16,7 +16,7 @@
 #include "physics/world.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Motors follow springs around a posture; torques carry the weight of what hangs from each joint
 // and press the soles on the ground. While joints are locked the springs are stiff and the weight
@@ -24,17 +24,17 @@ namespace understudy {
 // StandBalance's. How much the feet bear decides how much of that applies: a robot on the crane
 // hangs calmly by its springs and takes over its weight as it is set down. Senses joints,
 // LowState's unit and foot loads; never MotionInput::base.
-class HumanoidMotion final : public Motion {
+class HumanoidMotion final : public authority::Motion {
  public:
   // `spec` and `model` must outlive it. `model` is LoadWorldModel's for the same spec. Throws
   // ModelError when the robot has other than two feet or one has no geoms in the model.
-  HumanoidMotion(const RobotSpec& spec, const mjModel& model);
+  HumanoidMotion(const robot::RobotSpec& spec, const mjModel& model);
 
   // Zero torque; lock stand where the robot stands in its standing pose (*assumed*).
-  void Start(const MotionInput& input) override;
-  MotionVerdict Ask(const MotionGoal& goal) override;
-  void Step(const MotionInput& input, double dt, RobotCommand* command) override;
-  MotionState state() const override;
+  void Start(const authority::MotionInput& input) override;
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) override;
+  void Step(const authority::MotionInput& input, double dt, robot::RobotCommand* command) override;
+  robot::MotionState state() const override;
 
  private:
   // What standing in one posture comes to, on flat soles.
@@ -50,19 +50,19 @@ class HumanoidMotion final : public Motion {
   double Crouched(std::size_t motor) const;  // rad, the posture at the present depth
   bool moving() const;
 
-  MotionVerdict SetFsm(int id);
-  MotionVerdict SetStandHeight(double height);
-  MotionVerdict BeginArmAction(int id);
+  authority::MotionVerdict SetFsm(int id);
+  authority::MotionVerdict SetStandHeight(double height);
+  authority::MotionVerdict BeginArmAction(int id);
   void Lock(std::span<const double> q);
   void Balance(int id);
 
-  void Sense(const MotionInput& input, double dt);
-  void Feel(const MotionInput& input, double dt);
-  void Brake(RobotCommand* command) const;
-  void HoldPosture(RobotCommand* command) const;
+  void Sense(const authority::MotionInput& input, double dt);
+  void Feel(const authority::MotionInput& input, double dt);
+  void Brake(robot::RobotCommand* command) const;
+  void HoldPosture(robot::RobotCommand* command) const;
 
-  const RobotSpec& spec_;
-  const HumanoidMotionSpec& ids_;
+  const robot::RobotSpec& spec_;
+  const robot::HumanoidMotionSpec& ids_;
   BodyModel body_;
   StandBalance balance_;
   ArmActionPlayer arms_;
@@ -85,8 +85,9 @@ class HumanoidMotion final : public Motion {
 
 // `world`, which may move to another place meanwhile, must outlive the service; it lends its model
 // and is not looked at otherwise.
-std::unique_ptr<Motion> MakeHumanoidMotion(const RobotSpec& spec, const PhysicsWorld& world);
+std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,
+                                                      const physics::PhysicsWorld& world);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_MOTION_H_

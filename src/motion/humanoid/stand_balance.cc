@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 // All assumed: found by trying, on every robot here, with pushes, joint friction and sensor noise.
@@ -121,4 +121,4 @@ void StandBalance::Share(const BodyModel& body, Eigen::Vector2d p, const Eigen::
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -7,7 +7,7 @@
 
 #include "motion/humanoid/body_model.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // What the ground is to answer one foot with, at the centre of its sole, world axes.
 struct GroundReaction {
@@ -55,6 +55,6 @@ class StandBalance {
   bool fresh_ = true;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_HUMANOID_STAND_BALANCE_H_

@@ -5,7 +5,7 @@
 
 #include <Eigen/Cholesky>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -22,7 +22,7 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
       mass_(figures.mass),
       gravity_(figures.gravity) {}
 
-QuadrupedReading QuadrupedBody::Read(const MotionInput& input) const {
+QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const {
   QuadrupedReading reading;
   Vector3d moment = trunk_.mass * trunk_.com;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
@@ -97,4 +97,4 @@ PerLeg QuadrupedBody::SupportTorque(const QuadrupedReading& reading,
   return torque;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

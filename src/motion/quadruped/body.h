@@ -13,7 +13,7 @@
 #include "motion/quadruped/figures.h"
 #include "motion/quadruped/leg.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // A vector per leg, FR FL RR RL: joint angles, rates or torques as hip, thigh, calf, or a point of
 // each foot.
@@ -34,7 +34,7 @@ class QuadrupedBody {
   explicit QuadrupedBody(const QuadrupedFigures& figures);
 
   // `input` has at least twelve motors.
-  QuadrupedReading Read(const MotionInput& input) const;
+  QuadrupedReading Read(const authority::MotionInput& input) const;
 
   // Joint angles that bring every foot to its point in the base [m]; false where one does not get
   // there.
@@ -69,6 +69,6 @@ class QuadrupedBody {
   double gravity_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_BODY_H_

@@ -6,7 +6,7 @@
 
 #include "base/errors.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr std::size_t kLegs = 4;
@@ -107,7 +107,7 @@ int Hinge(const mjModel& model, const std::string& name, const Eigen::Vector3d& 
   return joint;
 }
 
-LegFigures ReadLeg(const mjModel& model, const RobotSpec& spec, std::size_t leg, int base) {
+LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size_t leg, int base) {
   LegFigures figures;
   std::array<int, 3> bodies{};
   for (std::size_t i = 0; i < 3; ++i) {
@@ -147,7 +147,7 @@ LegFigures ReadLeg(const mjModel& model, const RobotSpec& spec, std::size_t leg,
 
 }  // namespace
 
-QuadrupedFigures ReadQuadruped(const PhysicsWorld& world, const RobotSpec& spec) {
+QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::RobotSpec& spec) {
   if (spec.motors.size() < kLegMotors || spec.feet.size() != kLegs) {
     throw ModelError("robot '" + spec.name + "' is no quadruped: it needs 12 motors and 4 feet");
   }
@@ -173,4 +173,4 @@ QuadrupedFigures ReadQuadruped(const PhysicsWorld& world, const RobotSpec& spec)
   return figures;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

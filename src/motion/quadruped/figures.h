@@ -12,7 +12,7 @@
 #include "physics/world.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // A lump of mass fixed to a frame.
 struct LinkMass {
@@ -50,8 +50,8 @@ struct QuadrupedFigures {
 // The first twelve motors of `spec` must be the legs' FR FL RR RL, each hip, thigh, calf, and
 // `spec.feet` the feet. Throws ModelError, naming the joint, where the model's legs are of another
 // kind.
-QuadrupedFigures ReadQuadruped(const PhysicsWorld& world, const RobotSpec& spec);
+QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::RobotSpec& spec);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_FIGURES_H_

@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -42,4 +42,4 @@ const StancePose& PosePosture() {
   return kPosture;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -7,7 +7,7 @@
 
 #include "motion/quadruped/stance.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // A pose on the way, in a robot's own measure: lengths are parts of the leg's, heights are over the
 // robot's standing height.
@@ -25,6 +25,6 @@ const StancePose& PosePosture();
 // stopped goes on.
 inline constexpr std::size_t kKeyframesBack = 2;
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_

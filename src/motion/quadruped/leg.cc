@@ -6,7 +6,7 @@
 
 #include <Eigen/Geometry>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -114,4 +114,4 @@ double QuadrupedLeg::mass() const {
   return figures_.links[0].mass + figures_.links[1].mass + figures_.links[2].mass;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

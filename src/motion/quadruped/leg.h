@@ -6,7 +6,7 @@
 
 #include "motion/quadruped/figures.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Where the links of a leg are at some angles: the origins of hip, thigh, calf and foot [m] and the
 // rotations of the first three, all in the base's frame.
@@ -51,6 +51,6 @@ class QuadrupedLeg {
   double thigh_length_, thigh_angle_, calf_length_, calf_angle_;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_LEG_H_

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -16,7 +16,7 @@ constexpr double kSitTime = 1.8;         // s
 
 }  // namespace
 
-QuadrupedMotion::QuadrupedMotion(const RobotSpec& spec, const QuadrupedFigures& figures)
+QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures)
     : spec_(spec),
       figures_(spec.motion.quadruped),
       body_(figures),
@@ -24,7 +24,7 @@ QuadrupedMotion::QuadrupedMotion(const RobotSpec& spec, const QuadrupedFigures& 
       recovery_(body_),
       joints_(12) {}
 
-void QuadrupedMotion::Start(const MotionInput& input) {
+void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
   state_ = State::kDamped;
   balance_next_ = false;
@@ -32,120 +32,121 @@ void QuadrupedMotion::Start(const MotionInput& input) {
   if (upright() && body_.Height(reading_) > kExtended * figures_.stand_height) Balance();
 }
 
-MotionVerdict QuadrupedMotion::Ask(const MotionGoal& goal) {
+authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
   const auto finite = [](double x) { return std::isfinite(x); };
-  if (!std::all_of(goal.value.begin(), goal.value.end(), finite)) return MotionVerdict::kUnknown;
+  if (!std::all_of(goal.value.begin(), goal.value.end(), finite))
+    return authority::MotionVerdict::kUnknown;
   switch (goal.action) {
-    case MotionAction::kDamp:
+    case authority::MotionAction::kDamp:
       state_ = State::kDamped;
       fallen_for_ = 0;
-      return MotionVerdict::kTaken;
-    case MotionAction::kAutoRecovery:
+      return authority::MotionVerdict::kTaken;
+    case authority::MotionAction::kAutoRecovery:
       auto_recovery_ = goal.value[0] != 0;
-      return MotionVerdict::kTaken;
-    case MotionAction::kStandUp:
+      return authority::MotionVerdict::kTaken;
+    case authority::MotionAction::kStandUp:
       return StandUp();
-    case MotionAction::kStandDown:
+    case authority::MotionAction::kStandDown:
       return StandDown();
-    case MotionAction::kBalanceStand:
+    case authority::MotionAction::kBalanceStand:
       return BalanceStand();
-    case MotionAction::kRecoveryStand:
+    case authority::MotionAction::kRecoveryStand:
       return Recover();
-    case MotionAction::kSit:
+    case authority::MotionAction::kSit:
       return Sit();
-    case MotionAction::kRiseSit:
+    case authority::MotionAction::kRiseSit:
       return RiseSit();
-    case MotionAction::kHello:
+    case authority::MotionAction::kHello:
       return Gesture(HelloKeyframes());
-    case MotionAction::kStretch:
+    case authority::MotionAction::kStretch:
       return Gesture(StretchKeyframes());
-    case MotionAction::kPose:
+    case authority::MotionAction::kPose:
       return Pose(goal.value[0] != 0);
-    case MotionAction::kEuler:
+    case authority::MotionAction::kEuler:
       return Euler({goal.value[0], goal.value[1], goal.value[2]});
-    case MotionAction::kBodyHeight:
+    case authority::MotionAction::kBodyHeight:
       return BodyHeight(goal.value[0]);
-    case MotionAction::kStopMove:
+    case authority::MotionAction::kStopMove:
       return StopMove();
-    case MotionAction::kMove:
+    case authority::MotionAction::kMove:
       return Move();
     default:
-      return MotionVerdict::kUnknown;
+      return authority::MotionVerdict::kUnknown;
   }
 }
 
-MotionVerdict QuadrupedMotion::StandUp() {
+authority::MotionVerdict QuadrupedMotion::StandUp() {
   switch (state_) {
     case State::kDamped:
     case State::kUnfolding:
     case State::kLying:
-      if (!upright()) return MotionVerdict::kNotNow;
+      if (!upright()) return authority::MotionVerdict::kNotNow;
       balance_next_ = false;
       Fold();
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kLowering:
       balance_next_ = false;
       Rise(Stand());
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kFolding:
     case State::kRising:
     case State::kLocked:
       balance_next_ = false;
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kBalance:
     case State::kPosing:
       balance_next_ = false;
       Rise(stance_.FeetInBase(Default()));  // the feet stay where they are
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     default:
-      return MotionVerdict::kNotNow;
+      return authority::MotionVerdict::kNotNow;
   }
 }
 
-MotionVerdict QuadrupedMotion::StandDown() {
+authority::MotionVerdict QuadrupedMotion::StandDown() {
   switch (state_) {
     case State::kDamped:
-      if (!upright()) return MotionVerdict::kNotNow;
+      if (!upright()) return authority::MotionVerdict::kNotNow;
       Unfold();
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kBalance:
     case State::kPosing:
-      if (wheeled()) return MotionVerdict::kNotNow;
+      if (wheeled()) return authority::MotionVerdict::kNotNow;
       Lower();
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kLocked:
       Lower();
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kLowering:
     case State::kUnfolding:
     case State::kLying:
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     default:
-      return MotionVerdict::kNotNow;
+      return authority::MotionVerdict::kNotNow;
   }
 }
 
-MotionVerdict QuadrupedMotion::BalanceStand() {
+authority::MotionVerdict QuadrupedMotion::BalanceStand() {
   switch (state_) {
     case State::kRising:
       balance_next_ = true;
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kLocked:
       Balance();
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kPosing:
       return Pose(false);
     case State::kBalance:
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     default:
-      return MotionVerdict::kNotNow;
+      return authority::MotionVerdict::kNotNow;
   }
 }
 
-MotionVerdict QuadrupedMotion::Recover() {
+authority::MotionVerdict QuadrupedMotion::Recover() {
   switch (state_) {
     case State::kRecovering:
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kDamped:
     case State::kFolding:
     case State::kLowering:
@@ -153,92 +154,95 @@ MotionVerdict QuadrupedMotion::Recover() {
     case State::kLying:
       state_ = State::kRecovering;
       recovery_.Begin(reading_);
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kSittingDown:
     case State::kSitting:
-      return wheeled() ? MotionVerdict::kNotNow : RiseSit();
+      return wheeled() ? authority::MotionVerdict::kNotNow : RiseSit();
     default:
-      return wheeled() ? MotionVerdict::kNotNow : BalanceStand();
+      return wheeled() ? authority::MotionVerdict::kNotNow : BalanceStand();
   }
 }
 
-MotionVerdict QuadrupedMotion::Sit() {
-  if (state_ == State::kSitting) return MotionVerdict::kTaken;
-  if (state_ != State::kBalance) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::Sit() {
+  if (state_ == State::kSitting) return authority::MotionVerdict::kTaken;
+  if (state_ != State::kBalance) return authority::MotionVerdict::kNotNow;
   StancePose pose = Default();
   pose.place += Vector3d(figures_.sit[0], 0, figures_.sit[1]);
   pose.rpy.y() = figures_.sit[2];
   stance_.MoveTo(stance_.Feasible(pose), kSitTime);
   state_ = State::kSittingDown;
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::RiseSit() {
-  if (state_ != State::kSitting) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::RiseSit() {
+  if (state_ != State::kSitting) return authority::MotionVerdict::kNotNow;
   frames_ = {};
   Play(0);
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::Gesture(std::span<const Keyframe> frames) {
-  if (state_ != State::kBalance) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::Gesture(std::span<const Keyframe> frames) {
+  if (state_ != State::kBalance) return authority::MotionVerdict::kNotNow;
   frames_ = frames;
   Play(0);
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::Pose(bool on) {
-  if (state_ != State::kBalance && state_ != State::kPosing) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::Pose(bool on) {
+  if (state_ != State::kBalance && state_ != State::kPosing)
+    return authority::MotionVerdict::kNotNow;
   wanted_ = on ? InMetres(PosePosture()) : Default();
   stance_.Follow(stance_.Feasible(wanted_));
   state_ = on ? State::kPosing : State::kBalance;
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::Euler(const Vector3d& rpy) {
-  if (state_ != State::kBalance && state_ != State::kPosing) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::Euler(const Vector3d& rpy) {
+  if (state_ != State::kBalance && state_ != State::kPosing)
+    return authority::MotionVerdict::kNotNow;
   for (int i = 0; i < 3; ++i) {
     const double most = figures_.euler_range[static_cast<std::size_t>(i)];
     wanted_.rpy[i] = std::clamp(rpy[i], -most, most);
   }
   stance_.Follow(stance_.Feasible(wanted_));
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::BodyHeight(double height) {
-  if (state_ != State::kBalance && state_ != State::kPosing) return MotionVerdict::kNotNow;
+authority::MotionVerdict QuadrupedMotion::BodyHeight(double height) {
+  if (state_ != State::kBalance && state_ != State::kPosing)
+    return authority::MotionVerdict::kNotNow;
   wanted_.place.z() = figures_.stand_height +
                       std::clamp(height, figures_.height_range[0], figures_.height_range[1]);
   stance_.Follow(stance_.Feasible(wanted_));
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::StopMove() {
+authority::MotionVerdict QuadrupedMotion::StopMove() {
   if (state_ == State::kGesture && frame_ + kKeyframesBack < frames_.size()) {
     Play(frames_.size() - kKeyframesBack);
   } else if (state_ == State::kBalance || state_ == State::kPosing) {
     return Pose(false);
   }
-  return MotionVerdict::kTaken;
+  return authority::MotionVerdict::kTaken;
 }
 
-MotionVerdict QuadrupedMotion::Move() const {
+authority::MotionVerdict QuadrupedMotion::Move() const {
   switch (state_) {
     case State::kRising:
     case State::kLocked:
-      return MotionVerdict::kTaken;
+      return authority::MotionVerdict::kTaken;
     case State::kBalance:
     case State::kPosing:
-      return MotionVerdict::kUnable;
+      return authority::MotionVerdict::kUnable;
     default:
-      return MotionVerdict::kNotNow;
+      return authority::MotionVerdict::kNotNow;
   }
 }
 
 // error_code and mode of the vendor's sport service page. Recovering is in neither list: the crouch
 // and recoveryStand of the older firmware are assumed.
-MotionState QuadrupedMotion::state() const {
-  MotionState state;
+robot::MotionState QuadrupedMotion::state() const {
+  robot::MotionState state;
   const auto is = [&state](int id, int mode, int progress) {
     state.id = id;
     state.mode = mode;
@@ -297,7 +301,8 @@ void QuadrupedMotion::Balance() {
   stance_.Begin(reading_);
   wanted_ = Default();
   stance_.MoveTo(stance_.Feasible(wanted_), kReturnTime);
-  for (std::size_t leg = 0; leg < wheel_angles_.size(); ++leg) wheel_angles_[leg] = kNoPosition;
+  for (std::size_t leg = 0; leg < wheel_angles_.size(); ++leg)
+    wheel_angles_[leg] = robot::kNoPosition;
   state_ = State::kBalance;
 }
 
@@ -312,8 +317,9 @@ void QuadrupedMotion::Play(std::size_t frame) {
   }
 }
 
-std::unique_ptr<Motion> MakeQuadrupedMotion(const RobotSpec& spec, const PhysicsWorld& world) {
+std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
+                                                       const physics::PhysicsWorld& world) {
   return std::make_unique<QuadrupedMotion>(spec, ReadQuadruped(world, spec));
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -17,28 +17,28 @@
 #include "physics/world.h"
 #include "robot/robot_spec.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Stands, lies, sits, gestures and gets up, on joint angles and the inertial unit alone.
 //
 // Which goal is legal in which state is assumed where it is not the vendor's word
 // (docs/fidelity.md): the vendor's graph was not found.
-class QuadrupedMotion : public Motion {
+class QuadrupedMotion : public authority::Motion {
  public:
   // `spec` must outlive it; its motion.quadruped must have a stand_height.
-  QuadrupedMotion(const RobotSpec& spec, const QuadrupedFigures& figures);
+  QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures);
 
   // Damped; a robot that stands is kept standing, balanced. Assumed: whether a real one stands up
   // by itself after boot, and into which state, is not known.
-  void Start(const MotionInput& input) override;
+  void Start(const authority::MotionInput& input) override;
 
   // kMove: kUnable; after StandUp taken and without effect, as on a real Go2 (measured.md,
   // section c). Euler angles and body height beyond their range are cut to it.
-  MotionVerdict Ask(const MotionGoal& goal) override;
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) override;
 
-  void Step(const MotionInput& input, double dt, RobotCommand* command) override;
+  void Step(const authority::MotionInput& input, double dt, robot::RobotCommand* command) override;
 
-  MotionState state() const override;
+  robot::MotionState state() const override;
 
  private:
   enum class State : std::uint8_t {
@@ -58,18 +58,18 @@ class QuadrupedMotion : public Motion {
   };
 
   // Ask, by kind of goal.
-  MotionVerdict StandUp();
-  MotionVerdict StandDown();
-  MotionVerdict BalanceStand();
-  MotionVerdict Recover();
-  MotionVerdict Sit();
-  MotionVerdict RiseSit();
-  MotionVerdict Gesture(std::span<const Keyframe> frames);
-  MotionVerdict Pose(bool on);
-  MotionVerdict Euler(const Eigen::Vector3d& rpy);
-  MotionVerdict BodyHeight(double height);
-  MotionVerdict StopMove();
-  MotionVerdict Move() const;
+  authority::MotionVerdict StandUp();
+  authority::MotionVerdict StandDown();
+  authority::MotionVerdict BalanceStand();
+  authority::MotionVerdict Recover();
+  authority::MotionVerdict Sit();
+  authority::MotionVerdict RiseSit();
+  authority::MotionVerdict Gesture(std::span<const Keyframe> frames);
+  authority::MotionVerdict Pose(bool on);
+  authority::MotionVerdict Euler(const Eigen::Vector3d& rpy);
+  authority::MotionVerdict BodyHeight(double height);
+  authority::MotionVerdict StopMove();
+  authority::MotionVerdict Move() const;
 
   // What a state needs at its beginning.
   void Fold();
@@ -85,9 +85,9 @@ class QuadrupedMotion : public Motion {
   void StepJoints(double dt, StanceCommand* legs);
   void StepFeet(double dt, StanceCommand* legs);
   void Advance();  // to the state that follows, where one does
-  void Legs(RobotCommand* command) const;
-  void Wheels(const MotionInput& input, RobotCommand* command);
-  static void Brake(double kd, RobotCommand* command);
+  void Legs(robot::RobotCommand* command) const;
+  void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
+  static void Brake(double kd, robot::RobotCommand* command);
 
   // Feet as they stand under the hips, that far below them [m], in the base.
   PerLeg Under(double depth) const;
@@ -99,8 +99,8 @@ class QuadrupedMotion : public Motion {
   bool upright() const;   // enough for the legs alone
   bool wheeled() const { return spec_.motors.size() > 12; }
 
-  const RobotSpec& spec_;
-  const QuadrupedMotionSpec& figures_;
+  const robot::RobotSpec& spec_;
+  const robot::QuadrupedMotionSpec& figures_;
   QuadrupedBody body_;
   Stance stance_;
   QuadrupedRecovery recovery_;
@@ -121,8 +121,9 @@ class QuadrupedMotion : public Motion {
 
 // The motion service of that robot. `spec` must outlive it. Throws ModelError when the model's legs
 // are not those of a quadruped.
-std::unique_ptr<Motion> MakeQuadrupedMotion(const RobotSpec& spec, const PhysicsWorld& world);
+std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
+                                                       const physics::PhysicsWorld& world);
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_MOTION_H_

@@ -5,7 +5,7 @@
 
 #include "motion/quadruped/motion.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -102,7 +102,8 @@ void QuadrupedMotion::StepFeet(double dt, StanceCommand* legs) {
   legs->tau = body_.SupportTorque(reading_, {1, 1, 1, 1}, share);
 }
 
-void QuadrupedMotion::Step(const MotionInput& input, double dt, RobotCommand* command) {
+void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
+                           robot::RobotCommand* command) {
   reading_ = body_.Read(input);
   if (stands() && reading_.up.z() < kFallenCosine) {
     state_ = State::kDamped;
@@ -111,7 +112,7 @@ void QuadrupedMotion::Step(const MotionInput& input, double dt, RobotCommand* co
     fallen_for_ += dt;
     if (auto_recovery_ && fallen_for_ > kFallenRest) Recover();
   }
-  command->joint_space = JointSpace::kPitchRoll;
+  command->joint_space = robot::JointSpace::kPitchRoll;
   switch (state_) {
     case State::kDamped:
       break;
@@ -197,7 +198,7 @@ bool QuadrupedMotion::balances() const {
 
 // All is said by q alone, with dq and tau 0: so a real Go2 does while it stands (measured.md,
 // section c). The motor law makes the same torque of it.
-void QuadrupedMotion::Legs(RobotCommand* command) const {
+void QuadrupedMotion::Legs(robot::RobotCommand* command) const {
   const double kp = figures_.kp, kd = figures_.kd;
   for (std::size_t i = 0; i < 12; ++i) {
     const std::size_t leg = i / 3;
@@ -207,24 +208,24 @@ void QuadrupedMotion::Legs(RobotCommand* command) const {
   }
 }
 
-void QuadrupedMotion::Wheels(const MotionInput& input, RobotCommand* command) {
+void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCommand* command) {
   for (std::size_t i = 12; i < command->motors.size(); ++i) {
-    MotorCommand& wheel = command->motors[i];
+    robot::MotorCommand& wheel = command->motors[i];
     wheel = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.wheel_kd};
     const std::size_t leg = i - 12;
     if (!balances() || leg >= wheel_angles_.size()) continue;
     // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
     const double carried = stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
-    if (wheel_angles_[leg] == kNoPosition) wheel_angles_[leg] = input.q[i] + carried;
+    if (wheel_angles_[leg] == robot::kNoPosition) wheel_angles_[leg] = input.q[i] + carried;
     wheel.q = wheel_angles_[leg] - carried;
     wheel.kp = figures_.wheel_kp;
   }
 }
 
-void QuadrupedMotion::Brake(double kd, RobotCommand* command) {
-  for (MotorCommand& motor : command->motors) {
+void QuadrupedMotion::Brake(double kd, robot::RobotCommand* command) {
+  for (robot::MotorCommand& motor : command->motors) {
     motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = kd};
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

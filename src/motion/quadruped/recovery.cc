@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -143,4 +143,4 @@ void QuadrupedRecovery::Step(const QuadrupedReading& reading, double dt, PerLeg*
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

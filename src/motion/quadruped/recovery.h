@@ -8,7 +8,7 @@
 #include "motion/joint_move.h"
 #include "motion/quadruped/body.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // Folds the legs; while the robot is not upright, swings legs behind its back, pushes with them and
 // folds again: off its back with the legs of the higher side, off its side with those it lies on.
@@ -43,6 +43,6 @@ class QuadrupedRecovery {
   std::size_t pushes_ = 0;  // since Begin
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_RECOVERY_H_

@@ -7,7 +7,7 @@
 
 #include "motion/joint_move.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::AngleAxisd;
@@ -203,4 +203,4 @@ StanceCommand Stance::Step(const QuadrupedReading& reading, double dt) {
   return command;
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -8,7 +8,7 @@
 
 #include "motion/quadruped/body.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // How a body is held over its footprints. Frame F: under the middle of the footprints, at the mean
 // height of the ground there, x the way they point, z up.
@@ -78,6 +78,6 @@ class Stance {
   bool fresh_ = true;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_MOTION_QUADRUPED_STANCE_H_

@@ -7,7 +7,7 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
@@ -27,18 +27,19 @@ constexpr std::array kActions = {
     std::pair{24, "x-ray"},       std::pair{25, "face wave"},     std::pair{26, "high wave"},
     std::pair{27, "shake hand"}};
 
-ServiceReply Answer(MotionVerdict verdict, const MotionState& before, const ServiceCall& call) {
+ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before,
+                    const ServiceCall& call) {
   // [sdk] g1/arm: states that allow actions.
   constexpr std::array kStates = {500, 501, 801, 802};
   switch (verdict) {
-    case MotionVerdict::kTaken:
+    case authority::MotionVerdict::kTaken:
       return {.after_arm_action = true};
-    case MotionVerdict::kUnknown:
+    case authority::MotionVerdict::kUnknown:
       return {.code = kBadAction};
-    case MotionVerdict::kNotNow:
+    case authority::MotionVerdict::kNotNow:
       if (before.arm_holding) return {.code = kHolding};
       return {.code = std::ranges::find(kStates, before.id) == kStates.end() ? kBadState : kBusy};
-    case MotionVerdict::kUnable:
+    case authority::MotionVerdict::kUnable:
       break;
   }
   *call.notice = "arm: a robot can do this action, nothing here can; answered 7402";
@@ -46,17 +47,19 @@ ServiceReply Answer(MotionVerdict verdict, const MotionState& before, const Serv
 }
 
 ServiceReply Execute(const ServiceCall& call) {
-  const MotionState before = call.owner->state();
+  const robot::MotionState before = call.owner->state();
   const auto id = call.parameter.at("action_id").get<double>();
-  return Answer(call.owner->Ask({.action = MotionAction::kArmAction, .value = {id}}), before, call);
+  return Answer(call.owner->Ask({.action = authority::MotionAction::kArmAction, .value = {id}}),
+                before, call);
 }
 
 ServiceReply ExecuteByName(const ServiceCall&) { return {.code = kBadAction}; }
 
 ServiceReply Stop(const ServiceCall& call) {
-  const MotionState before = call.owner->state();
+  const robot::MotionState before = call.owner->state();
   ServiceReply reply = Answer(
-      call.owner->Ask({.action = MotionAction::kStopArmAction, .value = {kRelease}}), before, call);
+      call.owner->Ask({.action = authority::MotionAction::kStopArmAction, .value = {kRelease}}),
+      before, call);
   reply.after_arm_action = false;
   return reply;
 }
@@ -106,4 +109,4 @@ ServiceTable G1ArmTable() {
       .note = "Belongs to the motion service: answers nothing while that is off ([docs])."};
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

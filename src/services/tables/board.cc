@@ -8,7 +8,7 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
@@ -25,12 +25,12 @@ ServiceReply CheckMode(const ServiceCall& call) {
 
 ServiceReply SelectMode(const ServiceCall& call) {
   switch (call.owner->Select(call.parameter.at("name").get_ref<const std::string&>())) {
-    case OwnerVerdict::kDone:
+    case authority::OwnerVerdict::kDone:
       return {};
-    case OwnerVerdict::kUnknownName:
+    case authority::OwnerVerdict::kUnknownName:
       return {.code = kBadName};
-    case OwnerVerdict::kProtected:
-    case OwnerVerdict::kNoController:
+    case authority::OwnerVerdict::kProtected:
+    case authority::OwnerVerdict::kNoController:
       break;
   }
   *call.notice =
@@ -66,16 +66,16 @@ ServiceReply ServiceSwitch(const ServiceCall& call) {
   const bool on = call.parameter.at("switch").get<int>() == 1;
   int status = on ? kOn : kOff;
   switch (call.owner->Switch(name, on)) {
-    case OwnerVerdict::kDone:
+    case authority::OwnerVerdict::kDone:
       break;
-    case OwnerVerdict::kProtected:
+    case authority::OwnerVerdict::kProtected:
       status = kProtected;
       break;
-    case OwnerVerdict::kNoController:
+    case authority::OwnerVerdict::kNoController:
       *call.notice = "robot_state ServiceSwitch: nothing here plays " +
                      call.parameter.at("name").dump(-1, ' ', true);
       [[fallthrough]];
-    case OwnerVerdict::kUnknownName:
+    case authority::OwnerVerdict::kUnknownName:
       status = kFailed;
       break;
   }
@@ -84,7 +84,7 @@ ServiceReply ServiceSwitch(const ServiceCall& call) {
 
 ServiceReply ServiceList(const ServiceCall& call) {
   json list = json::array();
-  for (const OnboardService& service : call.owner->services()) {
+  for (const authority::OnboardService& service : call.owner->services()) {
     list.push_back({{"name", service.name},
                     {"status", service.on ? kOn : kOff},
                     {"protect", service.is_protected ? 1 : 0}});
@@ -303,4 +303,4 @@ ServiceTable ConfigTable() {
               "deleted; the topic as seen on a G1, for the others and the content assumed."};
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -6,7 +6,7 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
@@ -40,14 +40,14 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
   };
-  const MotionVerdict verdict =
-      call.owner->Ask({.action = MotionAction::kMove,
+  const authority::MotionVerdict verdict =
+      call.owner->Ask({.action = authority::MotionAction::kMove,
                        .value = {within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1.0}});
-  if (verdict == MotionVerdict::kTaken) {
+  if (verdict == authority::MotionVerdict::kTaken) {
     *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
     return {};
   }
-  if (verdict == MotionVerdict::kUnable) {
+  if (verdict == authority::MotionVerdict::kUnable) {
     *call.notice = "obstacles_avoid Move: a robot can do this, nothing here can; answered 3202";
   }
   return {.code = kRpcServerInternal};
@@ -225,4 +225,4 @@ ServiceTable G1AgvTable() {
                     .unable_code = 9103}}};
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -10,7 +10,7 @@
 
 #include "services/api_row.h"
 
-namespace understudy::fields {
+namespace understudy::services::fields {
 
 inline constexpr double kInf = std::numeric_limits<double>::infinity();
 
@@ -53,6 +53,6 @@ inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view
           .source = source};
 }
 
-}  // namespace understudy::fields
+}  // namespace understudy::services::fields
 
 #endif  // UNDERSTUDY_SERVICES_TABLES_FIELDS_H_

@@ -7,10 +7,10 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
-using enum MotionAction;
+using enum authority::MotionAction;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 // Ids and words of the four humanoid services differ; what they do does not.
@@ -119,11 +119,12 @@ std::vector<std::pair<std::string_view, std::string_view>> CommonSettings() {
 // The tasks of the loco services by what the arm service calls them (assumed): wave, wave and turn,
 // both halves of a handshake.
 ServiceReply AskArm(const ServiceCall& call, std::int64_t arm_action, std::int32_t state_code) {
-  MotionGoal goal{.action = kArmAction};
+  authority::MotionGoal goal{.action = kArmAction};
   if (arm_action == 99) goal.action = kStopArmAction;
   goal.value[0] = static_cast<double>(arm_action);
-  const MotionVerdict verdict = call.owner->Ask(goal);
-  if (verdict == MotionVerdict::kTaken || verdict == MotionVerdict::kNotNow) return {};
+  const authority::MotionVerdict verdict = call.owner->Ask(goal);
+  if (verdict == authority::MotionVerdict::kTaken || verdict == authority::MotionVerdict::kNotNow)
+    return {};
   *call.notice =
       "arm task: a robot can do this, nothing here can; answered " + std::to_string(state_code);
   return {.code = state_code};
@@ -165,9 +166,10 @@ ServiceReply TakeBack(const ServiceCall& call) {
   constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
   const int mode = call.parameter.at("data").get<int>();
   call.owner->SetUserControl(false);
-  if (mode == kPassive) call.owner->Ask({.action = MotionAction::kDamp});
-  if (mode == kWalkRun && call.owner->Ask({.action = MotionAction::kSetFsm, .value = {kWalkId}}) ==
-                              MotionVerdict::kUnable) {
+  if (mode == kPassive) call.owner->Ask({.action = authority::MotionAction::kDamp});
+  if (mode == kWalkRun &&
+      call.owner->Ask({.action = authority::MotionAction::kSetFsm, .value = {kWalkId}}) ==
+          authority::MotionVerdict::kUnable) {
     *call.notice = "sport SwitchToInternalCtrl: nothing here walks; answered 7301";
     return {.code = 7301};
   }
@@ -299,4 +301,4 @@ ServiceTable H1LocoTable() {
   return table;
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -3,10 +3,10 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 namespace {
 
-using enum MotionAction;
+using enum authority::MotionAction;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 constexpr std::string_view kA2 = "[sdk] a2/sport";
@@ -18,7 +18,7 @@ std::string Text(const nlohmann::json& value) {
 
 // The vendor's client reads every value as a text and asks for the keys below.
 ServiceReply GiveA2State(const ServiceCall& call) {
-  const MotionState state = call.owner->state();
+  const robot::MotionState state = call.owner->state();
   const Settings& settings = *call.settings;
   const nlohmann::json reply = {
       {"fsm_id", std::to_string(state.id)},
@@ -129,8 +129,9 @@ ServiceTable As2SportTable() {
                   .effect = Special{[](const ServiceCall& call) {
                     const bool sit = call.parameter.at("data").get<bool>();
                     const auto verdict = call.owner->Ask({.action = sit ? kSit : kRiseSit});
-                    if (verdict == MotionVerdict::kTaken) return ServiceReply{};
-                    return ServiceReply{.code = verdict == MotionVerdict::kUnable ? 4205 : 4201};
+                    if (verdict == authority::MotionVerdict::kTaken) return ServiceReply{};
+                    return ServiceReply{
+                        .code = verdict == authority::MotionVerdict::kUnable ? 4205 : 4201};
                   }},
                   .does = "sits, or rises",
                   .source = kAs2});
@@ -143,4 +144,4 @@ ServiceTable As2SportTable() {
   return Table("sport of AS2", std::move(rows));
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

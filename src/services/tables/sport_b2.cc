@@ -1,9 +1,9 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 
-using enum MotionAction;
+using enum authority::MotionAction;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
@@ -81,4 +81,4 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
   };
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -1,9 +1,9 @@
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
-namespace understudy {
+namespace understudy::services {
 
-using enum MotionAction;
+using enum authority::MotionAction;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
@@ -12,7 +12,7 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kPosture =
       "[sdk] go2/sport; [docs] 4206 when the posture does not allow it";
   constexpr std::int32_t kPostureUnfit = 4206;
-  const auto gesture = [&](std::int64_t id, std::string_view name, MotionAction action,
+  const auto gesture = [&](std::int64_t id, std::string_view name, authority::MotionAction action,
                            std::string_view does) {
     return ApiRow{.id = id,
                   .name = name,
@@ -118,4 +118,4 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   };
 }
 
-}  // namespace understudy
+}  // namespace understudy::services

@@ -6,7 +6,7 @@
 
 #include "services/api_row.h"
 
-namespace understudy {
+namespace understudy::services {
 
 // What a sport service lets Move ask for: m/s, rad/s, and how long one call holds in s. Beyond is
 // clamped.
@@ -38,6 +38,6 @@ ServiceTable UwbSwitchTable();
 ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version);
 ServiceTable G1AgvTable();
 
-}  // namespace understudy
+}  // namespace understudy::services
 
 #endif  // UNDERSTUDY_SERVICES_TABLES_TABLES_H_

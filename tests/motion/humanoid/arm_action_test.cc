@@ -4,12 +4,12 @@
 
 #include "tests/motion/humanoid/fixture.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
-constexpr auto kTaken = MotionVerdict::kTaken;
+constexpr auto kTaken = authority::MotionVerdict::kTaken;
 
-class ArmActionTest : public MujocoTest {
+class ArmActionTest : public test::MujocoTest {
  protected:
   double q(const std::string& joint) const {
     for (std::size_t i = 0; i < player_.motors().size(); ++i) {
@@ -38,10 +38,10 @@ TEST_F(ArmActionTest, KnowsTheNumbersOfTheVendorsList) {
     EXPECT_NE(FindArmAction(id), nullptr) << id;
   }
   for (const int id : {1, 28, 29, 30, 34, 36}) {
-    EXPECT_EQ(player_.Begin(id), MotionVerdict::kUnable) << id;
+    EXPECT_EQ(player_.Begin(id), authority::MotionVerdict::kUnable) << id;
   }
   for (const int id : {0, 2, 14, 31, 98, 100}) {
-    EXPECT_EQ(player_.Begin(id), MotionVerdict::kUnknown) << id;
+    EXPECT_EQ(player_.Begin(id), authority::MotionVerdict::kUnknown) << id;
   }
 }
 
@@ -56,7 +56,7 @@ TEST_F(ArmActionTest, HoldsUntilTheSameNumberIsAskedAgain) {
   player_.Begin(27);
   for (int i = 0; i < 3000; ++i) player_.Advance(0.001);
   EXPECT_TRUE(player_.holding());
-  EXPECT_EQ(player_.Begin(26), MotionVerdict::kNotNow);
+  EXPECT_EQ(player_.Begin(26), authority::MotionVerdict::kNotNow);
   EXPECT_EQ(player_.Begin(27), kTaken);
   EXPECT_FALSE(player_.holding());
   for (int i = 0; i < 3000; ++i) player_.Advance(0.001);
@@ -88,4 +88,4 @@ TEST_F(ArmActionTest, NeverJumps) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

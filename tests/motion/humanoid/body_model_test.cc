@@ -10,23 +10,25 @@
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
 
-RobotSpec SpecOf(const std::string& robot) { return LoadConfig({.robot = robot}, kData).robot; }
+robot::RobotSpec SpecOf(const std::string& robot) {
+  return config::LoadConfig({.robot = robot}, kData).robot;
+}
 
-PhysicsWorld WorldOf(const RobotSpec& spec) {
-  return {
-      LoadWorldModel(spec, kData / "models" / spec.model, kData / "models/scene/flat.xml", 0.001),
-      spec};
+physics::PhysicsWorld WorldOf(const robot::RobotSpec& spec) {
+  return {physics::LoadWorldModel(spec, kData / "models" / spec.model,
+                                  kData / "models/scene/flat.xml", 0.001),
+          spec};
 }
 
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
 // The robot in the air, every joint somewhere and everything turning.
-class BodyModelTest : public MujocoTest, public testing::WithParamInterface<const char*> {
+class BodyModelTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {
  protected:
   BodyModelTest() {
     const mjModel& m = world_.model();
@@ -39,7 +41,7 @@ class BodyModelTest : public MujocoTest, public testing::WithParamInterface<cons
     mju_normalize4(data_->qpos + 3);
     mj_forward(&m, data_.get());
     mj_subtreeVel(&m, data_.get());
-    for (const MotorSpec& motor : spec_.motors) {
+    for (const robot::MotorSpec& motor : spec_.motors) {
       const int joint = mj_name2id(&m, mjOBJ_JOINT, motor.joint.c_str());
       dof_.push_back(m.jnt_dofadr[joint]);
       q_.push_back(data_->qpos[m.jnt_qposadr[joint]]);
@@ -55,9 +57,9 @@ class BodyModelTest : public MujocoTest, public testing::WithParamInterface<cons
   }
 
   // Middle between the centres of the soles; the geoms of a foot are the corners of its sole.
-  PointReading Soles() const {
-    PointReading middle;
-    for (const FootSpec& foot : spec_.feet) {
+  physics::PointReading Soles() const {
+    physics::PointReading middle;
+    for (const robot::FootSpec& foot : spec_.feet) {
       for (const std::string& name : foot.geoms) {
         const int geom = mj_name2id(&world_.model(), mjOBJ_GEOM, name.c_str());
         mjtNum velocity[6];
@@ -71,13 +73,13 @@ class BodyModelTest : public MujocoTest, public testing::WithParamInterface<cons
   }
   const mjtNum* OfBase(const mjtNum* all) const { return all + 3 * world_.Body(spec_.base_body); }
 
-  RobotSpec spec_ = SpecOf(GetParam());
-  PhysicsWorld world_ = WorldOf(spec_);
-  DataHandle data_{mj_makeData(&world_.model())};
+  robot::RobotSpec spec_ = SpecOf(GetParam());
+  physics::PhysicsWorld world_ = WorldOf(spec_);
+  mjcf::DataHandle data_{mj_makeData(&world_.model())};
   BodyModel body_{world_.model(), spec_};
   std::vector<int> dof_;
   std::vector<double> q_, dq_;
-  ImuReading imu_;
+  robot::ImuReading imu_;
 };
 
 // The spheres under a sole have their centres a radius over it and are not always symmetrical.
@@ -169,11 +171,11 @@ INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest,
                          testing::Values("g1", "g1_23dof", "h1", "h1_2", "r1", "h2"),
                          [](const auto& test) { return std::string(test.param); });
 
-using BodyModelMisuseTest = MujocoTest;
+using BodyModelMisuseTest = test::MujocoTest;
 
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
-  RobotSpec spec = SpecOf("g1");
-  const PhysicsWorld world = WorldOf(spec);
+  robot::RobotSpec spec = SpecOf("g1");
+  const physics::PhysicsWorld world = WorldOf(spec);
   spec.feet[1].geoms = {"none"};
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
   spec.feet.clear();
@@ -181,4 +183,4 @@ TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

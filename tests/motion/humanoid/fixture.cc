@@ -8,28 +8,28 @@
 #include "config/load.h"
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
 
-PhysicsWorld MakeWorld(const RobotSpec& spec, const std::function<void(mjModel&)>& change,
-                       double timestep) {
-  ModelHandle model = LoadWorldModel(spec, kData / "models" / spec.model,
-                                     kData / "models/scene/flat.xml", timestep);
+physics::PhysicsWorld MakeWorld(const robot::RobotSpec& spec,
+                                const std::function<void(mjModel&)>& change, double timestep) {
+  mjcf::ModelHandle model = physics::LoadWorldModel(spec, kData / "models" / spec.model,
+                                                    kData / "models/scene/flat.xml", timestep);
   if (change) change(*model);
   return {std::move(model), spec};
 }
 
 }  // namespace
 
-Config HumanoidConfig(const std::string& robot) {
+config::Config HumanoidConfig(const std::string& robot) {
   const std::size_t space = robot.find(' ');
-  if (space == std::string::npos) return LoadConfig({.robot = robot}, kData);
-  return LoadConfig({.robot = robot.substr(0, space),
-                     .files = {},
-                     .sets = {"robot.revision=" + robot.substr(space + 1)}},
-                    kData);
+  if (space == std::string::npos) return config::LoadConfig({.robot = robot}, kData);
+  return config::LoadConfig({.robot = robot.substr(0, space),
+                             .files = {},
+                             .sets = {"robot.revision=" + robot.substr(space + 1)}},
+                            kData);
 }
 
 HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjModel&)>& change,
@@ -38,11 +38,11 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       world_(MakeWorld(config_.robot, change, timestep)),
       motors_(config_.robot),
       battery_(config_.robot.battery),
-      sensors_(SensorConfig{}, config_.robot),
+      sensors_(sensors::SensorConfig{}, config_.robot),
       motion_(MakeHumanoidMotion(config_.robot, world_)),
       hook_body_(world_.Body(config_.robot.crane_body)),
       hook_(config_.robot.crane_point.data()),
-      command_{.motors = std::vector<MotorCommand>(spec().motors.size())},
+      command_{.motors = std::vector<robot::MotorCommand>(spec().motors.size())},
       q_(spec().motors.size()),
       dq_(spec().motors.size()),
       foot_force_(spec().feet.size()),
@@ -92,13 +92,13 @@ bool HumanoidRig::Run(double seconds) {
       torque_change = std::max(torque_change, std::abs(motors_.torque()[m] - torque_[m]));
       torque_[m] = motors_.torque()[m];
     }
-    const PointReading hook = world_.Point(hook_body_, hook_);
+    const physics::PointReading hook = world_.Point(hook_body_, hook_);
     world_.AddForce(hook_body_, hook.p_WP, crane_.Step(hook, world_.timestep()));
     if (push_left_ > 0) {
       world_.AddForce(hook_body_, hook.p_WP, push_);
       push_left_ -= world_.timestep();
     }
-    if (world_.EndStep(motors_.torque()) != StepHealth::kFine) return false;
+    if (world_.EndStep(motors_.torque()) != physics::StepHealth::kFine) return false;
     time_ += world_.timestep();
     if (watch) watch();
   }
@@ -147,8 +147,8 @@ double HumanoidRig::FastestJoint() const {
 
 double HumanoidRig::q(const std::string& joint) const {
   const auto found = std::find_if(spec().motors.begin(), spec().motors.end(),
-                                  [&](const MotorSpec& m) { return m.joint == joint; });
+                                  [&](const robot::MotorSpec& m) { return m.joint == joint; });
   return world_.q()[static_cast<std::size_t>(found - spec().motors.begin())];
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

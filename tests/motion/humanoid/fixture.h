@@ -16,10 +16,10 @@
 #include "sensors/sensors.h"
 #include "tests/support/mujoco_test.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 // config/robots/<robot>.yaml; "g1 6" is its hardware revision 6.
-Config HumanoidConfig(const std::string& robot);
+config::Config HumanoidConfig(const std::string& robot);
 
 class HumanoidRig {
  public:
@@ -34,10 +34,10 @@ class HumanoidRig {
 
   // Step by step for `seconds` of simulated time. False when the physics diverges.
   bool Run(double seconds);
-  MotionVerdict Ask(MotionAction action, double value = 0) {
+  authority::MotionVerdict Ask(authority::MotionAction action, double value = 0) {
     return motion_->Ask({.action = action, .value = {value, 0, 0, 0}});
   }
-  MotionVerdict SetFsm(int id) { return Ask(MotionAction::kSetFsm, id); }
+  authority::MotionVerdict SetFsm(int id) { return Ask(authority::MotionAction::kSetFsm, id); }
   // From the crane to the ground into the state `id`, the crane gone.
   void SetDown(int id);
   void Push(const Eigen::Vector3d& impulse, double duration = 0.1);  // N·s, at the crane's hook
@@ -49,38 +49,38 @@ class HumanoidRig {
   double FastestJoint() const;        // rad/s
   double q(const std::string& joint) const;
 
-  const RobotSpec& spec() const { return config_.robot; }
-  const PhysicsWorld& world() const { return world_; }
-  Crane& crane() { return crane_; }
-  Motion& motion() { return *motion_; }
+  const robot::RobotSpec& spec() const { return config_.robot; }
+  const physics::PhysicsWorld& world() const { return world_; }
+  physics::Crane& crane() { return crane_; }
+  authority::Motion& motion() { return *motion_; }
   int id() const { return motion_->state().id; }
 
   bool noisy = false;        // the service sees what the sensors make of the world
   double torque_change = 0;  // N·m, largest between two steps of any motor since set to 0
-  std::function<void(RobotCommand&)> change_command;  // between service and motors
-  std::function<void()> watch;                        // after every step
+  std::function<void(robot::RobotCommand&)> change_command;  // between service and motors
+  std::function<void()> watch;                               // after every step
 
  private:
   void Sense();
 
-  Config config_;
-  PhysicsWorld world_;
-  MotorBank motors_;
-  Battery battery_;
-  Sensors sensors_;
-  Crane crane_{CraneConfig{}};
-  std::unique_ptr<Motion> motion_;
+  config::Config config_;
+  physics::PhysicsWorld world_;
+  robot::MotorBank motors_;
+  robot::Battery battery_;
+  sensors::Sensors sensors_;
+  physics::Crane crane_{physics::CraneConfig{}};
+  std::unique_ptr<authority::Motion> motion_;
   int hook_body_;
   Eigen::Vector3d hook_;
-  RobotCommand command_;
-  RobotState state_;
+  robot::RobotCommand command_;
+  robot::RobotState state_;
   std::vector<double> q_, dq_, foot_force_, torque_;
-  MotionInput input_;
+  authority::MotionInput input_;
   Eigen::Vector3d push_{0, 0, 0};
   double push_left_ = 0;
   double time_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_

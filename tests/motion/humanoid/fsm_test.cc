@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr int kReady = 4, kSquat = 2, kSit = 3, kWalk = 500, kWalkWaist = 501, kCrouch = 706,
               kRun = 801;
 
-HumanoidMotionSpec G1() {
-  HumanoidMotionSpec spec;
+robot::HumanoidMotionSpec G1() {
+  robot::HumanoidMotionSpec spec;
   spec.lock_stand = kReady;
   spec.balance = {kWalk, kWalkWaist};
   spec.squat = kSquat;
@@ -19,10 +19,12 @@ HumanoidMotionSpec G1() {
   return spec;
 }
 
-MotionVerdict Go(int from, int to, bool moving = false) { return MayGo(G1(), from, to, moving); }
+authority::MotionVerdict Go(int from, int to, bool moving = false) {
+  return MayGo(G1(), from, to, moving);
+}
 
-constexpr auto kTaken = MotionVerdict::kTaken;
-constexpr auto kNotNow = MotionVerdict::kNotNow;
+constexpr auto kTaken = authority::MotionVerdict::kTaken;
+constexpr auto kNotNow = authority::MotionVerdict::kNotNow;
 
 TEST(HumanoidFsmTest, KnowsEachStateByItsNumber) {
   EXPECT_EQ(StanceOf(G1(), 0), HumanoidStance::kZeroTorque);
@@ -38,14 +40,15 @@ TEST(HumanoidFsmTest, KnowsEachStateByItsNumber) {
 }
 
 TEST(HumanoidFsmTest, HasNoStateWhereTheRobotHasNone) {
-  const HumanoidMotionSpec none;
+  const robot::HumanoidMotionSpec none;
   for (const int id : {-1, 2, 3, 4, 500, 706}) {
     EXPECT_EQ(StanceOf(none, id), HumanoidStance::kNone) << id;
   }
 }
 
 TEST(HumanoidFsmTest, RefusesNumbersNobodyKnows) {
-  for (const int from : {0, 1, kReady, kWalk}) EXPECT_EQ(Go(from, 99999), MotionVerdict::kUnknown);
+  for (const int from : {0, 1, kReady, kWalk})
+    EXPECT_EQ(Go(from, 99999), authority::MotionVerdict::kUnknown);
 }
 
 TEST(HumanoidFsmTest, AlwaysTakesDamping) {
@@ -63,7 +66,7 @@ TEST(HumanoidFsmTest, LeavesZeroTorqueForDampingOnly) {
 TEST(HumanoidFsmTest, LeavesDampingForLockedJoints) {
   for (const int to : {0, kReady, kSquat, kSit}) EXPECT_EQ(Go(1, to), kTaken) << to;
   EXPECT_EQ(Go(1, kWalk), kNotNow);
-  EXPECT_EQ(Go(1, kCrouch), MotionVerdict::kUnable);
+  EXPECT_EQ(Go(1, kCrouch), authority::MotionVerdict::kUnable);
 }
 
 TEST(HumanoidFsmTest, BalancesOnlyFromLockStand) {
@@ -101,9 +104,9 @@ TEST(HumanoidFsmTest, RefusesNearlyEverythingWhileItMoves) {
 }
 
 TEST(HumanoidFsmTest, SaysWhatItCannotPlay) {
-  EXPECT_EQ(Go(kReady, kRun), MotionVerdict::kUnable);
-  EXPECT_EQ(Go(kWalk, kRun), MotionVerdict::kUnable);
+  EXPECT_EQ(Go(kReady, kRun), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(Go(kWalk, kRun), authority::MotionVerdict::kUnable);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

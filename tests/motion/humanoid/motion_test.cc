@@ -4,13 +4,13 @@
 
 #include "tests/motion/humanoid/fixture.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
-constexpr auto kTaken = MotionVerdict::kTaken;
-constexpr auto kNotNow = MotionVerdict::kNotNow;
+constexpr auto kTaken = authority::MotionVerdict::kTaken;
+constexpr auto kNotNow = authority::MotionVerdict::kNotNow;
 
-class HumanoidMotionTest : public MujocoTest {
+class HumanoidMotionTest : public test::MujocoTest {
  protected:
   void Balance() {
     rig_.Stand();
@@ -18,8 +18,8 @@ class HumanoidMotionTest : public MujocoTest {
     ASSERT_EQ(rig_.SetFsm(500), kTaken);
     rig_.Run(0.5);
   }
-  MotionState state() { return rig_.motion().state(); }
-  MotionVerdict Act(int id) { return rig_.Ask(MotionAction::kArmAction, id); }
+  robot::MotionState state() { return rig_.motion().state(); }
+  authority::MotionVerdict Act(int id) { return rig_.Ask(authority::MotionAction::kArmAction, id); }
 
   HumanoidRig rig_{"g1"};
 };
@@ -28,8 +28,8 @@ TEST_F(HumanoidMotionTest, ComesUpLimp) {
   rig_.Hang();
   EXPECT_EQ(rig_.id(), 0);
   double torque = 0;
-  rig_.change_command = [&](const RobotCommand& command) {
-    for (const MotorCommand& m : command.motors) torque += std::abs(m.tau) + m.kp + m.kd;
+  rig_.change_command = [&](const robot::RobotCommand& command) {
+    for (const robot::MotorCommand& m : command.motors) torque += std::abs(m.tau) + m.kp + m.kd;
     EXPECT_TRUE(command.motors[0].enabled);
   };
   rig_.Run(0.1);
@@ -47,8 +47,8 @@ TEST_F(HumanoidMotionTest, HoldsARobotItFindsStanding) {
 TEST_F(HumanoidMotionTest, BrakesInDamping) {
   rig_.Hang();
   rig_.SetFsm(1);
-  rig_.change_command = [&](const RobotCommand& command) {
-    for (const MotorCommand& m : command.motors) {
+  rig_.change_command = [&](const robot::RobotCommand& command) {
+    for (const robot::MotorCommand& m : command.motors) {
       EXPECT_EQ(m.kp, 0);
       EXPECT_EQ(m.tau, 0);
       EXPECT_GT(m.kd, 0);
@@ -146,46 +146,49 @@ TEST_F(HumanoidMotionTest, DampsItsFall) {
 
 TEST_F(HumanoidMotionTest, ListensToTheGoalsOfARemote) {
   rig_.Hang();
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), kTaken);
-  EXPECT_EQ(rig_.Ask(MotionAction::kZeroTorque), kTaken);
-  rig_.Ask(MotionAction::kDamp);
-  EXPECT_EQ(rig_.Ask(MotionAction::kBalanceStand), kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(MotionAction::kSit), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kZeroTorque), kTaken);
+  rig_.Ask(authority::MotionAction::kDamp);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kBalanceStand), kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSit), kTaken);
   EXPECT_EQ(rig_.id(), 3);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(MotionAction::kRiseSit), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), kTaken);
   EXPECT_EQ(rig_.id(), 4);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), kTaken);
   EXPECT_EQ(rig_.id(), 2);
-  EXPECT_EQ(rig_.Ask(MotionAction::kHello), MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kUnknown);
 }
 
 TEST_F(HumanoidMotionTest, DoesNotWalk) {
-  EXPECT_EQ(rig_.Ask(MotionAction::kMove, 0.3), kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, 0.3), kNotNow);
   Balance();
-  EXPECT_EQ(rig_.Ask(MotionAction::kMove, 0.3), MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStopMove), kTaken);
-  EXPECT_EQ(rig_.Ask(MotionAction::kSetBalanceMode, 0), kTaken);
-  EXPECT_EQ(rig_.Ask(MotionAction::kSetBalanceMode, 1), MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, 0.3), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetBalanceMode, 0), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetBalanceMode, 1),
+            authority::MotionVerdict::kUnable);
 }
 
 TEST_F(HumanoidMotionTest, RefusesValuesThatAreNotFinite) {
   Balance();
-  EXPECT_EQ(rig_.Ask(MotionAction::kSetStandHeight, std::nan("")), MotionVerdict::kUnknown);
-  EXPECT_EQ(rig_.Ask(MotionAction::kSetFsm, HUGE_VAL), MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, std::nan("")),
+            authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetFsm, HUGE_VAL),
+            authority::MotionVerdict::kUnknown);
 }
 
 TEST_F(HumanoidMotionTest, StandsLowerAndHigher) {
   Balance();
   const double high = rig_.height();
-  ASSERT_EQ(rig_.Ask(MotionAction::kSetStandHeight, 0), kTaken);
+  ASSERT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, 0), kTaken);
   rig_.Run(2.5);
   EXPECT_LT(rig_.height(), high - 0.05);
   EXPECT_NEAR(state().body_height, rig_.height(), 0.005);
-  ASSERT_EQ(rig_.Ask(MotionAction::kSetStandHeight, 5), kTaken);
+  ASSERT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, 5), kTaken);
   rig_.Run(2.5);
   EXPECT_NEAR(rig_.height(), high, 0.005);
 }
@@ -209,7 +212,7 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
   Balance();
   Act(26);
   rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStopArmAction), kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopArmAction), kTaken);
   rig_.Run(2);
   EXPECT_EQ(state().arm_action, 0);
   EXPECT_NEAR(rig_.q("right_shoulder_pitch_joint"), 0, 0.03);
@@ -218,7 +221,7 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
 TEST_F(HumanoidMotionTest, ActsOnlyWhileItBalances) {
   rig_.Stand();
   EXPECT_EQ(Act(26), kNotNow);
-  EXPECT_EQ(Act(77), MotionVerdict::kUnknown);
+  EXPECT_EQ(Act(77), authority::MotionVerdict::kUnknown);
   EXPECT_EQ(Act(99), kNotNow);
 }
 
@@ -230,7 +233,7 @@ TEST_F(HumanoidMotionTest, NeverLooksAtTheTruthAboutItsBase) {
   EXPECT_TRUE(rig_.standing());
 }
 
-class ArmActionsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class ArmActionsTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   HumanoidRig rig(GetParam(), {}, 0.002);
@@ -246,7 +249,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
     const ArmAction* action = FindArmAction(id);
     if (action == nullptr) continue;
     SCOPED_TRACE(id);
-    ASSERT_EQ(rig.Ask(MotionAction::kArmAction, id), kTaken);
+    ASSERT_EQ(rig.Ask(authority::MotionAction::kArmAction, id), kTaken);
     double duration = 0.4;
     for (const ArmKey& key : action->keys) duration += key.duration;
     rig.Run(duration);
@@ -255,7 +258,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
       const ArmPose* right = action->keys.back().right;
       EXPECT_NEAR(rig.q("right_shoulder_pitch_joint"), (*right)[0], 0.1);
       EXPECT_NEAR(rig.q("right_elbow_joint"), (*right)[3], 0.1);
-      ASSERT_EQ(rig.Ask(MotionAction::kArmAction, id), kTaken);
+      ASSERT_EQ(rig.Ask(authority::MotionAction::kArmAction, id), kTaken);
       rig.Run(1.5);
     }
     ASSERT_EQ(rig.motion().state().arm_action, 0);
@@ -270,4 +273,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest, testing::Values("g1", "g1_23dof
                          [](const auto& test) { return std::string(test.param); });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

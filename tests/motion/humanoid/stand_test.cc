@@ -6,14 +6,15 @@
 
 #include "tests/motion/humanoid/fixture.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 int Balanced(const HumanoidRig& rig) {
   return static_cast<int>(rig.spec().motion.humanoid.balance.front());
 }
 
-class HumanoidStandTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class HumanoidStandTest : public test::MujocoTest,
+                          public testing::WithParamInterface<const char*> {};
 
 // A push at the crane's hook, near the shoulders.
 void SurvivesPushes(HumanoidRig* rig, double impulse) {
@@ -40,7 +41,7 @@ TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {
   HumanoidRig rig(GetParam(), {}, 0.002);
   rig.Stand();
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(Balanced(rig)), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(Balanced(rig)), authority::MotionVerdict::kTaken);
   rig.Run(2);
   SurvivesPushes(&rig, 5);
 }
@@ -52,20 +53,20 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
   EXPECT_TRUE(rig.standing());
 }
 
-class G1SquatTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class G1SquatTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {};
 
 TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
   HumanoidRig rig(GetParam(), {}, 0.002);
   const int squat = rig.spec().motion.humanoid.balanced_squat;
   rig.Stand();
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(Balanced(rig)), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(Balanced(rig)), authority::MotionVerdict::kTaken);
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
   rig.Run(4);
   EXPECT_LT(rig.height(), 0.7 * rig.spec().standing.height);
   EXPECT_LT(rig.world().tilt(), 0.4);
-  ASSERT_EQ(rig.SetFsm(squat), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
   rig.Run(4);
   EXPECT_EQ(rig.id(), Balanced(rig));
   EXPECT_TRUE(rig.standing());
@@ -92,7 +93,8 @@ INSTANTIATE_TEST_SUITE_P(Revisions, G1SquatTest, kRevisions,
 INSTANTIATE_TEST_SUITE_P(Robots, G1SquatTest, testing::Values("g1", "g1_23dof"),
                          [](const auto& test) { return Name(test.param); });
 
-class HumanoidLastsTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class HumanoidLastsTest : public test::MujocoTest,
+                          public testing::WithParamInterface<const char*> {};
 
 TEST_P(HumanoidLastsTest, StandsForAMinute) {
   HumanoidRig rig(GetParam(), {}, 0.002);
@@ -110,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, HumanoidLastsTest, testing::Values("g1", "h1"),
                          [](const auto& test) { return std::string(test.param); });
 
 // Noise and lattices of the sensors; 1 ms, as the robot runs.
-class HumanoidNoiseTest : public MujocoTest, public testing::WithParamInterface<const char*> {};
+class HumanoidNoiseTest : public test::MujocoTest,
+                          public testing::WithParamInterface<const char*> {};
 
 TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
   HumanoidRig rig(GetParam());
@@ -139,7 +142,7 @@ struct Drives {
   double damping;   // of the ankles, as a share of what is commanded
 };
 
-class HumanoidDrivesTest : public MujocoTest, public testing::WithParamInterface<Drives> {};
+class HumanoidDrivesTest : public test::MujocoTest, public testing::WithParamInterface<Drives> {};
 
 TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
   HumanoidRig rig(
@@ -149,7 +152,7 @@ TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
                   GetParam().friction);
       },
       0.002);
-  rig.change_command = [&](RobotCommand& command) {
+  rig.change_command = [&](robot::RobotCommand& command) {
     for (std::size_t i = 0; i < command.motors.size(); ++i) {
       const bool ankle = rig.spec().motors[i].joint.find("ankle") != std::string::npos;
       if (ankle) command.motors[i].kd *= GetParam().damping;
@@ -171,7 +174,7 @@ TEST(HumanoidHangsTest, BalancesInTheAirWithoutKicking) {
   rig.SetFsm(1);
   rig.SetFsm(4);
   rig.Run(5);
-  ASSERT_EQ(rig.SetFsm(500), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(500), authority::MotionVerdict::kTaken);
   double fastest = 0;
   rig.watch = [&] { fastest = std::max(fastest, rig.FastestJoint()); };
   rig.Run(2);
@@ -185,4 +188,4 @@ TEST(HumanoidHangsTest, BalancesInTheAirWithoutKicking) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -9,7 +9,7 @@
 #include "tests/motion/quadruped/rig.h"
 #include "tests/support/allocations.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -25,25 +25,25 @@ class WheeledMotionTest : public testing::TestWithParam<const char*> {
 
 TEST_P(WheeledMotionTest, LiesDownFromLockOrDampingOnly) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
   rig_.Run(2);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
   rig_.Run(4);
-  for (const MotorCommand& motor : rig_.command().motors) {
+  for (const robot::MotorCommand& motor : rig_.command().motors) {
     EXPECT_EQ(motor.kp, 0) << "idle";
     EXPECT_EQ(motor.kd, 0);
   }
-  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
 }
 
 TEST_P(WheeledMotionTest, RecoversFromDampingOrLyingOnly) {
   rig_.StandUp();
-  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kNotNow);
-  rig_.Ask(MotionAction::kDamp);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kNotNow);
+  rig_.Ask(authority::MotionAction::kDamp);
   rig_.Run(2);
-  EXPECT_EQ(rig_.Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WheeledMotionTest, testing::Values("go2w", "b2w"),
@@ -56,7 +56,7 @@ class Go2MotionTest : public testing::Test {
 
 TEST_F(Go2MotionTest, SaysAllByAnglesAsTheRealOneDoes) {
   rig_.BalanceStand();
-  for (const MotorCommand& motor : rig_.command().motors) {
+  for (const robot::MotorCommand& motor : rig_.command().motors) {
     EXPECT_EQ(motor.kp, 40);
     EXPECT_EQ(motor.kd, 1);
     EXPECT_EQ(motor.dq, 0);
@@ -76,39 +76,40 @@ TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
 
 TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   rig_.StartLying();
-  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
   const double x = rig_.world().base().p_WB.x();
-  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kTaken);
   rig_.Run(1);
   EXPECT_NEAR(rig_.world().base().p_WB.x(), x, 0.01);
   EXPECT_EQ(rig_.state().id, kLocked);
-  rig_.Ask(MotionAction::kBalanceStand);
+  rig_.Ask(authority::MotionAction::kBalanceStand);
   rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(MotionAction::kMove, {0.3}), MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kUnable);
 }
 
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
-  const std::array kSpecial{MotionAction::kHello, MotionAction::kStretch,
-                            MotionAction::kSit,   MotionAction::kPose,
-                            MotionAction::kEuler, MotionAction::kBodyHeight};
+  const std::array kSpecial{authority::MotionAction::kHello, authority::MotionAction::kStretch,
+                            authority::MotionAction::kSit,   authority::MotionAction::kPose,
+                            authority::MotionAction::kEuler, authority::MotionAction::kBodyHeight};
   rig_.StartLying();
-  for (const MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "lying";
+  for (const authority::MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow) << "lying";
   }
-  EXPECT_EQ(rig_.Ask(MotionAction::kBalanceStand), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kRiseSit), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kBalanceStand), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
-  for (const MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "locked";
+  for (const authority::MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow) << "locked";
   }
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kStretch), MotionVerdict::kTaken);
-  for (const MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), MotionVerdict::kNotNow) << "before the last has ended";
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStretch), authority::MotionVerdict::kTaken);
+  for (const authority::MotionAction action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow)
+        << "before the last has ended";
   }
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
 }
 
 TEST_F(Go2MotionTest, FollowsAnglesThatChangeAllTheTime) {
@@ -116,7 +117,7 @@ TEST_F(Go2MotionTest, FollowsAnglesThatChangeAllTheTime) {
   double worst = 0;
   for (int i = 0; i < 400; ++i) {
     const double t = 0.01 * i;
-    rig_.Ask(MotionAction::kEuler, {0, 0.3 * std::sin(2 * t), 0});
+    rig_.Ask(authority::MotionAction::kEuler, {0, 0.3 * std::sin(2 * t), 0});
     rig_.Run(0.01);
     // A critically damped follower of 8 rad/s lags a slow wave by 2/8 s.
     if (t > 1) worst = std::max(worst, std::abs(rig_.rpy()[1] - 0.3 * std::sin(2 * (t - 0.25))));
@@ -133,14 +134,15 @@ TEST_F(Go2MotionTest, CarriesALoadLevelAndAtItsHeight) {
 
 TEST_F(Go2MotionTest, StepAllocatesNothing) {
   rig_.StartLying();
-  const MotionAction kWay[] = {MotionAction::kStandUp, MotionAction::kBalanceStand,
-                               MotionAction::kHello, MotionAction::kDamp,
-                               MotionAction::kRecoveryStand};
-  for (const MotionAction action : kWay) {
-    const std::uint64_t before = Allocations();
+  const authority::MotionAction kWay[] = {
+      authority::MotionAction::kStandUp, authority::MotionAction::kBalanceStand,
+      authority::MotionAction::kHello, authority::MotionAction::kDamp,
+      authority::MotionAction::kRecoveryStand};
+  for (const authority::MotionAction action : kWay) {
+    const std::uint64_t before = test::Allocations();
     rig_.Ask(action);
     rig_.Run(4);
-    EXPECT_EQ(Allocations(), before);
+    EXPECT_EQ(test::Allocations(), before);
   }
 }
 
@@ -157,4 +159,4 @@ TEST(Go2LongStandTest, StandsAMinuteLockedAndBalanced) {
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -9,7 +9,7 @@
 #include "tests/motion/quadruped/rig.h"
 #include "tests/support/temporary_folder.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr double kDegree = 0.017453;  // rad
@@ -25,7 +25,7 @@ class QuadrupedGroundTest : public testing::TestWithParam<const char*> {
                              " 1'/></worldbody></mujoco>");
   }
 
-  TemporaryFolder folder_;
+  test::TemporaryFolder folder_;
 };
 
 TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
@@ -33,7 +33,7 @@ TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
     QuadrupedRig rig(GetParam(), {}, Slope(x, y));
     rig.StandUp();
     EXPECT_GT(rig.tilt(), 4 * kDegree) << "a lock stands as the ground does";
-    rig.Ask(MotionAction::kBalanceStand);
+    rig.Ask(authority::MotionAction::kBalanceStand);
     rig.Run(3);
     EXPECT_LT(rig.tilt(), 1.5 * kDegree) << x << " " << y;
     EXPECT_NEAR(rig.state().body_height, rig.spec().motion.quadruped.stand_height, 0.015);
@@ -48,4 +48,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedGroundTest,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -9,7 +9,7 @@
 #include "motion/quadruped/body.h"
 #include "tests/motion/quadruped/rig.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Matrix3d;
@@ -28,7 +28,7 @@ class QuadrupedLegTest : public testing::TestWithParam<const char*> {
 
 TEST_P(QuadrupedLegTest, PutsTheFootWhereTheModelHasIt) {
   for (const Vector3d& q : kAngles) {
-    PoseSpec pose = rig_.spec().standing;
+    robot::PoseSpec pose = rig_.spec().standing;
     for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
     pose.height = 2;
     rig_.world().Reset(pose);
@@ -107,9 +107,9 @@ TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {
 
 TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   const QuadrupedBody body(figures_);
-  PoseSpec pose = rig_.spec().standing;
+  robot::PoseSpec pose = rig_.spec().standing;
   rig_.world().Reset(pose);
-  const PhysicsWorld& world = rig_.world();
+  const physics::PhysicsWorld& world = rig_.world();
   const QuadrupedReading reading = body.Read(
       {.q = world.q(), .dq = world.dq(), .imu = world.Imu(), .base = {}, .foot_force = {}});
   const int base = rig_.world().Body(rig_.spec().base_body);
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -8,7 +8,7 @@
 
 #include "tests/motion/quadruped/rig.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
@@ -30,7 +30,7 @@ class QuadrupedMotionTest : public testing::TestWithParam<const char*> {
  protected:
   QuadrupedMotionTest() : rig_(GetParam()) {}
 
-  const QuadrupedMotionSpec& figures() const { return rig_.spec().motion.quadruped; }
+  const robot::QuadrupedMotionSpec& figures() const { return rig_.spec().motion.quadruped; }
   double stand() const { return figures().stand_height; }
   void ExpectStandsLevel(double tolerance = 2 * kDegree) {
     EXPECT_NEAR(rig_.height(), stand(), 0.02);
@@ -46,7 +46,7 @@ TEST_P(QuadrupedMotionTest, LiesDampedAtTheStart) {
   EXPECT_EQ(rig_.state().id, kDamped);
   rig_.Run(1);
   EXPECT_NEAR(rig_.height(), rig_.spec().lying.height, 0.02);
-  for (const MotorCommand& motor : rig_.command().motors) {
+  for (const robot::MotorCommand& motor : rig_.command().motors) {
     EXPECT_EQ(motor.kp, 0);
     EXPECT_EQ(motor.kd, figures().damping_kd);
   }
@@ -67,12 +67,12 @@ TEST_P(QuadrupedMotionTest, HoldsAStandItStartsIn) {
 TEST_P(QuadrupedMotionTest, StandsUpWithLockedJoints) {
   rig_.StartLying();
   rig_.Run(0.5);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kLocked);
   EXPECT_EQ(rig_.state().mode, 6);
   ExpectStandsLevel();
-  const RobotCommand before = rig_.command();
+  const robot::RobotCommand before = rig_.command();
   rig_.Run(0.5);
   EXPECT_EQ(rig_.command().motors, before.motors);
   EXPECT_LT(rig_.longest_saturation(), 0.05);
@@ -80,13 +80,13 @@ TEST_P(QuadrupedMotionTest, StandsUpWithLockedJoints) {
 
 TEST_P(QuadrupedMotionTest, LiesDownAgain) {
   rig_.StandUp();
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kCrouch);
   EXPECT_EQ(rig_.state().mode, 5);
   EXPECT_NEAR(rig_.height(), rig_.spec().lying.height, 0.02);
   EXPECT_LT(rig_.tilt(), 5 * kDegree);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kLocked);
   ExpectStandsLevel();
@@ -106,7 +106,8 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsAsked) {
   for (const Vector3d& rpy :
        {Vector3d(0.5, 0, 0), Vector3d(-0.5, 0, 0), Vector3d(0, 0.5, 0), Vector3d(0, -0.5, 0),
         Vector3d(0, 0, 0.4), Vector3d(0, 0, -0.4), Vector3d(0.2, -0.2, 0.2)}) {
-    EXPECT_EQ(rig_.Ask(MotionAction::kEuler, {rpy[0], rpy[1], rpy[2]}), MotionVerdict::kTaken);
+    EXPECT_EQ(rig_.Ask(authority::MotionAction::kEuler, {rpy[0], rpy[1], rpy[2]}),
+              authority::MotionVerdict::kTaken);
     rig_.Run(2);
     EXPECT_NEAR(rig_.rpy()[0], rpy[0], 3 * kDegree);
     EXPECT_NEAR(rig_.rpy()[1], rpy[1], 3 * kDegree);
@@ -122,7 +123,7 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       std::array<double, 4> value{};
       value[axis] = sign * 9;  // is cut
-      rig_.Ask(MotionAction::kEuler, value);
+      rig_.Ask(authority::MotionAction::kEuler, value);
       rig_.Run(2.5);
       // A Go2 that bows so far would touch the ground with its chin and stops before. Yaw is that
       // over the feet, which turn a little on the ground, wheels more so.
@@ -130,7 +131,7 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
       EXPECT_NEAR(rig_.rpy()[static_cast<Eigen::Index>(axis)], sign * most[axis], tolerance);
     }
   }
-  rig_.Ask(MotionAction::kEuler, {});
+  rig_.Ask(authority::MotionAction::kEuler, {});
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kBalance);
   ExpectStandsLevel();
@@ -139,30 +140,31 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
 TEST_P(QuadrupedMotionTest, ChangesItsHeight) {
   rig_.BalanceStand();
   for (const double height : figures().height_range) {
-    EXPECT_EQ(rig_.Ask(MotionAction::kBodyHeight, {height}), MotionVerdict::kTaken);
+    EXPECT_EQ(rig_.Ask(authority::MotionAction::kBodyHeight, {height}),
+              authority::MotionVerdict::kTaken);
     rig_.Run(2);
     EXPECT_NEAR(rig_.height(), stand() + height, 0.01);
     EXPECT_NEAR(rig_.state().body_height, stand() + height, 0.01);
     EXPECT_LT(rig_.tilt(), kDegree);
   }
-  rig_.Ask(MotionAction::kBodyHeight, {1});
+  rig_.Ask(authority::MotionAction::kBodyHeight, {1});
   rig_.Run(1);
   EXPECT_LT(rig_.height(), stand() + figures().height_range[1] + 0.01) << "is cut to the range";
-  EXPECT_EQ(rig_.Ask(MotionAction::kStopMove), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_NEAR(rig_.height(), stand(), 0.01);
 }
 
 TEST_P(QuadrupedMotionTest, SitsAndRises) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kSit), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSit), authority::MotionVerdict::kTaken);
   rig_.Run(3);
   EXPECT_EQ(rig_.state().id, kSit);
   EXPECT_EQ(rig_.state().mode, 10);
   EXPECT_NEAR(rig_.rpy()[1], figures().sit[2], 4 * kDegree) << "nose up";
   EXPECT_LT(rig_.height(), stand() - 0.05);
-  EXPECT_EQ(rig_.Ask(MotionAction::kHello), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kRiseSit), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig_.RunUntil(kBalance, 3));
   rig_.Run(2);
   ExpectStandsLevel();
@@ -171,7 +173,7 @@ TEST_P(QuadrupedMotionTest, SitsAndRises) {
 TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
   rig_.BalanceStand();
   const int calf = rig_.world().Body("FR_calf");
-  EXPECT_EQ(rig_.Ask(MotionAction::kHello), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().progress, 1);
   double highest = 0, tilt = 0;
   while (rig_.state().id == kGesture && highest < 2) {
@@ -190,7 +192,7 @@ TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
 
 TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kStretch), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStretch), authority::MotionVerdict::kTaken);
   double down = 0, up = 0;
   for (int i = 0; i < 70 && rig_.state().id == kGesture; ++i) {
     rig_.Run(0.1);
@@ -206,9 +208,9 @@ TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
 
 TEST_P(QuadrupedMotionTest, StopsAGestureAndStands) {
   rig_.BalanceStand();
-  rig_.Ask(MotionAction::kHello);
+  rig_.Ask(authority::MotionAction::kHello);
   rig_.Run(2.3);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStopMove), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().id, kGesture) << "the paw comes down first";
   EXPECT_TRUE(rig_.RunUntil(kBalance, 3));
   rig_.Run(2);
@@ -217,11 +219,11 @@ TEST_P(QuadrupedMotionTest, StopsAGestureAndStands) {
 
 TEST_P(QuadrupedMotionTest, PosesAndRestores) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kPose, {1}), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kPose, {1}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kPose);
   EXPECT_GT(rig_.tilt(), 5 * kDegree);
-  EXPECT_EQ(rig_.Ask(MotionAction::kPose, {0}), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kPose, {0}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kBalance);
   ExpectStandsLevel();
@@ -229,7 +231,7 @@ TEST_P(QuadrupedMotionTest, PosesAndRestores) {
 
 TEST_P(QuadrupedMotionTest, SinksDownWhenDamped) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
   rig_.Run(0.1);
   EXPECT_GT(rig_.height(), 0.7 * stand()) << "brakes, does not drop";
   rig_.Run(3);
@@ -253,8 +255,8 @@ TEST_P(QuadrupedMotionTest, TakesAPushFromAnySide) {
 
 TEST_P(QuadrupedMotionTest, LeavesStrangeGoalsAlone) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(MotionAction::kEuler, {NAN}), MotionVerdict::kUnknown);
-  EXPECT_EQ(rig_.Ask(MotionAction::kSetFsm, {1}), MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kEuler, {NAN}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetFsm, {1}), authority::MotionVerdict::kUnknown);
   EXPECT_EQ(rig_.state().id, kBalance);
 }
 
@@ -263,8 +265,8 @@ TEST_P(QuadrupedMotionTest, DampsItselfWhenItFalls) {
   rig_.Push(Vector3d(0, 3 * rig_.world().weight(), 0), 0.15);
   EXPECT_TRUE(rig_.RunUntil(kDamped, 2));
   EXPECT_GT(rig_.tilt(), 1);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandUp), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(MotionAction::kStandDown), MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kNotNow);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedMotionTest,
@@ -272,4 +274,4 @@ INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedMotionTest,
                          [](const auto& test) { return test.param; });
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -12,19 +12,19 @@
 
 #include "tests/motion/quadruped/rig.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 constexpr int kBalance = 1013;
 constexpr double kPatience = 25;  // s
 
 // Any orientation, joints anywhere within 0.8 rad of lying: the same every time.
-PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
+robot::PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
   const auto between = [random](double low, double high) {
     return low + (high - low) * static_cast<double>((*random)()) / 4294967295.0;
   };
   const QuadrupedFigures figures = ReadQuadruped(rig.world(), rig.spec());
-  PoseSpec pose = rig.spec().lying;
+  robot::PoseSpec pose = rig.spec().lying;
   for (std::size_t i = 0; i < 12; ++i) {
     const LegFigures& leg = figures.legs[i / 3];
     pose.q[i] = std::clamp(pose.q[i] + between(-0.8, 0.8), leg.low[i % 3], leg.high[i % 3]);
@@ -44,10 +44,12 @@ PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
 
 class RecoveryTest : public testing::Test {
  protected:
-  static void ExpectGetsUp(QuadrupedRig* rig, const PoseSpec& pose, const std::string& what) {
+  static void ExpectGetsUp(QuadrupedRig* rig, const robot::PoseSpec& pose,
+                           const std::string& what) {
     rig->Start(pose);
     rig->Run(0.7);
-    ASSERT_EQ(rig->Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken) << what;
+    ASSERT_EQ(rig->Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken)
+        << what;
     EXPECT_TRUE(rig->RunUntil(kBalance, kPatience)) << what;
     rig->Run(1.5);
     EXPECT_EQ(rig->state().id, kBalance) << what;
@@ -89,7 +91,7 @@ class RobotRecoveryTest : public RecoveryTest, public testing::WithParamInterfac
 TEST_P(RobotRecoveryTest, GetsUpFromItsBackAndBothSides) {
   QuadrupedRig rig(GetParam());
   for (const double roll : {3.14159, 1.5708, -1.5708}) {
-    PoseSpec pose = rig.spec().lying;
+    robot::PoseSpec pose = rig.spec().lying;
     pose.quat = {std::cos(roll / 2), std::sin(roll / 2), 0, 0};
     pose.height = 0.05;
     ExpectGetsUp(&rig, pose, std::to_string(roll));
@@ -108,29 +110,29 @@ INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest,
 TEST_F(RecoveryTest, EndsStandingFromEveryState) {
   QuadrupedRig rig("go2");
   rig.StandUp();
-  EXPECT_EQ(rig.Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 1));
   rig.Run(1);
-  rig.Ask(MotionAction::kSit);
+  rig.Ask(authority::MotionAction::kSit);
   rig.Run(2);
-  EXPECT_EQ(rig.Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 3));
-  rig.Ask(MotionAction::kStandUp);
+  rig.Ask(authority::MotionAction::kStandUp);
   rig.Run(2);
-  rig.Ask(MotionAction::kStandDown);
+  rig.Ask(authority::MotionAction::kStandDown);
   rig.Run(0.5);
-  EXPECT_EQ(rig.Ask(MotionAction::kRecoveryStand), MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 8));
 }
 
 TEST_F(RecoveryTest, SaysThatItIsUnderWay) {
   QuadrupedRig rig("go2");
   rig.StartLying();
-  rig.Ask(MotionAction::kRecoveryStand);
+  rig.Ask(authority::MotionAction::kRecoveryStand);
   EXPECT_EQ(rig.state().id, 2006);
   EXPECT_EQ(rig.state().mode, 8);
-  EXPECT_EQ(rig.Ask(MotionAction::kStandUp), MotionVerdict::kNotNow);
-  EXPECT_EQ(rig.Ask(MotionAction::kDamp), MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig.state().id, 1001);
 }
 
@@ -153,12 +155,12 @@ TEST_F(AutoRecoveryTest, LeavesAFallenRobotDampedUntilItIsSwitchedOn) {
   Topple();
   rig.Run(5);
   EXPECT_EQ(rig.state().id, kDamped);
-  EXPECT_EQ(rig.Ask(MotionAction::kAutoRecovery, {1}), MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(authority::MotionAction::kAutoRecovery, {1}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kRecovering, 0.1));
 }
 
 TEST_F(AutoRecoveryTest, GetsUpByItselfOnceItIsSwitchedOn) {
-  rig.Ask(MotionAction::kAutoRecovery, {1});
+  rig.Ask(authority::MotionAction::kAutoRecovery, {1});
   Topple();
   EXPECT_TRUE(rig.RunUntil(kBalance, kPatience));
   rig.Run(1.5);
@@ -166,18 +168,18 @@ TEST_F(AutoRecoveryTest, GetsUpByItselfOnceItIsSwitchedOn) {
 }
 
 TEST_F(AutoRecoveryTest, StaysDownAfterDampAndAfterItIsSwitchedOff) {
-  rig.Ask(MotionAction::kAutoRecovery, {1});
+  rig.Ask(authority::MotionAction::kAutoRecovery, {1});
   Topple();
-  rig.Ask(MotionAction::kDamp);
+  rig.Ask(authority::MotionAction::kDamp);
   rig.Run(3);
   EXPECT_EQ(rig.state().id, kDamped);
-  rig.Ask(MotionAction::kRecoveryStand);
+  rig.Ask(authority::MotionAction::kRecoveryStand);
   ASSERT_TRUE(rig.RunUntil(kBalance, kPatience));
-  rig.Ask(MotionAction::kAutoRecovery, {0});
+  rig.Ask(authority::MotionAction::kAutoRecovery, {0});
   Topple();
   rig.Run(3);
   EXPECT_EQ(rig.state().id, kDamped);
 }
 
 }  // namespace
-}  // namespace understudy
+}  // namespace understudy::motion

@@ -6,14 +6,14 @@
 #include "config/load.h"
 #include "physics/world_model.h"
 
-namespace understudy {
+namespace understudy::motion {
 namespace {
 
 const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
 
-PhysicsWorld MakeWorld(const Config& config, const std::filesystem::path& scene) {
-  return {LoadWorldModel(config.robot, kRoot / "models" / config.robot.model, scene,
-                         config.physics.timestep),
+physics::PhysicsWorld MakeWorld(const config::Config& config, const std::filesystem::path& scene) {
+  return {physics::LoadWorldModel(config.robot, kRoot / "models" / config.robot.model, scene,
+                                  config.physics.timestep),
           config.robot};
 }
 
@@ -23,7 +23,7 @@ std::filesystem::path QuadrupedRig::FlatScene() { return kRoot / "models" / "sce
 
 QuadrupedRig::QuadrupedRig(const std::string& robot, const std::vector<std::string>& settings,
                            const std::filesystem::path& scene)
-    : config_(LoadConfig({.robot = robot, .sets = settings}, kRoot)),
+    : config_(config::LoadConfig({.robot = robot, .sets = settings}, kRoot)),
       world_(MakeWorld(config_, scene)),
       motors_(config_.robot),
       battery_(config_.robot.battery),
@@ -36,9 +36,9 @@ QuadrupedRig::QuadrupedRig(const std::string& robot, const std::vector<std::stri
   StartLying();
 }
 
-void QuadrupedRig::Start(const PoseSpec& pose) {
+void QuadrupedRig::Start(const robot::PoseSpec& pose) {
   world_.Reset(pose);
-  std::fill(command_.motors.begin(), command_.motors.end(), MotorCommand{});
+  std::fill(command_.motors.begin(), command_.motors.end(), robot::MotorCommand{});
   std::fill(saturated_.begin(), saturated_.end(), 0.0);
   longest_ = 0;
   sensors_.Sample(world_, motors_, command_, battery_, 0, &sensed_);
@@ -48,17 +48,18 @@ void QuadrupedRig::Start(const PoseSpec& pose) {
 void QuadrupedRig::StandUp() {
   StartLying();
   Run(0.2);
-  Ask(MotionAction::kStandUp);
+  Ask(authority::MotionAction::kStandUp);
   Run(3);
 }
 
 void QuadrupedRig::BalanceStand() {
   StandUp();
-  Ask(MotionAction::kBalanceStand);
+  Ask(authority::MotionAction::kBalanceStand);
   Run(2);
 }
 
-MotionVerdict QuadrupedRig::Ask(MotionAction action, std::array<double, 4> value) {
+authority::MotionVerdict QuadrupedRig::Ask(authority::MotionAction action,
+                                           std::array<double, 4> value) {
   return motion_->Ask({.action = action, .value = value});
 }
 
@@ -91,7 +92,7 @@ double QuadrupedRig::fastest() const {
   return speed;
 }
 
-MotionInput QuadrupedRig::Input() {
+authority::MotionInput QuadrupedRig::Input() {
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = sensed_.motors[i].q;
     dq_[i] = sensed_.motors[i].dq;
@@ -123,4 +124,4 @@ void QuadrupedRig::Tick() {
   }
 }
 
-}  // namespace understudy
+}  // namespace understudy::motion

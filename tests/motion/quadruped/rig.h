@@ -15,7 +15,7 @@
 #include "robot/motor.h"
 #include "sensors/sensors.h"
 
-namespace understudy {
+namespace understudy::motion {
 
 class QuadrupedRig {
  public:
@@ -26,14 +26,14 @@ class QuadrupedRig {
   static std::filesystem::path FlatScene();
 
   // The service starts with the robot at rest in that pose.
-  void Start(const PoseSpec& pose);
+  void Start(const robot::PoseSpec& pose);
   void StartLying() { Start(spec().lying); }
   void StartStanding() { Start(spec().standing); }
   // In the stand that Stand Up leads to, and on to a balanced one.
   void StandUp();
   void BalanceStand();
 
-  MotionVerdict Ask(MotionAction action, std::array<double, 4> value = {});
+  authority::MotionVerdict Ask(authority::MotionAction action, std::array<double, 4> value = {});
   void Run(double seconds);
   // Runs until the service is in that state; false when it is not after `seconds`.
   bool RunUntil(int id, double seconds);
@@ -45,34 +45,34 @@ class QuadrupedRig {
   Eigen::Vector3d rpy() const;
   double tilt() const { return world_.tilt(); }
   double fastest() const;  // rad/s, over all joints
-  MotionState state() const { return motion_->state(); }
+  robot::MotionState state() const { return motion_->state(); }
   // Seconds, of any one motor, that it gave all it has without a break: the longest since Start.
   double longest_saturation() const { return longest_; }
 
-  const RobotSpec& spec() const { return config_.robot; }
-  PhysicsWorld& world() { return world_; }
-  const RobotCommand& command() const { return command_; }
-  Motion& motion() { return *motion_; }
+  const robot::RobotSpec& spec() const { return config_.robot; }
+  physics::PhysicsWorld& world() { return world_; }
+  const robot::RobotCommand& command() const { return command_; }
+  authority::Motion& motion() { return *motion_; }
 
  private:
   void Tick();
-  MotionInput Input();
+  authority::MotionInput Input();
 
-  Config config_;
-  PhysicsWorld world_;
-  MotorBank motors_;
-  Battery battery_;
-  Sensors sensors_;
-  RobotCommand command_;
-  RobotState sensed_;
+  config::Config config_;
+  physics::PhysicsWorld world_;
+  robot::MotorBank motors_;
+  robot::Battery battery_;
+  sensors::Sensors sensors_;
+  robot::RobotCommand command_;
+  robot::RobotState sensed_;
   std::vector<double> q_, dq_;
-  std::unique_ptr<Motion> motion_;
+  std::unique_ptr<authority::Motion> motion_;
   double time_ = 0;
   Eigen::Vector3d push_{0, 0, 0};
   std::vector<double> saturated_;  // s, by motor
   double longest_ = 0;
 };
 
-}  // namespace understudy
+}  // namespace understudy::motion
 
 #endif  // UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
