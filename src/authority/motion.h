@@ -49,14 +49,12 @@ enum class MotionVerdict : std::uint8_t {
   kUnable,   // the real robot could, no controller here can
 };
 
-// What a robot's own controller knows: one instant of its sensors. `base` is the simulation's
-// truth, for what a real robot's state estimator says; a controller that stands must not need it.
+// What a robot's own controller knows: one instant of its sensors, as they read.
 struct MotionInput {
-  double time = 0;                // simulated s
-  std::span<const double> q, dq;  // rad, rad/s, motor order
-  robot::ImuReading imu;          // LowState's unit
-  robot::BaseReading base;
-  std::span<const double> foot_force;  // N, RobotSpec::feet order
+  double time = 0;                              // simulated s
+  std::span<const robot::MotorReading> motors;  // motor order
+  robot::ImuReading imu;                        // LowState's unit
+  std::span<const double> foot_force;           // N, RobotSpec::feet order
 };
 
 class Motion {

@@ -66,8 +66,7 @@ Emulator::Emulator(const config::Config& config, physics::PhysicsWorld world, wi
       service_every_(Every(config_.robot.rates.service_hz)),
       pace_{.speed = config_.time.speed},
       command_(&start().command),
-      offered_(start().command),
-      foot_force_(config_.robot.feet.size()) {
+      offered_(start().command) {
   for (const robot::HandSpec& hand : config_.robot.hands)
     hands_.emplace_back(hand, config_.gate.lenient);
   state_.hands.resize(hands_.size());
@@ -93,7 +92,7 @@ physics::StepHealth Emulator::Tick() {
     ++divergences_;
     if (config_.physics.on_divergence == config::DivergenceAction::kReset) To(start());
   } else if (const wire::Due due = DueNow(); due.any()) {
-    Sample(t);
+    Sample(step_);
     if (!silenced_) {
       port_->Publish(state_, due);
       if (due.lowstate) ++published_;
@@ -129,17 +128,17 @@ void Emulator::TakeHandCommands(double t) {
   }
 }
 
-// All that a motion service knows is of the step before, as a robot's own computer has it.
+// All that a motion service knows is what the sensors said of the step before, as a robot's own
+// computer has it: the published sample where there was one. While no service is on nothing is
+// sampled for it.
 const robot::RobotCommand& Emulator::Decide(double t) {
   const bool service_due = step_ % service_every_ == 0;
   input_.time = t;
   if (service_due && router_.service_on()) {
-    world_.FootForces(foot_force_);
-    input_.q = world_.q();
-    input_.dq = world_.dq();
-    input_.imu = world_.Imu();
-    input_.base = world_.base();
-    input_.foot_force = foot_force_;
+    if (sampled_ != step_ - 1) Sample(step_ - 1);
+    input_.motors = state_.motors;
+    input_.imu = state_.imu;
+    input_.foot_force = state_.foot_force;
   }
   return router_.Current(input_, service_due,
                          static_cast<double>(service_every_ * step_ns_) * 1e-9);
@@ -209,6 +208,7 @@ void Emulator::To(const Start& start) {
   crane_.Release();
   if (start.on_crane) HangFromCrane();
   world_.Clamp(start.clamped);
+  sampled_ = kNever;
 }
 
 wire::Due Emulator::DueNow() const {
@@ -224,12 +224,13 @@ void Emulator::MoveHands(double t) {
   }
 }
 
-void Emulator::Sample(double t) {
-  sensors_.Sample(world_, motors_, *command_, battery_, step_ * step_ns_ / 1'000'000, &state_);
+void Emulator::Sample(std::int64_t step) {
+  sampled_ = step;
+  sensors_.Sample(world_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     hands_[i].Sample(world_.hand_q(i), world_.hand_dq(i), &state_.hands[i]);
   }
-  state_.remote = remote_.Read(t);
+  state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();
 }
 

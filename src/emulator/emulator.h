@@ -91,6 +91,8 @@ class Emulator {
     bool clamped = false;
   };
 
+  static constexpr std::int64_t kNever = -2;  // before any step's sample
+
   static std::vector<Start> StartsOf(const config::Config& config);
   std::int64_t Every(double hz) const;
   const Start& start() const { return starts_[static_cast<std::size_t>(start_pose_)]; }
@@ -102,7 +104,7 @@ class Emulator {
   const robot::RobotCommand& Decide(double t);
   void MoveHands(double t);
   void PushAndPull(double t);
-  void Sample(double t);
+  void Sample(std::int64_t step);  // of the instant that the world shows
   void HangFromCrane();
   Answer CarryOut(const Order& order);
   Answer BeginPush(const PushBody& push);
@@ -141,8 +143,8 @@ class Emulator {
   robot::RobotCommand offered_;
   robot::HandCommand offered_hand_;
   authority::MotionInput input_;
-  std::vector<double> foot_force_;
   robot::RobotState state_;
+  std::int64_t sampled_ = kNever;  // the step that state_ is of
   bool silenced_ = false;
   robot::Refusal last_refusal_ = robot::Refusal::kNone;
   RefusalLog refusals_;

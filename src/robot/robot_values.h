@@ -97,6 +97,8 @@ struct MotionState {
   int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
+  // m/s, of the base, as a quadruped's service estimates it; 0 of every other.
+  Eigen::Vector3d v_WB_W{0, 0, 0};
 };
 
 // What the remote controller sends. Sticks -1..1: right, forward and clockwise are positive.

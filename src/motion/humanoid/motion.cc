@@ -44,6 +44,7 @@ HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const mjModel& mode
       kp_(spec.motors.size()),
       kd_(spec.motors.size()),
       q_(spec.motors.size()),
+      dq_(spec.motors.size()),
       posture_(spec.motors.size()),
       tau_(spec.motors.size()) {
   if (body_.soles().size() != 2) throw ModelError(spec.name + ": expected two feet (feet)");
@@ -99,7 +100,7 @@ void HumanoidMotion::Start(const authority::MotionInput& input) {
   id_ = kZeroTorqueId;
   fresh_ = true;
   Feel(input, 0);
-  body_.Update(input.q, input.dq, input.imu);
+  body_.Update(q_, dq_, input.imu);
   double off = 0;
   for (std::size_t i = 0; i < q_.size(); ++i) {
     if (bears_[i]) off = std::max(off, std::abs(q_[i] - spec_.standing.q[i]));
@@ -274,7 +275,10 @@ void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
 }
 
 void HumanoidMotion::Feel(const authority::MotionInput& input, double dt) {
-  std::copy(input.q.begin(), input.q.end(), q_.begin());
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    q_[i] = input.motors[i].q;
+    dq_[i] = input.motors[i].dq;
+  }
   const double force = std::accumulate(input.foot_force.begin(), input.foot_force.end(), 0.0);
   const double share = force / (kFullLoad * body_.mass() * body_.gravity());
   const double load = std::clamp(share, 0.0, 1.0);
@@ -282,7 +286,7 @@ void HumanoidMotion::Feel(const authority::MotionInput& input, double dt) {
 }
 
 void HumanoidMotion::Sense(const authority::MotionInput& input, double dt) {
-  body_.Update(input.q, input.dq, input.imu);
+  body_.Update(q_, dq_, input.imu);
   const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
   if (balanced && body_.attitude()(2, 2) < std::cos(kFallenTilt)) {
     arms_.Reset();

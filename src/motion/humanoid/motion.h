@@ -23,7 +23,7 @@ namespace understudy::motion {
 // is carried where it is; while balancing they are soft and the ground reactions are
 // StandBalance's. How much the feet bear decides how much of that applies: a robot on the crane
 // hangs calmly by its springs and takes over its weight as it is set down. Senses joints,
-// LowState's unit and foot loads; never MotionInput::base.
+// LowState's unit and foot loads.
 class HumanoidMotion final : public authority::Motion {
  public:
   // `spec` and `model` must outlive it. `model` is LoadWorldModel's for the same spec. Throws
@@ -71,16 +71,16 @@ class HumanoidMotion final : public authority::Motion {
   Stand standing_, half_down_, squatting_;
 
   int id_ = kZeroTorqueId;
-  int stood_in_ = -1;        // the last state that stood balanced upright
-  std::vector<double> q_;    // rad, measured last
-  JointMove posture_;        // of all motors, while locked
-  JointMove depth_{1};       // from standing, 0, to squatting, 1, while balanced
-  JointMove com_offset_{2};  // m, while balanced
-  double balanced_for_ = 0;  // s
-  double load_ = 0;          // share of the weight that the feet bear, 0 to 1
-  double since_sensed_ = 0;  // s
-  bool fresh_ = true;        // has not sensed since Start
-  std::vector<double> tau_;  // N·m, of the last Sense
+  int stood_in_ = -1;           // the last state that stood balanced upright
+  std::vector<double> q_, dq_;  // rad, rad/s, measured last
+  JointMove posture_;           // of all motors, while locked
+  JointMove depth_{1};          // from standing, 0, to squatting, 1, while balanced
+  JointMove com_offset_{2};     // m, while balanced
+  double balanced_for_ = 0;     // s
+  double load_ = 0;             // share of the weight that the feet bear, 0 to 1
+  double since_sensed_ = 0;     // s
+  bool fresh_ = true;           // has not sensed since Start
+  std::vector<double> tau_;     // N·m, of the last Sense
 };
 
 // `world`, which may move to another place meanwhile, must outlive the service; it lends its model

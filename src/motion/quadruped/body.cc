@@ -18,7 +18,8 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
             QuadrupedLeg(figures.legs[2]), QuadrupedLeg(figures.legs[3])},
       trunk_(figures.trunk),
       trunk_shapes_(figures.trunk_shapes),
-      R_IB_(figures.R_BI.conjugate()),
+      R_BI_(figures.R_BI),
+      p_BI_(figures.p_BI),
       mass_(figures.mass),
       gravity_(figures.gravity) {}
 
@@ -26,17 +27,28 @@ QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const 
   QuadrupedReading reading;
   Vector3d moment = trunk_.mass * trunk_.com;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-    reading.q[leg] = Vector3d(input.q[3 * leg], input.q[3 * leg + 1], input.q[3 * leg + 2]);
-    reading.dq[leg] = Vector3d(input.dq[3 * leg], input.dq[3 * leg + 1], input.dq[3 * leg + 2]);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const robot::MotorReading& motor = input.motors[3 * leg + i];
+      reading.q[leg][static_cast<Eigen::Index>(i)] = motor.q;
+      reading.dq[leg][static_cast<Eigen::Index>(i)] = motor.dq;
+    }
     reading.places[leg] = legs_[leg].Place(reading.q[leg]);
     reading.feet[leg] = reading.places[leg].foot;
+    const Vector3d& dq = reading.dq[leg];
+    const double wheel = input.motors.size() > 12 ? input.motors[12 + leg].dq : 0;
+    reading.turn[leg] =
+        dq[0] * Vector3d::UnitX() + (dq[1] + dq[2] + wheel) * reading.places[leg].R_hip.col(1);
+    reading.foot_force[leg] = input.foot_force[leg];
     moment += legs_[leg].MassMoment(reading.places[leg]);
   }
   reading.com = moment / mass_;
-  const Matrix3d R_WB = (input.imu.R_WI * R_IB_).normalized().toRotationMatrix();
+  const Matrix3d& R_WB = reading.R_WB =
+      (input.imu.R_WI * R_BI_.conjugate()).normalized().toRotationMatrix();
   const double yaw = std::atan2(R_WB(1, 0), R_WB(0, 0));
   reading.R_TB = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()).toRotationMatrix() * R_WB;
   reading.up = R_WB.row(2).transpose();
+  reading.w_WB_B = R_BI_ * input.imu.w_WI_I;
+  reading.f_WI_B = R_BI_ * input.imu.f_WI_I;
   return reading;
 }
 
@@ -46,12 +58,6 @@ bool QuadrupedBody::Reach(const PerLeg& feet, PerLeg* q) const {
     all = legs_[leg].Reach(feet[leg], &(*q)[leg]) && all;
   }
   return all;
-}
-
-double QuadrupedBody::Height(const QuadrupedReading& reading) const {
-  double depth = 0;
-  for (const Vector3d& foot : reading.feet) depth -= reading.up.dot(foot) / 4;
-  return depth + radius();
 }
 
 double QuadrupedBody::Depth(const Vector3d& up) const {

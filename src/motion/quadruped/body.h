@@ -24,24 +24,26 @@ struct QuadrupedReading {
   PerLeg q, dq;  // rad, rad/s
   std::array<LegPlaces, 4> places;
   PerLeg feet;           // centres of the feet in the base, m
+  PerLeg turn;           // of foot or wheel against the base, in the base, rad/s
   Eigen::Vector3d com;   // of the whole robot in the base, m
-  Eigen::Matrix3d R_TB;  // from the inertial unit
-  Eigen::Vector3d up;    // the world's up in the base
+  Eigen::Matrix3d R_WB;  // from the inertial unit, as all that follows
+  Eigen::Matrix3d R_TB;
+  Eigen::Vector3d up;                // the world's up in the base
+  Eigen::Vector3d w_WB_B;            // rad/s
+  Eigen::Vector3d f_WI_B;            // specific force at the unit, m/s²
+  std::array<double, 4> foot_force;  // N
 };
 
 class QuadrupedBody {
  public:
   explicit QuadrupedBody(const QuadrupedFigures& figures);
 
-  // `input` has at least twelve motors.
+  // `input` has at least twelve motors and four feet.
   QuadrupedReading Read(const authority::MotionInput& input) const;
 
   // Joint angles that bring every foot to its point in the base [m]; false where one does not get
   // there.
   bool Reach(const PerLeg& feet, PerLeg* q) const;
-
-  // m, of the base over the mean of the ground under the feet.
-  double Height(const QuadrupedReading& reading) const;
 
   // How far the trunk reaches down from the base's origin [m], where `up` is up.
   double Depth(const Eigen::Vector3d& up) const;
@@ -56,6 +58,9 @@ class QuadrupedBody {
   // m, thigh and calf: what postures are scaled with.
   double leg_length() const { return legs_[0].length(); }
   double radius() const { return legs_[0].figures().radius; }
+  double mass() const { return mass_; }                  // kg
+  double gravity() const { return gravity_; }            // m/s²
+  const Eigen::Vector3d& p_BI() const { return p_BI_; }  // m, the inertial unit
 
  private:
   std::array<double, 4> FootForces(const QuadrupedReading& reading,
@@ -64,7 +69,8 @@ class QuadrupedBody {
   std::array<QuadrupedLeg, 4> legs_;
   LinkMass trunk_;
   std::vector<TrunkShape> trunk_shapes_;
-  Eigen::Quaterniond R_IB_;
+  Eigen::Quaterniond R_BI_;
+  Eigen::Vector3d p_BI_;
   double mass_;
   double gravity_;
 };

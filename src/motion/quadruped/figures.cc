@@ -166,6 +166,8 @@ QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::
   figures.gravity = -model.opt.gravity[2];
   const int site = mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str());
   figures.R_BI = Quaternion(model.site_quat + 4 * site);
+  figures.p_BI =
+      InAncestor(model, model.site_bodyid[site], base, Vector(model.site_pos + 3 * site));
   for (int body = model.site_bodyid[site]; body != base && body != 0;
        body = model.body_parentid[body]) {
     figures.R_BI = Quaternion(model.body_quat + 4 * body) * figures.R_BI;

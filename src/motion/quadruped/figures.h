@@ -43,8 +43,9 @@ struct QuadrupedFigures {
   std::vector<TrunkShape> trunk_shapes;  // what of the trunk can touch the ground
   std::array<LegFigures, 4> legs;        // FR FL RR RL
   Eigen::Quaterniond R_BI{1, 0, 0, 0};
-  double mass = 0;        // kg, of everything
-  double gravity = 9.81;  // m/s²
+  Eigen::Vector3d p_BI{0, 0, 0};  // m, the inertial unit in the base
+  double mass = 0;                // kg, of everything
+  double gravity = 9.81;          // m/s²
 };
 
 // The first twelve motors of `spec` must be the legs' FR FL RR RL, each hip, thigh, calf, and

@@ -20,16 +20,18 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
     : spec_(spec),
       figures_(spec.motion.quadruped),
       body_(figures),
+      estimator_(body_),
       stance_(body_),
       recovery_(body_),
       joints_(12) {}
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
+  estimator_.Begin(reading_);
   state_ = State::kDamped;
   balance_next_ = false;
   fallen_for_ = 0;
-  if (upright() && body_.Height(reading_) > kExtended * figures_.stand_height) Balance();
+  if (upright() && estimator_.height() > kExtended * figures_.stand_height) Balance();
 }
 
 authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
@@ -279,7 +281,8 @@ robot::MotionState QuadrupedMotion::state() const {
       is(2006, 8, 0);
       break;
   }
-  state.body_height = balances() ? stance_.measured().place.z() : body_.Height(reading_);
+  state.body_height = estimator_.height();
+  state.v_WB_W = estimator_.v_WB_W();
   return state;
 }
 

@@ -11,6 +11,7 @@
 #include "authority/motion.h"
 #include "motion/joint_move.h"
 #include "motion/quadruped/body.h"
+#include "motion/quadruped/estimator.h"
 #include "motion/quadruped/gestures.h"
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
@@ -102,6 +103,7 @@ class QuadrupedMotion : public authority::Motion {
   const robot::RobotSpec& spec_;
   const robot::QuadrupedMotionSpec& figures_;
   QuadrupedBody body_;
+  QuadrupedEstimator estimator_;
   Stance stance_;
   QuadrupedRecovery recovery_;
   JointMove joints_;

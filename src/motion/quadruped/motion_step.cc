@@ -105,6 +105,7 @@ void QuadrupedMotion::StepFeet(double dt, StanceCommand* legs) {
 void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
                            robot::RobotCommand* command) {
   reading_ = body_.Read(input);
+  estimator_.Step(reading_, dt);
   if (stands() && reading_.up.z() < kFallenCosine) {
     state_ = State::kDamped;
     fallen_for_ = dt;
@@ -216,7 +217,7 @@ void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCo
     if (!balances() || leg >= wheel_angles_.size()) continue;
     // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
     const double carried = stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
-    if (wheel_angles_[leg] == robot::kNoPosition) wheel_angles_[leg] = input.q[i] + carried;
+    if (wheel_angles_[leg] == robot::kNoPosition) wheel_angles_[leg] = input.motors[i].q + carried;
     wheel.q = wheel_angles_[leg] - carried;
     wheel.kp = figures_.wheel_kp;
   }

@@ -43,16 +43,7 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       hook_body_(world_.Body(config_.robot.crane_body)),
       hook_(config_.robot.crane_point.data()),
       command_{.motors = std::vector<robot::MotorCommand>(spec().motors.size())},
-      q_(spec().motors.size()),
-      dq_(spec().motors.size()),
-      foot_force_(spec().feet.size()),
-      torque_(spec().motors.size()) {
-  state_.motors.resize(q_.size());
-  state_.foot_force.resize(foot_force_.size());
-  input_.q = q_;
-  input_.dq = dq_;
-  input_.foot_force = foot_force_;
-}
+      torque_(spec().motors.size()) {}
 
 void HumanoidRig::Stand() {
   world_.Reset(spec().standing);
@@ -70,14 +61,9 @@ void HumanoidRig::Hang() {
 
 void HumanoidRig::Sense() {
   // As in the tick, all of the step before. Forces are not to be had between BeginStep and EndStep.
-  if (noisy) sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
-  for (std::size_t i = 0; i < q_.size(); ++i) {
-    q_[i] = noisy ? state_.motors[i].q : world_.q()[i];
-    dq_[i] = noisy ? state_.motors[i].dq : world_.dq()[i];
-  }
-  world_.FootForces(foot_force_);
-  input_.imu = noisy ? state_.imu : world_.Imu();
-  input_.time = time_;
+  sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
+  input_ = {
+      .time = time_, .motors = state_.motors, .imu = state_.imu, .foot_force = state_.foot_force};
 }
 
 bool HumanoidRig::Run(double seconds) {
@@ -125,7 +111,7 @@ void HumanoidRig::Push(const Eigen::Vector3d& impulse, double duration) {
 }
 
 double HumanoidRig::Load() const {
-  return std::accumulate(foot_force_.begin(), foot_force_.end(), 0.0);
+  return std::accumulate(state_.foot_force.begin(), state_.foot_force.end(), 0.0);
 }
 
 double HumanoidRig::DeepestSelfContact() const {

@@ -55,7 +55,6 @@ class HumanoidRig {
   authority::Motion& motion() { return *motion_; }
   int id() const { return motion_->state().id; }
 
-  bool noisy = false;        // the service sees what the sensors make of the world
   double torque_change = 0;  // N·m, largest between two steps of any motor since set to 0
   std::function<void(robot::RobotCommand&)> change_command;  // between service and motors
   std::function<void()> watch;                               // after every step
@@ -74,7 +73,7 @@ class HumanoidRig {
   Eigen::Vector3d hook_;
   robot::RobotCommand command_;
   robot::RobotState state_;
-  std::vector<double> q_, dq_, foot_force_, torque_;
+  std::vector<double> torque_;
   authority::MotionInput input_;
   Eigen::Vector3d push_{0, 0, 0};
   double push_left_ = 0;

@@ -225,8 +225,7 @@ TEST_F(HumanoidMotionTest, ActsOnlyWhileItBalances) {
   EXPECT_EQ(Act(99), kNotNow);
 }
 
-TEST_F(HumanoidMotionTest, NeverLooksAtTheTruthAboutItsBase) {
-  // The fixture leaves MotionInput::base at its default; a service that used it would fall.
+TEST_F(HumanoidMotionTest, StandsWhenPushedAslant) {
   Balance();
   rig_.Push({3, 3, 0});
   rig_.Run(2);

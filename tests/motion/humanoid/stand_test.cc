@@ -117,7 +117,6 @@ class HumanoidNoiseTest : public test::MujocoTest,
 
 TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
   HumanoidRig rig(GetParam());
-  rig.noisy = true;
   rig.Stand();
   rig.Run(1);
   rig.SetFsm(Balanced(rig));
@@ -158,7 +157,6 @@ TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
       if (ankle) command.motors[i].kd *= GetParam().damping;
     }
   };
-  rig.noisy = true;
   rig.SetDown(500);
   ASSERT_TRUE(rig.Run(3));
   SurvivesPushes(&rig, 5);

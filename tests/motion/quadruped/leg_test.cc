@@ -110,8 +110,10 @@ TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   robot::PoseSpec pose = rig_.spec().standing;
   rig_.world().Reset(pose);
   const physics::PhysicsWorld& world = rig_.world();
-  const QuadrupedReading reading = body.Read(
-      {.q = world.q(), .dq = world.dq(), .imu = world.Imu(), .base = {}, .foot_force = {}});
+  std::vector<robot::MotorReading> motors(world.q().size());
+  for (std::size_t i = 0; i < motors.size(); ++i) motors[i].q = world.q()[i];
+  const QuadrupedReading reading =
+      body.Read({.motors = motors, .imu = world.Imu(), .foot_force = std::array<double, 4>{}});
   const int base = rig_.world().Body(rig_.spec().base_body);
   const Vector3d com(rig_.world().data().subtree_com + 3 * base);
   EXPECT_LT((reading.com + rig_.world().base().p_WB - com).norm(), 1e-6);

@@ -28,8 +28,6 @@ QuadrupedRig::QuadrupedRig(const std::string& robot, const std::vector<std::stri
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
-      q_(spec().motors.size()),
-      dq_(spec().motors.size()),
       motion_(MakeQuadrupedMotion(spec(), world_)),
       saturated_(spec().motors.size()) {
   command_.motors.resize(spec().motors.size());
@@ -93,22 +91,17 @@ double QuadrupedRig::fastest() const {
 }
 
 authority::MotionInput QuadrupedRig::Input() {
-  for (std::size_t i = 0; i < q_.size(); ++i) {
-    q_[i] = sensed_.motors[i].q;
-    dq_[i] = sensed_.motors[i].dq;
-  }
-  return {.time = time_,
-          .q = q_,
-          .dq = dq_,
-          .imu = sensed_.imu,
-          .base = sensed_.base,
-          .foot_force = sensed_.foot_force};
+  foot_force_ = sensed_.foot_force;
+  std::uniform_real_distribution<double> noise(1 - foot_noise, 1 + foot_noise);
+  for (double& force : foot_force_) force *= noise(random_);
+  return {.time = time_, .motors = sensed_.motors, .imu = sensed_.imu, .foot_force = foot_force_};
 }
 
 // The service sees the sample of the step before, as one on the robot's own computer does.
 void QuadrupedRig::Tick() {
   const double dt = world_.timestep();
   motion_->Step(Input(), dt, &command_);
+  if (watch) watch();
   world_.BeginStep();
   const std::span<const double> tau = motors_.Step(command_, world_.q(), world_.dq(), dt);
   if (!push_.isZero()) {

@@ -4,7 +4,9 @@
 #define UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,9 @@ class QuadrupedRig {
   const robot::RobotCommand& command() const { return command_; }
   authority::Motion& motion() { return *motion_; }
 
+  std::function<void()> watch;  // after every step of the service, of what it has seen
+  double foot_noise = 0;        // of the service's foot forces, as a share of each
+
  private:
   void Tick();
   authority::MotionInput Input();
@@ -65,8 +70,9 @@ class QuadrupedRig {
   sensors::Sensors sensors_;
   robot::RobotCommand command_;
   robot::RobotState sensed_;
-  std::vector<double> q_, dq_;
   std::unique_ptr<authority::Motion> motion_;
+  std::vector<double> foot_force_;
+  std::mt19937 random_{1};
   double time_ = 0;
   Eigen::Vector3d push_{0, 0, 0};
   std::vector<double> saturated_;  // s, by motor

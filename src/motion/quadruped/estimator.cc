@@ -1,0 +1,98 @@
+#include "motion/quadruped/estimator.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace understudy::motion {
+namespace {
+
+using Eigen::Vector3d;
+
+// All assumed: found by trying in simulation, standing, pushed and gesturing.
+constexpr double kAcceleration = 0.1;  // m/s² for one second: noise of the specific force
+constexpr double kSlip = 0.02;         // m/s for one second: of a foot that stands
+constexpr double kPlace = 0.001;       // m, of a foot's place by the joint angles
+constexpr double kRate = 0.1;          // m/s, of the velocity by one leg
+constexpr double kStartRate = 0.1;     // m/s
+constexpr double kSwing = 1e4;         // variances of a foot in the air are as many times larger
+constexpr double kUnloaded = 0.03;     // of the robot's weight: less, and the foot is in the air
+constexpr double kLoaded = 0.1;        // more, and it stands
+constexpr double kFade = 2;            // s, in which a velocity fades that no foot confirms
+
+double Squared(double x) { return x * x; }
+
+}  // namespace
+
+void QuadrupedEstimator::Begin(const QuadrupedReading& reading) {
+  x_.setZero();
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const auto row = static_cast<Eigen::Index>(leg + 1);
+    x_.row(row) = (reading.R_WB * (reading.feet[leg] - body_.p_BI())).transpose();
+  }
+  P_.setZero();
+  P_.diagonal() << Squared(kStartRate), Vector5::Constant(Squared(kPlace)).head<4>();
+  trust_.fill(1);
+  Tell(reading, 0);
+}
+
+void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt) {
+  const double weight = body_.mass() * body_.gravity();
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const double share = reading.foot_force[leg] / weight;
+    trust_[leg] = std::clamp((share - kUnloaded) / (kLoaded - kUnloaded), 0.0, 1.0);
+    const Vector3d w_W = reading.R_WB * (reading.w_WB_B + reading.turn[leg]);
+    u_[leg] = w_W.cross(body_.radius() * Vector3d::UnitZ());
+  }
+  Predict(reading, dt);
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const Vector3d arm = reading.feet[leg] - body_.p_BI();
+    Correct(static_cast<Eigen::Index>(leg + 1), (reading.R_WB * arm).transpose(), Squared(kPlace));
+    if (trust_[leg] == 0) continue;
+    const Vector3d v_BF = FootJacobian(reading.places[leg]) * reading.dq[leg];
+    const Vector3d v_WI = u_[leg] - reading.R_WB * (reading.w_WB_B.cross(arm) + v_BF);
+    Correct(0, v_WI.transpose(), Squared(kRate) * (1 + (1 - trust_[leg]) * kSwing));
+  }
+  Tell(reading, dt);
+}
+
+void QuadrupedEstimator::Predict(const QuadrupedReading& reading, double dt) {
+  const Vector3d a = reading.R_WB * reading.f_WI_B - body_.gravity() * Vector3d::UnitZ();
+  const Eigen::RowVector3d way = dt * (x_.row(0) + dt / 2 * a.transpose());
+  x_.row(0) += dt * a.transpose();
+  const bool flies = std::ranges::all_of(trust_, [](double trust) { return trust == 0; });
+  if (flies) x_.row(0) *= 1 - dt / kFade;
+  Eigen::Matrix<double, 5, 5> F = Eigen::Matrix<double, 5, 5>::Identity();
+  F.col(0).tail<4>().setConstant(-dt);
+  P_ = F * P_ * F.transpose();
+  P_(0, 0) += Squared(kAcceleration) * dt;
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    const auto row = static_cast<Eigen::Index>(leg + 1);
+    x_.row(row) += dt * u_[leg].transpose() - way;
+    P_(row, row) += Squared(kSlip) * dt * (1 + (1 - trust_[leg]) * kSwing);
+  }
+}
+
+void QuadrupedEstimator::Correct(Eigen::Index i, const Eigen::RowVector3d& measured,
+                                 double variance) {
+  const Vector5 column = P_.col(i);
+  const Vector5 gain = column / (column[i] + variance);
+  x_ += gain * (measured - x_.row(i)).eval();
+  P_ -= gain * column.transpose();
+}
+
+void QuadrupedEstimator::Tell(const QuadrupedReading& reading, double dt) {
+  const Vector3d p_BI_W = reading.R_WB * body_.p_BI();
+  v_WB_W_ = x_.row(0).transpose() - (reading.R_WB * reading.w_WB_B).cross(p_BI_W);
+  const double trust = std::accumulate(trust_.begin(), trust_.end(), 0.0);
+  if (trust == 0) {
+    height_ += dt * v_WB_W_.z();
+    return;
+  }
+  double depth = 0;
+  for (std::size_t leg = 0; leg < 4; ++leg) {
+    depth -= trust_[leg] / trust * x_(static_cast<Eigen::Index>(leg + 1), 2);
+  }
+  height_ = depth + body_.radius() - p_BI_W.z();
+}
+
+}  // namespace understudy::motion

@@ -1,0 +1,99 @@
+// How far the estimate of a quadruped's own velocity and height is from the truth.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/quadruped/rig.h"
+
+namespace understudy::motion {
+namespace {
+
+// Root mean squares over the steps watched.
+struct Error {
+  double v = 0, height = 0;  // m/s, m
+};
+
+class EstimatorTest : public testing::TestWithParam<const char*> {
+ protected:
+  EstimatorTest() {
+    rig_.foot_noise = 0.2;
+    rig_.BalanceStand();
+  }
+
+  template <class Act>
+  Error Watch(const Act& act) {
+    double v = 0, height = 0;
+    int steps = 0;
+    rig_.watch = [&] {
+      const robot::BaseReading& truth = rig_.world().base();
+      const robot::MotionState said = rig_.state();
+      v += (said.v_WB_W - truth.v_WB_W).squaredNorm();
+      height += std::pow(said.body_height - truth.p_WB.z(), 2);
+      ++steps;
+    };
+    act();
+    rig_.watch = {};
+    return {std::sqrt(v / steps), std::sqrt(height / steps)};
+  }
+
+  double mass() { return rig_.world().weight() / 9.81; }
+
+  QuadrupedRig rig_{GetParam()};
+};
+
+TEST_P(EstimatorTest, KnowsThatItStands) {
+  const Error error = Watch([&] { rig_.Run(2); });
+  EXPECT_LT(error.v, 0.005);
+  EXPECT_LT(error.height, 0.003);
+}
+
+TEST_P(EstimatorTest, FollowsABodyThatIsPushed) {
+  const Error error = Watch([&] {
+    for (const Eigen::Vector3d& way : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0, -1, 0)}) {
+      rig_.Push(3 * mass() * way, 0.1);  // 0.3 N·s/kg
+      rig_.Run(0.9);
+    }
+  });
+  EXPECT_LT(error.v, 0.02);
+  EXPECT_LT(error.height, 0.005);
+}
+
+TEST_P(EstimatorTest, FollowsABodyThatGesturesOnThreeFeet) {
+  const Error error = Watch([&] {
+    ASSERT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kTaken);
+    rig_.Run(6);
+  });
+  EXPECT_LT(error.v, 0.02);
+  EXPECT_LT(error.height, 0.005);
+}
+
+TEST_P(EstimatorTest, FollowsABodyThatRisesFromTheGround) {
+  const Error error = Watch([&] { rig_.StandUp(); });
+  EXPECT_LT(error.v, 0.05);
+}
+
+TEST_P(EstimatorTest, FollowsABodyThatFliesWhicheverWayItFaces) {
+  robot::PoseSpec turned = rig_.spec().standing;
+  turned.quat = {std::cos(1), 0, 0, std::sin(1)};
+  rig_.Start(turned);
+  rig_.Run(1);
+  double highest = 0;
+  const Error error = Watch([&] {
+    rig_.Push(mass() * Eigen::Vector3d(3, -2, 22), 0.1);
+    for (int i = 0; i < 20; ++i) {
+      rig_.Run(0.01);
+      highest = std::max(highest, rig_.height());
+    }
+  });
+  EXPECT_GT(highest, rig_.spec().motion.quadruped.stand_height + 0.1);
+  EXPECT_LT(error.v, 0.1);
+  EXPECT_LT(error.height, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, EstimatorTest, testing::Values("go2", "b2", "a2", "go2w", "b2w"),
+                         [](const auto& test) { return std::string(test.param); });
+
+}  // namespace
+}  // namespace understudy::motion
