@@ -26,9 +26,13 @@ build_packages=(
   "libjs-dygraphs:plots in the browser panel"
 )
 
-test_packages=(
+unit_packages=(
   "libgtest-dev:unit tests"
   "libgmock-dev:unit tests"
+  "ffmpeg:makes and measures films"
+)
+
+test_packages=(
   "gnuplot-nox:pictures of recordings"
   "python3-venv:a Python environment for the vendor's SDKs"
   "python3-dev:compiles the SDK's DDS binding"
@@ -38,9 +42,12 @@ test_packages=(
   "xvfb:a screen without a monitor for the window"
   "xdotool:hands for the window"
   "libosmesa6:pictures are tried with it, too"
-  "ffmpeg:makes and measures films"
   "util-linux:private network namespaces for tests"
   "chromium:looks at the browser panel"
+)
+
+clang_packages=(
+  "clang:compiles it once more, with warnings of its own"
 )
 
 lint_packages=(

@@ -9,7 +9,7 @@
 namespace understudy::bus {
 namespace {
 
-constexpr std::size_t kAtOnce = 16;
+constexpr std::size_t kPeersAtOnce = 16;
 
 std::string Property(const dds_qos_t* qos, const char* name) {
   char* value = nullptr;
@@ -61,9 +61,9 @@ NeighbourWatch::NeighbourWatch(const Participant& participant, std::string topic
 const std::vector<Neighbour>& NeighbourWatch::Poll() {
   int taken = 0;
   do {
-    std::array<void*, kAtOnce> samples{};
-    std::array<dds_sample_info_t, kAtOnce> infos;
-    taken = dds_take(publications_.handle(), samples.data(), infos.data(), kAtOnce, kAtOnce);
+    std::array<void*, kPeersAtOnce> samples{};
+    std::array<dds_sample_info_t, kPeersAtOnce> infos;
+    taken = dds_take(publications_.handle(), samples.data(), infos.data(), kPeersAtOnce, kPeersAtOnce);
     for (std::size_t i = 0; std::cmp_less(i, taken); ++i) {
       if (infos[i].instance_state == DDS_ALIVE_INSTANCE_STATE && infos[i].valid_data) {
         Note(samples[i]);
@@ -74,7 +74,7 @@ const std::vector<Neighbour>& NeighbourWatch::Poll() {
       }
     }
     if (taken > 0) dds_return_loan(publications_.handle(), samples.data(), taken);
-  } while (std::cmp_equal(taken, kAtOnce));
+  } while (std::cmp_equal(taken, kPeersAtOnce));
   return neighbours_;
 }
 

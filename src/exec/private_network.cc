@@ -24,14 +24,14 @@
 namespace understudy::exec {
 namespace {
 
-[[noreturn]] void Refuse(const std::string& step, int error) {
+[[noreturn]] void RefuseNetwork(const std::string& step, int error) {
   throw BusError(ExplainRefusal(step, error, NamespacePolicy::OfThisMachine()));
 }
 
 // unshare(2) moves the calling thread only: threads left behind would speak on the old network.
 void RequireSingleThread() {
   struct stat tasks {};
-  if (::stat("/proc/self/task", &tasks) != 0) Refuse("reading /proc/self/task", errno);
+  if (::stat("/proc/self/task", &tasks) != 0) RefuseNetwork("reading /proc/self/task", errno);
   const auto threads = tasks.st_nlink - 2;  // a directory's links: itself, its name, each subfolder
   if (threads > 1) {
     throw BusError("no private network: the process already runs " + std::to_string(threads) +
@@ -51,7 +51,7 @@ int WriteWhole(const char* path, const std::string& text) {
 void MapToItself(const char* path, unsigned int id) {
   const std::string name = std::to_string(id);
   if (const int error = WriteWhole(path, name + " " + name + " 1")) {
-    Refuse(std::string("writing ") + path, error);
+    RefuseNetwork(std::string("writing ") + path, error);
   }
 }
 
@@ -59,7 +59,7 @@ void MapToItself(const char* path, unsigned int id) {
 void MapOwnIds(uid_t uid, gid_t gid) {
   // user_namespaces(7): without rights outside, gid_map is open only once setgroups is denied.
   if (const int error = WriteWhole("/proc/self/setgroups", "deny")) {
-    Refuse("writing /proc/self/setgroups", error);
+    RefuseNetwork("writing /proc/self/setgroups", error);
   }
   MapToItself("/proc/self/uid_map", uid);
   MapToItself("/proc/self/gid_map", gid);
@@ -67,7 +67,7 @@ void MapOwnIds(uid_t uid, gid_t gid) {
 
 UniqueFd OpenControlSocket() {
   UniqueFd socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  if (!socket.valid()) Refuse("opening a socket", errno);
+  if (!socket.valid()) RefuseNetwork("opening a socket", errno);
   return socket;
 }
 
@@ -75,10 +75,10 @@ UniqueFd OpenControlSocket() {
 void RaiseLoopback(int socket) {
   ifreq request{};
   std::strcpy(request.ifr_name, "lo");
-  if (::ioctl(socket, SIOCGIFFLAGS, &request) != 0) Refuse("reading the flags of lo", errno);
+  if (::ioctl(socket, SIOCGIFFLAGS, &request) != 0) RefuseNetwork("reading the flags of lo", errno);
   request.ifr_flags =
       static_cast<decltype(request.ifr_flags)>(request.ifr_flags | IFF_UP | IFF_MULTICAST);
-  if (::ioctl(socket, SIOCSIFFLAGS, &request) != 0) Refuse("raising lo", errno);
+  if (::ioctl(socket, SIOCSIFFLAGS, &request) != 0) RefuseNetwork("raising lo", errno);
 }
 
 sockaddr Ipv4(const char* text) {
@@ -99,7 +99,7 @@ void RouteMulticastToLoopback(int socket) {
   route.rt_genmask = Ipv4("240.0.0.0");
   route.rt_flags = RTF_UP;
   route.rt_dev = device;
-  if (::ioctl(socket, SIOCADDRT, &route) != 0) Refuse("adding the multicast route", errno);
+  if (::ioctl(socket, SIOCADDRT, &route) != 0) RefuseNetwork("adding the multicast route", errno);
 }
 
 }  // namespace
@@ -112,11 +112,11 @@ void EnterPrivateNetwork() {
 
   const bool privileged = before.CanUse(CAP_SYS_ADMIN) && before.CanUse(CAP_NET_ADMIN);
   if (privileged) {
-    if (::unshare(CLONE_NEWNET) != 0) Refuse("creating a network namespace", errno);
+    if (::unshare(CLONE_NEWNET) != 0) RefuseNetwork("creating a network namespace", errno);
   } else {
     // One call, so that a refusal of either leaves everything as it was.
     if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) {
-      Refuse("creating a user and a network namespace", errno);
+      RefuseNetwork("creating a user and a network namespace", errno);
     }
     MapOwnIds(uid, gid);
   }
@@ -128,7 +128,7 @@ void EnterPrivateNetwork() {
   // A new user namespace hands out every capability. Kept, they would override the permissions of
   // the user's own files, and uid 0 would gain some at exec, which switches off the command's
   // parent-death signal (ChildProcess).
-  if (!privileged && !before.Apply()) Refuse("giving the namespace's capabilities back", errno);
+  if (!privileged && !before.Apply()) RefuseNetwork("giving the namespace's capabilities back", errno);
 }
 
 }  // namespace understudy::exec

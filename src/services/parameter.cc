@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-std::optional<double> Number(const json& value) {
+std::optional<double> Finite(const json& value) {
   if (!value.is_number()) return std::nullopt;
   const double number = value.get<double>();
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
@@ -29,7 +29,7 @@ std::optional<json> DecodeNumbers(const Field& field, const json& value) {
   if (field.count > 0 && value.size() != static_cast<std::size_t>(field.count)) return std::nullopt;
   json numbers = json::array();
   for (const json& element : value) {
-    const auto number = Number(element);
+    const auto number = Finite(element);
     const auto inside = number ? InRange(field, *number) : std::nullopt;
     if (!inside) return std::nullopt;
     numbers.push_back(*inside);
@@ -41,7 +41,7 @@ bool IsPathPoint(const json& point) {
   constexpr std::array kNeeded = {"t_from_start", "x", "y", "yaw"};
   return point.is_object() &&
          std::ranges::all_of(kNeeded, [&](const char* key) { return point.contains(key); }) &&
-         std::ranges::all_of(point, [](const json& value) { return Number(value).has_value(); });
+         std::ranges::all_of(point, [](const json& value) { return Finite(value).has_value(); });
 }
 
 std::optional<json> DecodePath(const Field& field, const json& value) {
@@ -52,7 +52,7 @@ std::optional<json> DecodePath(const Field& field, const json& value) {
 }
 
 std::optional<json> DecodeInt(const Field& field, const json& value) {
-  const auto number = Number(value);
+  const auto number = Finite(value);
   if (!number || std::trunc(*number) != *number || std::abs(*number) > 9007199254740992.0) {
     return std::nullopt;
   }
@@ -67,14 +67,14 @@ std::optional<json> DecodeField(const Field& field, const json& value) {
       return value.is_boolean() ? std::optional(value) : std::nullopt;
     case FieldKind::kFlag:
       if (value.is_boolean()) return value;
-      if (const auto number = Number(value); number && (*number == 0 || *number == 1)) {
+      if (const auto number = Finite(value); number && (*number == 0 || *number == 1)) {
         return *number == 1;
       }
       return std::nullopt;
     case FieldKind::kInt:
       return DecodeInt(field, value);
     case FieldKind::kNumber:
-      if (const auto number = Number(value)) return InRange(field, *number);
+      if (const auto number = Finite(value)) return InRange(field, *number);
       return std::nullopt;
     case FieldKind::kNumbers:
       return DecodeNumbers(field, value);
@@ -96,7 +96,7 @@ const json* Find(const Field& field, const json& object) {
   return nullptr;
 }
 
-std::string Text(double number) {
+std::string Shown(double number) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", number);
   return text.data();
@@ -113,8 +113,8 @@ std::string DescribeKind(const Field& field) {
 std::string DescribeRange(const Field& field) {
   const bool low = std::isfinite(field.low), high = std::isfinite(field.high);
   if (!low && !high) return "";
-  if (!high) return " from " + Text(field.low);
-  return " " + Text(field.low) + ".." + Text(field.high) +
+  if (!high) return " from " + Shown(field.low);
+  return " " + Shown(field.low) + ".." + Shown(field.high) +
          (field.beyond == OutOfRange::kClamp ? " clamped" : "");
 }
 

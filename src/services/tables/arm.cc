@@ -19,7 +19,7 @@ constexpr std::int32_t kBadState = 7404;
 constexpr int kRelease = 99;
 
 // [docs] G1 arm action interface; names of 13 and those of more than one word: [py].
-constexpr std::array kActions = {
+constexpr std::array kArmActions = {
     std::pair{99, "release arm"}, std::pair{11, "two-hand kiss"}, std::pair{12, "left kiss"},
     std::pair{13, "right kiss"},  std::pair{15, "hands up"},      std::pair{17, "clap"},
     std::pair{18, "high five"},   std::pair{19, "hug"},           std::pair{20, "heart"},
@@ -66,7 +66,7 @@ ServiceReply Stop(const ServiceCall& call) {
 
 ServiceReply List(const ServiceCall&) {
   nlohmann::json list = nlohmann::json::array();
-  for (const auto& [id, name] : kActions) list.push_back({{"id", id}, {"name", name}});
+  for (const auto& [id, name] : kArmActions) list.push_back({{"id", id}, {"name", name}});
   return {.data = list.dump()};
 }
 

@@ -12,7 +12,7 @@ using namespace fields;  // NOLINT(google-build-using-namespace): the words a ta
 constexpr std::string_view kA2 = "[sdk] a2/sport";
 constexpr std::string_view kAs2 = "[sdk] as2/sport";
 
-std::string Text(const nlohmann::json& value) {
+std::string AsText(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
@@ -23,8 +23,8 @@ ServiceReply GiveA2State(const ServiceCall& call) {
   const nlohmann::json reply = {
       {"fsm_id", std::to_string(state.id)},
       {"fsm_name", std::to_string(state.id)},
-      {"speed_level", Text(settings.at("speed_level"))},
-      {"auto_recovery_switch", Text(settings.at("auto_recovery"))},
+      {"speed_level", AsText(settings.at("speed_level"))},
+      {"auto_recovery_switch", AsText(settings.at("auto_recovery"))},
       {"process_state", std::to_string(state.progress)},
   };
   return {.data = reply.dump()};
