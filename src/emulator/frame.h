@@ -76,7 +76,7 @@ inline constexpr std::size_t kMostFrameContacts = 256;
 inline constexpr std::size_t kMostFramePushes = 32;
 inline constexpr std::size_t kMostFrameRefusals = 256;
 
-// Vectors have their sizes from the start (Emulator::MakeFrame); of contacts, pushes and refusals
+// Vectors have their sizes from the start (World::MakeFrame); of contacts, pushes and refusals
 // only the capacity.
 struct Frame {
   FrameParts parts = 0;  // what is wanted, and what of the following is filled in

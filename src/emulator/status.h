@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_EMULATOR_STATUS_H_
 #define UNDERSTUDY_EMULATOR_STATUS_H_
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <mutex>
@@ -13,6 +14,7 @@
 #include "robot/port_counts.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
+#include "services/service_port.h"
 #include "time/pacer.h"
 
 namespace understudy::emulator {
@@ -22,13 +24,6 @@ struct HandStatus {
   std::array<char, 16> name{};  // "" where the robot has no such hand
   authority::GateCounts commands;
   robot::Refusal last_refusal = robot::Refusal::kNone;
-};
-
-// Of all services, since start.
-struct ServiceCounts {
-  std::uint64_t requests = 0;
-  std::uint64_t refused = 0;  // answered by a code other than 0
-  std::uint64_t lost_replies = 0;
 };
 
 enum class RecordingState : std::uint8_t { kOff, kOn, kFailed };
@@ -56,7 +51,7 @@ struct Status {
   std::int64_t steps_left = 0;  // to be made although paused
   time::PaceReading pace;
   time::Histogram ticks;  // wall time of each, since start
-  ServiceCounts services;
+  services::ServiceCounts services;
   authority::GateState gate = authority::GateState::kStart;
   std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
   robot::MotionState motion;              // of that service
@@ -84,6 +79,12 @@ struct Status {
   double tilt = 0;         // rad between the base's up and the world's
   RecordingStatus recording;
 };
+
+// Cut to what there is room for, with a zero at the end.
+template <std::size_t kRoom>
+void Copy(std::string_view text, std::array<char, kRoom>* to) {
+  *std::copy_n(text.begin(), std::min(text.size(), kRoom - 1), to->begin()) = '\0';
+}
 
 // What came by that topic.
 inline const authority::GateCounts& CommandCounts(const Status& status, std::size_t topic) {

@@ -61,23 +61,23 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
 }
 
 // What of a robot's truth is offered; sizes do not change during a run.
-void Fill(const emulator::Emulator& robot, const time::Pacer& pacer, record::Moment* moment) {
-  const mjModel& model = robot.world().model();
-  const mjData& data = robot.world().data();
+void Fill(const emulator::World& world, const time::Pacer& pacer, record::Moment* moment) {
+  const mjModel& model = world.physics().model();
+  const mjData& data = world.physics().data();
   record::Truth& truth = moment->truth;
-  truth.step = robot.step();
-  truth.time = robot.time();
+  truth.step = world.step();
+  truth.time = world.time();
   truth.qpos.assign(data.qpos, data.qpos + model.nq);
   truth.qvel.assign(data.qvel, data.qvel + model.nv);
-  truth.tau.assign(robot.torque().begin(), robot.torque().end());
-  robot.world().FootForces(truth.foot_force);
-  moment->status = robot.status();
+  truth.tau.assign(world.robot().torque().begin(), world.robot().torque().end());
+  world.physics().FootForces(truth.foot_force);
+  moment->status = world.status();
   moment->status.pace = pacer.reading();
   truth.crane_tension = moment->status.crane_attached ? moment->status.crane_tension : 0;
 }
 
-record::Moment Prototype(const config::Config& config, const emulator::Emulator& robot) {
-  const mjModel& model = robot.world().model();
+record::Moment Prototype(const config::Config& config, const emulator::World& world) {
+  const mjModel& model = world.physics().model();
   const auto zeros = [](auto count) {
     return std::vector<double>(static_cast<std::size_t>(count));
   };
@@ -96,24 +96,23 @@ void Log(const std::string& line, bool error) {
 
 Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
                      const config::Config& config, const robot::Draws& draws,
-                     const std::vector<emulator::ScriptEvent>& script,
-                     const emulator::Emulator& robot)
+                     const std::vector<emulator::ScriptEvent>& script, const emulator::World& world)
     : every_(std::max<std::int64_t>(
           1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))) {
   if (options.file.empty()) return;
   recorder_ = std::make_unique<record::Recorder>(
       participant, record::OutputFile(options.file, options.overwrite),
-      HeadOf(config, draws, script), Prototype(config, robot),
+      HeadOf(config, draws, script), Prototype(config, world),
       std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log);
   spdlog::info("recording to {}", options.file.string());
 }
 
-void Recording::Offer(const emulator::Emulator& robot, const time::Pacer& pacer) {
+void Recording::Offer(const emulator::World& world, const time::Pacer& pacer) {
   if (recorder_ == nullptr) return;
-  recorder_->Mark(robot.step() - 1);
-  if (robot.step() % every_ == 0) {
+  recorder_->Mark(world.step() - 1);
+  if (world.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
-      Fill(robot, pacer, moment);
+      Fill(world, pacer, moment);
       recorder_->Commit();
     }
   }

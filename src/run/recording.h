@@ -8,8 +8,8 @@
 
 #include "bus/participant.h"
 #include "config/config.h"
-#include "emulator/emulator.h"
 #include "emulator/order.h"
+#include "emulator/world.h"
 #include "record/recorder.h"
 #include "robot/randomization.h"
 #include "time/pacer.h"
@@ -24,15 +24,15 @@ struct RecordingOptions {
 // Does nothing at all where there is no file to record to.
 class Recording {
  public:
-  // After ports and services have opened their topics. `config` is that of the run, `robot` has
+  // After ports and services have opened their topics. `config` is that of the run, `world` has
   // made no step yet. Throws RecordError and BusError.
   Recording(const RecordingOptions& options, const bus::Participant& participant,
             const config::Config& config, const robot::Draws& draws,
-            const std::vector<emulator::ScriptEvent>& script, const emulator::Emulator& robot);
+            const std::vector<emulator::ScriptEvent>& script, const emulator::World& world);
 
   // After every tick and what belongs to it. Waits for nothing and allocates nothing, but for a run
   // that goes as fast as possible: that goes no faster than it can be recorded.
-  void Offer(const emulator::Emulator& robot, const time::Pacer& pacer);
+  void Offer(const emulator::World& world, const time::Pacer& pacer);
 
   emulator::RecordingStatus status() const;
 

@@ -13,7 +13,8 @@
 
 #include "bus/participant.h"
 #include "config/data_dir.h"
-#include "emulator/emulator.h"
+#include "config/settings.h"
+#include "emulator/world.h"
 #include "physics/scene_reader.h"
 #include "physics/world_model.h"
 #include "run/alone.h"
@@ -96,10 +97,10 @@ class Housekeeper {
 };
 
 // Fills in the frame that somebody asks for, if somebody does.
-void ShowFrame(const emulator::Emulator& robot, emulator::FrameBoard* frames) {
+void ShowFrame(const emulator::World& world, emulator::FrameBoard* frames) {
   emulator::Frame* frame = frames->Wanted();
   if (frame == nullptr) return;
-  robot.Show(frame);
+  world.Show(frame);
   frame->wireless_remote = wire::EncodeRemote(frame->remote);
   frames->Show();
 }
@@ -129,10 +130,15 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
 
   emulator::Inbox inbox;
   emulator::StatusBoard board;
-  emulator::Emulator robot(config, std::move(made.world), port.get(), &inbox);
-  robot.Play(options.script);
-  Recording recording(options.recording, participant, config, made.draws, options.script, robot);
-  emulator::FrameBoard frames(robot.MakeFrame());
+  emulator::World world(std::move(made.world), config::WorldSettingsOf(config),
+                        {{.spec = config.robot,
+                          .settings = config::RobotSettingsOf(config),
+                          .port = port.get(),
+                          .services = &host}},
+                        &inbox);
+  world.Play(options.script);
+  Recording recording(options.recording, participant, config, made.draws, options.script, world);
+  emulator::FrameBoard frames(world.MakeFrame());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
   const server::ControlServer control(
       options.control_socket,
@@ -156,17 +162,15 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   time::Histogram ticks;
   while (true) {
     physics::StepHealth health = physics::StepHealth::kFine;
-    const bool due = pacer.Follow(robot.pace(), robot.step(), kGlance);
+    const bool due = pacer.Follow(world.pace(), world.step(), kGlance);
     if (due) {
-      health = robot.Tick();
+      health = world.Tick(pacer.reached());
+      ticks.Add(std::chrono::duration<double>(clock.Now() - pacer.reached()).count());
     } else {
-      robot.TakeOrders();
+      world.Attend(clock.Now());
     }
-    const time::Clock::Time now = clock.Now();
-    if (due) ticks.Add(std::chrono::duration<double>(now - pacer.reached()).count());
-    host.Poll(&robot.owner(), now);
-    ShowFrame(robot, &frames);
-    if (due) recording.Offer(robot, pacer);
+    ShowFrame(world, &frames);
+    if (due) recording.Offer(world, pacer);
 
     if (!ready) {
       ready = true;
@@ -174,26 +178,23 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                    config.network.interface, config.network.domain, control.socket().string());
       if (!control.url().empty()) spdlog::info("panel: {}", control.url());
       if (options.on_ready) options.on_ready();
-      pacer.Resume(robot.step(), robot.pace().speed);
+      pacer.Resume(world.step(), world.pace().speed);
     }
     const bool diverged = health == physics::StepHealth::kDiverged &&
                           config.physics.on_divergence == config::DivergenceAction::kStop;
-    if (due && robot.step() % kStepsPerPost != 0 && !diverged) continue;
+    if (due && world.step() % kStepsPerPost != 0 && !diverged) continue;
 
-    emulator::Status status = robot.status();
+    emulator::Status status = world.status();
     status.ready = true;
     status.command_writers = port->command_writers();
     status.pace = pacer.reading();
     status.ticks = ticks;
-    status.services = {.requests = host.requests(),
-                       .refused = host.refused(),
-                       .lost_replies = host.lost_replies()};
     status.recording = recording.status();
     board.Post(status);
-    robot.Silence(housekeeper.must_silence());
+    world.robot().Silence(housekeeper.must_silence());
     if (diverged) {
       spdlog::critical("the physics diverged at {:.3f} s and physics.on_divergence is stop",
-                       robot.time());
+                       world.time());
       code = ExitCode::kDiverged;
       break;
     }
@@ -201,11 +202,11 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       code = ExitCode::kNeighbour;
       break;
     }
-    if (config.time.duration > 0 && robot.time() >= config.time.duration) break;
+    if (config.time.duration > 0 && world.time() >= config.time.duration) break;
     if (options.should_stop()) break;
   }
   spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
-               robot.time());
+               world.time());
   return code;
 }
 

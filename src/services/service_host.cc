@@ -67,7 +67,7 @@ void ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
       }
       if (!channel->pending.empty()) SendPending(channel.get(), *owner, now);
     } catch (const std::exception&) {
-      ++lost_replies_;  // out of memory: the request goes unanswered, the robot goes on
+      ++counts_.lost_replies;  // out of memory: the request goes unanswered, the robot goes on
     }
   }
 }
@@ -78,7 +78,7 @@ void ServiceHost::Receive(Channel* channel) {
   if (room == 0) return;
   channel->reader.Take(
       [&](const unitree_api_msg_dds__Request_& message, bus::WriterHandle writer) {
-        ++requests_;
+        ++counts_.requests;
         const char* text = message.parameter == nullptr ? "" : message.parameter;
         const std::size_t bytes = std::strlen(text);
         Request request{.id = message.header.identity.id,
@@ -94,7 +94,7 @@ void ServiceHost::Receive(Channel* channel) {
         queue.push_back(std::move(request));
         if (channel->urgent.size() > kMostUrgent) {
           channel->urgent.pop_front();
-          ++lost_replies_;
+          ++counts_.lost_replies;
         }
       },
       static_cast<int>(room));
@@ -114,13 +114,13 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
                             .parameter_bytes = request.parameter_bytes,
                             .binary_bytes = request.binary_bytes},
                            owner, now, &notice);
-  if (reply.code != 0) ++refused_;
+  if (reply.code != 0) ++counts_.refused;
   if (!notice.empty()) Tell(service, request.api_id, notice, now);
   if (reply.change) Announce(std::move(*reply.change));
   if (request.noreply || !request.client) return;
   if (channel->pending.size() >= kMostPending) {
     channel->pending.pop_front();
-    ++lost_replies_;
+    ++counts_.lost_replies;
   }
   unitree_api_msg_dds__ResponseHeader_ header{};
   header.identity.id = request.id;
@@ -152,7 +152,7 @@ void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& own
     response.data = pending.data.data();
     // Past the wait it is sent all the same: a reader may be there that discovery has not told us
     // whose it is.
-    if (!channel->writer.Write(response) || !reaches) ++lost_replies_;
+    if (!channel->writer.Write(response) || !reaches) ++counts_.lost_replies;
     return true;
   };
   std::erase_if(channel->pending, settled);

@@ -19,11 +19,12 @@
 #include "idl/unitree_api.h"
 #include "idl/unitree_go.h"
 #include "services/service.h"
+#include "services/service_port.h"
 #include "services/switch_topics.h"
 
 namespace understudy::services {
 
-// Polled by the loop; nothing here waits or throws. The rules are the vendor's (sdk_surface.md,
+// Nothing here waits or throws. The rules are the vendor's (sdk_surface.md,
 // section 3; the server of the Python SDK):
 //
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
@@ -37,22 +38,18 @@ namespace understudy::services {
 //     response readers are volatile, and ROS 2 clients make theirs with each call. The oldest
 //     waiting reply is given up when 64 wait;
 //   - each service has a lease, asked for on <service>_lease.
-class ServiceHost {
+class ServiceHost final : public ServicePort {
  public:
-  using WallTime = std::chrono::nanoseconds;
   // Gets what the log should say, of each api at most once a second.
   using Say = std::function<void(const std::string& notice)>;
 
   // Throws BusError. `participant` must outlive the host.
   ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say);
 
-  // Takes requests, carries them out on `owner` and sends the replies that can go. `now` only has
-  // to grow. Allocates only when there is a request or a reply waits.
-  void Poll(authority::MotorOwner* owner, WallTime now) noexcept;
+  // Allocates only when there is a request or a reply waits.
+  void Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
 
-  std::uint64_t requests() const { return requests_; }
-  std::uint64_t refused() const { return refused_; }  // answered by a code other than 0
-  std::uint64_t lost_replies() const { return lost_replies_; }
+  ServiceCounts counts() const override { return counts_; }
 
  private:
   struct Request {
@@ -93,9 +90,7 @@ class ServiceHost {
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
-  std::uint64_t requests_ = 0;
-  std::uint64_t refused_ = 0;
-  std::uint64_t lost_replies_ = 0;
+  ServiceCounts counts_;
 };
 
 }  // namespace understudy::services

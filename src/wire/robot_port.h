@@ -11,7 +11,7 @@
 
 namespace understudy::wire {
 
-// Which messages an instant is to be told in; Emulator decides by step count.
+// Which messages an instant is to be told in; the robot decides by step count.
 struct Due {
   bool lowstate = false;  // rt/lowstate and rt/secondary_imu
   bool motion = false;    // rt/sportmodestate or rt/odommodestate

@@ -79,7 +79,7 @@ class AllocationTest : public EmulatorTest {
  protected:
   std::int64_t CountIn(int ticks) {
     const std::int64_t before = allocations;
-    for (int i = 0; i < ticks; ++i) EXPECT_EQ(emulator_->Tick(), physics::StepHealth::kFine);
+    for (int i = 0; i < ticks; ++i) EXPECT_EQ(world_->Tick({}), physics::StepHealth::kFine);
     return allocations - before;
   }
 };
@@ -116,7 +116,7 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
 }
 
 TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
@@ -151,7 +151,7 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   StartAs("hanging");
   port_.SendEveryTick(Torque(1));
   port_.SendArms(Torque(2), 0.5);
-  emulator_->Play(
+  world_->Play(
       {{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
        {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
        {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
@@ -161,8 +161,8 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
        {.at = 0.8, .order = ResetRobot{.pose = robot::StartPose::kStanding}, .where = ""}});
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
-  emulator_->owner().Release();
+  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   EXPECT_EQ(CountIn(100), 0);
 }
 
@@ -184,7 +184,7 @@ TEST_F(AllocationTest, DoesNotHappenWithHands) {
   command.motors[0].motor.kp = -1;
   port_.SendHandsEveryTick(command);
   EXPECT_EQ(CountIn(1500), 0);
-  EXPECT_EQ(emulator_->status().hands[1].commands.timeouts, 1U);
+  EXPECT_EQ(world_->status().hands[1].commands.timeouts, 1U);
 }
 
 // A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.
@@ -194,24 +194,22 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   port_.KeepTheLastOnly();
   port_.SendHandsEveryTick({.motors = std::vector<robot::HandMotorCommand>(
                                 7, {.motor = {.enabled = true, .kp = 1, .kd = 0.1}})});
-  emulator_ = std::make_unique<Emulator>(
-      config_,
-      physics::PhysicsWorld(
-          physics::LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
-                                  root / "models/scene/flat.xml", config_.physics.timestep),
-          config_.robot),
-      &port_, &inbox_);
+  world_ =
+      MakeIn({physics::LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
+                                      root / "models/scene/flat.xml", config_.physics.timestep),
+              config_.robot},
+             &port_, &inbox_);
   CountIn(10);
   EXPECT_EQ(CountIn(500), 0);
-  EXPECT_EQ(emulator_->status().hands[1].commands.accepted, 510U);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
+  EXPECT_EQ(world_->status().hands[1].commands.accepted, 510U);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
 }
 
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   Start();
   CountIn(10);
   const std::int64_t before = allocations;
-  const Status status = emulator_->status();
+  const Status status = world_->status();
   EXPECT_EQ(allocations - before, 0);
   EXPECT_EQ(status.steps, 10);
 }
@@ -223,10 +221,10 @@ TEST_F(AllocationTest, DoesNotHappenForAFrame) {
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   CountIn(10);
-  Frame frame = emulator_->MakeFrame();
+  Frame frame = world_->MakeFrame();
   frame.parts = kAllFrameParts | kPartRefusals;
   const std::int64_t before = allocations;
-  for (int i = 0; i < 10; ++i) emulator_->Show(&frame);
+  for (int i = 0; i < 10; ++i) world_->Show(&frame);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_FALSE(frame.contacts.empty());
   EXPECT_FALSE(frame.refusals.empty());

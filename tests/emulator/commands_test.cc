@@ -55,7 +55,7 @@ TEST_F(CommandsTest, AreTakenAllAndTheLastIsFollowed) {
   for (int i = 1; i <= 5; ++i) port_.Send(Torque(i));
   Tick();
   EXPECT_TRUE(port_.idle());
-  EXPECT_EQ(emulator_->status().commands.accepted, 5U);
+  EXPECT_EQ(world_->status().commands.accepted, 5U);
   EXPECT_EQ(port_.last().state.motors[0].tau, 5);
 }
 
@@ -92,25 +92,25 @@ TEST_F(CommandsTest, MoveTheRobot) {
 TEST_F(CommandsTest, EndInDampingAfterSilence) {
   port_.Send(Torque(2));
   Tick(200);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
   Tick(2);  // 0.2 s is over
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
-  EXPECT_EQ(emulator_->status().commands.timeouts, 1U);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status().commands.timeouts, 1U);
   for (const robot::MotorReading& motor : port_.last().state.motors) {
     EXPECT_NEAR(motor.tau, -config_.gate.damping_kd * motor.dq, 1e-12);
     EXPECT_TRUE(motor.enabled);
   }
   port_.Send(Torque(2));
   Tick();
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
 }
 
 TEST_F(CommandsTest, ChangeNothingWhenRefused) {
   test::FakePort quiet_port;
   Inbox quiet_inbox;
-  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  const auto quiet = Make(&quiet_port, &quiet_inbox);
   for (int i = 0; i < 300; ++i) {
     if (i == 20) {
       port_.Send(Torque(2));
@@ -118,30 +118,30 @@ TEST_F(CommandsTest, ChangeNothingWhenRefused) {
     }
     port_.Send(Torque(9), robot::Refusal::kCrc);
     Tick();
-    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
+    ASSERT_EQ(quiet->Tick({}), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
+  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
             300U);
-  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kCrc);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kCrc);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
 }
 
 TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
   test::FakePort quiet_port;
   Inbox quiet_inbox;
-  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  const auto quiet = Make(&quiet_port, &quiet_inbox);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   const robot::MotorCommand nothing{
       .enabled = true, .q = kNan, .dq = kNan, .tau = kNan, .kp = kNan, .kd = kNan};
   port_.SendEveryTick({.motors = std::vector<robot::MotorCommand>(6, nothing)});
   for (int i = 0; i < 300; ++i) {
     Tick();
-    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
+    ASSERT_EQ(quiet->Tick({}), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kNotFinite);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kNotFinite);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
 }
 
 TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
@@ -150,8 +150,7 @@ TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
   port_.Send(Torque(2), robot::Refusal::kCrc);
   Tick();
   EXPECT_EQ(port_.last().state.motors[0].tau, 2);
-  EXPECT_EQ(emulator_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
-            1U);
+  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 1U);
 }
 
 TEST_F(CommandsTest, OfDisabledMotorsGiveNoTorque) {

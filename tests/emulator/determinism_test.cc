@@ -23,7 +23,8 @@ class DeterminismTest : public EmulatorTest {
   std::vector<std::string> Play() const {
     test::FakePort port;
     Inbox inbox;
-    Emulator emulator(config_, test::FixtureWorld(config_.robot), &port, &inbox);
+    test::FakeServices services;
+    const auto world = Make(&port, &inbox, &services);
     for (int step = 0; step < 2000; ++step) {
       if (step % 1000 < 600 && step % 3 == 0) {
         robot::RobotCommand command;
@@ -34,9 +35,9 @@ class DeterminismTest : public EmulatorTest {
         port.Send(command, step % 9 == 0 ? robot::Refusal::kCrc : robot::Refusal::kNone);
       }
       if (step == 100) inbox.Put(PressRemote{.keys = 0x820}, Inbox::WallTime::max());
-      if (step == 300) emulator.owner().Release();
+      if (step == 300) services.Call([](authority::MotorOwner* owner) { owner->Release(); });
       if (step == 700) inbox.Put(ReleaseCrane{}, Inbox::WallTime::max());
-      EXPECT_EQ(emulator.Tick(), physics::StepHealth::kFine);
+      EXPECT_EQ(world->Tick({}), physics::StepHealth::kFine);
     }
     std::vector<std::string> states;
     for (const test::FakePort::Sample& sample : port.samples())

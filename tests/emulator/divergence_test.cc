@@ -15,7 +15,7 @@ class EmulatorDivergenceTest : public EmulatorTest {
   void Diverge() {
     Tick(100);
     port_.Send(Torque(1e30));
-    EXPECT_EQ(emulator_->Tick(), physics::StepHealth::kDiverged);
+    EXPECT_EQ(world_->Tick({}), physics::StepHealth::kDiverged);
     EXPECT_TRUE(physics::TakeMujocoWarning().has_value());
   }
 };
@@ -23,7 +23,7 @@ class EmulatorDivergenceTest : public EmulatorTest {
 TEST_F(EmulatorDivergenceTest, IsReportedAndCounted) {
   Start();
   Diverge();
-  EXPECT_EQ(emulator_->status().divergences, 1U);
+  EXPECT_EQ(world_->status().divergences, 1U);
 }
 
 TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
@@ -31,22 +31,22 @@ TEST_F(EmulatorDivergenceTest, SendsNothingOfTheStep) {
   Diverge();
   EXPECT_EQ(port_.samples().size(), 100U);
   EXPECT_EQ(port_.last().state.tick_ms, 99);
-  EXPECT_EQ(emulator_->status().published, 100U);
+  EXPECT_EQ(world_->status().published, 100U);
 }
 
 TEST_F(EmulatorDivergenceTest, PutsTheRobotBackToItsStartWhileTimeGoesOn) {
   config_.physics.on_divergence = config::DivergenceAction::kReset;
   Start();
   Diverge();
-  EXPECT_EQ(emulator_->step(), 101);
+  EXPECT_EQ(world_->step(), 101);
   EXPECT_EQ(Height(), config_.robot.standing.height);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
 
   Tick(500);
   EXPECT_EQ(port_.samples()[100].state.tick_ms, 101);
   EXPECT_EQ(port_.last().state.tick_ms, 600);
   EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
-  EXPECT_EQ(emulator_->status().divergences, 1U);
+  EXPECT_EQ(world_->status().divergences, 1U);
 }
 
 TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
@@ -55,7 +55,7 @@ TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
   Start();
   Order(LowerCrane{.by = 0.2});
   Diverge();
-  EXPECT_TRUE(emulator_->status().crane_attached);
+  EXPECT_TRUE(world_->status().crane_attached);
   Tick(500);
   EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
 }
@@ -65,7 +65,7 @@ TEST_F(EmulatorDivergenceTest, ClampsTheRobotAgain) {
   config_.start.pose = "clamped";
   Start();
   Diverge();
-  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_TRUE(world_->status().clamped);
   Tick(500);
   EXPECT_NEAR(Height(), config_.robot.hanging.height, 0.001);
 }

@@ -4,8 +4,10 @@
 
 #include <memory>
 
-#include "emulator/emulator.h"
+#include "config/settings.h"
+#include "emulator/world.h"
 #include "tests/support/fake_port.h"
+#include "tests/support/fake_services.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 
@@ -14,18 +16,34 @@ namespace understudy::emulator {
 class EmulatorTest : public test::MujocoTest {
  protected:
   // Makes the robot of config_. Tests change config_ before.
-  void Start() {
-    emulator_ = std::make_unique<Emulator>(
-        config_, test::FixtureWorld(config_.robot, config_.physics.timestep), &port_, &inbox_);
-  }
+  void Start() { world_ = Make(&port_, &inbox_, &services_); }
   void StartAs(const char* pose) {
     config_.start.pose = pose;
     Start();
   }
 
+  // Another world with the robot of config_.
+  std::unique_ptr<World> Make(wire::RobotPort* port, Inbox* inbox,
+                              services::ServicePort* services = nullptr) const {
+    return MakeIn(test::FixtureWorld(config_.robot, config_.physics.timestep), port, inbox,
+                  services);
+  }
+  std::unique_ptr<World> MakeIn(physics::PhysicsWorld physics, wire::RobotPort* port, Inbox* inbox,
+                                services::ServicePort* services = nullptr) const {
+    return std::make_unique<World>(
+        std::move(physics), config::WorldSettingsOf(config_),
+        std::vector<RobotParts>{{.spec = config_.robot,
+                                 .settings = config::RobotSettingsOf(config_),
+                                 .port = port,
+                                 .services = services}},
+        inbox);
+  }
+
+  Robot& robot() const { return world_->robot(); }
+
   // Ticks that must go well.
   void Tick(int times = 1) {
-    for (int i = 0; i < times; ++i) ASSERT_EQ(emulator_->Tick(), physics::StepHealth::kFine);
+    for (int i = 0; i < times; ++i) ASSERT_EQ(world_->Tick({}), physics::StepHealth::kFine);
   }
 
   // The next tick carries it out; nobody waits for the answer.
@@ -33,7 +51,7 @@ class EmulatorTest : public test::MujocoTest {
     inbox_.Put(order, Inbox::WallTime::max());
   }
 
-  double Height() const { return emulator_->world().base().p_WB.z(); }
+  double Height() const { return world_->physics().base().p_WB.z(); }
 
   // The same torque for every motor.
   static robot::RobotCommand Torque(double tau) {
@@ -42,8 +60,9 @@ class EmulatorTest : public test::MujocoTest {
 
   config::Config config_ = test::FixtureConfig();
   test::FakePort port_;
+  test::FakeServices services_;
   Inbox inbox_;
-  std::unique_ptr<Emulator> emulator_;
+  std::unique_ptr<World> world_;
 };
 
 }  // namespace understudy::emulator

@@ -9,9 +9,9 @@ namespace {
 class FrameTest : public EmulatorTest {
  protected:
   Frame Shown(FrameParts parts = kAllFrameParts | kPartRefusals) {
-    Frame frame = emulator_->MakeFrame();
+    Frame frame = world_->MakeFrame();
     frame.parts = parts;
-    emulator_->Show(&frame);
+    world_->Show(&frame);
     return frame;
   }
 };
@@ -69,7 +69,7 @@ TEST_F(FrameTest, TellsThatItIsPaused) {
   Start();
   Tick();
   Order(PauseRun{.on = true});
-  emulator_->TakeOrders();
+  world_->Attend({});
   EXPECT_TRUE(Shown(0).paused);
 }
 
@@ -98,7 +98,7 @@ TEST_F(FrameTest, KeepsWhatTheArmsAndTheUserWereRefused) {
   ASSERT_EQ(frame.command_topics.size(), robot::kFirstHandTopic);
   EXPECT_EQ(frame.command_topics[robot::kArmSdkTopic], "rt/arm_sdk");
   EXPECT_EQ(frame.command_topics[robot::kUserLowCmdTopic], "");  // it has none
-  const Status status = emulator_->status();
+  const Status status = world_->status();
   EXPECT_EQ(CommandCounts(status, robot::kArmSdkTopic)
                 .refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
             1u);

@@ -36,10 +36,8 @@ class HandsTest : public EmulatorTest {
 
   robot::HandReading Reading() const { return port_.last().state.hands.at(0); }
   double JointAngle(const char* joint) const {
-    const mjModel& model = emulator_->world().model();
-    return emulator_->world()
-        .data()
-        .qpos[model.jnt_qposadr[mj_name2id(&model, mjOBJ_JOINT, joint)]];
+    const mjModel& model = world_->physics().model();
+    return world_->physics().data().qpos[model.jnt_qposadr[mj_name2id(&model, mjOBJ_JOINT, joint)]];
   }
   HandStatus HandOf(const Status& status) { return status.hands[0]; }
 };
@@ -54,12 +52,12 @@ TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
 }
 
 TEST_F(HandsTest, AreShownBehindTheBody) {
-  Frame frame = emulator_->MakeFrame();
+  Frame frame = world_->MakeFrame();
   frame.parts = kPartMotors | kPartCommand;
-  emulator_->Show(&frame);  // before the first tick
+  world_->Show(&frame);  // before the first tick
   port_.SendHand(0, Reach(0.5, -0.25));
   Tick(1500);
-  emulator_->Show(&frame);
+  world_->Show(&frame);
   ASSERT_EQ(frame.motors.size(), 6U);
   ASSERT_EQ(frame.motor_names.size(), 6U);
   EXPECT_EQ(frame.motor_names[4], "neck_roll_joint");
@@ -72,7 +70,7 @@ TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(5000);
   EXPECT_NEAR(Reading().motors[kPitch].q, 0.5, 1e-3);
-  EXPECT_EQ(HandOf(emulator_->status()).commands.timeouts, 0U);
+  EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 0U);
 }
 
 TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
@@ -86,7 +84,7 @@ TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
   EXPECT_NEAR(Reading().motors[kRoll].dq, 0, 1e-2);
   EXPECT_EQ(Reading().timed_out[kRoll], 1);
   EXPECT_FALSE(Reading().motors[kRoll].enabled);
-  EXPECT_EQ(HandOf(emulator_->status()).commands.timeouts, 1U);
+  EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 1U);
 }
 
 TEST_F(HandsTest, BrakeWhenLocked) {
@@ -134,7 +132,7 @@ TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
   port_.SendHand(0, {}, robot::Refusal::kMotorCount);
   port_.SendHand(0, Reach(0, 0));
   Tick();
-  const Status status = emulator_->status();
+  const Status status = world_->status();
   const HandStatus hand = HandOf(status);
   EXPECT_STREQ(hand.name.data(), "neck");
   EXPECT_EQ(hand.commands.accepted, 1U);

@@ -37,8 +37,8 @@ TEST_F(OrdersTest, AreCarriedOutInOrderInOneTick) {
   Order(ClampBase{.on = false});
   Order(AttachCrane{});
   Tick();
-  EXPECT_FALSE(emulator_->status().clamped);
-  EXPECT_TRUE(emulator_->status().crane_attached);
+  EXPECT_FALSE(world_->status().clamped);
+  EXPECT_TRUE(world_->status().crane_attached);
 }
 
 TEST_F(OrdersTest, LowerTheRobotToTheGround) {
@@ -46,7 +46,7 @@ TEST_F(OrdersTest, LowerTheRobotToTheGround) {
   Order(LowerCrane{.by = 0.2});
   Tick(3000);
   EXPECT_NEAR(Height(), 0.8, 0.005);
-  EXPECT_NEAR(emulator_->status().crane_length, config_.crane.length + 0.2, 1e-9);
+  EXPECT_NEAR(world_->status().crane_length, config_.crane.length + 0.2, 1e-9);
   Order(LowerCrane{.by = -0.1});
   Tick(2000);
   EXPECT_NEAR(Height(), 0.9, 0.005);
@@ -58,8 +58,8 @@ TEST_F(OrdersTest, ReleaseTheRobot) {
   Order(ReleaseCrane{});
   Tick(200);
   EXPECT_NEAR(Height(), 0.8, 0.01);  // 10 / 2 · 0.2²
-  EXPECT_EQ(emulator_->status().crane_tension, 0);
-  EXPECT_FALSE(emulator_->status().crane_attached);
+  EXPECT_EQ(world_->status().crane_tension, 0);
+  EXPECT_FALSE(world_->status().crane_attached);
 }
 
 TEST_F(OrdersTest, CatchAFallingRobot) {
@@ -69,7 +69,7 @@ TEST_F(OrdersTest, CatchAFallingRobot) {
   Order(AttachCrane{});
   Tick(3000);
   EXPECT_NEAR(Height(), 0.8, 0.1);
-  EXPECT_NEAR(emulator_->status().crane_tension, 60, 1);
+  EXPECT_NEAR(world_->status().crane_tension, 60, 1);
 }
 
 TEST_F(OrdersTest, ClampTheBaseWhereItIs) {
@@ -79,7 +79,7 @@ TEST_F(OrdersTest, ClampTheBaseWhereItIs) {
   Order(ClampBase{.on = true});
   Tick(1000);
   EXPECT_NEAR(Height(), 0.8, 0.02);
-  EXPECT_NEAR(emulator_->world().base().v_WB_W.norm(), 0, 1e-3);
+  EXPECT_NEAR(world_->physics().base().v_WB_W.norm(), 0, 1e-3);
   Order(ClampBase{.on = false});
   Tick(200);
   EXPECT_LT(Height(), 0.7);
@@ -90,14 +90,14 @@ TEST_F(OrdersTest, ResetTheRobotWhileTimeGoesOn) {
   Order(ReleaseCrane{});
   port_.Send(Torque(1));
   Tick(300);
-  ASSERT_EQ(emulator_->status().gate, authority::GateState::kDamping);
+  ASSERT_EQ(world_->status().gate, authority::GateState::kDamping);
   Order(ResetRobot{});
   Tick();
   EXPECT_EQ(Height(), 1);
-  EXPECT_TRUE(emulator_->status().crane_attached);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
-  EXPECT_EQ(emulator_->status().commands.accepted, 1U);
-  EXPECT_EQ(emulator_->step(), 301);
+  EXPECT_TRUE(world_->status().crane_attached);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_EQ(world_->step(), 301);
   EXPECT_EQ(port_.last().state.tick_ms, 300);
 }
 
@@ -106,13 +106,13 @@ TEST_F(OrdersTest, ResetTheRobotToTheirPoseAndToTheStartPoseWithoutOne) {
   Tick();
   EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kHanging}), "");
   EXPECT_NEAR(Height(), 1, 1e-3);
-  EXPECT_TRUE(emulator_->status().crane_attached);
+  EXPECT_TRUE(world_->status().crane_attached);
   EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kClamped}), "");
-  EXPECT_FALSE(emulator_->status().crane_attached);
-  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_FALSE(world_->status().crane_attached);
+  EXPECT_TRUE(world_->status().clamped);
   EXPECT_EQ(Ask(ResetRobot{.pose = robot::StartPose::kLying}), "");
   EXPECT_NEAR(Height(), 0.06, 0.01);
-  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_FALSE(world_->status().clamped);
   EXPECT_EQ(Ask(ResetRobot{}), "");
   EXPECT_NEAR(Height(), 0.3, 0.01);
 }
@@ -126,7 +126,7 @@ TEST_F(OrdersTest, ResetToStandingKeepsTheRobotStanding) {
   Order(ResetRobot{.pose = robot::StartPose::kStanding});
   Tick(1000);
   EXPECT_NEAR(Height(), 0.3, 0.02);
-  EXPECT_EQ(emulator_->command().motors[0].kp, config_.robot.motors[0].hold_kp);
+  EXPECT_EQ(robot().command().motors[0].kp, config_.robot.motors[0].hold_kp);
   Order(ResetRobot{});
   Tick(1000);
   EXPECT_LT(Height(), 0.1);
@@ -134,27 +134,27 @@ TEST_F(OrdersTest, ResetToStandingKeepsTheRobotStanding) {
 
 TEST_F(OrdersTest, SetThePaceThatWhoeverTicksKeepsTo) {
   Start();
-  EXPECT_FALSE(emulator_->pace().stands_still());
+  EXPECT_FALSE(world_->pace().stands_still());
   Order(PauseRun{});
-  emulator_->TakeOrders();
-  EXPECT_TRUE(emulator_->pace().stands_still());
-  EXPECT_TRUE(emulator_->status().paused);
-  EXPECT_EQ(emulator_->step(), 0);
+  world_->Attend({});
+  EXPECT_TRUE(world_->pace().stands_still());
+  EXPECT_TRUE(world_->status().paused);
+  EXPECT_EQ(world_->step(), 0);
 
   Order(StepRun{.steps = 2});
-  emulator_->TakeOrders();
+  world_->Attend({});
   for (int left = 2; left > 0; --left) {
-    EXPECT_EQ(emulator_->status().steps_left, left);
-    EXPECT_FALSE(emulator_->pace().stands_still());
+    EXPECT_EQ(world_->status().steps_left, left);
+    EXPECT_FALSE(world_->pace().stands_still());
     Tick();
   }
-  EXPECT_TRUE(emulator_->pace().stands_still());
+  EXPECT_TRUE(world_->pace().stands_still());
 
   Order(SetSpeed{.speed = 0.5});
   Order(PauseRun{.on = false});
-  emulator_->TakeOrders();
-  EXPECT_FALSE(emulator_->pace().stands_still());
-  EXPECT_EQ(emulator_->status().speed, 0.5);
+  world_->Attend({});
+  EXPECT_FALSE(world_->pace().stands_still());
+  EXPECT_EQ(world_->status().speed, 0.5);
 }
 
 TEST_F(OrdersTest, StepOnlyAPausedRobotAndForgetStepsWithThePause) {
@@ -164,33 +164,33 @@ TEST_F(OrdersTest, StepOnlyAPausedRobotAndForgetStepsWithThePause) {
   Order(StepRun{.steps = 10});
   Order(PauseRun{});
   Tick();
-  EXPECT_TRUE(emulator_->pace().stands_still());
+  EXPECT_TRUE(world_->pace().stands_still());
 }
 
 TEST_F(OrdersTest, BetweenTicksActInTheNext) {
   StartAs("hanging");
   Order(ReleaseCrane{});
-  emulator_->TakeOrders();
-  EXPECT_FALSE(emulator_->status().crane_attached);
+  world_->Attend({});
+  EXPECT_FALSE(world_->status().crane_attached);
   EXPECT_TRUE(port_.samples().empty());
 }
 
 TEST_F(OrdersTest, ShowWhatActsOnTheRobot) {
   StartAs("clamped");
   Tick();
-  EXPECT_TRUE(emulator_->pushes().empty());
-  EXPECT_TRUE(emulator_->drags().empty());
+  EXPECT_TRUE(world_->pushes().empty());
+  EXPECT_TRUE(world_->drags().empty());
   Order(PushBody{.force = {1, 2, 3}, .seconds = 0.002});
   Order(DragBody{.body = "base", .p_BP = {0, 0, 0.1}, .p_WT = {0, 0, 1.2}, .seconds = 0.001});
   Tick();
-  ASSERT_EQ(emulator_->pushes().size(), 1U);
-  EXPECT_EQ(emulator_->pushes()[0].force_W, Eigen::Vector3d(1, 2, 3));
-  ASSERT_EQ(emulator_->drags().size(), 1U);
-  EXPECT_NEAR(emulator_->drags()[0].p_WP.z(), 1.1, 1e-3);
-  EXPECT_NEAR(emulator_->drags()[0].force_W.z(), 60, 1);  // 6 kg · 100 1/s² · 0.1 m
+  ASSERT_EQ(world_->pushes().size(), 1U);
+  EXPECT_EQ(world_->pushes()[0].force_W, Eigen::Vector3d(1, 2, 3));
+  ASSERT_EQ(world_->drags().size(), 1U);
+  EXPECT_NEAR(world_->drags()[0].p_WP.z(), 1.1, 1e-3);
+  EXPECT_NEAR(world_->drags()[0].force_W.z(), 60, 1);  // 6 kg · 100 1/s² · 0.1 m
   Tick(2);
-  EXPECT_TRUE(emulator_->pushes().empty());
-  EXPECT_TRUE(emulator_->drags().empty());
+  EXPECT_TRUE(world_->pushes().empty());
+  EXPECT_TRUE(world_->drags().empty());
 }
 
 TEST_F(OrdersTest, AreRefusedForWhatCannotBeDraggedOrPushed) {
@@ -208,7 +208,7 @@ TEST_F(OrdersTest, ADragEndsWithAReset) {
   Order(DragBody{.body = "base", .p_WT = {5, 0, 1}, .seconds = 100});
   Order(ResetRobot{});
   Tick();
-  EXPECT_TRUE(emulator_->drags().empty());
+  EXPECT_TRUE(world_->drags().empty());
 }
 
 TEST_F(OrdersTest, AreNotedWhenAStatusWouldNotShowThem) {
@@ -220,7 +220,7 @@ TEST_F(OrdersTest, AreNotedWhenAStatusWouldNotShowThem) {
   for (int i = 0; i < 3; ++i) Ask(DragBody{.body = "base"});  // renewed
   Ask(ReleaseDrag{});
   Ask(ResetRobot{});
-  const OrderNotes notes = emulator_->status().orders;
+  const OrderNotes notes = world_->status().orders;
   ASSERT_EQ(notes.count, 4u);
   EXPECT_EQ(Describe(notes[0]), "push base by 0 5 0 N for 0.01 s");
   EXPECT_EQ(notes[0].time, 0.001);

@@ -19,9 +19,9 @@ class OwnerTest : public EmulatorTest {
   }
 
   double Torque0() const { return port_.last().state.motors[0].tau; }
-  std::string_view Service() const { return emulator_->owner().active(); }
+  std::string_view Service() const { return robot().owner().active(); }
   std::uint64_t Refused() const {
-    return emulator_->status()
+    return world_->status()
         .commands.refused[static_cast<std::size_t>(robot::Refusal::kMotionService)];
   }
 };
@@ -30,8 +30,8 @@ TEST_F(OwnerTest, TheRobotsOwnServiceHoldsTheMotorsAtTheStart) {
   Start();
   Tick(10);
   EXPECT_EQ(Service(), "normal");
-  EXPECT_STREQ(emulator_->status().motion_service.data(), "normal");
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kClosed);
+  EXPECT_STREQ(world_->status().motion_service.data(), "normal");
+  EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
   ASSERT_TRUE(port_.last().state.motion.has_value());
   EXPECT_EQ(port_.last().state.motion->id, 1001);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);
@@ -41,38 +41,40 @@ TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
   test::FakePort quiet_port;
   Inbox quiet_inbox;
   Start();
-  Emulator quiet(config_, test::FixtureWorld(config_.robot), &quiet_port, &quiet_inbox);
+  const auto quiet = Make(&quiet_port, &quiet_inbox);
   for (int i = 0; i < 100; ++i) {
     port_.Send(Torque(9));
     Tick();
-    ASSERT_EQ(quiet.Tick(), physics::StepHealth::kFine);
+    ASSERT_EQ(quiet->Tick({}), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
   EXPECT_EQ(Refused(), 100U);
-  EXPECT_EQ(emulator_->status().last_refusal, robot::Refusal::kMotionService);
-  EXPECT_EQ(emulator_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kMotionService);
+  EXPECT_EQ(world_->status().commands.accepted, 0U);
 }
 
 TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
   Start();
   Tick(10);
-  emulator_->owner().Release();
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   Tick();
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
   EXPECT_FALSE(port_.last().state.motion.has_value());
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kFollowing);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
 }
 
 TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
   Start();
-  emulator_->owner().Release();
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   port_.SendEveryTick(Torque(2));
   Tick(5);
   EXPECT_EQ(Torque0(), 2);
-  EXPECT_EQ(emulator_->owner().Select("ai"), authority::OwnerVerdict::kDone);
+  services_.Call([](authority::MotorOwner* owner) {
+    EXPECT_EQ(owner->Select("ai"), authority::OwnerVerdict::kDone);
+  });
   Tick(2);
   EXPECT_NE(Torque0(), 2);
   EXPECT_EQ(Refused(), 2U);
@@ -84,14 +86,14 @@ TEST_F(OwnerTest, StartsReleasedOnRequestAndHoldsItsPoseThen) {
   Start();
   Tick(500);
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), config_.robot.standing.height, 0.01);
 }
 
 TEST_F(OwnerTest, StaysReleasedOverAReset) {
   Start();
   Tick();
-  emulator_->owner().Release();
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   Order(ResetRobot{});
   Tick();
   EXPECT_EQ(Service(), "");
@@ -131,7 +133,7 @@ TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
   Order(PressRemote{.keys = 0x30, .seconds = 0.01});  // L2+R2
   Tick();
   EXPECT_EQ(Service(), "");
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kDamping);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
   port_.Send(Torque(2));
   Tick();
   EXPECT_EQ(Torque0(), 2);
@@ -145,7 +147,7 @@ TEST_F(OwnerTest, ArmSdkMovesItsJointsOverTheService) {
   EXPECT_EQ(port_.last().state.motors[4].tau, 2);
   EXPECT_EQ(port_.last().state.motors[5].tau, 2);
   EXPECT_NE(Torque0(), 2);
-  EXPECT_EQ(emulator_->status().arm_weight, 1);
+  EXPECT_EQ(world_->status().arm_weight, 1);
 }
 
 TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {

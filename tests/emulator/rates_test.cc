@@ -19,7 +19,7 @@ TEST_P(RatesTest, SendsEachMessageAtItsRateOfSimulatedTime) {
       .lowstate_hz = rates.lowstate_hz, .motion_hz = rates.motion_hz, .lf_hz = rates.lf_hz};
   Start();
   Tick(static_cast<int>(std::lround(2 / rates.timestep)));  // two seconds
-  EXPECT_NEAR(emulator_->time(), 2, 1e-9);
+  EXPECT_NEAR(world_->time(), 2, 1e-9);
 
   int lowstate = 0;
   int motion = 0;
@@ -38,7 +38,7 @@ TEST_P(RatesTest, SendsEachMessageAtItsRateOfSimulatedTime) {
   EXPECT_EQ(lowstate, std::lround(2 * rates.lowstate_hz));
   EXPECT_EQ(motion, std::lround(2 * rates.motion_hz));
   EXPECT_EQ(lf, std::lround(2 * rates.lf_hz));
-  EXPECT_EQ(emulator_->status().published, static_cast<std::uint64_t>(lowstate));
+  EXPECT_EQ(world_->status().published, static_cast<std::uint64_t>(lowstate));
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RatesTest,
@@ -83,14 +83,14 @@ TEST_F(SamplesTest, StopUnderSilenceWhileTheRobotMovesOn) {
   Tick(10);
   const std::size_t before = port_.samples().size();
   const double height = Height();
-  emulator_->Silence(true);
+  robot().Silence(true);
   Tick(100);
   EXPECT_EQ(port_.samples().size(), before);
   EXPECT_LT(Height(), height - 0.05);
-  EXPECT_TRUE(emulator_->status().silenced);
-  EXPECT_EQ(emulator_->status().published, before);
+  EXPECT_TRUE(world_->status().silenced);
+  EXPECT_EQ(world_->status().published, before);
 
-  emulator_->Silence(false);
+  robot().Silence(false);
   Tick(10);
   EXPECT_EQ(port_.samples().size(), before + 5);
   EXPECT_EQ(port_.last().state.tick_ms, 118);
@@ -98,11 +98,11 @@ TEST_F(SamplesTest, StopUnderSilenceWhileTheRobotMovesOn) {
 
 TEST_F(SamplesTest, StopUnderSilenceWhileCommandsAreTaken) {
   Start();
-  emulator_->Silence(true);
+  robot().Silence(true);
   port_.Send(Torque(1));
   Tick();
   EXPECT_TRUE(port_.idle());
-  EXPECT_EQ(emulator_->status().commands.accepted, 1U);
+  EXPECT_EQ(world_->status().commands.accepted, 1U);
 }
 
 }  // namespace

@@ -9,30 +9,30 @@ class ScriptTest : public EmulatorTest {};
 TEST_F(ScriptTest, GivesEachOrderToTheTickOfItsTime) {
   config_.robot.rates.lowstate_hz = 1000;
   StartAs("standing");
-  emulator_->Play({{.at = 0.3, .order = ClampBase{}, .where = ""},
-                   {.at = 0.5, .order = ClampBase{.on = false}, .where = ""}});
+  world_->Play({{.at = 0.3, .order = ClampBase{}, .where = ""},
+                {.at = 0.5, .order = ClampBase{.on = false}, .where = ""}});
   Tick(300);
-  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_FALSE(world_->status().clamped);
   Tick();
-  EXPECT_TRUE(emulator_->status().clamped);
-  EXPECT_EQ(emulator_->status().script_done, 1U);
+  EXPECT_TRUE(world_->status().clamped);
+  EXPECT_EQ(world_->status().script_done, 1U);
   Tick(200);
-  EXPECT_FALSE(emulator_->status().clamped);
-  EXPECT_EQ(emulator_->status().script_done, 2U);
+  EXPECT_FALSE(world_->status().clamped);
+  EXPECT_EQ(world_->status().script_done, 2U);
 }
 
 TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
   StartAs("standing");
-  emulator_->Play({{.at = 0, .order = LowerCrane{.by = 1}, .where = "s.yaml:3"}});
+  world_->Play({{.at = 0, .order = LowerCrane{.by = 1}, .where = "s.yaml:3"}});
   Tick();
-  EXPECT_EQ(emulator_->status().script_refused, 1U);
-  EXPECT_STREQ(emulator_->status().script_refusal.data(),
+  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_STREQ(world_->status().script_refusal.data(),
                "s.yaml:3: the robot does not hang from the crane");
 }
 
 TEST_F(ScriptTest, RefusesABodyThatTheModelDoesNotHave) {
   Start();
-  EXPECT_THROW(emulator_->Play({{.at = 0, .order = PushBody{.body = "tail"}, .where = "s:1"}}),
+  EXPECT_THROW(world_->Play({{.at = 0, .order = PushBody{.body = "tail"}, .where = "s:1"}}),
                ConfigError);
 }
 
@@ -45,7 +45,7 @@ class PushTest : public EmulatorTest {
     Order(ReleaseCrane{});
     Order(PushBody{.body = "", .force = {0, 0, 60}, .seconds = seconds});
     Tick(ticks);
-    return emulator_->world().base().v_WB_W.z();
+    return world_->physics().base().v_WB_W.z();
   }
 };
 
@@ -72,7 +72,7 @@ TEST_F(PushTest, EndsWithAReset) {
   Order(ResetRobot{});
   Order(ClampBase{.on = false});
   Tick(100);
-  EXPECT_NEAR(emulator_->world().base().v_WB_W.x(), 0, 1e-6);
+  EXPECT_NEAR(world_->physics().base().v_WB_W.x(), 0, 1e-6);
 }
 
 }  // namespace

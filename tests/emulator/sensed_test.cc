@@ -9,9 +9,12 @@
 namespace understudy::emulator {
 namespace {
 
-class SensedTest : public test::MujocoTest {
+class SensedTest : public EmulatorTest {
  protected:
-  SensedTest() { config_.start.pose = "standing"; }
+  SensedTest() {
+    config_ = config::LoadConfig({.robot = "go2"}, kRoot);
+    config_.start.pose = "standing";
+  }
 
   void Run(int ticks) {
     physics::PhysicsWorld world(
@@ -19,15 +22,13 @@ class SensedTest : public test::MujocoTest {
                                 kRoot / "models/scene/flat.xml", config_.physics.timestep),
         config_.robot);
     test::FakePort port;
-    Inbox inbox;
-    Emulator emulator(config_, std::move(world), &port, &inbox);
-    for (int i = 0; i < ticks; ++i) ASSERT_EQ(emulator.Tick(), physics::StepHealth::kFine);
-    command_ = emulator.command().motors;
+    const auto go2 = MakeIn(std::move(world), &port, &inbox_);
+    for (int i = 0; i < ticks; ++i) ASSERT_EQ(go2->Tick({}), physics::StepHealth::kFine);
+    command_ = go2->robot().command().motors;
     state_ = Bytes(port.last().state);
   }
 
   const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
-  config::Config config_ = config::LoadConfig({.robot = "go2"}, kRoot);
   std::vector<robot::MotorCommand> command_;  // of the last tick
   std::string state_;                         // the last that was sent
 };

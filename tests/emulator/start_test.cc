@@ -11,10 +11,10 @@ TEST_F(StartTest, DampedLiesWhereItIsPut) {
   StartAs("damped");
   EXPECT_EQ(Height(), config_.robot.lying.height);
   Tick(3000);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), 0.05, 0.01);  // on its trunk
-  EXPECT_LT(emulator_->status().tilt, 0.05);
-  for (const double rate : emulator_->world().dq()) EXPECT_NEAR(rate, 0, 0.01);
+  EXPECT_LT(world_->status().tilt, 0.05);
+  for (const double rate : world_->physics().dq()) EXPECT_NEAR(rate, 0, 0.01);
   for (const robot::MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
 }
 
@@ -23,12 +23,12 @@ TEST_F(StartTest, StandingHoldsItsPose) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 0.3, 0.005) << i;
-    ASSERT_LT(emulator_->status().tilt, 0.02) << i;
+    ASSERT_LT(world_->status().tilt, 0.02) << i;
   }
-  for (const double q : emulator_->world().q()) EXPECT_NEAR(q, 0, 0.01);
+  for (const double q : world_->physics().q()) EXPECT_NEAR(q, 0, 0.01);
   const auto& force = port_.last().state.foot_force;
   EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0), 60, 0.5);
-  EXPECT_EQ(emulator_->status().gate, authority::GateState::kStart);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
 }
 
 TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
@@ -36,10 +36,10 @@ TEST_F(StartTest, HangingHangsStillFromTheFirstStep) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 1, 0.001) << i;
-    ASSERT_NEAR(emulator_->status().crane_tension, 60, 0.5) << i;
+    ASSERT_NEAR(world_->status().crane_tension, 60, 0.5) << i;
   }
-  EXPECT_TRUE(emulator_->status().crane_attached);
-  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_TRUE(world_->status().crane_attached);
+  EXPECT_FALSE(world_->status().clamped);
 }
 
 TEST_F(StartTest, ClampedStaysWhereItIs) {
@@ -47,22 +47,22 @@ TEST_F(StartTest, ClampedStaysWhereItIs) {
   for (int i = 0; i < 3000; ++i) {
     Tick();
     ASSERT_NEAR(Height(), 1, 0.001) << i;
-    ASSERT_LT(emulator_->status().tilt, 0.001) << i;
+    ASSERT_LT(world_->status().tilt, 0.001) << i;
   }
-  EXPECT_TRUE(emulator_->status().clamped);
-  EXPECT_FALSE(emulator_->status().crane_attached);
+  EXPECT_TRUE(world_->status().clamped);
+  EXPECT_FALSE(world_->status().crane_attached);
 }
 
 TEST_F(StartTest, IsTheRobotsOwnWhenNoneIsAskedFor) {
   config_.robot.default_start = "clamped";
   StartAs("");
-  EXPECT_TRUE(emulator_->status().clamped);
+  EXPECT_TRUE(world_->status().clamped);
 }
 
 TEST_F(StartTest, IsTheOneAskedForBeforeTheRobotsOwn) {
   config_.robot.default_start = "clamped";
   StartAs("standing");
-  EXPECT_FALSE(emulator_->status().clamped);
+  EXPECT_FALSE(world_->status().clamped);
   EXPECT_EQ(Height(), config_.robot.standing.height);
 }
 
@@ -77,7 +77,7 @@ TEST_F(StartTest, PutsEachJointWhereThePoseSays) {
 
 TEST_F(StartTest, HasAStatusBeforeTheFirstTick) {
   StartAs("hanging");
-  const Status status = emulator_->status();
+  const Status status = world_->status();
   EXPECT_EQ(status.steps, 0);
   EXPECT_EQ(status.time, 0);
   EXPECT_EQ(status.published, 0U);

@@ -135,7 +135,7 @@ TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
   Listen();
   ASSERT_TRUE(Answered(1));
   EXPECT_EQ(data_[1], "early");
-  EXPECT_EQ(host_.lost_replies(), 0U);
+  EXPECT_EQ(host_.counts().lost_replies, 0U);
 }
 
 TEST_F(ServiceHostTest, GivesUpAReplyThatNobodyWaitsFor) {
@@ -146,7 +146,7 @@ TEST_F(ServiceHostTest, GivesUpAReplyThatNobodyWaitsFor) {
   }));
   now_ += milliseconds(301);
   Poll();
-  EXPECT_EQ(host_.lost_replies(), 1U);
+  EXPECT_EQ(host_.counts().lost_replies, 1U);
 }
 
 TEST_F(ServiceHostTest, GivesUpTheRepliesOfAClientThatEnded) {
@@ -181,7 +181,7 @@ TEST_F(ServiceHostTest, ForgetsTheOldestWhenTooManyRepliesWait) {
       return carried_out() == i + 1;
     }));
   }
-  EXPECT_EQ(host_.lost_replies(), 1U);
+  EXPECT_EQ(host_.counts().lost_replies, 1U);
 }
 
 TEST_F(ServiceHostTest, LosesNoReplyOfABurst) {
@@ -193,7 +193,7 @@ TEST_F(ServiceHostTest, LosesNoReplyOfABurst) {
     Collect();
     return codes_.size() == kBurst;
   }));
-  EXPECT_EQ(host_.lost_replies(), 0U);
+  EXPECT_EQ(host_.counts().lost_replies, 0U);
 }
 
 TEST_F(ServiceHostTest, ServesAtMostEightOfAServiceInAPoll) {
@@ -309,11 +309,11 @@ TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
   Send(1, 1, "", {}, &client);
   ASSERT_TRUE(test::Eventually([&] {
     quiet.Poll(&robot_.owner, now_);
-    return quiet.requests() == 1;
+    return quiet.counts().requests == 1;
   }));
   now_ += milliseconds(301);
   quiet.Poll(&robot_.owner, now_);
-  EXPECT_EQ(quiet.lost_replies(), 0U);
+  EXPECT_EQ(quiet.counts().lost_replies, 0U);
 }
 
 }  // namespace

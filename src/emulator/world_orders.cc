@@ -1,10 +1,10 @@
-// What the emulator does about orders, whether they come from people or from a script.
+// What the world does about orders, whether they come from people or from a script.
 #include <algorithm>
 #include <utility>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
-#include "emulator/emulator.h"
+#include "emulator/world.h"
 #include "physics/world_reading.h"
 
 namespace understudy::emulator {
@@ -25,20 +25,20 @@ std::string NoBody(const physics::PhysicsWorld& world, const std::string& name) 
 
 }  // namespace
 
-void Emulator::Play(std::vector<ScriptEvent> script) {
+void World::Play(std::vector<ScriptEvent> script) {
   for (const ScriptEvent& event : script) {
     const auto* push = std::get_if<PushBody>(&event.order);
     if (push == nullptr || push->body.empty()) continue;
-    const int body = world_.FindBody(push->body);
-    if (body < 0) throw ConfigError(event.where + ": body: " + NoBody(world_, push->body));
+    const int body = physics_.FindBody(push->body);
+    if (body < 0) throw ConfigError(event.where + ": body: " + NoBody(physics_, push->body));
     if (body == 0) throw ConfigError(event.where + ": body: '" + push->body + "' does not move");
   }
   script_ = std::move(script);
 }
 
-void Emulator::FollowScript(double t) {
+void World::FollowScript(double t) {
   // Half a step of grace: an event at 0.3 s belongs to the step of 0.3 s whatever either rounds to.
-  const double now = t + 0.5 * world_.timestep();
+  const double now = t + 0.5 * physics_.timestep();
   for (; script_next_ < script_.size() && script_[script_next_].at <= now; ++script_next_) {
     const ScriptEvent& event = script_[script_next_];
     const Answer answer = CarryOut(event.order);
@@ -48,41 +48,42 @@ void Emulator::FollowScript(double t) {
   }
 }
 
-void Emulator::TakeOrders() {
+void World::TakeOrders() {
   inbox_->Drain([this](const Order& order) {
     const std::size_t dragged = drags_.size();
     Answer answer = CarryOut(order);
     // Who drags says so many times a second; the first time counts.
     const bool renews = std::holds_alternative<DragBody>(order) && drags_.size() == dragged;
     if (answer.empty() && !renews) {
-      orders_.Add(NoteOf(order, time(), config_.robot.base_body, start_pose_));
+      orders_.Add(NoteOf(order, time(), robot().spec().base_body, robot().start_pose()));
     }
     return answer;
   });
 }
 
-Answer Emulator::CarryOut(const Order& order) {
+Answer World::CarryOut(const Order& order) {
   const double t = time();
+  Robot& robot = this->robot();
   const Overloaded carry_out{
-      [this](const LowerCrane& lower) -> Answer {
-        if (!crane_.attached()) return "the robot does not hang from the crane";
-        crane_.Lower(lower.by);
+      [&robot](const LowerCrane& lower) -> Answer {
+        if (!robot.crane().attached()) return "the robot does not hang from the crane";
+        robot.crane().Lower(lower.by);
         return {};
       },
-      [this](const AttachCrane&) -> Answer {
-        HangFromCrane();
+      [&robot](const AttachCrane&) -> Answer {
+        robot.AttachCrane();
         return {};
       },
-      [this](const ReleaseCrane&) -> Answer {
-        crane_.Release();
+      [&robot](const ReleaseCrane&) -> Answer {
+        robot.crane().Release();
         return {};
       },
       [this](const ClampBase& clamp) -> Answer {
-        world_.Clamp(clamp.on);
+        physics_.Clamp(clamp.on);
         return {};
       },
-      [this](const ResetRobot& reset) -> Answer {
-        To(starts_[static_cast<std::size_t>(reset.pose.value_or(start_pose_))]);
+      [this, &robot](const ResetRobot& reset) -> Answer {
+        Reset(&robot, reset.pose.value_or(robot.start_pose()));
         return {};
       },
       [this](const PushBody& push) -> Answer { return BeginPush(push); },
@@ -98,70 +99,70 @@ Answer Emulator::CarryOut(const Order& order) {
         pace_.speed = set.speed;
         return {};
       },
-      [this, t](const PressRemote& press) -> Answer {
-        remote_.Press(press, t);
+      [&robot, t](const PressRemote& press) -> Answer {
+        robot.remote().Press(press, t);
         return {};
       },
-      [this](const HoldRemote& hold) -> Answer {
-        remote_.Hold(hold);
+      [&robot](const HoldRemote& hold) -> Answer {
+        robot.remote().Hold(hold);
         return {};
       },
-      [this](const ReleaseRemote& release) -> Answer {
-        remote_.Release(release);
+      [&robot](const ReleaseRemote& release) -> Answer {
+        robot.remote().Release(release);
         return {};
       },
-      [this, t](const MoveSticks& move) -> Answer {
-        remote_.Move(move, t);
+      [&robot, t](const MoveSticks& move) -> Answer {
+        robot.remote().Move(move, t);
         return {};
       },
-      [this, t](const SetRemote& set) -> Answer {
-        remote_.Set(set, t);
+      [&robot, t](const SetRemote& set) -> Answer {
+        robot.remote().Set(set, t);
         return {};
       },
-      [this](const SwitchRemote& change) -> Answer {
-        remote_.Switch(change);
+      [&robot](const SwitchRemote& change) -> Answer {
+        robot.remote().Switch(change);
         return {};
       },
   };
   return std::visit(carry_out, order);
 }
 
-Answer Emulator::BeginPush(const PushBody& push) {
-  const std::string& name = push.body.empty() ? config_.robot.base_body : push.body;
-  const int body = world_.FindBody(name);
-  if (body < 0) return NoBody(world_, name);
+Answer World::BeginPush(const PushBody& push) {
+  const std::string& name = push.body.empty() ? robot().spec().base_body : push.body;
+  const int body = physics_.FindBody(name);
+  if (body < 0) return NoBody(physics_, name);
   if (body == 0) return "'" + name + "' does not move";
   // However short it is told to be, it acts in one step.
-  const double until = time() + std::max(push.seconds, world_.timestep());
+  const double until = time() + std::max(push.seconds, physics_.timestep());
   if (!pushes_.Begin(body, push.force, until)) {
     return "as many pushes as there can be are under way";
   }
   return {};
 }
 
-Answer Emulator::Drag(const DragBody& drag) {
-  const int body = world_.FindBody(drag.body);
-  if (body < 0) return NoBody(world_, drag.body);
+Answer World::Drag(const DragBody& drag) {
+  const int body = physics_.FindBody(drag.body);
+  if (body < 0) return NoBody(physics_, drag.body);
   if (body == 0) return "'" + drag.body + "' does not move";
-  const double until = time() + std::max(drag.seconds, world_.timestep());
+  const double until = time() + std::max(drag.seconds, physics_.timestep());
   if (!drags_.Pull(body, drag.p_BP, drag.p_WT, until)) {
     return "as many bodies as there can be are dragged";
   }
   return {};
 }
 
-Answer Emulator::EndDrag(const ReleaseDrag& release) {
+Answer World::EndDrag(const ReleaseDrag& release) {
   if (release.body.empty()) {
     drags_.Clear();
     return {};
   }
-  const int body = world_.FindBody(release.body);
-  if (body < 0) return NoBody(world_, release.body);
+  const int body = physics_.FindBody(release.body);
+  if (body < 0) return NoBody(physics_, release.body);
   drags_.Release(body);
   return {};
 }
 
-Answer Emulator::MakeSteps(const StepRun& step) {
+Answer World::MakeSteps(const StepRun& step) {
   if (!pace_.paused) return "the robot is not paused";
   pace_.steps_left += step.steps;
   return {};

@@ -1,0 +1,200 @@
+#include "emulator/robot.h"
+
+#include <cmath>
+
+#include "motion/make_motion.h"
+
+namespace understudy::emulator {
+namespace {
+
+// What holds `q` against gravity with the gains the robot's description names.
+robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
+  robot::RobotCommand command;
+  for (std::size_t i = 0; i < q.size(); ++i) {
+    const robot::MotorSpec& motor = spec.motors[i];
+    command.motors.push_back(
+        {.enabled = true, .q = q[i], .kp = motor.hold_kp, .kd = motor.hold_kd});
+  }
+  return command;
+}
+
+}  // namespace
+
+Robot::Robot(const RobotParts& parts, physics::PhysicsWorld* physics)
+    : spec_(parts.spec),
+      start_pose_(parts.settings.start),
+      starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
+      physics_(physics),
+      port_(parts.port),
+      services_(parts.services),
+      delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
+             start(start_pose_).command),
+      motors_(spec_),
+      battery_(spec_.battery),
+      sensors_(parts.settings.sensors, spec_),
+      crane_(parts.settings.crane),
+      router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
+              motion::MakeMotion(spec_, *physics_, parts.settings.gate.damping_kd)),
+      crane_body_(physics_->Body(spec_.crane_body)),
+      crane_point_(spec_.crane_point.data()),
+      step_ns_(std::llround(physics_->timestep() * 1e9)),
+      lowstate_every_(Every(spec_.rates.lowstate_hz)),
+      motion_every_(Every(spec_.rates.motion_hz)),
+      hand_every_(Every(spec_.rates.hand_hz)),
+      lf_every_(Every(spec_.rates.lf_hz)),
+      service_every_(Every(spec_.rates.service_hz)),
+      command_(&start(start_pose_).command),
+      offered_(*command_) {
+  for (const robot::HandSpec& hand : spec_.hands) {
+    hands_.emplace_back(hand, parts.settings.gate.lenient);
+  }
+  state_.hands.resize(hands_.size());
+  Reset(start_pose_);
+}
+
+void Robot::ServeCalls(time::Clock::Time now) {
+  if (services_ != nullptr) services_->Poll(&router_.owner(), now);
+}
+
+void Robot::Hear(std::int64_t step, double t) {
+  TakeCommands(t);
+  TakeHandCommands(t);
+  command_ = &delay_.Pass(Decide(step, t));
+}
+
+void Robot::Act(double t) {
+  const double dt = physics_->timestep();
+  motors_.Step(*command_, physics_->q(), physics_->dq(), dt);
+  battery_.Step(motors_.torque(), physics_->dq(), dt);
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    physics_->DriveHand(i, hands_[i].Step(physics_->hand_q(i), physics_->hand_dq(i), t));
+  }
+  if (crane_.attached()) {
+    const physics::PointReading at = hook();
+    physics_->AddForce(crane_body_, at.p_WP, crane_.Step(at, dt));
+  }
+}
+
+void Robot::Tell(std::int64_t step) {
+  const wire::Due due = DueAt(step);
+  if (!due.any()) return;
+  Sample(step);
+  if (silenced_) return;
+  port_->Publish(state_, due);
+  if (due.lowstate) ++published_;
+}
+
+void Robot::TakeCommands(double t) {
+  router_.Obey(remote_.Read(t), t);
+  double weight = 0;
+  while (port_->TakeArmCommand(&offered_, &weight)) {
+    refusals_.Add(robot::kArmSdkTopic, router_.OfferArms(offered_, weight, t), t);
+  }
+  while (port_->TakeUserCommand(&offered_)) {
+    refusals_.Add(robot::kUserLowCmdTopic, router_.OfferUser(offered_, t), t);
+  }
+  for (robot::Refusal wire = robot::Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
+    const robot::Refusal refusal = router_.Offer(offered_, wire, t);
+    if (refusal != robot::Refusal::kNone) last_refusal_ = refusal;
+    refusals_.Add(robot::kLowCmdTopic, refusal, t);
+  }
+}
+
+void Robot::TakeHandCommands(double t) {
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    for (robot::Refusal wire = robot::Refusal::kNone;
+         port_->TakeHandCommand(i, &offered_hand_, &wire);) {
+      refusals_.Add(robot::kFirstHandTopic + i, hands_[i].Offer(offered_hand_, wire, t), t);
+    }
+  }
+}
+
+// All that a motion service knows is what the sensors said of the step before, as a robot's own
+// computer has it: the published sample where there was one. While no service is on nothing is
+// sampled for it.
+const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
+  const bool service_due = step % service_every_ == 0;
+  input_.time = t;
+  if (service_due && router_.service_on()) {
+    if (sampled_ != step - 1) Sample(step - 1);
+    input_.motors = state_.motors;
+    input_.imu = state_.imu;
+    input_.foot_force = state_.foot_force;
+  }
+  return router_.Current(input_, service_due,
+                         static_cast<double>(service_every_ * step_ns_) * 1e-9);
+}
+
+void Robot::Report(double t, Status* status) const {
+  status->silenced = silenced_;
+  status->gate = router_.gate().state();
+  Copy(router_.owner().active(), &status->motion_service);
+  status->motion = router_.owner().state();
+  status->arm_weight = router_.service_on() ? router_.arm_weight(t) : 0;
+  status->remote = state_.remote;
+  status->stick_wish = router_.stick_wish();
+  status->commands = router_.gate().counts();
+  status->last_refusal = last_refusal_;
+  status->arm_commands = router_.arm_counts();
+  status->user_commands = router_.user_counts();
+  status->port = port_->counts();
+  if (services_ != nullptr) status->services = services_->counts();
+  status->published = published_;
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    HandStatus& hand = status->hands[i];
+    Copy(spec_.hands[i].name, &hand.name);
+    hand.commands = hands_[i].counts();
+    hand.last_refusal = hands_[i].last_refusal();
+  }
+  status->crane_attached = crane_.attached();
+  status->crane_length = crane_.length();
+  status->crane_tension = crane_.tension();
+  status->clamped = physics_->clamped();
+  status->base_height = physics_->base().p_WB.z();
+  status->tilt = physics_->tilt();
+}
+
+std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double damping_kd) {
+  const robot::RobotCommand damping = authority::DampingCommand(spec.motors.size(), damping_kd);
+  return {{.command = damping, .pose = spec.lying},
+          {.command = HoldCommand(spec, spec.standing.q), .pose = spec.standing},
+          {.command = damping, .pose = spec.hanging, .on_crane = true},
+          {.command = damping, .pose = spec.hanging, .clamped = true}};
+}
+
+std::int64_t Robot::Every(double hz) const {
+  return std::llround(1e9 / (hz * static_cast<double>(step_ns_)));
+}
+
+void Robot::Reset(robot::StartPose pose) {
+  const Start& begin = start(pose);
+  router_.Restart(begin.command);
+  delay_.Restart(begin.command);
+  for (Hand& hand : hands_) hand.Restart();
+  physics_->Reset(begin.pose);
+  crane_.Release();
+  if (begin.on_crane) AttachCrane();
+  physics_->Clamp(begin.clamped);
+  sampled_ = kNever;
+}
+
+void Robot::AttachCrane() { crane_.Attach(hook().p_WP, physics_->weight()); }
+
+wire::Due Robot::DueAt(std::int64_t step) const {
+  return {.lowstate = step % lowstate_every_ == 0,
+          .motion = step % motion_every_ == 0,
+          .hands = !hands_.empty() && step % hand_every_ == 0,
+          .lf = step % lf_every_ == 0};
+}
+
+void Robot::Sample(std::int64_t step) {
+  sampled_ = step;
+  sensors_.Sample(*physics_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
+  for (std::size_t i = 0; i < hands_.size(); ++i) {
+    hands_[i].Sample(physics_->hand_q(i), physics_->hand_dq(i), &state_.hands[i]);
+  }
+  state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
+  state_.motion = router_.motion();
+}
+
+}  // namespace understudy::emulator

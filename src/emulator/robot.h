@@ -1,0 +1,137 @@
+// One robot of a world: what it hears, does and tells in a tick.
+#ifndef UNDERSTUDY_EMULATOR_ROBOT_H_
+#define UNDERSTUDY_EMULATOR_ROBOT_H_
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "authority/command_delay.h"
+#include "authority/command_router.h"
+#include "emulator/hand.h"
+#include "emulator/refusal_log.h"
+#include "emulator/remote.h"
+#include "emulator/settings.h"
+#include "emulator/status.h"
+#include "physics/crane.h"
+#include "physics/world.h"
+#include "robot/battery.h"
+#include "robot/motor.h"
+#include "sensors/sensors.h"
+#include "services/service_port.h"
+#include "time/clock.h"
+#include "wire/robot_port.h"
+
+namespace understudy::emulator {
+
+// What one robot of a world is made from.
+struct RobotParts {
+  robot::RobotSpec spec;  // validated, as the settings are
+  RobotSettings settings;
+  wire::RobotPort* port;                      // must outlive the robot
+  services::ServicePort* services = nullptr;  // likewise; null: nobody calls its services
+};
+
+// Owns every part of one robot but its ports and its bodies in the physics. Times are simulated [s]
+// and never go back; `step` counts the world's steps. After the first few ticks none of the four
+// parts of a tick allocates, unless a service is called.
+class Robot {
+ public:
+  // Puts the robot in its start pose. `physics` was made for the same spec and must outlive it.
+  Robot(const RobotParts& parts, physics::PhysicsWorld* physics);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  // Answers the calls of its services that wait; `now` is wall time. Between ticks too.
+  void ServeCalls(time::Clock::Time now);
+
+  // Takes the commands that wait and decides what the motors follow in the step at t.
+  void Hear(std::int64_t step, double t);
+  // Motors and tether act in the step at t. Between BeginStep and EndStep of the physics.
+  void Act(double t);
+  // Sends what is due of the step. After EndStep.
+  void Tell(std::int64_t step);
+
+  // Back to a pose that it can start in, the gate included; services stay on or off.
+  void Reset(robot::StartPose pose);
+  robot::StartPose start_pose() const { return start_pose_; }
+
+  // Hangs it from straight above, where it is.
+  void AttachCrane();
+  physics::Crane& crane() { return crane_; }
+  const physics::Crane& crane() const { return crane_; }
+  physics::PointReading hook() const { return physics_->Point(crane_body_, crane_point_); }
+
+  Remote& remote() { return remote_; }
+
+  // Stops or resumes sending; the robot goes on moving.
+  void Silence(bool on) { silenced_ = on; }
+
+  const robot::RobotSpec& spec() const { return spec_; }
+  const authority::MotorOwner& owner() const { return router_.owner(); }
+  // At the joints in the last step, in motor order [N·m].
+  std::span<const double> torque() const { return motors_.torque(); }
+  const robot::RobotCommand& command() const { return *command_; }  // that the motors followed last
+  const robot::RobotState& sampled() const { return state_; }       // last; empty before the first
+  const RefusalLog& refusals() const { return refusals_; }
+
+  // Fills in what concerns this robot, at time t.
+  void Report(double t, Status* status) const;
+
+ private:
+  // How it is in one of its start poses.
+  struct Start {
+    robot::RobotCommand command;
+    robot::PoseSpec pose;
+    bool on_crane = false;
+    bool clamped = false;
+  };
+
+  static constexpr std::int64_t kNever = -2;  // before any step's sample
+
+  static std::vector<Start> StartsOf(const robot::RobotSpec& spec, double damping_kd);
+  const Start& start(robot::StartPose pose) const {
+    return starts_[static_cast<std::size_t>(pose)];
+  }
+  std::int64_t Every(double hz) const;
+  wire::Due DueAt(std::int64_t step) const;
+  void TakeCommands(double t);
+  void TakeHandCommands(double t);
+  const robot::RobotCommand& Decide(std::int64_t step, double t);
+  void Sample(std::int64_t step);  // of the instant that the physics shows
+
+  robot::RobotSpec spec_;
+  robot::StartPose start_pose_;
+  std::vector<Start> starts_;  // by StartPose
+  physics::PhysicsWorld* physics_;
+  wire::RobotPort* port_;
+  services::ServicePort* services_;
+  authority::CommandDelay delay_;
+  robot::MotorBank motors_;
+  robot::Battery battery_;
+  sensors::Sensors sensors_;
+  physics::Crane crane_;
+  Remote remote_;
+  authority::CommandRouter router_;
+  std::vector<Hand> hands_;
+  int crane_body_;
+  Eigen::Vector3d crane_point_;
+  std::int64_t step_ns_;
+  std::int64_t lowstate_every_, motion_every_, hand_every_, lf_every_, service_every_;  // in steps
+
+  const robot::RobotCommand* command_;
+  robot::RobotCommand offered_;
+  robot::HandCommand offered_hand_;
+  authority::MotionInput input_;
+  robot::RobotState state_;
+  std::int64_t sampled_ = kNever;  // the step that state_ is of
+  bool silenced_ = false;
+  robot::Refusal last_refusal_ = robot::Refusal::kNone;
+  RefusalLog refusals_;
+  std::uint64_t published_ = 0;
+};
+
+}  // namespace understudy::emulator
+
+#endif  // UNDERSTUDY_EMULATOR_ROBOT_H_

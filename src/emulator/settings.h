@@ -1,0 +1,29 @@
+// The settings of a run that concern the world and each of its robots.
+#ifndef UNDERSTUDY_EMULATOR_SETTINGS_H_
+#define UNDERSTUDY_EMULATOR_SETTINGS_H_
+
+#include "authority/command_gate.h"
+#include "authority/motion_config.h"
+#include "physics/crane.h"
+#include "robot/start_pose.h"
+#include "sensors/sensors.h"
+
+namespace understudy::emulator {
+
+struct WorldSettings {
+  double speed = 1;                  // simulated s per wall s at the start; 0 = as fast as possible
+  bool reset_on_divergence = false;  // put the robots back to their start poses
+};
+
+// Validated: the poses and services that it names exist.
+struct RobotSettings {
+  sensors::SensorConfig sensors;
+  authority::GateConfig gate;
+  authority::MotionConfig motion;
+  physics::CraneConfig crane;
+  robot::StartPose start = robot::StartPose::kLying;
+};
+
+}  // namespace understudy::emulator
+
+#endif  // UNDERSTUDY_EMULATOR_SETTINGS_H_

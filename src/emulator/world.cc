@@ -1,0 +1,71 @@
+#include "emulator/world.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace understudy::emulator {
+
+World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
+             const std::vector<RobotParts>& robots, Inbox* inbox)
+    : settings_(settings),
+      physics_(std::move(physics)),
+      inbox_(inbox),
+      step_ns_(std::llround(physics_.timestep() * 1e9)),
+      pace_{.speed = settings.speed} {
+  for (const RobotParts& parts : robots) robots_.emplace_back(parts, &physics_);
+}
+
+physics::StepHealth World::Tick(time::Clock::Time now) {
+  const double t = time();
+  FollowScript(t);
+  Attend(now);
+  for (Robot& robot : robots_) robot.Hear(step_, t);
+
+  physics_.BeginStep();
+  pushes_.Act(t, &physics_);
+  drags_.Act(t, &physics_);
+  for (Robot& robot : robots_) robot.Act(t);
+  const physics::StepHealth health = physics_.EndStep(robot().torque());
+
+  if (health == physics::StepHealth::kDiverged) {
+    ++divergences_;
+    if (settings_.reset_on_divergence) {
+      for (Robot& robot : robots_) Reset(&robot, robot.start_pose());
+    }
+  } else {
+    for (Robot& robot : robots_) robot.Tell(step_);
+  }
+  ++step_;
+  if (pace_.steps_left > 0) --pace_.steps_left;
+  return health;
+}
+
+void World::Attend(time::Clock::Time now) {
+  TakeOrders();
+  for (Robot& robot : robots_) robot.ServeCalls(now);
+}
+
+void World::Reset(Robot* robot, robot::StartPose pose) {
+  pushes_.Clear();
+  drags_.Clear();
+  robot->Reset(pose);
+}
+
+Status World::status() const {
+  Status status;
+  status.time = time();
+  status.steps = step_;
+  status.speed = pace_.speed;
+  status.paused = pace_.paused;
+  status.steps_left = pace_.steps_left;
+  status.divergences = divergences_;
+  status.orders = orders_;
+  status.script_done = script_next_;
+  status.script_refused = script_refused_;
+  Copy(script_refusal_, &status.script_refusal);
+  robot().Report(time(), &status);
+  return status;
+}
+
+}  // namespace understudy::emulator

@@ -1,0 +1,91 @@
+// What the world shows of itself to who looks.
+#include <algorithm>
+
+#include "emulator/world.h"
+
+namespace understudy::emulator {
+namespace {
+
+bool Has(const Frame& frame, FramePart part) { return (frame.parts & part) != 0; }
+
+std::array<double, 3> Array(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+}  // namespace
+
+Frame World::MakeFrame() const {
+  const robot::RobotSpec& spec = robot().spec();
+  Frame frame;
+  frame.positions.resize(physics::PositionCount(physics_));
+  frame.body_names = physics::BodyNames(physics_);
+  for (const robot::MotorSpec& motor : spec.motors) frame.motor_names.push_back(motor.joint);
+  frame.command_topics.assign(robot::kCommandTopicNames.begin(), robot::kCommandTopicNames.end());
+  if (spec.arm_sdk.slots.empty()) frame.command_topics[robot::kArmSdkTopic].clear();
+  if (!spec.user_lowcmd) frame.command_topics[robot::kUserLowCmdTopic].clear();
+  for (const robot::HandSpec& hand : spec.hands) {
+    frame.command_topics.push_back("rt/" + hand.topic + "/cmd");
+    for (const robot::MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
+  }
+  frame.bodies.resize(frame.body_names.size());
+  frame.contacts.reserve(kMostFrameContacts);
+  frame.pushes.reserve(kMostFramePushes);
+  frame.motors.resize(frame.motor_names.size());
+  frame.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
+  frame.feet.resize(spec.feet.size());
+  frame.command.resize(spec.motors.size());
+  frame.refusals.reserve(kMostFrameRefusals);
+  return frame;
+}
+
+void World::Show(Frame* frame) const {
+  const Robot& robot = this->robot();
+  const robot::RobotSpec& spec = robot.spec();
+  const robot::RobotState& state = robot.sampled();
+  frame->step = step_;
+  frame->time = time();
+  frame->speed = pace_.speed;
+  frame->paused = pace_.paused;
+  if (Has(*frame, kPartPositions)) physics::ReadPositions(physics_, frame->positions);
+  if (Has(*frame, kPartBodies)) physics::ReadBodies(physics_, frame->bodies);
+  if (Has(*frame, kPartContacts)) {
+    frame->contacts.resize(kMostFrameContacts);
+    frame->contacts.resize(physics::ReadContacts(physics_, frame->contacts));
+  }
+  if (Has(*frame, kPartCom)) {
+    frame->com = physics::SubtreeCenterOfMass(physics_, physics_.FindBody(spec.base_body));
+  }
+  if (Has(*frame, kPartCrane)) {
+    frame->crane = {.attached = robot.crane().attached(),
+                    .hook = Array(robot.hook().p_WP),
+                    .top = Array(robot.crane().anchor()),
+                    .tension = robot.crane().tension()};
+  }
+  if (Has(*frame, kPartPushes)) {
+    frame->pushes.clear();
+    for (const auto& forces : {pushes(), drags()}) {
+      for (const physics::AppliedForce& force : forces) {
+        frame->pushes.push_back(
+            {.body = force.body, .at = Array(force.p_WP), .force = Array(force.force_W)});
+      }
+    }
+  }
+  if (Has(*frame, kPartMotors)) {
+    // Nothing has been sampled before the first tick.
+    std::ranges::copy(state.motors, frame->motors.begin());
+    auto next = frame->motors.begin() + std::ssize(spec.motors);
+    for (std::size_t i = 0; i < spec.hands.size(); ++i) {
+      std::ranges::copy(state.hands[i].motors, next);
+      next += std::ssize(spec.hands[i].motors);
+    }
+  }
+  frame->imus = {state.imu, state.secondary_imu};
+  frame->battery = state.battery;
+  std::copy_n(state.foot_force.begin(), std::min(state.foot_force.size(), frame->feet.size()),
+              frame->feet.begin());
+  frame->remote = state.remote;
+  if (Has(*frame, kPartCommand)) frame->command = robot.command().motors;
+  if (Has(*frame, kPartRefusals)) robot.refusals().CopyTo(&frame->refusals);
+}
+
+}  // namespace understudy::emulator
