@@ -1,4 +1,4 @@
-// What `understudy remote` is told. Knows no SDL: the daemon's program parses these too, for --help
+// Arguments of `understudy remote`. Knows no SDL: the daemon's program parses these too, for --help
 // and completions.
 #ifndef UNDERSTUDY_REMOTE_ARGUMENTS_H_
 #define UNDERSTUDY_REMOTE_ARGUMENTS_H_
@@ -6,7 +6,7 @@
 #include <string>
 
 #include "client/robot_choice.h"
-#include "remote/pad_mapping.h"
+#include "remote/gamepad_mapping.h"
 
 namespace CLI {
 class App;
@@ -26,7 +26,7 @@ struct RemoteArguments {
 // Adds the subcommand with its options, which must outlive the parsing.
 CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments);
 
-// What a build that has no understudy-remote says.
+// The error of a build that has no understudy-remote.
 inline constexpr char kRemoteMissing[] = "build the target understudy-remote, or run ./tools/up";
 
 }  // namespace understudy::remote

@@ -16,10 +16,10 @@
 namespace understudy::remote {
 namespace {
 
-static_assert(static_cast<int>(PadButton::kRight) == SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
-static_assert(static_cast<int>(PadButton::kLeftStick) == SDL_CONTROLLER_BUTTON_LEFTSTICK);
-static_assert(static_cast<int>(PadButton::kBack) == SDL_CONTROLLER_BUTTON_BACK);
-static_assert(kPadButtons == SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1);
+static_assert(static_cast<int>(GamepadButton::kRight) == SDL_CONTROLLER_BUTTON_DPAD_RIGHT);
+static_assert(static_cast<int>(GamepadButton::kLeftStick) == SDL_CONTROLLER_BUTTON_LEFTSTICK);
+static_assert(static_cast<int>(GamepadButton::kBack) == SDL_CONTROLLER_BUTTON_BACK);
+static_assert(kGamepadButtons == SDL_CONTROLLER_BUTTON_DPAD_RIGHT + 1);
 
 struct ControllerCloser {
   void operator()(SDL_GameController* controller) const { SDL_GameControllerClose(controller); }
@@ -135,21 +135,21 @@ Gamepads::Gamepads(const GamepadChoice& choice) : sdl_(std::make_unique<Sdl>(cho
 
 Gamepads::~Gamepads() = default;
 
-std::optional<PadState> Gamepads::Poll() {
+std::optional<GamepadState> Gamepads::Poll() {
   SDL_GameController* const controller = sdl_->Poll();
   if (controller == nullptr) return std::nullopt;
-  PadState pad;
-  for (std::size_t i = 0; i < kPadButtons; ++i) {
-    pad.pressed[i] =
+  GamepadState gamepad;
+  for (std::size_t i = 0; i < kGamepadButtons; ++i) {
+    gamepad.pressed[i] =
         SDL_GameControllerGetButton(controller, static_cast<SDL_GameControllerButton>(i)) != 0;
   }
-  pad.left_x = AxisOf(controller, SDL_CONTROLLER_AXIS_LEFTX);
-  pad.left_y = AxisOf(controller, SDL_CONTROLLER_AXIS_LEFTY);
-  pad.right_x = AxisOf(controller, SDL_CONTROLLER_AXIS_RIGHTX);
-  pad.right_y = AxisOf(controller, SDL_CONTROLLER_AXIS_RIGHTY);
-  pad.left_trigger = AxisOf(controller, SDL_CONTROLLER_AXIS_TRIGGERLEFT);
-  pad.right_trigger = AxisOf(controller, SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
-  return pad;
+  gamepad.left_x = AxisOf(controller, SDL_CONTROLLER_AXIS_LEFTX);
+  gamepad.left_y = AxisOf(controller, SDL_CONTROLLER_AXIS_LEFTY);
+  gamepad.right_x = AxisOf(controller, SDL_CONTROLLER_AXIS_RIGHTX);
+  gamepad.right_y = AxisOf(controller, SDL_CONTROLLER_AXIS_RIGHTY);
+  gamepad.left_trigger = AxisOf(controller, SDL_CONTROLLER_AXIS_TRIGGERLEFT);
+  gamepad.right_trigger = AxisOf(controller, SDL_CONTROLLER_AXIS_TRIGGERRIGHT);
+  return gamepad;
 }
 
 std::string Gamepads::in_use() const { return sdl_->in_use(); }

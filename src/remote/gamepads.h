@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "remote/pad_mapping.h"
+#include "remote/gamepad_mapping.h"
 
 namespace understudy::remote {
 
@@ -30,7 +30,7 @@ class Gamepads {
 
   // Looks what was plugged in and out, and gives the state of the one in use; nullopt while there
   // is none. Does not wait.
-  std::optional<PadState> Poll();
+  std::optional<GamepadState> Poll();
 
   // Its name; "" while there is none.
   std::string in_use() const;
@@ -38,7 +38,7 @@ class Gamepads {
   // What happened since the last call, a line each.
   std::vector<std::string> TakeNews();
 
-  // Every pad and joystick that is plugged in: number, name, and whether its buttons are known.
+  // Every gamepad and joystick that is plugged in: number, name, and whether its buttons are known.
   std::string List() const;
 
  private:

@@ -49,40 +49,32 @@ inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
     {U'l', "l", 0, &robot::RemoteReading::rx, 1},
 }};
 
-// Where a terminal does not tell releases, a key is up when it has not been heard for so long [s]:
+// A terminal does not tell releases, so a key is up when it has not been heard for so long [s]:
 // first longer than the delay before a held key repeats, then longer than the time between two
 // repeats; both *assumed*, above the usual 0.25 to 0.66 and 0.03 to 0.1.
 inline constexpr double kFirstHeard = 0.7;
 inline constexpr double kHeardAgain = 0.2;
-// Where it does, a key is down for so long at least [s]: press and release may come at once, over a
-// network; *assumed*, what every client sees.
-inline constexpr double kShortestPress = 0.05;
 
 // Times are of any steady clock [s].
 class Keyboard {
  public:
-  void Take(const TerminalEvent& event, double t);
+  // A key with control does nothing; Ctrl-C is a signal (RawTerminal).
+  void Take(const TerminalKey& pressed, double t);
   robot::RemoteReading Read(double t) const;
 
-  bool reports_releases() const { return reports_releases_; }
   bool keeps_next() const { return keep_next_; }
-  bool wants_to_quit() const { return wants_to_quit_; }  // Ctrl-C
 
  private:
   struct Key {
-    double pressed_at = 0;
     double down_until = 0;
     bool kept = false;  // down until told otherwise
     bool half = false;  // with shift: a stick goes half the way
   };
 
-  void Press(Key* key, const TerminalEvent& event, double t);
-  void Release();
+  void Press(Key* key, bool shift, double t);
 
   std::array<Key, kKeyBindings.size()> keys_{};
-  bool reports_releases_ = false;
   bool keep_next_ = false;
-  bool wants_to_quit_ = false;
 };
 
 }  // namespace understudy::remote

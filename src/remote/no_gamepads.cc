@@ -22,7 +22,7 @@ Gamepads::Gamepads(const GamepadChoice& choice) : sdl_(std::make_unique<Sdl>()) 
 
 Gamepads::~Gamepads() = default;
 
-std::optional<PadState> Gamepads::Poll() { return std::nullopt; }
+std::optional<GamepadState> Gamepads::Poll() { return std::nullopt; }
 
 std::string Gamepads::in_use() const { return ""; }
 

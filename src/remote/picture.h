@@ -1,4 +1,4 @@
-// The remote controller drawn with characters.
+// Draws the remote controller with characters.
 #ifndef UNDERSTUDY_REMOTE_PICTURE_H_
 #define UNDERSTUDY_REMOTE_PICTURE_H_
 

@@ -134,10 +134,7 @@ class TerminalRemote {
   void Show(const robot::RemoteReading& reading) {
     RemotePicture picture{.reading = reading, .title = title_, .notes = {}};
     picture.notes = {keyboard_.keeps_next() ? "Space: the next key is kept down"
-                                            : "Space keeps a key, Esc lets go, Ctrl-C ends",
-                     keyboard_.reports_releases()
-                         ? ""
-                         : "This terminal tells no releases: a key is up after a while"};
+                                            : "Space keeps a key, Esc lets go, Ctrl-C ends"};
     picture.notes.insert(picture.notes.end(), notes_.begin(), notes_.end());
     std::string screen = Draw(picture, terminal_.columns(), terminal_.rows());
     if (screen == shown_) return;
@@ -146,8 +143,8 @@ class TerminalRemote {
   }
 
  private:
-  void Take(const std::vector<TerminalEvent>& events, double now) {
-    for (const TerminalEvent& event : events) keyboard_.Take(event, now);
+  void Take(const std::vector<TerminalKey>& keys, double now) {
+    for (const TerminalKey& key : keys) keyboard_.Take(key, now);
   }
 
   RawTerminal terminal_;
@@ -164,7 +161,6 @@ class TerminalRemote {
 void PlayRemote(const RemoteArguments& arguments) {
   Robot robot(client::ChosenSocket(arguments.robot));
   CatchStopSignals();
-  // First the terminal, which forks, then SDL, which may start threads.
   std::optional<TerminalRemote> terminal;
   if (!arguments.no_keyboard && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDOUT_FILENO) == 1) {
     terminal.emplace("remote controller of " + robot.name());
@@ -175,16 +171,17 @@ void PlayRemote(const RemoteArguments& arguments) {
   Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
   RemoteSender sender([&](const emulator::SetRemote& order) { robot.Set(order); });
 
-  robot::RemoteReading pad;
+  robot::RemoteReading gamepad;
   double asked_at = Now();
   while (StopSignal() == 0) {
     if (terminal) {
-      if (!terminal->Poll() || terminal->keyboard().wants_to_quit()) break;
+      if (!terminal->Poll()) break;
     } else {
       std::this_thread::sleep_for(std::chrono::milliseconds(kLoopMs));
     }
-    const std::optional<PadState> state = gamepads.Poll();
-    pad = state ? ReadPad(*state, arguments.dead_zone, pad.keys) : robot::RemoteReading{};
+    const std::optional<GamepadState> state = gamepads.Poll();
+    gamepad =
+        state ? ReadGamepad(*state, arguments.dead_zone, gamepad.keys) : robot::RemoteReading{};
     for (const std::string& line : gamepads.TakeNews()) {
       if (terminal) {
         terminal->AddNote(line);
@@ -199,7 +196,8 @@ void PlayRemote(const RemoteArguments& arguments) {
       asked_at = now;
     }
     sender.set_speed(robot.speed());
-    const robot::RemoteReading held = terminal ? Both(terminal->keyboard().Read(now), pad) : pad;
+    const robot::RemoteReading held =
+        terminal ? Both(terminal->keyboard().Read(now), gamepad) : gamepad;
     // Without a terminal and a gamepad there is no remote.
     if (terminal || state) {
       sender.Hold(held, now);

@@ -1,4 +1,4 @@
-// `understudy remote`: from keyboard and gamepad to the robot, until Ctrl-C.
+// Runs `understudy remote`: sends keyboard and gamepad to the robot until Ctrl-C.
 #ifndef UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
 #define UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
 

@@ -2,14 +2,10 @@
 
 #include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstring>
 #include <system_error>
 
-#include <fcntl.h>
 #include <poll.h>
 #include <sys/ioctl.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/errors.h"
@@ -17,12 +13,11 @@
 namespace understudy::remote {
 namespace {
 
-// Another screen, no cursor, tell of lost focus; all keys as sequences with their releases (kitty
-// keyboard protocol: 1 + 2 + 8), and ask whether that was understood.
-constexpr std::string_view kEnter = "\033[?1049h\033[?25l\033[?1004h\033[>11u\033[?u";
-constexpr std::string_view kLeave = "\033[<u\033[?1004l\033[?25h\033[?1049l";
+// The alternate screen, no cursor; and back.
+constexpr std::string_view kEnter = "\033[?1049h\033[?25l";
+constexpr std::string_view kLeave = "\033[?25h\033[?1049l";
 
-// All of it, whatever signals come. Async-signal-safe.
+// All of it, whatever signals come.
 void WriteAll(std::string_view text) {
   while (!text.empty()) {
     const ssize_t wrote = ::write(STDOUT_FILENO, text.data(), text.size());
@@ -30,11 +25,6 @@ void WriteAll(std::string_view text) {
     if (wrote <= 0) return;  // nobody looks any more
     text.remove_prefix(static_cast<std::size_t>(wrote));
   }
-}
-
-bool Same(const termios& one, const termios& other) {
-  return one.c_iflag == other.c_iflag && one.c_oflag == other.c_oflag &&
-         one.c_lflag == other.c_lflag && std::memcmp(one.c_cc, other.c_cc, sizeof one.c_cc) == 0;
 }
 
 SetupError Refusal(const char* what) {
@@ -46,50 +36,19 @@ SetupError Refusal(const char* what) {
 
 RawTerminal::RawTerminal() {
   if (::tcgetattr(STDIN_FILENO, &before_) != 0) throw Refusal("its settings");
-  ours_ = before_;
-  ours_.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | IEXTEN);
-  ours_.c_iflag &= ~static_cast<tcflag_t>(ICRNL | IXON);
-  ours_.c_cc[VMIN] = 0;
-  ours_.c_cc[VTIME] = 0;
-  ours_.c_cc[VSUSP] = _POSIX_VDISABLE;
-  StartGuardian();
-  if (::tcsetattr(STDIN_FILENO, TCSADRAIN, &ours_) != 0) throw Refusal("its settings");
+  termios ours = before_;
+  ours.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO | IEXTEN);
+  ours.c_iflag &= ~static_cast<tcflag_t>(ICRNL | IXON);
+  ours.c_cc[VMIN] = 0;
+  ours.c_cc[VTIME] = 0;
+  ours.c_cc[VSUSP] = _POSIX_VDISABLE;
+  if (::tcsetattr(STDIN_FILENO, TCSADRAIN, &ours) != 0) throw Refusal("its settings");
   WriteAll(kEnter);
 }
 
 RawTerminal::~RawTerminal() {
   WriteAll(kLeave);
   ::tcsetattr(STDIN_FILENO, TCSAFLUSH, &before_);
-  guardian_.reset();
-  ::waitpid(guardian_pid_, nullptr, 0);
-}
-
-void RawTerminal::StartGuardian() {
-  std::array<int, 2> ends{};
-  if (::pipe2(ends.data(), O_CLOEXEC) != 0) throw Refusal("a pipe");
-  guardian_ = UniqueFd(ends[1]);
-  const UniqueFd watched(ends[0]);
-  // Blocked until the guardian ignores them: Ctrl-C is for us alone.
-  sigset_t all;
-  sigset_t mask;
-  ::sigfillset(&all);
-  ::sigprocmask(SIG_SETMASK, &all, &mask);
-  guardian_pid_ = ::fork();
-  if (guardian_pid_ == 0) {
-    // All signals stay blocked, SIGTTOU too: the terminal may be another program's by then.
-    guardian_.reset();
-    char byte = 0;
-    while (::read(watched.get(), &byte, 1) < 0 && errno == EINTR) {
-    }
-    termios now{};
-    if (::tcgetattr(STDIN_FILENO, &now) == 0 && Same(now, ours_)) {
-      WriteAll(kLeave);
-      ::tcsetattr(STDIN_FILENO, TCSANOW, &before_);
-    }
-    ::_exit(0);
-  }
-  ::sigprocmask(SIG_SETMASK, &mask, nullptr);
-  if (guardian_pid_ < 0) throw Refusal("a process");
 }
 
 bool RawTerminal::Read(int timeout_ms, std::string* typed) {

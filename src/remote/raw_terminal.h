@@ -1,27 +1,21 @@
-// The terminal while it is a remote controller.
+// A terminal that gives its keys one by one and shows a picture.
 #ifndef UNDERSTUDY_REMOTE_RAW_TERMINAL_H_
 #define UNDERSTUDY_REMOTE_RAW_TERMINAL_H_
 
 #include <string>
 #include <string_view>
 
-#include <sys/types.h>
 #include <termios.h>
-
-#include "base/unique_fd.h"
 
 namespace understudy::remote {
 
-// From construction to destruction: keys come one by one, without echo; the screen is another one
-// and the cursor is hidden; releases are told by terminals that can; Ctrl-C is SIGINT as ever, and
-// Ctrl-Z does nothing, for a stopped program would leave the terminal so.
-//
-// A second process waits for the end of this one, whatever that is (SIGKILL, a bug), and puts the
-// terminal back where nobody else has done so.
+// From construction to destruction keys come one by one, without echo; the picture is on the
+// alternate screen and the cursor is hidden. Ctrl-C raises SIGINT as ever; Ctrl-Z does nothing,
+// since a stopped program would leave the terminal so. SIGKILL leaves it so too: `reset` restores
+// it.
 class RawTerminal {
  public:
-  // Standard input and output must be a terminal. Call it before any thread exists. Throws
-  // SetupError where the system refuses.
+  // Standard input and output must be a terminal. Throws SetupError where the system refuses.
   RawTerminal();
   ~RawTerminal();
   RawTerminal(const RawTerminal&) = delete;
@@ -35,12 +29,7 @@ class RawTerminal {
   int rows() const;
 
  private:
-  void StartGuardian();
-
   termios before_{};
-  termios ours_{};
-  UniqueFd guardian_;  // closed, by us or by our end: the guardian's signal
-  pid_t guardian_pid_ = 0;
 };
 
 }  // namespace understudy::remote

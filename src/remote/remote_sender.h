@@ -1,4 +1,4 @@
-// When to tell the robot what is held.
+// Decides when to tell the robot what is held.
 #ifndef UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
 #define UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
 

@@ -1,35 +1,17 @@
 #include "remote/terminal_decoder.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cstddef>
 #include <optional>
 
 namespace understudy::remote {
 namespace {
 
-using Kind = TerminalEvent::Kind;
-using Events = std::vector<TerminalEvent>;
+using Keys = std::vector<TerminalKey>;
 
 constexpr char kEscape = '\x1b';
-constexpr std::size_t kLongest = 64;    // bytes of a sequence; no known one is as long
-constexpr unsigned kReportsEvents = 2;  // a flag of the kitty keyboard protocol
-
-// Reads digits from the front of `text`; `otherwise` where there are none.
-unsigned TakeNumber(std::string_view* text, unsigned otherwise) {
-  constexpr unsigned kMost = 0x200000;  // beyond every code point
-  std::optional<unsigned> number;
-  while (!text->empty() && text->front() >= '0' && text->front() <= '9') {
-    const auto digit = static_cast<unsigned>(text->front() - '0');
-    number = std::min(number.value_or(0) * 10 + digit, kMost);
-    text->remove_prefix(1);
-  }
-  return number.value_or(otherwise);
-}
-
-void SkipTo(char end, std::string_view* text) {
-  text->remove_prefix(std::min(text->size(), text->find(end)));
-  if (!text->empty()) text->remove_prefix(1);
-}
+constexpr std::size_t kLongest = 64;  // bytes of a sequence; no known one is as long
 
 std::optional<char32_t> Arrow(char final) {
   if (final < 'A' || final > 'D') return std::nullopt;
@@ -37,61 +19,46 @@ std::optional<char32_t> Arrow(char final) {
   return kArrows[final - 'A'];
 }
 
-// CSI parameters final: "code:...; modifiers:event; ..." of the kitty protocol, of which other
-// terminals' arrows are a part.
-void Decode(std::string_view parameters, char final, Events* events) {
-  if (final == 'O' && parameters.empty()) return events->push_back({.kind = Kind::kFocusLost});
-  if (parameters.starts_with('?')) {
-    parameters.remove_prefix(1);
-    const unsigned flags = TakeNumber(&parameters, 0);
-    if (final == 'u' && (flags & kReportsEvents) != 0) {
-      events->push_back({.kind = Kind::kReportsReleases});
-    }
-    return;
-  }
+// ESC [ parameters final. An arrow with a modifier is "1;2A"; the modifier is 1 + 1 for shift, + 4
+// for control.
+void Decode(std::string_view parameters, char final, Keys* keys) {
   const std::optional<char32_t> arrow = Arrow(final);
-  if (final != 'u' && !arrow) return;
-  const unsigned code = TakeNumber(&parameters, 0);
-  SkipTo(';', &parameters);
-  const unsigned modifiers = TakeNumber(&parameters, 1) - 1;
-  unsigned event = 1;
-  if (parameters.starts_with(':')) {
-    parameters.remove_prefix(1);
-    event = TakeNumber(&parameters, 1);
+  if (!arrow) return;
+  unsigned modifiers = 1;
+  if (parameters.starts_with("1;")) {
+    std::from_chars(parameters.data() + 2, parameters.data() + parameters.size(), modifiers);
   }
-  const Kind kind = event == 3 ? Kind::kRelease : event == 2 ? Kind::kRepeat : Kind::kPress;
-  events->push_back({.kind = kind,
-                     .key = arrow.value_or(code),
-                     .shift = (modifiers & 1U) != 0,
-                     .control = (modifiers & 4U) != 0});
+  keys->push_back({.key = *arrow,
+                   .shift = ((modifiers - 1) & 1U) != 0,
+                   .control = ((modifiers - 1) & 4U) != 0});
 }
 
 // One byte that begins no sequence.
-void DecodeByte(char byte, Events* events) {
+void DecodeByte(char byte, Keys* keys) {
   if (byte == '\n') byte = '\r';
   if (byte >= 'A' && byte <= 'Z') {
-    events->push_back({.key = static_cast<char32_t>(byte - 'A' + 'a'), .shift = true});
+    keys->push_back({.key = static_cast<char32_t>(byte - 'A' + 'a'), .shift = true});
   } else if (byte == '\r' || byte == '\t' || (byte >= ' ' && byte <= '~')) {
-    events->push_back({.key = static_cast<char32_t>(byte)});
+    keys->push_back({.key = static_cast<char32_t>(byte)});
   } else if (byte >= 1 && byte <= 26) {
-    events->push_back({.key = static_cast<char32_t>(byte - 1 + 'a'), .control = true});
+    keys->push_back({.key = static_cast<char32_t>(byte - 1 + 'a'), .control = true});
   }
 }
 
 // How many bytes of `text` the sequence at its front has; 0: not all of it is there yet.
-std::size_t DecodeFront(std::string_view text, Events* events) {
+std::size_t DecodeFront(std::string_view text, Keys* keys) {
   if (text[0] != kEscape) {
-    DecodeByte(text[0], events);
+    DecodeByte(text[0], keys);
     return 1;
   }
   if (text.size() < 2) return 0;
   if (text[1] == 'O') {  // an arrow in application mode
     if (text.size() < 3) return 0;
-    if (const auto arrow = Arrow(text[2])) events->push_back({.key = *arrow});
+    if (const auto arrow = Arrow(text[2])) keys->push_back({.key = *arrow});
     return 3;
   }
   if (text[1] != '[') {  // with Alt
-    events->push_back({.key = kEscapeKey});
+    keys->push_back({.key = kEscapeKey});
     return 1;
   }
   const auto* const final = std::find_if(text.begin() + 2, text.end(),
@@ -99,28 +66,28 @@ std::size_t DecodeFront(std::string_view text, Events* events) {
   if (final == text.end()) return text.size() < kLongest ? 0 : text.size();
   const auto size = static_cast<std::size_t>(final - text.begin()) + 1;
   if (*final == '[') return text.size() > size ? size + 1 : 0;  // F1 to F5 of the Linux console
-  Decode(text.substr(2, size - 3), *final, events);
+  Decode(text.substr(2, size - 3), *final, keys);
   return size;
 }
 
 }  // namespace
 
-Events TerminalDecoder::Feed(std::string_view bytes) {
-  Events events;
+Keys TerminalDecoder::Feed(std::string_view bytes) {
+  Keys keys;
   pending_ += bytes;
   while (!pending_.empty()) {
-    const std::size_t size = DecodeFront(pending_, &events);
+    const std::size_t size = DecodeFront(pending_, &keys);
     if (size == 0) break;
     pending_.erase(0, size);
   }
-  return events;
+  return keys;
 }
 
-Events TerminalDecoder::Pause() {
-  Events events;
-  if (pending_ == std::string_view(&kEscape, 1)) events.push_back({.key = kEscapeKey});
+Keys TerminalDecoder::Pause() {
+  Keys keys;
+  if (pending_ == std::string_view(&kEscape, 1)) keys.push_back({.key = kEscapeKey});
   pending_.clear();
-  return events;
+  return keys;
 }
 
 }  // namespace understudy::remote

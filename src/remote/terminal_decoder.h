@@ -1,4 +1,4 @@
-// What a terminal sends -> keys that were pressed.
+// Turns the bytes that a terminal sends into keys.
 #ifndef UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_
 #define UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_
 
@@ -17,32 +17,25 @@ inline constexpr char32_t kEnterKey = U'\r';
 inline constexpr char32_t kTabKey = U'\t';
 inline constexpr char32_t kEscapeKey = U'\x1b';
 
-struct TerminalEvent {
-  enum class Kind {
-    kPress,  // or a repeat of it: an ordinary terminal does not say which
-    kRepeat,
-    kRelease,
-    kFocusLost,        // what is released from now on is not told
-    kReportsReleases,  // the terminal speaks the kitty keyboard protocol: releases will be told
-  };
-  Kind kind = Kind::kPress;
+// A key that was pressed, or repeats: a terminal does not say which, nor when it is released.
+struct TerminalKey {
   char32_t key = 0;  // without shift: 'a' for A
   bool shift = false;
   bool control = false;
 
-  bool operator==(const TerminalEvent&) const = default;
+  bool operator==(const TerminalKey&) const = default;
 };
 
-// Knows the sequences of xterm and its kin and those of the kitty keyboard protocol
-// (https://sw.kovidgoyal.net/kitty/keyboard-protocol). Any bytes will do; what it does not know it
-// passes over.
+// Decodes characters and the arrows of xterm and its kin. Takes any bytes and skips what it does
+// not know.
 class TerminalDecoder {
  public:
-  // What these bytes complete. A sequence may come in parts.
-  std::vector<TerminalEvent> Feed(std::string_view bytes);
-  // Nothing more came for a while: an escape that begins no sequence was the key.
-  std::vector<TerminalEvent> Pause();
+  // Returns the keys that these bytes complete. A sequence may come in parts.
+  std::vector<TerminalKey> Feed(std::string_view bytes);
+  // Call it when nothing more came for a while: a lone escape byte was the key, not a sequence.
+  std::vector<TerminalKey> Pause();
 
+  // Whether the bytes so far end within a sequence.
   bool waits() const { return !pending_.empty(); }
 
  private:

@@ -17,9 +17,10 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 // A gamepad of SDL's own making, plugged in from construction to destruction.
-class VirtualPad {
+class VirtualGamepad {
  public:
-  explicit VirtualPad(const char* name, SDL_JoystickType type = SDL_JOYSTICK_TYPE_GAMECONTROLLER) {
+  explicit VirtualGamepad(const char* name,
+                          SDL_JoystickType type = SDL_JOYSTICK_TYPE_GAMECONTROLLER) {
     SDL_VirtualJoystickDesc desc{};
     desc.version = SDL_VIRTUAL_JOYSTICK_DESC_VERSION;
     desc.type = static_cast<Uint16>(type);
@@ -31,15 +32,15 @@ class VirtualPad {
     joystick_ = SDL_JoystickOpen(SDL_JoystickAttachVirtualEx(&desc));
     EXPECT_NE(joystick_, nullptr) << SDL_GetError();
   }
-  ~VirtualPad() {
+  ~VirtualGamepad() {
     const SDL_JoystickID id = SDL_JoystickInstanceID(joystick_);
     for (int device = 0; device < SDL_NumJoysticks(); ++device) {
       if (SDL_JoystickGetDeviceInstanceID(device) == id) SDL_JoystickDetachVirtual(device);
     }
     SDL_JoystickClose(joystick_);
   }
-  VirtualPad(const VirtualPad&) = delete;
-  VirtualPad& operator=(const VirtualPad&) = delete;
+  VirtualGamepad(const VirtualGamepad&) = delete;
+  VirtualGamepad& operator=(const VirtualGamepad&) = delete;
 
   void Press(SDL_GameControllerButton button, bool down = true) {
     SDL_JoystickSetVirtualButton(joystick_, button, down ? 1 : 0);
@@ -68,16 +69,16 @@ TEST_F(GamepadsTest, AbsenceIsNoError) {
 TEST_F(GamepadsTest, APadThatIsPluggedInIsUsed) {
   Gamepads gamepads({});
   EXPECT_FALSE(gamepads.Poll());
-  VirtualPad pad("Red Pad");
+  VirtualGamepad pad("Red Pad");
   ASSERT_TRUE(gamepads.Poll());
   EXPECT_EQ(gamepads.in_use(), "Red Pad");
   EXPECT_THAT(gamepads.TakeNews(), Contains("Red Pad is the remote controller"));
   pad.Press(SDL_CONTROLLER_BUTTON_B);
   pad.Move(SDL_CONTROLLER_AXIS_LEFTY, -32768);
   pad.Move(SDL_CONTROLLER_AXIS_TRIGGERLEFT, 32767);
-  const std::optional<PadState> state = gamepads.Poll();
+  const std::optional<GamepadState> state = gamepads.Poll();
   ASSERT_TRUE(state);
-  const robot::RemoteReading reading = ReadPad(*state, kDeadZone, 0);
+  const robot::RemoteReading reading = ReadGamepad(*state, kDeadZone, 0);
   EXPECT_EQ(reading.keys, 0x220);
   EXPECT_EQ(reading.ly, 1);
   EXPECT_EQ(reading.lx, 0);
@@ -85,21 +86,21 @@ TEST_F(GamepadsTest, APadThatIsPluggedInIsUsed) {
 
 TEST_F(GamepadsTest, APadThatIsUnpluggedHoldsNothingAndMayComeBack) {
   Gamepads gamepads({});
-  auto pad = std::make_unique<VirtualPad>("Red Pad");
+  auto pad = std::make_unique<VirtualGamepad>("Red Pad");
   pad->Press(SDL_CONTROLLER_BUTTON_A);
   ASSERT_TRUE(gamepads.Poll());
   pad.reset();
   EXPECT_FALSE(gamepads.Poll());
   EXPECT_THAT(gamepads.TakeNews(), Contains("Red Pad has gone"));
-  pad = std::make_unique<VirtualPad>("Red Pad");
+  pad = std::make_unique<VirtualGamepad>("Red Pad");
   EXPECT_TRUE(gamepads.Poll());
 }
 
 TEST_F(GamepadsTest, TheFirstOfSeveralIsUsedUntilItGoes) {
   Gamepads gamepads({});
-  auto first = std::make_unique<VirtualPad>("Red Pad");
+  auto first = std::make_unique<VirtualGamepad>("Red Pad");
   EXPECT_TRUE(gamepads.Poll());
-  const VirtualPad second("Blue Pad");
+  const VirtualGamepad second("Blue Pad");
   EXPECT_TRUE(gamepads.Poll());
   EXPECT_EQ(gamepads.in_use(), "Red Pad");
   first.reset();
@@ -110,9 +111,9 @@ TEST_F(GamepadsTest, TheFirstOfSeveralIsUsedUntilItGoes) {
 TEST_F(GamepadsTest, TheChosenOneIsUsed) {
   for (const char* which : {"blue", "2"}) {
     Gamepads gamepads({.which = which});
-    const VirtualPad first("Red Pad");
+    const VirtualGamepad first("Red Pad");
     EXPECT_FALSE(gamepads.Poll()) << which;
-    const VirtualPad second("Blue Pad");
+    const VirtualGamepad second("Blue Pad");
     EXPECT_TRUE(gamepads.Poll()) << which;
     EXPECT_EQ(gamepads.in_use(), "Blue Pad");
     EXPECT_THAT(gamepads.List(), HasSubstr("2  Blue Pad  known"));
@@ -121,11 +122,11 @@ TEST_F(GamepadsTest, TheChosenOneIsUsed) {
 
 TEST_F(GamepadsTest, SaysOnceHowAPadThatIsNotKnownBecomesSo) {
   Gamepads gamepads({});
-  const VirtualPad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
+  const VirtualGamepad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
   EXPECT_FALSE(gamepads.Poll());
   const std::vector<std::string> news = gamepads.TakeNews();
   EXPECT_THAT(news, Contains(HasSubstr("SDL_GAMECONTROLLERCONFIG")));
-  const VirtualPad other("Other", SDL_JOYSTICK_TYPE_WHEEL);
+  const VirtualGamepad other("Other", SDL_JOYSTICK_TYPE_WHEEL);
   EXPECT_FALSE(gamepads.Poll());
   EXPECT_THAT(gamepads.TakeNews(), Not(Contains(HasSubstr("Wheel"))));
   EXPECT_THAT(gamepads.List(), HasSubstr("unknown, guid "));
@@ -135,7 +136,7 @@ TEST_F(GamepadsTest, AMappingMakesItKnown) {
   std::string guid;
   {
     Gamepads gamepads({});
-    const VirtualPad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
+    const VirtualGamepad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
     gamepads.Poll();
     const std::string list = gamepads.List();
     guid = list.substr(list.find("guid ") + 5, 32);
@@ -145,12 +146,12 @@ TEST_F(GamepadsTest, AMappingMakesItKnown) {
   const std::string file =
       folder.Write("pads.txt", guid + ",Wheel,b:b0,leftx:a1,platform:Linux,\n");
   Gamepads gamepads({.mapping_file = file});
-  VirtualPad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
+  VirtualGamepad wheel("Wheel", SDL_JOYSTICK_TYPE_WHEEL);
   wheel.Press(SDL_CONTROLLER_BUTTON_A);
   gamepads.Poll();
-  const std::optional<PadState> state = gamepads.Poll();
+  const std::optional<GamepadState> state = gamepads.Poll();
   ASSERT_TRUE(state);
-  EXPECT_EQ(ReadPad(*state, kDeadZone, 0).keys, 0x200);
+  EXPECT_EQ(ReadGamepad(*state, kDeadZone, 0).keys, 0x200);
 }
 
 TEST_F(GamepadsTest, RefusesAMappingFileThatIsNotThere) {

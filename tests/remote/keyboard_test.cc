@@ -7,21 +7,9 @@
 namespace understudy::remote {
 namespace {
 
-using Kind = TerminalEvent::Kind;
-
 std::string Names(const Keyboard& keyboard, double t) {
   return robot::RemoteKeyNames(keyboard.Read(t).keys);
 }
-
-// A keyboard whose terminal tells releases.
-class KittyTest : public ::testing::Test {
- protected:
-  KittyTest() { keyboard_.Take({.kind = Kind::kReportsReleases}, 0); }
-  void Press(char32_t key, double t) { keyboard_.Take({.key = key}, t); }
-  void Release(char32_t key, double t) { keyboard_.Take({.kind = Kind::kRelease, .key = key}, t); }
-
-  Keyboard keyboard_;
-};
 
 TEST(KeyboardTest, EveryKeyOfTheRemoteHasOneOfItsOwn) {
   unsigned keys = 0;
@@ -46,14 +34,14 @@ TEST(KeyboardTest, EveryKeyDoesWhatTheTableSays) {
   }
 }
 
-TEST(KeyboardTest, WithoutReleasesAKeyIsUpWhenItIsNotHeardAgain) {
+TEST(KeyboardTest, AKeyIsUpWhenItIsNotHeardAgain) {
   Keyboard keyboard;
   keyboard.Take({.key = U'e'}, 0);
   EXPECT_EQ(keyboard.Read(0.69).ly, 1);
   EXPECT_EQ(keyboard.Read(0.71).ly, 0);
 }
 
-TEST(KeyboardTest, WithoutReleasesAHeldKeyStaysDownWhileItRepeats) {
+TEST(KeyboardTest, AHeldKeyStaysDownWhileItRepeats) {
   Keyboard keyboard;
   keyboard.Take({.key = U'e'}, 0);
   for (double t = 0.5; t < 2; t += 0.033) {
@@ -63,45 +51,24 @@ TEST(KeyboardTest, WithoutReleasesAHeldKeyStaysDownWhileItRepeats) {
   EXPECT_EQ(keyboard.Read(2.25).ly, 0);
 }
 
-TEST(KeyboardTest, WithoutReleasesOneKeySoonAfterAnotherIsAChord) {
+TEST(KeyboardTest, OneKeySoonAfterAnotherIsAChord) {
   Keyboard keyboard;
   keyboard.Take({.key = U'w'}, 0);
   keyboard.Take({.key = U'b'}, 0.3);
   EXPECT_EQ(Names(keyboard, 0.3), "L2+B");
 }
 
-TEST_F(KittyTest, AKeyIsDownUntilItIsReleased) {
-  Press(U'w', 0);
-  Press(U'b', 5);
-  EXPECT_EQ(Names(keyboard_, 100), "L2+B");
-  Release(U'w', 100);
-  EXPECT_EQ(Names(keyboard_, 100), "B");
-  Release(U'b', 101);
-  EXPECT_EQ(Names(keyboard_, 101), "");
+TEST(KeyboardTest, ShiftGoesHalfTheWay) {
+  Keyboard keyboard;
+  keyboard.Take({.key = U'd', .shift = true}, 0);
+  EXPECT_EQ(keyboard.Read(0).ly, -0.5);
 }
 
-TEST_F(KittyTest, APressThatIsOverAtOnceIsSeen) {
-  Press(U'b', 1);
-  Release(U'b', 1);
-  EXPECT_EQ(Names(keyboard_, 1.04), "B");
-  EXPECT_EQ(Names(keyboard_, 1.06), "");
-}
-
-TEST_F(KittyTest, LetsGoWhatItCanNotHearOf) {
-  Press(U'w', 0);
-  keyboard_.Take({.kind = Kind::kFocusLost}, 1);
-  EXPECT_EQ(Names(keyboard_, 1), "");
-}
-
-TEST_F(KittyTest, ShiftGoesHalfTheWay) {
-  keyboard_.Take({.key = U'd', .shift = true}, 0);
-  EXPECT_EQ(keyboard_.Read(1).ly, -0.5);
-}
-
-TEST_F(KittyTest, OppositeKeysMeetInTheMiddle) {
-  Press(U's', 0);
-  Press(U'f', 0);
-  EXPECT_EQ(keyboard_.Read(1).lx, 0);
+TEST(KeyboardTest, OppositeKeysMeetInTheMiddle) {
+  Keyboard keyboard;
+  keyboard.Take({.key = U's'}, 0);
+  keyboard.Take({.key = U'f'}, 0);
+  EXPECT_EQ(keyboard.Read(0).lx, 0);
 }
 
 TEST(KeyboardTest, SpaceKeepsTheNextKeyUntilItIsSaidAgain) {
@@ -128,13 +95,10 @@ TEST(KeyboardTest, EscapeLetsEverythingGo) {
   EXPECT_EQ(keyboard.Read(0).ly, 0);
 }
 
-TEST(KeyboardTest, ControlCEndsAndPressesNothing) {
+TEST(KeyboardTest, AKeyWithControlPressesNothing) {
   Keyboard keyboard;
   keyboard.Take({.key = U'b', .control = true}, 0);
-  EXPECT_FALSE(keyboard.wants_to_quit());
   EXPECT_EQ(Names(keyboard, 0), "");
-  keyboard.Take({.key = U'c', .control = true}, 0);
-  EXPECT_TRUE(keyboard.wants_to_quit());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
-// Which part of a gamepad is which part of the remote controller (docs/remote.md).
-#ifndef UNDERSTUDY_REMOTE_PAD_MAPPING_H_
-#define UNDERSTUDY_REMOTE_PAD_MAPPING_H_
+// Maps the buttons and axes of a gamepad to those of the remote controller (docs/remote.md).
+#ifndef UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_
+#define UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_
 
 #include <array>
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace understudy::remote {
 
-// Buttons by what is written on them, in SDL's order. On a pad with signs A, B, X, Y are cross,
+// Buttons by what is written on them, in SDL's order. On a PlayStation's A, B, X, Y are cross,
 // circle, square, triangle.
-enum class PadButton : std::uint8_t {
+enum class GamepadButton : std::uint8_t {
   kA,
   kB,
   kX,
@@ -29,10 +29,10 @@ enum class PadButton : std::uint8_t {
   kLeft,
   kRight,
 };
-inline constexpr std::size_t kPadButtons = 15;
+inline constexpr std::size_t kGamepadButtons = 15;
 
-struct PadState {
-  std::array<bool, kPadButtons> pressed{};
+struct GamepadState {
+  std::array<bool, kGamepadButtons> pressed{};
   double left_x = 0, left_y = 0;               // -1..1, positive right and down
   double right_x = 0, right_y = 0;             // the same
   double left_trigger = 0, right_trigger = 0;  // 0..1
@@ -47,8 +47,9 @@ inline constexpr double kTriggerDown = 0.5;
 inline constexpr double kTriggerUp = 0.4;
 
 // `before`: the keys of the reading before this one. `dead_zone` is 0 to below 1.
-robot::RemoteReading ReadPad(const PadState& pad, double dead_zone, std::uint16_t before);
+robot::RemoteReading ReadGamepad(const GamepadState& gamepad, double dead_zone,
+                                 std::uint16_t before);
 
 }  // namespace understudy::remote
 
-#endif  // UNDERSTUDY_REMOTE_PAD_MAPPING_H_
+#endif  // UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_
