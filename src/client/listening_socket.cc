@@ -12,31 +12,11 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/unique_fd.h"
 #include "client/control_folder.h"
 
 namespace understudy::client {
 namespace {
-
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-
-  int get() const { return fd_; }
-  bool valid() const { return fd_ >= 0; }
-  int Release() {
-    const int fd = fd_;
-    fd_ = -1;
-    return fd;
-  }
-
- private:
-  int fd_;
-};
 
 // Holds a folder against other processes; the kernel lets go when the descriptor closes.
 class FolderLock {
@@ -56,7 +36,7 @@ class FolderLock {
   bool held() const { return held_; }
 
  private:
-  Descriptor folder_;
+  UniqueFd folder_;
   bool held_ = false;
 };
 
@@ -72,12 +52,12 @@ const sockaddr* Generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
 
-[[noreturn]] void Refuse(const std::filesystem::path& path, const std::string& why) {
+[[noreturn]] void RefuseSocket(const std::filesystem::path& path, const std::string& why) {
   throw SocketError("control socket " + path.string() + ": " + why);
 }
 
 [[noreturn]] void RefuseBySystem(const std::filesystem::path& path) {
-  Refuse(path, std::generic_category().message(errno));
+  RefuseSocket(path, std::generic_category().message(errno));
 }
 
 std::string Listener(const SocketProbe& probe) {
@@ -97,7 +77,7 @@ SocketProbe ProbeSocket(const std::filesystem::path& path) {
   }
   if (!S_ISSOCK(found.st_mode)) return {.state = SocketState::kUnknown};
 
-  const Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
+  const UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0));
   const sockaddr_un address = AddressOf(path);
   if (::connect(socket.get(), Generic(address), sizeof address) == 0) {
     ucred peer{};
@@ -135,13 +115,13 @@ ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path
       ::unlink(path_.c_str());
       break;
     case SocketState::kAlive:
-      Refuse(path_, "the name is in use by " + Listener(before) +
-                        "; give this robot another --name, or end that one");
+      RefuseSocket(path_, "the name is in use by " + Listener(before) +
+                              "; give this robot another --name, or end that one");
     case SocketState::kUnknown:
-      Refuse(path_, "something else is there, which is left alone");
+      RefuseSocket(path_, "something else is there, which is left alone");
   }
 
-  Descriptor socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
+  UniqueFd socket(::socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0));
   const sockaddr_un address = AddressOf(path_);
   if (!socket.valid() || ::bind(socket.get(), Generic(address), sizeof address) != 0) {
     RefuseBySystem(path_);
@@ -157,7 +137,7 @@ ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path
   }
   device_ = created.st_dev;
   inode_ = created.st_ino;
-  fd_ = socket.Release();
+  fd_ = socket.release();
 }
 
 ListeningSocket::~ListeningSocket() {
