@@ -21,6 +21,7 @@
 #include "config/robot_file.h"
 #include "ctl/command.h"
 #include "remote/arguments.h"
+#include "server/request_docs.h"
 #include "services/robot_services.h"
 #include "version.h"
 #include "viewer/arguments.h"
@@ -36,7 +37,7 @@ constexpr char kFooter[] =
     "  understudy view                         look at it in a window\n"
     "  understudy remote                       hold its remote controller\n"
     "`understudy COMMAND --help` tells more.\n"
-    "Exit codes: 0 done; 1 a bug, or an order refused; 2 command line; 3 configuration; 4 model;\n"
+    "Exit codes: 0 done; 1 a bug, or a request refused; 2 command line; 3 configuration; 4 model;\n"
     "5 network; 6 another robot is on the network; 7 the physics diverged;\n"
     "8 the robot's name is in use, or its control socket not to be had; 9 a recording that cannot\n"
     "be written or read; exec: the command's own.";
@@ -128,6 +129,19 @@ int Main(int argc, char** argv) {
   services->callback([&] {
     chosen = [&] {
       std::fputs(services::ServicesReference().c_str(), stdout);
+      return 0;
+    };
+  });
+
+  CLI::App* requests = app.add_subcommand(
+      "requests", "Print what can be asked of a running robot, as Markdown or for OpenAPI");
+  bool openapi = false;
+  requests->add_flag("--openapi", openapi, "The paths of docs/openapi.yaml");
+  requests->footer("Example: understudy requests > docs/requests.md");
+  requests->callback([&] {
+    chosen = [&] {
+      const std::string text = openapi ? server::RequestsOpenApi() : server::RequestsReference();
+      std::fputs(text.c_str(), stdout);
       return 0;
     };
   });

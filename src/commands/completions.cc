@@ -1,9 +1,10 @@
 #include "commands/completions.h"
 
+#include <algorithm>
 #include <sstream>
 #include <stdexcept>
 
-#include "robot/start_pose.h"
+#include "emulator/request.h"
 
 namespace understudy::commands {
 namespace {
@@ -15,6 +16,19 @@ struct Branch {
   bool has_subcommands = false;
 };
 
+// What the first value of a request may be, where that is one of few words.
+void AddValues(const std::string& path, std::vector<std::string>* words) {
+  constexpr std::string_view kCtl = "ctl ";
+  if (!path.starts_with(kCtl)) return;
+  std::string name = path.substr(kCtl.size());
+  std::ranges::replace(name, ' ', '.');
+  const auto row = emulator::FindRequest(name);
+  if (!row || (*row)->fields.empty()) return;
+  const emulator::Field& first = (*row)->fields.front();
+  words->insert(words->end(), first.words.begin(), first.words.end());
+  if (first.kind == emulator::FieldKind::kSwitch) words->insert(words->end(), {"on", "off"});
+}
+
 void Collect(const CLI::App& app, const std::string& path, const std::vector<std::string>& robots,
              std::vector<Branch>* branches) {
   Branch branch{.path = path, .words = {}, .has_subcommands = !app.get_subcommands({}).empty()};
@@ -24,10 +38,8 @@ void Collect(const CLI::App& app, const std::string& path, const std::vector<std
     if (option->get_name() == "robot") {
       branch.words.insert(branch.words.end(), robots.begin(), robots.end());
     }
-    if (option->get_name() == "POSE") {
-      branch.words.insert(branch.words.end(), robot::kStartPoses.begin(), robot::kStartPoses.end());
-    }
   }
+  AddValues(path, &branch.words);
   branches->push_back(branch);
   for (const CLI::App* child : app.get_subcommands({})) {
     Collect(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), robots,

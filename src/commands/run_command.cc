@@ -51,7 +51,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--duration", "time.duration", "S",
                  "End after so many simulated seconds [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
-                 "damped, standing, hanging or clamped [the robot's own]");
+                 "lying, standing, hanging or clamped [the robot's own]");
   AddShortOption(app, arguments, "--seed", "randomization.seed", "N",
                  "Seed of all that randomization draws [one is drawn and said]");
   app->add_flag_callback(

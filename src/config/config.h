@@ -52,7 +52,7 @@ struct PhysicsConfig {
 };
 
 struct StartConfig {
-  std::string pose;  // damped | standing | hanging | clamped; "" = the robot's own
+  std::string pose;  // lying | standing | hanging | clamped; "" = the robot's own
 };
 
 struct Config {

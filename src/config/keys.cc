@@ -1,6 +1,7 @@
 #include "config/keys.h"
 
 #include "config/randomization_keys.h"
+#include "robot/start_pose.h"
 
 namespace understudy::config {
 namespace {
@@ -113,7 +114,8 @@ void DescribeStart(Archive& a, StartConfig& c) {
 }  // namespace
 
 const std::vector<std::string>& StartPoses() {
-  static const std::vector<std::string> kPoses{"damped", "standing", "hanging", "clamped"};
+  static const std::vector<std::string> kPoses(robot::kStartPoses.begin(),
+                                               robot::kStartPoses.end());
   return kPoses;
 }
 

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/nearest_word.h"
-#include "time/pace.h"
 
 namespace understudy::ctl {
 
@@ -16,16 +15,6 @@ CLI::Validator NumberWithin(double low, double high) {
             std::ostringstream expected;
             expected << "expected a number from " << low << " to " << high << ", got " << text;
             return expected.str();
-          },
-          ""};
-}
-
-CLI::Validator SpeedWord() {
-  return {[](std::string& text) -> std::string {
-            if (text == "max") text = "0";
-            double value = 0;
-            if (CLI::detail::lexical_cast(text, value) && time::IsSpeed(value)) return {};
-            return std::string("expected ") + time::kSpeedRange + ", or max, got " + text;
           },
           ""};
 }

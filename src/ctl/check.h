@@ -12,9 +12,6 @@ namespace understudy::ctl {
 // A finite number from `low` to `high`.
 CLI::Validator NumberWithin(double low, double high);
 
-// A speed that can be set; `max` becomes 0.
-CLI::Validator SpeedWord();
-
 // One of `words`; the nearest is named where it is none.
 CLI::Validator OneOf(std::vector<std::string> words);
 

@@ -43,7 +43,7 @@ std::string UrlOf(const ordered_json& panel) { return panel.at("url").get<std::s
 }  // namespace
 
 CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
-  CLI::App* ctl = app->add_subcommand("ctl", "Ask a running robot, or give it an order");
+  CLI::App* ctl = app->add_subcommand("ctl", "Ask a running robot, or ask something of it");
   ctl->require_subcommand(1);
   ctl->footer(
       "Examples:\n"
@@ -55,13 +55,7 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
       "Exits with 1 when there is no such robot, or several, or it refuses.");
   client::AddRobotChoice(ctl, &robot_);
   AddReading(ctl);
-  AddPace(ctl);
-  AddReset(ctl);
-  AddCrane(ctl);
-  AddClamp(ctl);
-  AddPush(ctl);
-  AddDrag(ctl);
-  AddRemote(ctl);
+  AddRequests(ctl);
 }
 
 void CtlCommand::AddReading(CLI::App* ctl) {
@@ -218,13 +212,6 @@ void CtlCommand::Show(const std::string& path, Teller tell) const {
   } catch (const json::exception& error) {
     throw NotOurVersion(error);
   }
-}
-
-void CtlCommand::GiveOrder(const std::string& path, const json& body) const {
-  // What is no UTF-8 on the command line is a name that the robot does not know.
-  const std::string text = body.dump(-1, ' ', false, json::error_handler_t::replace);
-  const std::string reply = Ask(client::ChosenSocket(robot_), "POST", path, text);
-  if (json_) *out_ << reply;
 }
 
 }  // namespace understudy::ctl

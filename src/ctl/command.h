@@ -1,8 +1,8 @@
-// `understudy ctl`: asks a running robot for its state and gives it orders.
+// `understudy ctl`: asks a running robot for its state and makes requests.
 #ifndef UNDERSTUDY_CTL_COMMAND_H_
 #define UNDERSTUDY_CTL_COMMAND_H_
 
-#include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <iosfwd>
@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "client/robot_choice.h"
+#include "emulator/request.h"
 
 namespace CLI {
 class App;
@@ -22,12 +23,9 @@ namespace understudy::ctl {
 // Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
 //
 //   status [--watch]   wait   list   frame [--watch]   scene   refusals   timings   metrics   panel
-//   pause   resume   step [N]   speed X   reset [POSE]
-//   crane lower M | raise M | attach | release   clamp on | off
-//   push BODY FX FY FZ   drag BODY X Y Z | --release
-//   remote press | hold | release KEYS, stick AXIS=VALUE, on, off
 //
-// each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
+// and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...;
+// Each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
 // path), else the only robot that runs. What cannot be understood makes App::parse throw
 // CLI::ParseError.
 class CtlCommand {
@@ -51,13 +49,8 @@ class CtlCommand {
   CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
                       std::function<void()> action);
   void AddReading(CLI::App* ctl);
-  void AddPace(CLI::App* ctl);
-  void AddReset(CLI::App* ctl);
-  void AddCrane(CLI::App* ctl);
-  void AddClamp(CLI::App* ctl);
-  void AddPush(CLI::App* ctl);
-  void AddDrag(CLI::App* ctl);
-  void AddRemote(CLI::App* ctl);
+  void AddRequests(CLI::App* ctl);
+  void AddRequest(CLI::App* parent, const std::string& verb, const emulator::RequestRow& row);
 
   void ShowStatus() const;
   void WatchStatus(const std::filesystem::path& socket) const;
@@ -67,27 +60,18 @@ class CtlCommand {
   // The reply to GET `path`: as it is with --json, else what `tell` makes of it.
   void Show(const std::string& path, Teller tell) const;
 
-  void GiveOrder(const std::string& path, const nlohmann::json& body) const;
-  void MakeSteps() const;
-  void Drag() const;
-  void MoveSticks() const;
+  void Request(const emulator::RequestRow& row, const nlohmann::json& values) const;
 
   std::ostream* out_;
   std::function<void()> action_;
   client::RobotChoice robot_;
   bool json_ = false;
   bool watch_ = false;
-  bool release_ = false;
   double timeout_ = 30;  // s
   double every_ = 1;     // s
   double hz_ = 60;
-  double metres_ = 0;
-  double seconds_ = 0;
-  double speed_ = 1;
-  std::int64_t steps_ = 1;
-  std::string body_, keys_, pose_, parts_;
-  std::vector<double> vector_, at_;
-  std::vector<std::string> axes_;
+  std::string parts_;
+  std::deque<std::vector<std::vector<std::string>>> words_;  // by request and field, as typed
 };
 
 }  // namespace understudy::ctl

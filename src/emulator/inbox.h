@@ -1,4 +1,4 @@
-// Orders on their way to the tick.
+// Requests on their way to the tick, and its answers on their way back.
 #ifndef UNDERSTUDY_EMULATOR_INBOX_H_
 #define UNDERSTUDY_EMULATOR_INBOX_H_
 
@@ -8,15 +8,24 @@
 #include <future>
 #include <mutex>
 #include <optional>
-#include <string>
-#include <variant>
 
-#include "emulator/order.h"
+#include "base/unique_fd.h"
+#include "emulator/request.h"
 
 namespace understudy::emulator {
 
-// "" when done, else why not.
-using Answer = std::string;
+// Where the answer to one request goes. Must not outlive the inbox that it came from.
+class Reply {
+ public:
+  Reply(std::promise<Answer> answer, int bell) : answer_(std::move(answer)), bell_(bell) {}
+
+  // Once. Wakes who waits; never blocks.
+  void Give(Answer answer);
+
+ private:
+  std::promise<Answer> answer_;
+  int bell_;
+};
 
 // Bounded; the tick drains it without ever waiting for a lock. Must outlive those who wait for an
 // answer.
@@ -25,17 +34,24 @@ class Inbox {
   using WallTime = std::chrono::steady_clock::time_point;
 
   static constexpr std::size_t kCapacity = 64;
-  // Carried out by one drain, so that many orders do not make a long tick; *assumed*. A reset,
+  // Carried out by one drain, so that many requests do not make a long tick; *assumed*. A reset,
   // which takes about as long as a step, is the last of its drain.
   static constexpr std::size_t kMostAtOnce = 8;
 
-  // Any thread but the tick's: hands an order in. The future holds the answer once the tick has
-  // been there. An order the tick comes to later than `until` is not carried out, so that whoever
-  // has given up on it may say so. nullopt: the inbox is full. May wait while the tick drains.
-  std::optional<std::future<Answer>> Put(const Order& order, WallTime until);
+  // Throws std::system_error where the system has no descriptor left.
+  Inbox();
 
-  // The tick: calls Answer carry_out(const Order&) for waiting orders, in order of arrival; what is
-  // left waits for the next. Returns at once, having done nothing, while another thread is at the
+  // Any thread but the tick's: hands a request in. The future holds the answer once the tick has
+  // been there. Requests that the tick comes to later than `until` are dropped, so that a caller
+  // that gave up can rely on it. nullopt: the inbox is full. May wait while the tick drains.
+  std::optional<std::future<Answer>> Put(const Request& request, WallTime until);
+
+  // An eventfd that becomes readable when answers were given.
+  int bell() const { return bell_.get(); }
+
+  // The tick: calls std::optional<Answer> carry_out(Request*, Reply*) for waiting requests, in
+  // order of arrival; what is left waits for the next. nullopt: it has taken the reply and will
+  // give the answer later. Returns at once, having done nothing, while another thread is at the
   // inbox; the next tick comes soon. carry_out must not throw or come back to the inbox.
   template <class CarryOut>
   void Drain(CarryOut&& carry_out) {
@@ -44,19 +60,22 @@ class Inbox {
     for (std::size_t done = 0; done < kMostAtOnce && !waiting_.empty(); ++done) {
       Entry& entry = waiting_.front();
       const bool late = std::chrono::steady_clock::now() > entry.until;
-      if (!late && std::holds_alternative<ResetRobot>(entry.order)) done = kMostAtOnce;
-      entry.answer.set_value(late ? Answer{"the order came too late"} : carry_out(entry.order));
+      if (!late && entry.request.row->name == "reset") done = kMostAtOnce;
+      std::optional<Answer> answer = late ? Answer{Error{"the request came too late"}}
+                                          : carry_out(&entry.request, &entry.reply);
+      if (answer) entry.reply.Give(*std::move(answer));
       waiting_.pop_front();
     }
   }
 
  private:
   struct Entry {
-    Order order;
+    Request request;
     WallTime until;
-    std::promise<Answer> answer;
+    Reply reply;
   };
 
+  UniqueFd bell_;
   std::mutex mutex_;
   std::deque<Entry> waiting_;
 };

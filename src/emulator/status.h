@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "authority/command_gate.h"
-#include "emulator/order_note.h"
+#include "emulator/request_notes.h"
 #include "robot/command_topics.h"
 #include "robot/port_counts.h"
 #include "robot/robot_spec.h"
@@ -67,7 +67,7 @@ struct Status {
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;
-  OrderNotes orders;            // that people gave, not a script
+  RequestNotes requests;        // of people, not of a script
   std::size_t script_done = 0;  // events of the script that are over
   std::size_t script_refused = 0;
   std::array<char, 128> script_refusal{};  // the last one: where it stands and why; "" for none

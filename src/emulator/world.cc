@@ -5,6 +5,12 @@
 #include <utility>
 
 namespace understudy::emulator {
+namespace {
+
+// Who wait for their steps at a time: each client of the server can.
+constexpr std::size_t kMostSteppers = 2 * Inbox::kCapacity;
+
+}  // namespace
 
 World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
              const std::vector<RobotParts>& robots, Inbox* inbox)
@@ -14,6 +20,7 @@ World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
       step_ns_(std::llround(physics_.timestep() * 1e9)),
       pace_{.speed = settings.speed} {
   for (const RobotParts& parts : robots) robots_.emplace_back(parts, &physics_);
+  steppers_.reserve(kMostSteppers);
 }
 
 physics::StepHealth World::Tick(time::Clock::Time now) {
@@ -42,7 +49,7 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
 }
 
 void World::Attend(time::Clock::Time now) {
-  TakeOrders();
+  TakeRequests();
   for (Robot& robot : robots_) robot.ServeCalls(now);
 }
 
@@ -60,7 +67,7 @@ Status World::status() const {
   status.paused = pace_.paused;
   status.steps_left = pace_.steps_left;
   status.divergences = divergences_;
-  status.orders = orders_;
+  status.requests = requests_;
   status.script_done = script_next_;
   status.script_refused = script_refused_;
   Copy(script_refusal_, &status.script_refusal);

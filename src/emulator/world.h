@@ -38,7 +38,7 @@ class World {
   void Play(std::vector<ScriptEvent> script);
 
   // One physics step; `now` is wall time. After the first few it allocates nothing, unless there is
-  // an order or a call. On kDiverged nothing was sent for this step and, with reset_on_divergence,
+  // a request or a call. On kDiverged nothing was sent for this step and, with reset_on_divergence,
   // the robots are back in their start poses while time goes on.
   physics::StepHealth Tick(time::Clock::Time now);
 
@@ -46,7 +46,7 @@ class World {
   // away the next one is. A part of Tick.
   void Attend(time::Clock::Time now);
 
-  // How orders have it that Tick be called. Keeping to it is up to who calls it.
+  // How requests have it that Tick be called. Keeping to it is up to who calls it.
   const time::Pace& pace() const { return pace_; }
 
   std::int64_t step() const { return step_; }
@@ -68,13 +68,18 @@ class World {
   void Show(Frame* frame) const;
 
  private:
+  friend struct RequestActs;  // what each request does
+
+  // Somebody who waits until a step is made.
+  struct Stepper {
+    std::int64_t step;
+    Reply reply;
+  };
+
   void FollowScript(double t);
-  void TakeOrders();
-  Answer CarryOut(const Order& order);
-  Answer BeginPush(const PushBody& push);
-  Answer Drag(const DragBody& drag);
-  Answer EndDrag(const ReleaseDrag& release);
-  Answer MakeSteps(const StepRun& step);
+  void TakeRequests();
+  Answer CheckBody(const Request& request) const;
+  void AnswerSteppers();
   void Reset(Robot* robot, robot::StartPose pose);
 
   WorldSettings settings_;
@@ -91,7 +96,8 @@ class World {
   time::Pace pace_;
   physics::Pushes pushes_;
   physics::Drags drags_;
-  OrderNotes orders_;
+  RequestNotes requests_;
+  std::vector<Stepper> steppers_;
   std::uint64_t divergences_ = 0;
 };
 

@@ -50,14 +50,14 @@ json TopicOf(std::size_t topic, const emulator::Status& status) {
   return {{"hand", status.hands[topic - robot::kFirstHandTopic].name.data()}};
 }
 
-void TellOrders(const emulator::OrderNotes& orders, std::uint64_t told, Events* events) {
-  const std::uint64_t oldest = std::max(told, orders.oldest());
-  if (oldest > told) events->Add("orders", Plural(oldest - told, "more order"));
-  for (std::uint64_t number = oldest; number < orders.count; ++number) {
-    json detail(emulator::DetailOf(orders[number]));
-    detail["at"] = orders[number].time;
-    events->Add(std::string(emulator::Name(orders[number].kind)),
-                emulator::Describe(orders[number]), detail);
+void TellRequests(const emulator::RequestNotes& notes, std::uint64_t told, Events* events) {
+  const std::uint64_t oldest = std::max(told, notes.oldest());
+  if (oldest > told) events->Add("requests", Plural(oldest - told, "more request"));
+  for (std::uint64_t number = oldest; number < notes.count; ++number) {
+    const emulator::Request& request = notes[number].request;
+    json detail(emulator::ValuesOf(request));
+    detail["time"] = notes[number].time;
+    events->Add(std::string(request.row->name), emulator::Describe(request), detail);
   }
 }
 
@@ -89,7 +89,7 @@ std::vector<Event> EventLog::Compare(const emulator::Status& status, std::int64_
     const std::string keys = robot::RemoteKeyNames(status.remote.keys);
     events.Add("remote", keys.empty() ? "keys let go" : keys, {{"keys", keys}});
   }
-  TellOrders(status.orders, last_.orders.count, &events);
+  TellRequests(status.requests, last_.requests.count, &events);
   for (std::size_t i = last_.script_done; i < status.script_done && i < script_.size(); ++i) {
     events.Add("script", script_[i], {{"event", i}});
   }

@@ -60,16 +60,8 @@ class Robot {
     speed_ = std::max({wanted, reached, kSlowest});
   }
 
-  void Set(const emulator::SetRemote& order) {
-    const robot::RemoteReading& to = order.reading;
-    const json body{{"set",
-                     {{"keys", robot::RemoteKeyNames(to.keys)},
-                      {"lx", to.lx},
-                      {"ly", to.ly},
-                      {"rx", to.rx},
-                      {"ry", to.ry}}},
-                    {"seconds", order.seconds}};
-    Ask("POST", "/remote", body.dump());
+  void Set(const robot::RemoteReading& reading, double seconds) {
+    Ask("POST", "/remote/set", ValuesOf(reading, seconds).dump());
   }
 
  private:
@@ -169,7 +161,8 @@ void PlayRemote(const RemoteArguments& arguments) {
     std::fprintf(stderr, "understudy remote: no keyboard: this is no terminal; gamepads only\n");
   }
   Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
-  RemoteSender sender([&](const emulator::SetRemote& order) { robot.Set(order); });
+  RemoteSender sender(
+      [&](const robot::RemoteReading& held, double seconds) { robot.Set(held, seconds); });
 
   robot::RemoteReading gamepad;
   double asked_at = Now();

@@ -1,5 +1,7 @@
 #include "remote/remote_sender.h"
 
+#include "robot/remote_keys.h"
+
 namespace understudy::remote {
 namespace {
 
@@ -24,7 +26,16 @@ void RemoteSender::Tell(const robot::RemoteReading& reading, double t) {
   told_ = reading;
   told_at_ = t;
   told_any_ = true;
-  send_({.reading = reading, .seconds = kLetGoAfter * speed_});
+  send_(reading, kLetGoAfter * speed_);
+}
+
+nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds) {
+  return {{"keys", robot::RemoteKeyNames(reading.keys)},
+          {"lx", reading.lx},
+          {"ly", reading.ly},
+          {"rx", reading.rx},
+          {"ry", reading.ry},
+          {"for", seconds}};
 }
 
 }  // namespace understudy::remote

@@ -3,8 +3,11 @@
 #define UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
 
 #include <functional>
+#include <utility>
 
-#include "emulator/order.h"
+#include <nlohmann/json.hpp>
+
+#include "robot/robot_values.h"
 
 namespace understudy::remote {
 
@@ -18,11 +21,12 @@ inline constexpr double kLeastPeriod = 0.01;  // s: changes are told at 100 Hz a
 // use the same remote. Times are of any steady clock [s].
 class RemoteSender {
  public:
-  using Send = std::function<void(const emulator::SetRemote&)>;
+  // What is held, and the simulated seconds after which it is to be let go.
+  using Send = std::function<void(const robot::RemoteReading&, double seconds)>;
 
   explicit RemoteSender(Send send) : send_(std::move(send)) {}
 
-  // Simulated seconds per second: orders count in the former.
+  // Simulated seconds per second: requests count in the former.
   void set_speed(double speed) { speed_ = speed; }
 
   // To be called more often than kLeastPeriod.
@@ -38,6 +42,9 @@ class RemoteSender {
   double told_at_ = 0;
   bool told_any_ = false;
 };
+
+// The values of the request remote.set.
+nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds);
 
 }  // namespace understudy::remote
 

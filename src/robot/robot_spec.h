@@ -260,7 +260,7 @@ struct RobotSpec {
   MotionSpec motion;
   std::string crane_body;                       // MJCF body the crane's hook is in
   std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
-  std::string default_start;                    // damped | standing | hanging | clamped
+  std::string default_start;                    // lying | standing | hanging | clamped
 };
 
 }  // namespace understudy::robot

@@ -20,9 +20,7 @@ enum class StartPose : std::uint8_t {
 inline constexpr std::array<std::string_view, 4> kStartPoses = {"lying", "standing", "hanging",
                                                                 "clamped"};
 
-// `start.pose` calls the first one damped, after what the motors do.
 constexpr std::optional<StartPose> FindStartPose(std::string_view word) {
-  if (word == "damped") return StartPose::kLying;
   for (std::size_t i = 0; i < kStartPoses.size(); ++i) {
     if (kStartPoses[i] == word) return static_cast<StartPose>(i);
   }

@@ -8,7 +8,7 @@
 
 #include "bus/participant.h"
 #include "config/config.h"
-#include "emulator/order.h"
+#include "emulator/request.h"
 #include "emulator/world.h"
 #include "record/recorder.h"
 #include "robot/randomization.h"

@@ -37,7 +37,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kHousekeeping(20);
 // The loop looks at the clock, the stop flag and the board only so often when it does not wait.
 constexpr std::int64_t kStepsPerPost = 10;
-// Orders and services wait no longer than this for a step that is not due, or for a robot that
+// Requests and services wait no longer than this for a step that is not due, or for a robot that
 // stands still.
 constexpr milliseconds kGlance(2);
 
@@ -182,7 +182,9 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     }
     const bool diverged = health == physics::StepHealth::kDiverged &&
                           config.physics.on_divergence == config::DivergenceAction::kStop;
-    if (due && world.step() % kStepsPerPost != 0 && !diverged) continue;
+    // Who waits for the last step finds it in the status.
+    const bool posts = world.step() % kStepsPerPost == 0 || world.pace().stands_still();
+    if (due && !posts && !diverged) continue;
 
     emulator::Status status = world.status();
     status.ready = true;

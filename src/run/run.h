@@ -8,7 +8,7 @@
 
 #include "base/exit_code.h"
 #include "config/config.h"
-#include "emulator/order.h"
+#include "emulator/request.h"
 #include "run/recording.h"
 #include "server/panel_socket.h"
 

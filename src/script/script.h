@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/yaml_document.h"
-#include "emulator/order.h"
+#include "emulator/request.h"
 
 namespace understudy::script {
 

@@ -50,7 +50,7 @@ bool Equal(std::string_view given, std::string_view token) {
 
 bool NeedsToken(const HttpRequest& request) {
   const std::string_view path = PathOf(request);
-  return request.method != "GET" || path == "/orders" || path == "/panel";
+  return request.method != "GET" || (path == "/requests" && request.upgrade) || path == "/panel";
 }
 
 bool HasToken(const HttpRequest& request, const std::string& token) {

@@ -18,6 +18,8 @@
 
 namespace understudy::server {
 
+class RequestDesk;
+
 // Of a Unix socket or TCP: the same from here on.
 using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>;
 
@@ -55,6 +57,7 @@ struct Shared {
   Plane plane;
   ServerLimits limits;
   FramePump* pump = nullptr;
+  RequestDesk* desk = nullptr;
 };
 
 }  // namespace understudy::server

@@ -1,4 +1,4 @@
-// All that a control plane tells of, and where it hands orders in.
+// What the server reads from and writes to the running robot.
 #ifndef UNDERSTUDY_SERVER_PLANE_H_
 #define UNDERSTUDY_SERVER_PLANE_H_
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -10,8 +9,8 @@
 #include "base/nearest_word.h"
 #include "server/frame_json.h"
 #include "server/metrics.h"
-#include "server/order_json.h"
 #include "server/report_json.h"
+#include "server/request_docs.h"
 
 namespace understudy::server {
 namespace {
@@ -24,9 +23,22 @@ std::string Text(const ordered_json& value) {
   return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
 
-Routed FromReading(const OrderReading& reading) {
-  if (const auto* why = std::get_if<std::string>(&reading)) return ErrorReply(400, *why);
-  return std::get<emulator::Order>(reading);
+// A request that came as a POST.
+Routed Posted(const emulator::RequestRow& row, std::string_view body) {
+  using nlohmann::json;
+  try {
+    const json values = body.empty() ? json() : json::parse(body);
+    if (!values.is_object() && !values.is_null()) {
+      return ErrorReply(400, "the body: expected a JSON object, got " + emulator::Shown(values));
+    }
+    const auto request = emulator::ReadRequest(row, values);
+    if (!request) return ErrorReply(400, request.why());
+    return *request;
+  } catch (const json::parse_error& error) {
+    return ErrorReply(400, "the body is not JSON, see byte " + std::to_string(error.byte));
+  } catch (const json::out_of_range&) {
+    return ErrorReply(400, "the body holds a number too large for a double");
+  }
 }
 
 Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
@@ -34,31 +46,34 @@ Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
 }
 
 // The parts that a request names, or all; else why it cannot be read.
-std::variant<emulator::FrameParts, std::string> PartsOf(const HttpRequest& request) {
+Result<emulator::FrameParts> PartsOf(const HttpRequest& request) {
   const auto list = QueryValue(request, "parts");
   if (!list) return emulator::kAllFrameParts;
   std::string unknown;
   if (const auto parts = ReadFrameParts(*list, &unknown)) return *parts;
   std::vector<std::string> names;
   for (const emulator::FramePartName& part : emulator::kFrameParts) names.emplace_back(part.name);
-  return "parts: a frame has no " + unknown.substr(0, 32) +
-         DidYouMean(unknown.substr(0, 32), names);
+  return Error{"parts: a frame has no " + unknown.substr(0, 32) +
+               DidYouMean(unknown.substr(0, 32), names)};
 }
 
-// Frames a second that a request asks for; NaN for what is none.
-double HzOf(const HttpRequest& request) {
+// Frames a second that a request asks for.
+Result<double> HzOf(const HttpRequest& request) {
   const auto text = QueryValue(request, "hz");
-  if (!text) return 60;
+  if (!text) return 60.0;
   double hz = 0;
   const char* const end = text->data() + text->size();
   const bool read = std::from_chars(text->data(), end, hz).ptr == end && !text->empty();
-  return read && hz >= kLeastHz && hz <= kMostHz ? hz : std::nan("");
+  if (!read || !(hz >= kLeastHz && hz <= kMostHz)) {
+    return Error{"hz: expected a number from 1 to 240"};
+  }
+  return hz;
 }
 
 Routed GetFrame(const HttpRequest& request, std::string_view, Plane&) {
   const auto parts = PartsOf(request);
-  if (const auto* why = std::get_if<std::string>(&parts)) return ErrorReply(400, *why);
-  return FromFrame{.parts = std::get<emulator::FrameParts>(parts),
+  if (!parts) return ErrorReply(400, parts.why());
+  return FromFrame{.parts = *parts,
                    .reply = [](const emulator::Frame& frame, emulator::FrameParts asked, Plane&) {
                      return HttpReply{.body = FrameJson(frame, asked) + "\n"};
                    }};
@@ -100,16 +115,16 @@ HttpReply UpgradeRequired(std::string_view path) {
 
 Routed GetFrames(const HttpRequest& request, std::string_view, Plane&) {
   const auto parts = PartsOf(request);
-  if (const auto* why = std::get_if<std::string>(&parts)) return ErrorReply(400, *why);
-  const double hz = HzOf(request);
-  if (!(hz > 0)) return ErrorReply(400, "hz: expected a number from 1 to 240");
+  if (!parts) return ErrorReply(400, parts.why());
+  const auto hz = HzOf(request);
+  if (!hz) return ErrorReply(400, hz.why());
   if (!request.upgrade) return UpgradeRequired("/frames");
-  return WatchFrames{.parts = std::get<emulator::FrameParts>(parts), .hz = hz};
+  return WatchFrames{.parts = *parts, .hz = *hz};
 }
 
-Routed GetOrders(const HttpRequest& request, std::string_view, Plane&) {
-  if (!request.upgrade) return UpgradeRequired("/orders");
-  return TakeOrders{};
+Routed GetRequests(const HttpRequest& request, std::string_view, Plane&) {
+  if (request.upgrade) return TakeRequests{};
+  return HttpReply{.body = Text(RequestsJson())};
 }
 
 Routed GetScene(const HttpRequest&, std::string_view, Plane& plane) {
@@ -142,60 +157,15 @@ Routed GetPanel(const HttpRequest&, std::string_view, Plane& plane) {
   return HttpReply{.body = Text({{"url", plane.url}})};
 }
 
-Routed PostCrane(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadCraneOrder(request.body));
-}
-
-Routed PostClamp(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadClampOrder(request.body));
-}
-
-Routed PostReset(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadResetOrder(request.body));
-}
-
-Routed PostPause(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadPauseOrder(request.body));
-}
-
-Routed PostStep(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadStepOrder(request.body));
-}
-
-Routed PostSpeed(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadSpeedOrder(request.body));
-}
-
-Routed PostDrag(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadDragOrder(request.body));
-}
-
-Routed PostPush(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadPushOrder(request.body));
-}
-
-Routed PostRemote(const HttpRequest& request, std::string_view, Plane&) {
-  return FromReading(ReadRemoteOrder(request.body));
-}
-
 struct Row {
-  std::string_view path;  // what is in braces at the end stands for all the rest
-  std::string_view method;
+  std::string_view path;    // what is in braces at the end stands for all the rest
+  std::string_view method;  // requests, which are POSTed, have rows of their own
   Routed (*answer)(const HttpRequest& request, std::string_view rest, Plane& plane);
 };
 
 constexpr Row kRoutes[] = {
     {"/status", "GET", GetStatus},
-    {"/crane", "POST", PostCrane},
-    {"/clamp", "POST", PostClamp},
-    {"/reset", "POST", PostReset},
-    {"/push", "POST", PostPush},
-    {"/remote", "POST", PostRemote},
-    {"/pause", "POST", PostPause},
-    {"/step", "POST", PostStep},
-    {"/speed", "POST", PostSpeed},
-    {"/drag", "POST", PostDrag},
-    {"/orders", "GET", GetOrders},
+    {"/requests", "GET", GetRequests},
     {"/frame", "GET", GetFrame},
     {"/frames", "GET", GetFrames},
     {"/refusals", "GET", GetRefusals},
@@ -221,6 +191,14 @@ std::optional<std::string_view> RestOf(std::string_view path, const Row& row) {
   return path.substr(brace);
 }
 
+HttpReply WrongMethod(const HttpRequest& request, std::string_view right) {
+  HttpReply reply =
+      ErrorReply(405, std::string{PathOf(request).substr(0, 64)} + " takes " + std::string{right} +
+                          ", not " + std::string{request.method.substr(0, 32)});
+  reply.allow = right;
+  return reply;
+}
+
 bool WantsFrames(const Routed& routed) {
   return std::holds_alternative<FromFrame>(routed) || std::holds_alternative<WatchFrames>(routed);
 }
@@ -229,14 +207,14 @@ HttpReply NoSuchPath(std::string_view path) {
   constexpr std::size_t kLongest = 64;
   const std::string shown{path.substr(0, kLongest)};
   std::vector<std::string> paths;
-  for (const Row& row : kRoutes) paths.emplace_back(row.path);
+  for (const RouteName& route : AllRoutes()) paths.push_back(route.path);
   return ErrorReply(404, "no path " + shown + DidYouMean(shown, paths));
 }
 
 }  // namespace
 
 HttpReply AnswerReply(const emulator::Answer& answer) {
-  if (!answer.empty()) return ErrorReply(409, answer);
+  if (!answer) return ErrorReply(409, answer.why());
   return {.body = Text({{"ok", true}})};
 }
 
@@ -252,18 +230,21 @@ Routed Route(const HttpRequest& request, Plane& plane) {
       }
       return routed;
     }
-    HttpReply reply =
-        ErrorReply(405, std::string{path.substr(0, 64)} + " takes " + std::string{row.method} +
-                            ", not " + std::string{request.method.substr(0, 32)});
-    reply.allow = row.method;
-    return reply;
+    return WrongMethod(request, row.method);
+  }
+  for (const emulator::RequestRow& row : emulator::RequestRows()) {
+    if (path != RequestPath(row)) continue;
+    return request.method == "POST" ? Posted(row, request.body) : WrongMethod(request, "POST");
   }
   return NoSuchPath(path);
 }
 
 std::vector<RouteName> AllRoutes() {
   std::vector<RouteName> routes;
-  for (const Row& row : kRoutes) routes.push_back({.method = row.method, .path = row.path});
+  for (const Row& row : kRoutes) routes.push_back({std::string(row.method), std::string(row.path)});
+  for (const emulator::RequestRow& row : emulator::RequestRows()) {
+    routes.push_back({"POST", RequestPath(row)});
+  }
   return routes;
 }
 

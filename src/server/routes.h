@@ -26,13 +26,13 @@ struct WatchFrames {
   double hz = 60;
 };
 
-// A WebSocket on which orders come.
-struct TakeOrders {};
+// A WebSocket on which requests come.
+struct TakeRequests {};
 
-// A reply at once, an order that has to be carried out before one is known, or another beginning.
-using Routed = std::variant<HttpReply, emulator::Order, FromFrame, WatchFrames, TakeOrders>;
+// A reply at once, a request that has to be carried out before one is known, or another beginning.
+using Routed = std::variant<HttpReply, emulator::Request, FromFrame, WatchFrames, TakeRequests>;
 
-// What an order came to: {"ok": true}, or 409 with the reason.
+// What a request came to: {"ok": true}, or 409 with the reason.
 HttpReply AnswerReply(const emulator::Answer& answer);
 
 // Never throws on what a client sent.
@@ -40,8 +40,8 @@ Routed Route(const HttpRequest& request, Plane& plane);
 
 // One route as documents name it: "GET", "/scene/mesh/{index}".
 struct RouteName {
-  std::string_view method;
-  std::string_view path;
+  std::string method;
+  std::string path;
 };
 std::vector<RouteName> AllRoutes();
 

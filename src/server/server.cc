@@ -20,6 +20,7 @@
 #include "server/access.h"
 #include "server/frame_pump.h"
 #include "server/guest.h"
+#include "server/request_desk.h"
 #include "server/session.h"
 
 namespace understudy::server {
@@ -93,6 +94,9 @@ class ControlServer::Loop {
     if (shared_.plane.frames != nullptr) {
       shared_.pump = &pump_.emplace(&io_, shared_.plane.frames);
     }
+    if (shared_.plane.inbox != nullptr) {
+      shared_.desk = &desk_.emplace(&io_, shared_.plane.inbox, limits.patience);
+    }
     unix_.emplace(&io_, listening_.fd(), AF_UNIX, nullptr, &shared_);
     if (panel != nullptr) {
       access_ = {.token = RandomToken(), .address = panel->address()};
@@ -121,6 +125,7 @@ class ControlServer::Loop {
   client::ListeningSocket listening_;
   asio::io_context io_{1};
   std::optional<FramePump> pump_;
+  std::optional<RequestDesk> desk_;
   std::optional<Porter> unix_;
   std::optional<Porter> tcp_;
   std::thread thread_;

@@ -22,8 +22,8 @@ struct ServerLimits {
   // For a whole request to arrive, from the one before it, and for a whole reply to be taken; for a
   // WebSocket to give a sign of life.
   std::chrono::milliseconds idle{10'000};
-  // For the tick to carry an order out; afterwards it is answered 503 and not carried out any more.
-  // Likewise for a frame.
+  // For the tick to carry a request out; afterwards it is answered 503 and not carried out any
+  // more. Likewise for a frame.
   std::chrono::milliseconds patience{2'000};
 };
 
@@ -31,7 +31,7 @@ struct ServerLimits {
 // or for the tick. Both doors have the same routes (docs/openapi.yaml); on TCP whatever writes
 // needs this run's token, see server/access.h.
 //
-// An order is answered 200 {"ok": true}, else {"error": "..."} with 400 for what cannot be read,
+// A request is answered 200 {"ok": true}, else {"error": "..."} with 400 for what cannot be read,
 // 401 and 403 for who may not, 404 and 405 for a wrong path and method, 409 when the robot refuses,
 // 413 and 431 for a body and a header too large, 503 when the robot does not come to it or there
 // are too many clients.

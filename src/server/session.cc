@@ -4,7 +4,8 @@
 #include <utility>
 
 #include "server/frame_watch.h"
-#include "server/order_line.h"
+#include "server/request_desk.h"
+#include "server/request_line.h"
 
 namespace understudy::server {
 namespace {
@@ -64,7 +65,6 @@ Session::Session(asio::generic::stream_protocol::socket socket, Door* door, Shar
       stream_(std::move(socket)),
       // Room for a header beside the first part of a body.
       buffer_(shared->limits.header_bytes + 4096),
-      order_(stream_.get_executor(), shared->plane.inbox, shared->limits.patience),
       frame_timer_(stream_.get_executor()) {}
 
 void Session::TurnAway(asio::generic::stream_protocol::socket* socket) {
@@ -106,8 +106,9 @@ void Session::Answer(const HttpRequest& request) {
   Routed routed = Route(request, shared_->plane);
   if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
   if (const auto* wanted = std::get_if<FromFrame>(&routed)) return AwaitFrame(*wanted);
-  if (const auto* order = std::get_if<emulator::Order>(&routed)) {
-    return order_.Begin(*order, [self = Self()](const HttpReply& reply) { self->Write(reply); });
+  if (const auto* asked = std::get_if<emulator::Request>(&routed)) {
+    return shared_->desk->Ask(*asked,
+                              [self = Self()](const HttpReply& reply) { self->Write(reply); });
   }
   Upgrade(routed);
 }
@@ -140,7 +141,7 @@ void Session::Upgrade(const Routed& routed) {
                                               shared_));
   } else {
     door_->Admit(
-        std::make_shared<OrderLine>(std::move(stream_), parser_->release(), door_, shared_));
+        std::make_shared<RequestLine>(std::move(stream_), parser_->release(), door_, shared_));
   }
 }
 

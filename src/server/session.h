@@ -9,7 +9,6 @@
 #include <boost/beast/http.hpp>
 
 #include "server/guest.h"
-#include "server/order_wait.h"
 #include "server/routes.h"
 
 namespace understudy::server {
@@ -47,7 +46,6 @@ class Session : public Guest {
   bool broken_ = false;  // the request: not all of it was read
   HttpReply reply_;
   boost::beast::http::response<boost::beast::http::span_body<const char>> response_;
-  OrderWait order_;
   boost::asio::steady_timer frame_timer_;
   std::optional<FromFrame> frame_;  // that is awaited
 };

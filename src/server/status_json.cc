@@ -44,14 +44,14 @@ nlohmann::ordered_json HandsJson(const emulator::Status& status) {
   return hands;
 }
 
-nlohmann::ordered_json OrdersJson(const emulator::OrderNotes& orders) {
+nlohmann::ordered_json RequestNotesJson(const emulator::RequestNotes& notes) {
   nlohmann::ordered_json newest = nlohmann::ordered_json::array();
-  for (std::uint64_t number = orders.oldest(); number < orders.count; ++number) {
-    const emulator::OrderNote& note = orders[number];
+  for (std::uint64_t number = notes.oldest(); number < notes.count; ++number) {
+    const emulator::RequestNote& note = notes[number];
     newest.push_back({{"number", number},
                       {"time", note.time},
-                      {"kind", emulator::Name(note.kind)},
-                      {"text", emulator::Describe(note)}});
+                      {"kind", note.request.row->name},
+                      {"text", emulator::Describe(note.request)}});
   }
   return newest;
 }
@@ -106,7 +106,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator:
         {"rx", status.remote.rx},
         {"ry", status.remote.ry},
         {"wish", status.stick_wish}}},
-      {"orders", OrdersJson(status.orders)},
+      {"requests", RequestNotesJson(status.requests)},
       {"script",
        {{"done", status.script_done},
         {"refused", status.script_refused},

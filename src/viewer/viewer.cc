@@ -21,17 +21,6 @@ constexpr double kSlowest = 1. / 64, kFastest = 64;
 
 constexpr float kGripColor[4] = {0.9F, 0.15F, 0.3F, 0.9F};
 
-json RemoteBody(const emulator::SetRemote& order) {
-  const robot::RemoteReading& to = order.reading;
-  return {{"set",
-           {{"keys", robot::RemoteKeyNames(to.keys)},
-            {"lx", to.lx},
-            {"ly", to.ly},
-            {"rx", to.rx},
-            {"ry", to.ry}}},
-          {"seconds", order.seconds}};
-}
-
 mjtFontScale FontScale(double scale) {
   const auto percent = static_cast<int>(50 * std::lround(2 * scale));
   return static_cast<mjtFontScale>(std::clamp(percent, 100, 300));
@@ -49,9 +38,10 @@ Viewer::Viewer(const std::filesystem::path& socket, const ViewArguments& argumen
         return CameraOperator(stage_, arguments.camera, arguments.size);
       }()),
       show_(arguments.show),
-      orders_(socket),
-      remote_sender_(
-          [this](const emulator::SetRemote& order) { orders_.Send("/remote", RemoteBody(order)); }),
+      requests_(socket),
+      remote_sender_([this](const robot::RemoteReading& held, double seconds) {
+        requests_.Send("remote.set", remote::ValuesOf(held, seconds));
+      }),
       robot_(socket, kHz, stage_.positions(), [] { Window::Wake(); }) {
   mjr_defaultContext(&context_);
   stage_.visual()->quality.shadowsize = 2048;
@@ -71,7 +61,7 @@ void Viewer::Run(const std::function<bool()>& should_stop) {
     TakeStates();
     Pull();
     HoldRemote();
-    if (const std::string refusal = orders_.TakeRefusal(); !refusal.empty()) {
+    if (const std::string refusal = requests_.TakeRefusal(); !refusal.empty()) {
       notice_ = refusal;
       notice_until_ = Now() + kNoticeTime;
       dirty_ = true;
@@ -82,7 +72,7 @@ void Viewer::Run(const std::function<bool()>& should_stop) {
     }
     if (dirty_) Draw();
   }
-  if (pulling_) orders_.Send("/drag", {{"release", true}});
+  if (pulling_) requests_.Send("let_go");
   remote_sender_.LetGo(Now());
 }
 
@@ -159,10 +149,10 @@ void Viewer::Press(const WindowEvent& key) {
       playing_remote_ = true;
       break;
     case GLFW_KEY_SPACE:
-      orders_.Send("/pause", {{"on", !stage_.state().paused}});
+      requests_.Send(stage_.state().paused ? "resume" : "pause");
       break;
     case GLFW_KEY_RIGHT:
-      orders_.Send("/step", {{"steps", key.shift ? 20 : 1}});
+      requests_.Send("step", {{"steps", key.shift ? 20 : 1}, {"wait", false}});
       break;
     case GLFW_KEY_EQUAL:
     case GLFW_KEY_KP_ADD:
@@ -173,7 +163,7 @@ void Viewer::Press(const WindowEvent& key) {
       ChangeSpeed(0.5);
       break;
     case GLFW_KEY_BACKSPACE:
-      orders_.Send("/reset", json::object());
+      requests_.Send("reset");
       break;
     case GLFW_KEY_T:
       FollowOrNot();
@@ -194,7 +184,7 @@ void Viewer::Press(const WindowEvent& key) {
 
 void Viewer::ChangeSpeed(double factor) {
   const double now = stage_.state().speed > 0 ? stage_.state().speed : kFastest;
-  orders_.Send("/speed", {{"speed", std::clamp(now * factor, kSlowest, kFastest)}});
+  requests_.Send("speed", {{"speed", std::clamp(now * factor, kSlowest, kFastest)}});
 }
 
 void Viewer::ChangeCamera(int by) {
@@ -215,14 +205,14 @@ void Viewer::FollowOrNot() {
 void Viewer::Pull() {
   const std::optional<Grip>& grip = pointer_.grip();
   if (!grip) {
-    if (pulling_) orders_.Send("/drag", {{"release", true}});
+    if (pulling_) requests_.Send("let_go");
     pulling_ = false;
     return;
   }
   if (pulling_ && Now() - pulled_at_ < kPullPeriod) return;
   const char* name = mj_id2name(&stage_.model(), mjOBJ_BODY, grip->body);
   if (name == nullptr) return;
-  orders_.Send("/drag", {{"body", name}, {"at", grip->at}, {"to", grip->to}});
+  requests_.Send("drag", {{"body", name}, {"at", grip->at}, {"to", grip->to}});
   pulling_ = true;
   pulled_at_ = Now();
 }
@@ -241,7 +231,7 @@ void Viewer::DrawGrip() {
 }
 
 void Viewer::DrawText(const mjrRect& whole) {
-  const TextBlock status = StatusText(stage_.state(), real_time_.value(), orders_.service());
+  const TextBlock status = StatusText(stage_.state(), real_time_.value(), requests_.service());
   mjr_overlay(mjFONT_NORMAL, mjGRID_TOPLEFT, whole, status.left.c_str(), status.right.c_str(),
               &context_);
   if (playing_remote_) {

@@ -10,9 +10,9 @@
 
 #include "remote/remote_sender.h"
 #include "viewer/live_robot.h"
-#include "viewer/order_sender.h"
 #include "viewer/pointer.h"
 #include "viewer/remote_keyboard.h"
+#include "viewer/request_sender.h"
 #include "viewer/screen_text.h"
 #include "viewer/window.h"
 
@@ -54,7 +54,7 @@ class Viewer {
   Pointer pointer_;
   ShowChoice show_;
   RealTimeFactor real_time_;
-  OrderSender orders_;
+  RequestSender requests_;
   std::string notice_;       // of a refusal
   double notice_until_ = 0;  // s
   double drawing_ = 0;       // s spent on it in all

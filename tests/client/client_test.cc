@@ -96,8 +96,9 @@ TEST_F(ClientTest, AsksAgainAndAgainOnOneConnection) {
   emulator::StatusBoard board;
   emulator::Inbox inbox;
   int drained = 0;
-  const test::Ticking robot(&inbox,
-                            [&](const emulator::Order&) { return ++drained < 3 ? "" : "enough"; });
+  const test::Ticking robot(&inbox, [&](const emulator::Request&) {
+    return ++drained < 3 ? emulator::Answer{} : Error{"enough"};
+  });
   const server::ControlServer server(
       path_, {.identity = {.robot = "g1"}, .board = &board, .inbox = &inbox}, {.connections = 1});
   Connection connection(path_, test::kBound);

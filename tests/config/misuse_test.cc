@@ -93,7 +93,7 @@ TEST_F(ConfigMisuseTest, RefusesAWordThatIsNoneOfTheChoice) {
   EXPECT_EQ(FileError("gate: loose\n"),
             "run.yaml:1: gate.mode: expected one of strict, lenient, got 'loose'");
   EXPECT_EQ(FileError("start: {pose: siting}\n"),
-            "run.yaml:1: start.pose: expected one of \"\", damped, standing, hanging, clamped, got "
+            "run.yaml:1: start.pose: expected one of \"\", lying, standing, hanging, clamped, got "
             "'siting'; did you mean 'standing'?");
 }
 

@@ -178,7 +178,7 @@ TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
   Config config = LoadText("");
   config.start.pose = "standin";
   EXPECT_EQ(ErrorOf([&] { Validate(config); }),
-            "start.pose: no pose 'standin'; did you mean 'standing'? (valid: damped, standing, "
+            "start.pose: no pose 'standin'; did you mean 'standing'? (valid: lying, standing, "
             "hanging, clamped)");
   config = LoadText("");
   config.robot.mode_machine = 256;

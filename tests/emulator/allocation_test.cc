@@ -108,7 +108,7 @@ TEST_F(AllocationTest, DoesNotHappenInATick) {
     command.motors.push_back({.enabled = true, .q = 0.1 * i, .kp = 100, .kd = 2});
   }
   port_.SendEveryTick(command);
-  Order(ReleaseCrane{});
+  Ask("crane.release");
   CountIn(10);  // the first few may
   EXPECT_EQ(CountIn(2000), 0);
   EXPECT_LT(Height(), 0.5);
@@ -127,13 +127,13 @@ TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
   port_.SendEveryTick(Torque(1));
   CountIn(1);  // the fake port's own copy
   EXPECT_EQ(CountIn(500), 0);
-  Order(ResetRobot{});
+  Ask("reset");
   EXPECT_EQ(CountIn(50), 0);
 }
 
 TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
   port_.KeepTheLastOnly();
-  for (const char* pose : {"hanging", "clamped", "standing", "damped"}) {
+  for (const char* pose : {"hanging", "clamped", "standing", "lying"}) {
     StartAs(pose);
     CountIn(10);
     EXPECT_EQ(CountIn(500), 0) << pose;
@@ -151,14 +151,19 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   StartAs("hanging");
   port_.SendEveryTick(Torque(1));
   port_.SendArms(Torque(2), 0.5);
-  world_->Play(
-      {{.at = 0.2, .order = HoldRemote{.keys = 0x20}, .where = ""},
-       {.at = 0.3, .order = PressRemote{.keys = 0x200}, .where = ""},
-       {.at = 0.4, .order = MoveSticks{.ly = 1, .seconds = 0.2}, .where = ""},
-       {.at = 0.5, .order = PushBody{.force = {1, 0, 0}, .seconds = 0.1}, .where = ""},
-       {.at = 0.5, .order = DragBody{.body = "base", .p_WT = {0, 0, 2}}, .where = ""},
-       {.at = 0.6, .order = SetSpeed{.speed = 2}, .where = ""},
-       {.at = 0.8, .order = ResetRobot{.pose = robot::StartPose::kStanding}, .where = ""}});
+  world_->Play({{.at = 0.2, .request = test::RequestOf("remote.hold", "L2"), .where = ""},
+                {.at = 0.3, .request = test::RequestOf("remote.press", "B"), .where = ""},
+                {.at = 0.4,
+                 .request = test::RequestOf("remote.sticks", {{"ly", 1}, {"for", 0.2}}),
+                 .where = ""},
+                {.at = 0.5,
+                 .request = test::RequestOf("push", {{"force", {1, 0, 0}}, {"for", 0.1}}),
+                 .where = ""},
+                {.at = 0.5,
+                 .request = test::RequestOf("drag", {{"body", "base"}, {"to", {0, 0, 2}}}),
+                 .where = ""},
+                {.at = 0.6, .request = test::RequestOf("speed", 2), .where = ""},
+                {.at = 0.8, .request = test::RequestOf("reset", "standing"), .where = ""}});
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
   EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
@@ -216,7 +221,7 @@ TEST_F(AllocationTest, DoesNotHappenForAStatus) {
 
 TEST_F(AllocationTest, DoesNotHappenForAFrame) {
   StartAs("standing");
-  Order(PushBody{.force = {1, 0, 0}, .seconds = 1});
+  Ask("push", {{"force", {1, 0, 0}}, {"for", 1}});
   robot::RobotCommand command = Torque(1);
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);

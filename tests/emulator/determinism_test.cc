@@ -6,7 +6,7 @@
 namespace understudy::emulator {
 namespace {
 
-// Noise, lattice, contacts, refused commands, pauses long enough to damp, and orders.
+// Noise, lattice, contacts, refused commands, pauses long enough to damp, and requests.
 class DeterminismTest : public EmulatorTest {
  protected:
   DeterminismTest() {
@@ -34,9 +34,9 @@ class DeterminismTest : public EmulatorTest {
         }
         port.Send(command, step % 9 == 0 ? robot::Refusal::kCrc : robot::Refusal::kNone);
       }
-      if (step == 100) inbox.Put(PressRemote{.keys = 0x820}, Inbox::WallTime::max());
+      if (step == 100) inbox.Put(test::RequestOf("remote.press", "L2+Y"), Inbox::WallTime::max());
       if (step == 300) services.Call([](authority::MotorOwner* owner) { owner->Release(); });
-      if (step == 700) inbox.Put(ReleaseCrane{}, Inbox::WallTime::max());
+      if (step == 700) inbox.Put(test::RequestOf("crane.release"), Inbox::WallTime::max());
       EXPECT_EQ(world->Tick({}), physics::StepHealth::kFine);
     }
     std::vector<std::string> states;

@@ -53,7 +53,7 @@ TEST_F(EmulatorDivergenceTest, HangsTheRobotUpAgain) {
   config_.physics.on_divergence = config::DivergenceAction::kReset;
   config_.start.pose = "hanging";
   Start();
-  Order(LowerCrane{.by = 0.2});
+  Ask("crane.lower", 0.2);
   Diverge();
   EXPECT_TRUE(world_->status().crane_attached);
   Tick(500);

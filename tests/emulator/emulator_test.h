@@ -10,6 +10,7 @@
 #include "tests/support/fake_services.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
+#include "tests/support/requests.h"
 
 namespace understudy::emulator {
 
@@ -47,8 +48,14 @@ class EmulatorTest : public test::MujocoTest {
   }
 
   // The next tick carries it out; nobody waits for the answer.
-  void Order(const understudy::emulator::Order& order) {
-    inbox_.Put(order, Inbox::WallTime::max());
+  void Ask(std::string_view name, const nlohmann::json& values = {}) {
+    inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+  }
+  // What the next tick answers; "" when it is done.
+  std::string Answered(std::string_view name, const nlohmann::json& values = {}) {
+    auto answer = inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+    Tick();
+    return answer->get().why();
   }
 
   double Height() const { return world_->physics().base().p_WB.z(); }

@@ -56,7 +56,7 @@ TEST_F(FrameTest, HasTheCraneAndItsPull) {
 
 TEST_F(FrameTest, HasPushesWhileTheyLast) {
   StartAs("standing");
-  Order(PushBody{.force = {0, 5, 0}, .seconds = 0.01});
+  Ask("push", {{"force", {0, 5, 0}}, {"for", 0.01}});
   Tick(2);
   const Frame frame = Shown(kPartPushes);
   ASSERT_EQ(frame.pushes.size(), 1u);
@@ -68,7 +68,7 @@ TEST_F(FrameTest, HasPushesWhileTheyLast) {
 TEST_F(FrameTest, TellsThatItIsPaused) {
   Start();
   Tick();
-  Order(PauseRun{.on = true});
+  Ask("pause");
   world_->Attend({});
   EXPECT_TRUE(Shown(0).paused);
 }

@@ -118,7 +118,7 @@ TEST_F(HandsTest, AreToldAtTheirOwnRate) {
 TEST_F(HandsTest, AreLockedAgainAfterAReset) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(500);
-  Order(ResetRobot{});
+  Ask("reset");
   Tick(5);
   EXPECT_NEAR(Reading().motors[kPitch].q, 0, 1e-6);
   EXPECT_FALSE(Reading().motors[kPitch].enabled);

@@ -4,8 +4,11 @@
 #include <utility>
 #include <vector>
 
+#include <sys/eventfd.h>
+
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
+#include "tests/support/requests.h"
 
 namespace understudy::emulator {
 namespace {
@@ -14,30 +17,33 @@ using std::chrono::steady_clock;
 
 const auto kNever = steady_clock::time_point::max();
 
-Answer Fine(const Order&) { return {}; }
+const Request kReset = test::RequestOf("reset"), kClamp = test::RequestOf("clamp", true);
 
-TEST(InboxTest, CarriesOrdersOutInOrderOfArrival) {
+Answer Fine(Request*, Reply*) { return {}; }
+
+TEST(InboxTest, CarriesRequestsOutInOrderOfArrival) {
   Inbox inbox;
-  for (const double by : {1.0, 2.0, 3.0}) ASSERT_TRUE(inbox.Put(LowerCrane{by}, kNever));
+  for (const double by : {1.0, 2.0, 3.0})
+    ASSERT_TRUE(inbox.Put(test::RequestOf("crane.lower", by), kNever));
   std::vector<double> carried_out;
-  inbox.Drain([&](const Order& order) {
-    carried_out.push_back(std::get<LowerCrane>(order).by);
+  inbox.Drain([&](Request* request, Reply*) {
+    carried_out.push_back(request->number("by"));
     return Answer{};
   });
   EXPECT_EQ(carried_out, (std::vector<double>{1, 2, 3}));
 }
 
-TEST(InboxTest, ManyOrdersMakeNoLongTick) {
+TEST(InboxTest, ManyRequestsMakeNoLongTick) {
   Inbox inbox;
   std::size_t carried_out = 0;
   const auto drain = [&] {
-    inbox.Drain([&](const Order&) {
+    inbox.Drain([&](Request*, Reply*) {
       ++carried_out;
       return Answer{};
     });
     return std::exchange(carried_out, 0);
   };
-  for (std::size_t i = 0; i < Inbox::kCapacity; ++i) inbox.Put(ClampBase{true}, kNever);
+  for (std::size_t i = 0; i < Inbox::kCapacity; ++i) inbox.Put(kClamp, kNever);
   EXPECT_EQ(drain(), Inbox::kMostAtOnce);
   std::size_t rest = 0;
   for (std::size_t some = drain(); some > 0; some = drain()) rest += some;
@@ -46,13 +52,10 @@ TEST(InboxTest, ManyOrdersMakeNoLongTick) {
 
 TEST(InboxTest, AResetIsTheLastOfItsTick) {
   Inbox inbox;
-  for (const Order& order :
-       {Order{ClampBase{true}}, Order{ResetRobot{}}, Order{ClampBase{false}}}) {
-    inbox.Put(order, kNever);
-  }
-  std::vector<std::size_t> kinds;
-  const auto note = [&](const Order& order) {
-    kinds.push_back(order.index());
+  for (const Request& request : {kClamp, kReset, kClamp}) inbox.Put(request, kNever);
+  std::vector<std::string_view> kinds;
+  const auto note = [&](Request* request, Reply*) {
+    kinds.push_back(request->row->name);
     return Answer{};
   };
   inbox.Drain(note);
@@ -63,38 +66,61 @@ TEST(InboxTest, AResetIsTheLastOfItsTick) {
 
 TEST(InboxTest, HandsBackTheAnswer) {
   Inbox inbox;
-  auto answer = inbox.Put(AttachCrane{}, kNever);
-  inbox.Drain([](const Order&) { return Answer{"no crane here"}; });
-  EXPECT_EQ(answer->get(), "no crane here");
+  auto answer = inbox.Put(test::RequestOf("crane.attach"), kNever);
+  inbox.Drain([](Request*, Reply*) { return Answer{Error{"no crane here"}}; });
+  EXPECT_EQ(answer->get().why(), "no crane here");
+}
+
+TEST(InboxTest, AnAnswerMayBeGivenLater) {
+  Inbox inbox;
+  auto answer = inbox.Put(kReset, kNever);
+  std::optional<Reply> kept;
+  inbox.Drain([&](Request*, Reply* reply) -> std::optional<Answer> {
+    kept = std::move(*reply);
+    return std::nullopt;
+  });
+  EXPECT_EQ(answer->wait_for(std::chrono::seconds{0}), std::future_status::timeout);
+  kept->Give({});
+  EXPECT_TRUE(answer->get());
+}
+
+TEST(InboxTest, RingsWhenAnAnswerIsGivenAndNotBefore) {
+  Inbox inbox;
+  inbox.Put(kReset, kNever);
+  std::uint64_t rings = 0;
+  EXPECT_NE(::eventfd_read(inbox.bell(), &rings), 0);
+  inbox.Drain(Fine);
+  EXPECT_EQ(::eventfd_read(inbox.bell(), &rings), 0);
+  EXPECT_EQ(rings, 1u);
 }
 
 TEST(InboxTest, TakesNoMoreThanItHolds) {
   Inbox inbox;
-  for (std::size_t i = 0; i < Inbox::kCapacity; ++i) ASSERT_TRUE(inbox.Put(ResetRobot{}, kNever));
-  EXPECT_FALSE(inbox.Put(ResetRobot{}, kNever));
+  for (std::size_t i = 0; i < Inbox::kCapacity; ++i) ASSERT_TRUE(inbox.Put(kReset, kNever));
+  EXPECT_FALSE(inbox.Put(kReset, kNever));
   inbox.Drain(Fine);
-  EXPECT_TRUE(inbox.Put(ResetRobot{}, kNever));
+  EXPECT_TRUE(inbox.Put(kReset, kNever));
 }
 
 TEST(InboxTest, DoesNotCarryOutWhatNobodyWaitsForAnyMore) {
   Inbox inbox;
-  auto answer = inbox.Put(ResetRobot{}, steady_clock::now() - std::chrono::seconds{1});
+  auto answer = inbox.Put(kReset, steady_clock::now() - std::chrono::seconds{1});
   int carried_out = 0;
-  inbox.Drain([&](const Order&) {
+  inbox.Drain([&](Request*, Reply*) {
     ++carried_out;
     return Answer{};
   });
   EXPECT_EQ(carried_out, 0);
-  EXPECT_NE(answer->get(), "");
+  EXPECT_FALSE(answer->get());
 }
 
 TEST(InboxTest, DrainReturnsAtOnceWhileAnotherThreadIsAtTheInbox) {
   Inbox inbox;
-  ASSERT_TRUE(inbox.Put(ResetRobot{}, kNever));
+  ASSERT_TRUE(inbox.Put(kReset, kNever));
   std::promise<void> inside;
   std::promise<void> leave;
   std::thread other([&] {
-    inbox.Drain([&](const Order&) {
+    inbox.Drain([&](Request*, Reply*) {
       inside.set_value();
       leave.get_future().wait_for(test::kBound);
       return Answer{};
@@ -102,7 +128,7 @@ TEST(InboxTest, DrainReturnsAtOnceWhileAnotherThreadIsAtTheInbox) {
   });
   inside.get_future().wait();
   int carried_out = 0;
-  inbox.Drain([&](const Order&) {  // would never return if it waited for the other
+  inbox.Drain([&](Request*, Reply*) {  // would never return if it waited for the other
     ++carried_out;
     return Answer{};
   });
@@ -111,30 +137,30 @@ TEST(InboxTest, DrainReturnsAtOnceWhileAnotherThreadIsAtTheInbox) {
   other.join();
 }
 
-TEST(InboxTest, EveryOrderOfManyThreadsIsAnsweredOnce) {
+TEST(InboxTest, EveryRequestOfManyThreadsIsAnsweredOnce) {
   constexpr int kThreads = 4;
-  constexpr int kOrders = 200;
+  constexpr int kRequests = 200;
   Inbox inbox;
   std::atomic<int> carried_out = 0;
   std::atomic<int> answered = 0;
   {
-    const test::Ticking ticking(&inbox, [&](const Order&) {
+    const test::Ticking ticking(&inbox, [&](const Request&) {
       ++carried_out;
       return Answer{};
     });
     std::vector<std::thread> threads;
     for (int i = 0; i < kThreads; ++i) {
       threads.emplace_back([&] {
-        for (int k = 0; k < kOrders; ++k) {
-          auto answer = inbox.Put(ClampBase{true}, kNever);
-          if (answer && answer->get().empty()) ++answered;
+        for (int k = 0; k < kRequests; ++k) {
+          auto answer = inbox.Put(kClamp, kNever);
+          if (answer && answer->get().ok()) ++answered;
         }
       });
     }
     for (std::thread& thread : threads) thread.join();
   }
-  EXPECT_EQ(answered, kThreads * kOrders);
-  EXPECT_EQ(carried_out, kThreads * kOrders);
+  EXPECT_EQ(answered, kThreads * kRequests);
+  EXPECT_EQ(carried_out, kThreads * kRequests);
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ TEST_F(OwnerTest, StaysReleasedOverAReset) {
   Start();
   Tick();
   services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
-  Order(ResetRobot{});
+  Ask("reset");
   Tick();
   EXPECT_EQ(Service(), "");
   port_.Send(Torque(2));
@@ -116,11 +116,11 @@ TEST_F(OwnerTest, FightsWhereFirmwareDoes) {
 TEST_F(OwnerTest, ChordsActOnTheService) {
   Start();
   Tick();
-  Order(PressRemote{.keys = 0x820, .seconds = 0.01});  // L2+Y
+  Ask("remote.press", {{"keys", "L2+Y"}, {"for", 0.01}});  // L2+Y
   Tick(3);
   EXPECT_FALSE(port_.last().state.motors[0].enabled);
   Tick(10);
-  Order(PressRemote{.keys = 0x220, .seconds = 0.01});  // L2+B
+  Ask("remote.press", {{"keys", "L2+B"}, {"for", 0.01}});  // L2+B
   Tick(3);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);
   EXPECT_TRUE(port_.last().state.remote.there);
@@ -130,7 +130,7 @@ TEST_F(OwnerTest, ChordsActOnTheService) {
 TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
   Start();
   Tick();
-  Order(PressRemote{.keys = 0x30, .seconds = 0.01});  // L2+R2
+  Ask("remote.press", {{"keys", "L2+R2"}, {"for", 0.01}});  // L2+R2
   Tick();
   EXPECT_EQ(Service(), "");
   EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
@@ -154,7 +154,7 @@ TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {
   config_.robot.rates.service_hz = 100;
   Start();
   Tick(1);
-  Order(PressRemote{.keys = 0x820, .seconds = 0.05});
+  Ask("remote.press", {{"keys", "L2+Y"}, {"for", 0.05}});
   Tick(9);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);
   Tick(1);

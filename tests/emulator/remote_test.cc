@@ -10,13 +10,13 @@ constexpr std::uint16_t kL2 = 0x20, kB = 0x200;
 TEST(RemoteTest, IsNotThereUntilItIsUsed) {
   Remote remote;
   EXPECT_FALSE(remote.Read(0).there);
-  remote.Press({.keys = kB, .seconds = 0.1}, 0);
+  remote.Press(kB, 0.1);
   EXPECT_TRUE(remote.Read(0).there);
 }
 
 TEST(RemoteTest, LetsPressedKeysGo) {
   Remote remote;
-  remote.Press({.keys = kL2 | kB, .seconds = 0.1}, 1);
+  remote.Press(kL2 | kB, 1 + 0.1);
   EXPECT_EQ(remote.Read(1).keys, kL2 | kB);
   EXPECT_EQ(remote.Read(1.09).keys, kL2 | kB);
   EXPECT_EQ(remote.Read(1.11).keys, 0);
@@ -25,18 +25,19 @@ TEST(RemoteTest, LetsPressedKeysGo) {
 
 TEST(RemoteTest, HoldsKeysUntilTheyAreReleased) {
   Remote remote;
-  remote.Hold({.keys = kL2});
-  remote.Press({.keys = kB, .seconds = 0.1}, 0);
+  remote.Hold(kL2);
+  remote.Press(kB, 0.1);
   EXPECT_EQ(remote.Read(0).keys, kL2 | kB);
   EXPECT_EQ(remote.Read(1000).keys, kL2);
-  remote.Release({.keys = kL2});
+  remote.Release(kL2);
   EXPECT_EQ(remote.Read(1000).keys, 0);
 }
 
 TEST(RemoteTest, MovesTheSticksThatAreNamed) {
   Remote remote;
-  remote.Move({.lx = 0.5, .ly = -2, .seconds = 0}, 0);
-  remote.Move({.ry = 0.25, .seconds = 1}, 0);
+  remote.Move(0, 0.5, kForever);
+  remote.Move(1, -2, kForever);
+  remote.Move(3, 0.25, 1);
   EXPECT_EQ(remote.Read(0.5).lx, 0.5);
   EXPECT_EQ(remote.Read(0.5).ly, -1);
   EXPECT_EQ(remote.Read(0.5).rx, 0);
@@ -47,9 +48,9 @@ TEST(RemoteTest, MovesTheSticksThatAreNamed) {
 
 TEST(RemoteTest, IsAsItWasSetAndNothingElse) {
   Remote remote;
-  remote.Hold({.keys = kL2});
-  remote.Move({.rx = 1}, 0);
-  remote.Set({.reading = {.keys = kB, .lx = 2, .ly = -0.5}, .seconds = 0.5}, 1);
+  remote.Hold(kL2);
+  remote.Move(2, 1, kForever);
+  remote.Set({.keys = kB, .lx = 2, .ly = -0.5}, 1.5);
   EXPECT_TRUE(remote.Read(1).there);
   EXPECT_EQ(remote.Read(1).keys, kB);
   EXPECT_EQ(remote.Read(1).lx, 1);
@@ -59,9 +60,9 @@ TEST(RemoteTest, IsAsItWasSetAndNothingElse) {
 
 TEST(RemoteTest, IsLetGoByWhoeverDoesNotSayAgainThatItIsHeld) {
   Remote remote;
-  const SetRemote held{.reading = {.keys = kL2, .ry = 1}, .seconds = 0.5};
-  remote.Set(held, 0);
-  remote.Set(held, 0.4);
+  const robot::RemoteReading held{.keys = kL2, .ry = 1};
+  remote.Set(held, 0.5);
+  remote.Set(held, 0.9);
   EXPECT_EQ(remote.Read(0.8).keys, kL2);
   EXPECT_EQ(remote.Read(0.8).ry, 1);
   EXPECT_EQ(remote.Read(0.91).keys, 0);
@@ -71,11 +72,11 @@ TEST(RemoteTest, IsLetGoByWhoeverDoesNotSayAgainThatItIsHeld) {
 
 TEST(RemoteTest, ForgetsEverythingWhenItGoes) {
   Remote remote;
-  remote.Hold({.keys = kL2});
-  remote.Move({.lx = 1}, 0);
-  remote.Switch({.on = false});
+  remote.Hold(kL2);
+  remote.Move(0, 1, kForever);
+  remote.Switch(false);
   EXPECT_FALSE(remote.Read(0).there);
-  remote.Switch({.on = true});
+  remote.Switch(true);
   EXPECT_EQ(remote.Read(0).keys, 0);
   EXPECT_EQ(remote.Read(0).lx, 0);
 }

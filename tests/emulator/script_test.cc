@@ -6,11 +6,11 @@ namespace {
 
 class ScriptTest : public EmulatorTest {};
 
-TEST_F(ScriptTest, GivesEachOrderToTheTickOfItsTime) {
+TEST_F(ScriptTest, GivesEachRequestToTheTickOfItsTime) {
   config_.robot.rates.lowstate_hz = 1000;
   StartAs("standing");
-  world_->Play({{.at = 0.3, .order = ClampBase{}, .where = ""},
-                {.at = 0.5, .order = ClampBase{.on = false}, .where = ""}});
+  world_->Play({{.at = 0.3, .request = test::RequestOf("clamp", true), .where = ""},
+                {.at = 0.5, .request = test::RequestOf("clamp", false), .where = ""}});
   Tick(300);
   EXPECT_FALSE(world_->status().clamped);
   Tick();
@@ -23,7 +23,7 @@ TEST_F(ScriptTest, GivesEachOrderToTheTickOfItsTime) {
 
 TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
   StartAs("standing");
-  world_->Play({{.at = 0, .order = LowerCrane{.by = 1}, .where = "s.yaml:3"}});
+  world_->Play({{.at = 0, .request = test::RequestOf("crane.lower", 1), .where = "s.yaml:3"}});
   Tick();
   EXPECT_EQ(world_->status().script_refused, 1U);
   EXPECT_STREQ(world_->status().script_refusal.data(),
@@ -32,8 +32,28 @@ TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
 
 TEST_F(ScriptTest, RefusesABodyThatTheModelDoesNotHave) {
   Start();
-  EXPECT_THROW(world_->Play({{.at = 0, .order = PushBody{.body = "tail"}, .where = "s:1"}}),
-               ConfigError);
+  EXPECT_THROW(
+      world_->Play({{.at = 0,
+                     .request = test::RequestOf("push", {{"body", "tail"}, {"force", {0, 0, 0}}}),
+                     .where = "s:1"}}),
+      ConfigError);
+}
+
+TEST_F(ScriptTest, PausesStepsDragsAndLetsGo) {
+  StartAs("clamped");
+  world_->Play({{.at = 0.01, .request = test::RequestOf("pause"), .where = ""},
+                {.at = 0.01, .request = test::RequestOf("step", 5), .where = ""},
+                {.at = 0.01,
+                 .request = test::RequestOf("drag", {{"body", "base"}, {"to", {0, 0, 2}}}),
+                 .where = ""},
+                {.at = 0.012, .request = test::RequestOf("let_go"), .where = ""}});
+  Tick(11);
+  EXPECT_TRUE(world_->status().paused);
+  EXPECT_EQ(world_->drags().size(), 1u);
+  EXPECT_EQ(world_->pace().steps_left, 4);  // the tick that was told made one
+  Tick(4);
+  EXPECT_TRUE(world_->pace().stands_still());
+  EXPECT_TRUE(world_->drags().empty());
 }
 
 class PushTest : public EmulatorTest {
@@ -42,8 +62,8 @@ class PushTest : public EmulatorTest {
   double SpeedAfter(int ticks, double seconds) {
     config_.start.pose = "hanging";
     Start();
-    Order(ReleaseCrane{});
-    Order(PushBody{.body = "", .force = {0, 0, 60}, .seconds = seconds});
+    Ask("crane.release");
+    Ask("push", {{"force", {0, 0, 60}}, {"for", seconds}});
     Tick(ticks);
     return world_->physics().base().v_WB_W.z();
   }
@@ -58,19 +78,27 @@ TEST_F(PushTest, LastsAsLongAsItIsTold) {
   EXPECT_NEAR(SpeedAfter(40, 0.02) - short_push, 60 * 0.01 / 6, 0.01);
 }
 
+TEST_F(PushTest, ByAnImpulseIsTheSameEvenlyOverItsTime) {
+  const double by_force = SpeedAfter(150, 0.1);
+  Start();
+  Ask("crane.release");
+  Ask("push", {{"impulse", {0, 0, 6}}, {"for", 0.1}});
+  Tick(150);
+  EXPECT_NEAR(world_->physics().base().v_WB_W.z(), by_force, 1e-9);
+}
+
 TEST_F(PushTest, OfABodyThatIsNotThereIsRefused) {
   Start();
-  auto answer = inbox_.Put(PushBody{.body = "tail", .seconds = 1}, Inbox::WallTime::max());
-  Tick();
-  EXPECT_EQ(answer->get(), "the model has no body 'tail'");
+  EXPECT_EQ(Answered("push", {{"body", "tail"}, {"force", {1, 0, 0}}}),
+            "the model has no body 'tail'");
 }
 
 TEST_F(PushTest, EndsWithAReset) {
   config_.start.pose = "clamped";
   Start();
-  Order(PushBody{.body = "", .force = {60, 0, 0}, .seconds = 100});
-  Order(ResetRobot{});
-  Order(ClampBase{.on = false});
+  Ask("push", {{"force", {60, 0, 0}}, {"for", 100}});
+  Ask("reset");
+  Ask("clamp", false);
   Tick(100);
   EXPECT_NEAR(world_->physics().base().v_WB_W.x(), 0, 1e-6);
 }

@@ -8,7 +8,7 @@ namespace {
 class StartTest : public EmulatorTest {};
 
 TEST_F(StartTest, DampedLiesWhereItIsPut) {
-  StartAs("damped");
+  StartAs("lying");
   EXPECT_EQ(Height(), config_.robot.lying.height);
   Tick(3000);
   EXPECT_EQ(world_->status().gate, authority::GateState::kStart);

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "tests/support/requests.h"
+
 namespace understudy::record {
 namespace {
 
@@ -108,29 +110,28 @@ TEST_F(EventLogTest, NamesTheTopicThatARefusedCommandCameBy) {
                                   "refused: refused 1 LowCmd of rt/arm_sdk (no_motion_service)"));
 }
 
-TEST_F(EventLogTest, TellsOfOrders) {
+TEST_F(EventLogTest, TellsOfRequests) {
   Next();
-  status_.orders.Add({.kind = emulator::OrderKind::kPush,
-                      .time = 0.003,
-                      .what = {'b', 'a', 's', 'e'},
-                      .vector = {0, 50, 0},
-                      .amount = 0.1});
-  status_.orders.Add({.kind = emulator::OrderKind::kStep, .time = 0.003, .amount = 1});
-  EXPECT_THAT(Next(), ElementsAre("push: push base by 0 50 0 N for 0.1 s", "step: 1 step"));
+  const auto push =
+      test::RequestOf("push", {{"body", "base"}, {"force", {0, 50, 0}}, {"for", 0.1}});
+  status_.requests.Add({.time = 0.003, .request = push});
+  status_.requests.Add({.time = 0.003, .request = test::RequestOf("step", 1)});
+  EXPECT_THAT(Next(), ElementsAre("push: push base 0 50 0 N for 0.1 s", "step: step 1"));
   EXPECT_THAT(Next(), IsEmpty());
-  status_.orders.Add({.kind = emulator::OrderKind::kReset, .time = 0.005, .what = {'l', 'y'}});
-  EXPECT_THAT(Next(), ElementsAre("reset: reset to ly"));
-  EXPECT_EQ(last_.detail, R"({"at":0.005,"pose":"ly"})");
+  status_.requests.Add({.time = 0.005, .request = test::RequestOf("reset", "lying")});
+  EXPECT_THAT(Next(), ElementsAre("reset: reset lying"));
+  EXPECT_EQ(last_.detail, R"({"pose":"lying","time":0.005})");
 }
 
-TEST_F(EventLogTest, CountsOrdersThatCameTooFastToBeKept) {
+TEST_F(EventLogTest, CountsRequestsThatCameTooFastToBeKept) {
   Next();
-  for (int i = 0; i < 10; ++i)
-    status_.orders.Add({.kind = emulator::OrderKind::kStep, .amount = 1});
+  for (int i = 0; i < 10; ++i) {
+    status_.requests.Add({.time = 0, .request = test::RequestOf("step", 1)});
+  }
   const std::vector<std::string> told = Next();
   ASSERT_EQ(told.size(), 9U);
-  EXPECT_EQ(told[0], "orders: 2 more orders");
-  EXPECT_EQ(told[8], "step: 1 step");
+  EXPECT_EQ(told[0], "requests: 2 more requests");
+  EXPECT_EQ(told[8], "step: step 1");
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "emulator/request.h"
+
 namespace understudy::remote {
 namespace {
 
@@ -14,8 +16,14 @@ class RemoteSenderTest : public ::testing::Test {
     for (double t = from; t < to; t += 0.005) sender_.Hold(reading, t);
   }
 
-  std::vector<emulator::SetRemote> sent_;
-  RemoteSender sender_{[this](const emulator::SetRemote& order) { sent_.push_back(order); }};
+  struct Sent {
+    robot::RemoteReading reading;
+    double seconds;
+  };
+  std::vector<Sent> sent_;
+  RemoteSender sender_{[this](const robot::RemoteReading& reading, double seconds) {
+    sent_.push_back({reading, seconds});
+  }};
 };
 
 constexpr robot::RemoteReading kB{.keys = 0x200};
@@ -64,6 +72,16 @@ TEST_F(RemoteSenderTest, LetsGoOnce) {
   sender_.LetGo(0.002);
   ASSERT_EQ(sent_.size(), 2u);
   EXPECT_EQ(sent_[1].reading.keys, 0);
+}
+
+TEST(RemoteValuesTest, AreThoseOfTheRequest) {
+  const auto request = emulator::ReadRequest(
+      "remote.set", ValuesOf({.there = true, .keys = 0x220, .lx = 0.5, .ry = -1}, 0.25));
+  ASSERT_TRUE(request);
+  EXPECT_EQ(request->number("keys"), 0x220);
+  EXPECT_EQ(request->number("lx"), 0.5);
+  EXPECT_EQ(request->number("ry"), -1);
+  EXPECT_EQ(request->number("for"), 0.25);
 }
 
 }  // namespace

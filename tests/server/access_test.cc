@@ -77,14 +77,22 @@ TEST_F(AccessTest, RefusesAWriteWithoutTheToken) {
   EXPECT_EQ(Dut(request), 200u);
 }
 
+TEST_F(AccessTest, TheTableOfRequestsIsOpenAndMakingThemIsNot) {
+  HttpRequest request{.method = "GET", .target = "/requests", .host = "localhost"};
+  EXPECT_EQ(Dut(request), 200u);
+  request.upgrade = true;
+  EXPECT_EQ(Dut(request), 401u);
+}
+
 TEST_F(AccessTest, ATokenInTheAddressIsForWebSocketsOnly) {
   HttpRequest request{.method = "GET",
-                      .target = "/orders?token=0123456789abcdef0123456789abcdef",
+                      .target = "/panel?token=0123456789abcdef0123456789abcdef",
                       .host = "localhost"};
   EXPECT_EQ(Dut(request), 401u);
+  request.target = "/requests?token=0123456789abcdef0123456789abcdef";
   request.upgrade = true;
   EXPECT_EQ(Dut(request), 200u);
-  request.target = "/orders?token=x";
+  request.target = "/requests?token=x";
   EXPECT_EQ(Dut(request), 401u);
   request.method = "POST";
   request.upgrade = false;

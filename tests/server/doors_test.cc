@@ -86,7 +86,7 @@ TEST_F(DoorsTest, TheSameRoutesAreOnTcp) {
 }
 
 TEST_F(DoorsTest, RefusesAWriteWithoutTheToken) {
-  const test::Ticking ticking(&inbox_, [](const emulator::Order&) { return emulator::Answer{}; });
+  const test::Ticking ticking(&inbox_, [](const emulator::Request&) { return emulator::Answer{}; });
   EXPECT_THAT(Ask("POST /reset", HostLine()), StartsWith("HTTP/1.1 401"));
   EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer 0123\r\n"),
               StartsWith("HTTP/1.1 401"));
@@ -163,41 +163,39 @@ TEST_F(DoorsTest, SaysWhyAWebSocketIsRefused) {
   }
 }
 
-TEST_F(DoorsTest, OrdersOnAWebSocketAreAnsweredInTheirTurn) {
-  const test::Ticking ticking(&inbox_, [](const emulator::Order& order) {
-    return std::holds_alternative<emulator::ResetRobot>(order) ? emulator::Answer{"not now"}
-                                                               : emulator::Answer{};
+TEST_F(DoorsTest, RequestsOnAWebSocketAreAnsweredInTheirTurn) {
+  const test::Ticking ticking(&inbox_, [](const emulator::Request& request) {
+    return request.row->name == "reset" ? emulator::Answer{Error{"not now"}} : emulator::Answer{};
   });
-  client::ControlStream stream = Watch("/orders");
-  stream.Send(R"({"path": "/crane", "body": {"lower": 0.1}, "id": 1})");
-  stream.Send(R"({"path": "/reset", "id": "two"})");
-  stream.Send(R"({"path": "/clamp", "body": {"on": 3}})");
+  client::ControlStream stream = Watch("/requests");
+  stream.Send(R"({"crane.lower": {"by": 0.1}, "id": 1})");
+  stream.Send(R"({"id": "two", "reset": {}})");
+  stream.Send(R"({"clamp": {"on": 3}})");
   EXPECT_EQ(stream.Next(), R"({"id":1,"status":200,"ok":true})");
   EXPECT_EQ(stream.Next(), R"({"id":"two","status":409,"error":"not now"})");
   EXPECT_EQ(stream.Next(),
-            R"({"id":null,"status":400,"error":"\"on\": expected true or false, got 3"})");
+            R"({"id":null,"status":400,"error":"on: expected true or false, got 3"})");
 }
 
-TEST_F(DoorsTest, WhatIsNoOrderIsAnsweredWithTheReason) {
-  client::ControlStream stream = Watch("/orders");
+TEST_F(DoorsTest, WhatIsNoRequestIsAnsweredWithTheReason) {
+  client::ControlStream stream = Watch("/requests");
   const std::string deep(30'000, '[');
   for (const std::string& message :
        {std::string{"x"}, std::string{}, std::string{"[]"}, std::string{"{}"}, deep,
-        "{\"path\": \"/push\", \"body\": " + deep + "}", std::string{R"({"path": 1})"}}) {
+        "{\"push\": " + deep + "}", "{\"push\": {}, \"id\": " + deep + "}",
+        std::string{R"({"id": 1})"}, std::string{R"({"pause": {}, "resume": {}})"}}) {
     stream.Send(message);
     EXPECT_EQ(json::parse(stream.Next())["status"], 400) << message.substr(0, 40);
   }
-  stream.Send(R"({"path": "/status"})");
-  EXPECT_EQ(json::parse(stream.Next())["status"], 405);
-  stream.Send(R"({"path": "/nothing"})");
-  EXPECT_EQ(json::parse(stream.Next())["status"], 404);
+  stream.Send(R"({"statsu": {}})");
+  EXPECT_THAT(stream.Next(), HasSubstr("no request"));
 }
 
-TEST_F(DoorsTest, OrdersOnTcpNeedTheToken) {
-  EXPECT_THAT(Ask("GET /orders", HostLine() + std::string{kUpgrade}), StartsWith("HTTP/1.1 401"));
-  EXPECT_THAT(Ask("GET /orders?token=0", HostLine() + std::string{kUpgrade}),
+TEST_F(DoorsTest, RequestsOnTcpNeedTheToken) {
+  EXPECT_THAT(Ask("GET /requests", HostLine() + std::string{kUpgrade}), StartsWith("HTTP/1.1 401"));
+  EXPECT_THAT(Ask("GET /requests?token=0", HostLine() + std::string{kUpgrade}),
               StartsWith("HTTP/1.1 401"));
-  Open("/orders?token=" + token());
+  Open("/requests?token=" + token());
 }
 
 TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
@@ -209,7 +207,7 @@ TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
         std::string_view{"\x83\x80\0\0\0\0", 6}, std::string_view{"\xc1\x80\0\0\0\0", 6},
         std::string_view{"\x89\xfe\xff\xff\0\0\0\0", 8},     // a ping of 64 kB
         std::string_view{"\x81\x82\0\0\0\0\xff\xfe", 8}}) {  // no UTF-8
-    for (const std::string target : {"/frames?parts=com", "/orders?token="}) {
+    for (const std::string target : {"/frames?parts=com", "/requests?token="}) {
       const auto client = Open(target.ends_with('=') ? target + token() : target);
       client->Send(bytes);
       client->ReceiveAll();
@@ -219,7 +217,7 @@ TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
 }
 
 TEST_F(DoorsTest, AMessageTooLongEndsItsWebSocketAlone) {
-  client::ControlStream stream = Watch("/orders");
+  client::ControlStream stream = Watch("/requests");
   EXPECT_THROW(
       {
         stream.Send(std::string(65 * 1024, ' '));
@@ -250,7 +248,7 @@ TEST_F(DoorsTest, AWatcherThatReadsStays) {
 TEST_F(DoorsTest, OutlivesWatchersThatGoWithoutAWord) {
   const test::Showing tick(&frames_);
   for (int i = 0; i < 20; ++i) Open("/frames?hz=240")->Close();
-  for (int i = 0; i < 20; ++i) Open("/orders?token=" + token())->Close();
+  for (int i = 0; i < 20; ++i) Open("/requests?token=" + token())->Close();
   EXPECT_TRUE(StillServes());
 }
 
@@ -258,8 +256,8 @@ TEST_F(DoorsTest, EndsWhileItIsWatched) {
   const test::Showing tick(&frames_);
   client::ControlStream watched = Watch("/frames");
   watched.Next();
-  client::ControlStream ordering = Watch("/orders");
-  ordering.Send(R"({"path": "/reset"})");
+  client::ControlStream asking = Watch("/requests");
+  asking.Send(R"({"reset": {}})");
   dut_.reset();
   EXPECT_THROW(for (;;) watched.Next(), ControlError);
 }

@@ -1,5 +1,7 @@
 // That docs/openapi.yaml documents what there is, and nothing else.
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <set>
 #include <string>
 
@@ -7,6 +9,7 @@
 
 #include "gtest/gtest.h"
 #include "server/frame_json.h"
+#include "server/request_docs.h"
 #include "server/routes.h"
 #include "server/status_json.h"
 
@@ -44,6 +47,13 @@ TEST(OpenApiTest, HasEveryPartOfAFrameAndNoOther) {
   std::set<std::string> sent{"step", "time", "speed", "paused"};
   for (const emulator::FramePartName& part : emulator::kFrameParts) sent.emplace(part.name);
   EXPECT_EQ(documented, sent);
+}
+
+TEST(OpenApiTest, HasTheRequestsAsTheTableHasThem) {
+  std::ifstream file(std::string{UNDERSTUDY_SOURCE_DIR} + "/docs/openapi.yaml");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_NE(text.find(RequestsOpenApi()), std::string::npos)
+      << "write its paths anew: understudy requests --openapi";
 }
 
 // The keys of `sent`, and of the objects in it whose keys are documented.

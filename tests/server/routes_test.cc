@@ -1,5 +1,7 @@
 #include "server/routes.h"
 
+#include <algorithm>
+
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
@@ -34,21 +36,42 @@ TEST_F(RoutesTest, StatusIsThatOfTheBoard) {
 
 TEST_F(RoutesTest, LeavesAQueryAside) { EXPECT_EQ(ReplyTo("GET", "/status?x=1").status, 200u); }
 
-TEST_F(RoutesTest, OrdersArePosted) {
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/crane", R"({"lower": 1})")));
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/clamp", R"({"on": true})")));
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/reset", "{}")));
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/pause", R"({"on": true})")));
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/step", "{}")));
-  EXPECT_TRUE(std::holds_alternative<emulator::Order>(Dut("POST", "/speed", R"({"speed": 2})")));
-  EXPECT_TRUE(
-      std::holds_alternative<emulator::Order>(Dut("POST", "/drag", R"({"release": true})")));
+TEST_F(RoutesTest, EveryRequestHasAPathToBePostedTo) {
+  for (const emulator::RequestRow& row : emulator::RequestRows()) {
+    std::string path = "/" + std::string(row.name);
+    std::ranges::replace(path, '.', '/');
+    EXPECT_EQ(ReplyTo("GET", path).status, 405u) << path;
+    EXPECT_EQ(ReplyTo("POST", path, "3").status, 400u) << path;
+  }
+  const auto lower = std::get<emulator::Request>(Dut("POST", "/crane/lower", R"({"by": 0.5})"));
+  EXPECT_EQ(lower.row->name, "crane.lower");
+  EXPECT_EQ(lower.number("by"), 0.5);
+  EXPECT_EQ(std::get<emulator::Request>(Dut("POST", "/reset")).row->name, "reset");
+}
+
+TEST_F(RoutesTest, TellsTheTableOfRequests) {
+  const auto table = nlohmann::json::parse(ReplyTo("GET", "/requests").body)["requests"];
+  ASSERT_EQ(table.size(), emulator::RequestRows().size());
+  const auto lower =
+      std::ranges::find(table, "crane.lower", [](const auto& row) { return row["name"]; });
+  EXPECT_EQ((*lower)["fields"][0]["key"], "by");
+  EXPECT_EQ((*lower)["fields"][0]["unit"], "m");
+  EXPECT_EQ((*lower)["fields"][0]["range"], (nlohmann::json{-10, 10}));
 }
 
 TEST_F(RoutesTest, ABodyThatCannotBeReadIs400) {
-  const HttpReply reply = ReplyTo("POST", "/crane", "{");
-  EXPECT_EQ(reply.status, 400u);
-  EXPECT_EQ(reply.body, "{\"error\":\"the body is not JSON, see byte 2\"}\n");
+  const auto why = [&](std::string_view body) {
+    const HttpReply reply = ReplyTo("POST", "/crane/lower", body);
+    EXPECT_EQ(reply.status, 400u);
+    return nlohmann::json::parse(reply.body)["error"].get<std::string>();
+  };
+  EXPECT_EQ(why("{"), "the body is not JSON, see byte 2");
+  EXPECT_EQ(why(R"({"by": NaN})"), "the body is not JSON, see byte 8");
+  EXPECT_EQ(why(R"({"by": 1e999})"), "the body holds a number too large for a double");
+  EXPECT_EQ(why("[true]"), "the body: expected a JSON object, got an array");
+  EXPECT_EQ(why(""), "by: missing; expected a number from -10 to 10 m");
+  EXPECT_NE(why("{\"\xff\xfe\": 1}"), "");
+  EXPECT_NE(why(std::string_view{"\0\0", 2}), "");
 }
 
 TEST_F(RoutesTest, AnUnknownPathIs404WithTheNearest) {
@@ -86,7 +109,8 @@ TEST_F(RoutesTest, APartThatIsNoneIs400WithTheNearest) {
 
 TEST_F(RoutesTest, AWebSocketIsOneOnlyWhenAskedToBe) {
   EXPECT_EQ(ReplyTo("GET", "/frames").status, 426u);
-  EXPECT_EQ(ReplyTo("GET", "/orders").status, 426u);
+  EXPECT_TRUE(std::holds_alternative<TakeRequests>(
+      Route({.method = "GET", .target = "/requests", .upgrade = true}, plane_)));
   const auto routed =
       Route({.method = "GET", .target = "/frames?hz=24.5&parts=com", .upgrade = true}, plane_);
   EXPECT_EQ(std::get<WatchFrames>(routed).hz, 24.5);
@@ -118,10 +142,10 @@ TEST_F(RoutesTest, TellsTheAddressOfThePanel) {
 }
 
 TEST_F(RoutesTest, ARefusalOfTheRobotIs409) {
-  EXPECT_EQ(AnswerReply("not now").status, 409u);
-  EXPECT_EQ(AnswerReply("not now").body, "{\"error\":\"not now\"}\n");
-  EXPECT_EQ(AnswerReply("").status, 200u);
-  EXPECT_EQ(AnswerReply("").body, "{\"ok\":true}\n");
+  EXPECT_EQ(AnswerReply(Error{"not now"}).status, 409u);
+  EXPECT_EQ(AnswerReply(Error{"not now"}).body, "{\"error\":\"not now\"}\n");
+  EXPECT_EQ(AnswerReply({}).status, 200u);
+  EXPECT_EQ(AnswerReply({}).body, "{\"ok\":true}\n");
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "tests/support/control.h"
+#include "tests/support/requests.h"
 
 namespace understudy::server {
 namespace {
@@ -79,56 +80,74 @@ TEST_F(ControlServerTest, ANameInUseIsAnError) {
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
 }
 
-TEST_F(ControlServerTest, AnOrderIsCarriedOutByTheTick) {
+TEST_F(ControlServerTest, ARequestIsCarriedOutByTheTick) {
   Start();
   std::atomic<double> lowered = 0;
-  const test::Ticking ticking(&inbox_, [&](const emulator::Order& order) {
-    lowered = std::get<emulator::LowerCrane>(order).by;
+  const test::Ticking ticking(&inbox_, [&](const emulator::Request& request) {
+    lowered = request.number("by");
     return emulator::Answer{};
   });
-  const client::ControlReply reply = Ask("POST", "/crane", R"({"raise": 0.5})");
+  const client::ControlReply reply = Ask("POST", "/crane/lower", R"({"by": -0.5})");
   EXPECT_EQ(reply.status, 200u);
   EXPECT_EQ(reply.body, "{\"ok\":true}\n");
   EXPECT_EQ(lowered, -0.5);
 }
 
-TEST_F(ControlServerTest, ARefusedOrderIs409WithTheReason) {
+TEST_F(ControlServerTest, ARefusedRequestIs409WithTheReason) {
   Start();
-  const test::Ticking ticking(&inbox_,
-                              [](const emulator::Order&) { return emulator::Answer{"not now"}; });
+  const test::Ticking ticking(
+      &inbox_, [](const emulator::Request&) { return emulator::Answer{Error{"not now"}}; });
   const client::ControlReply reply = Ask("POST", "/reset", "{}");
   EXPECT_EQ(reply.status, 409u);
   EXPECT_EQ(reply.body, "{\"error\":\"not now\"}\n");
 }
 
-TEST_F(ControlServerTest, AnOrderTheRobotDoesNotComeToIs503AndNotCarriedOutLater) {
+TEST_F(ControlServerTest, ARequestTheRobotDoesNotComeToIs503AndNotCarriedOutLater) {
   Start({.patience = std::chrono::milliseconds{20}});
   EXPECT_EQ(Ask("POST", "/reset", "{}").status, 503u);
   int carried_out = 0;
-  inbox_.Drain([&](const emulator::Order&) {
+  inbox_.Drain([&](emulator::Request*, emulator::Reply*) {
     ++carried_out;
     return emulator::Answer{};
   });
   EXPECT_EQ(carried_out, 0);
 }
 
+TEST_F(ControlServerTest, StepsAreAnsweredWhenTheyAreMadeHoweverLongThatTakes) {
+  Start({.patience = std::chrono::milliseconds{200}});
+  const test::RawSocket waiting(path_);
+  waiting.Send(Post("/step", "{}"));
+  std::optional<emulator::Reply> kept;
+  ASSERT_TRUE(test::Eventually([&] {
+    inbox_.Drain(
+        [&](emulator::Request*, emulator::Reply* reply) -> std::optional<emulator::Answer> {
+          kept = std::move(*reply);
+          return std::nullopt;
+        });
+    return kept.has_value();
+  }));
+  EXPECT_EQ(Ask("POST", "/reset", "{}").status, 503u);  // all patience is over
+  kept->Give({});
+  EXPECT_THAT(waiting.ReceiveAll(), StartsWith("HTTP/1.1 200"));
+}
+
 TEST_F(ControlServerTest, AFullInboxIs503) {
   Start();
   const auto never = std::chrono::steady_clock::time_point::max();
-  while (inbox_.Put(emulator::ResetRobot{}, never)) continue;
+  while (inbox_.Put(test::RequestOf("reset"), never)) continue;
   const client::ControlReply reply = Ask("POST", "/reset", "{}");
   EXPECT_EQ(reply.status, 503u);
-  EXPECT_THAT(reply.body, HasSubstr("too many orders"));
+  EXPECT_THAT(reply.body, HasSubstr("too many requests"));
 }
 
-TEST_F(ControlServerTest, AnOrderThatWaitsDelaysNobody) {
+TEST_F(ControlServerTest, ARequestThatWaitsDelaysNobody) {
   Start({.patience = test::kBound});
   const test::RawSocket waiting(path_);
   waiting.Send(Post("/reset", "{}"));
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   ASSERT_TRUE(test::Eventually([&] {
     bool came = false;
-    inbox_.Drain([&](const emulator::Order&) {
+    inbox_.Drain([&](emulator::Request*, emulator::Reply*) {
       came = true;
       return emulator::Answer{};
     });
@@ -165,14 +184,14 @@ TEST_F(ControlServerTest, HangsUpOnAClientThatIsIdleAfterAReply) {
   EXPECT_THAT(Tell(kStatusRequest), StartsWith("HTTP/1.1 200"));
 }
 
-TEST_F(ControlServerTest, OutlivesAClientThatGoesWhileItsOrderWaits) {
+TEST_F(ControlServerTest, OutlivesAClientThatGoesWhileItsRequestWaits) {
   Start({.patience = test::kBound});
   {
     const test::RawSocket client(path_);
     client.Send(Post("/reset", "{}"));
   }
   std::atomic<int> carried_out = 0;
-  const test::Ticking ticking(&inbox_, [&](const emulator::Order&) {
+  const test::Ticking ticking(&inbox_, [&](const emulator::Request&) {
     ++carried_out;
     return emulator::Answer{};
   });
@@ -184,18 +203,18 @@ TEST_F(ControlServerTest, OutlivesAClientThatGoesAmidItsRequest) {
   Start();
   {
     const test::RawSocket client(path_);
-    client.Send("POST /crane HTTP/1.1\r\nContent-Length: 100\r\n\r\n{");
+    client.Send("POST /crane/lower HTTP/1.1\r\nContent-Length: 100\r\n\r\n{");
   }
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
 }
 
-TEST_F(ControlServerTest, EndsWhileAnOrderWaitsWhichMayThenStillBeAnswered) {
+TEST_F(ControlServerTest, EndsWhileARequestWaitsWhichMayThenStillBeAnswered) {
   Start({.patience = test::kBound});
   const test::RawSocket client(path_);
   client.Send(Post("/reset", "{}") + "x");
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   dut_.reset();
-  inbox_.Drain([](const emulator::Order&) { return emulator::Answer{}; });
+  inbox_.Drain([](emulator::Request*, emulator::Reply*) { return emulator::Answer{}; });
 }
 
 TEST_F(ControlServerTest, KeepsAConnectionForTheNextRequest) {
@@ -216,7 +235,7 @@ TEST_F(ControlServerTest, WhatIsNotHttpIs400WithTheReason) {
 
 TEST_F(ControlServerTest, ABodyThatIsNotJsonIs400) {
   Start();
-  EXPECT_THAT(Tell(Post("/crane", "lower by 1")), StartsWith("HTTP/1.1 400"));
+  EXPECT_THAT(Tell(Post("/crane/lower", "lower by 1")), StartsWith("HTTP/1.1 400"));
 }
 
 TEST_F(ControlServerTest, AnUnknownPathIs404) {
@@ -243,19 +262,19 @@ TEST_F(ControlServerTest, NothingFollowsTheReplyToAHeadWhichMayHaveNoBody) {
 
 TEST_F(ControlServerTest, ABodyTooLargeIs413) {
   Start();
-  const client::ControlReply reply = Ask("POST", "/crane", std::string(64 * 1024 + 1, ' '));
+  const client::ControlReply reply = Ask("POST", "/crane/lower", std::string(64 * 1024 + 1, ' '));
   EXPECT_EQ(reply.status, 413u);
   EXPECT_THAT(reply.body, HasSubstr("65536 bytes"));
 }
 
 TEST_F(ControlServerTest, TheLargestBodyIsRead) {
   Start();
-  EXPECT_EQ(Ask("POST", "/crane", std::string(64 * 1024, ' ')).status, 400u);
+  EXPECT_EQ(Ask("POST", "/crane/lower", std::string(64 * 1024, ' ')).status, 400u);
 }
 
 TEST_F(ControlServerTest, AnUnendingBodyIs413) {
   Start();
-  std::string request = "POST /crane HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
+  std::string request = "POST /crane/lower HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n";
   for (int i = 0; i < 80; ++i) request += "400\r\n" + std::string(1024, ' ') + "\r\n";
   EXPECT_THAT(Tell(request), StartsWith("HTTP/1.1 413"));
 }
@@ -263,7 +282,7 @@ TEST_F(ControlServerTest, AnUnendingBodyIs413) {
 TEST_F(ControlServerTest, HangsUpOnAClientThatNeverEndsWhatWasRefused) {
   Start({.idle = std::chrono::milliseconds{50}});
   const test::RawSocket client(path_);
-  client.Send(Post("/crane", std::string(64 * 1024 + 1, ' ')));
+  client.Send(Post("/crane/lower", std::string(64 * 1024 + 1, ' ')));
   EXPECT_THAT(client.ReceiveAll(), StartsWith("HTTP/1.1 413"));
   // Our side is still open: it is the server who goes.
   EXPECT_TRUE(test::Eventually([&] { return !client.Sends("more"); }));

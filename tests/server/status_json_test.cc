@@ -3,6 +3,7 @@
 #include <limits>
 
 #include "gtest/gtest.h"
+#include "tests/support/requests.h"
 
 namespace understudy::server {
 namespace {
@@ -31,7 +32,7 @@ emulator::Status EveryFieldSet() {
   status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
   status.arm_commands.accepted = 41;
   status.user_commands.timeouts = 42;
-  status.orders.Add({.kind = emulator::OrderKind::kReset, .time = 1.5, .what = {'l', 'y'}});
+  status.requests.Add({.time = 1.5, .request = test::RequestOf("reset", "lying")});
   status.hands[0].name = {'l', 'e', 'f', 't'};
   status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
   status.hands[0].last_refusal = robot::Refusal::kMotorMode;
@@ -82,7 +83,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("no_motion_service":0,"not_handed_over":0},)"
           R"("last_refusal":"motor_mode"}],"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
-          R"("orders":[{"number":0,"time":1.5,"kind":"reset","text":"reset to ly"}],)"
+          R"("requests":[{"number":0,"time":1.5,"kind":"reset","text":"reset lying"}],)"
           R"("script":{"done":3,"refused":1,"refusal":"no"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
           R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"

@@ -156,10 +156,13 @@ inline void LeaveStaleSocket(const std::filesystem::path& path) {
 // Drains an inbox about every millisecond, as a robot does.
 class Ticking {
  public:
-  Ticking(emulator::Inbox* inbox, std::function<emulator::Answer(const emulator::Order&)> carry_out)
+  Ticking(emulator::Inbox* inbox,
+          std::function<emulator::Answer(const emulator::Request&)> carry_out)
       : thread_([this, inbox, carry_out = std::move(carry_out)] {
           while (!stop_) {
-            inbox->Drain(carry_out);
+            inbox->Drain([&](emulator::Request* request, emulator::Reply*) {
+              return std::optional(carry_out(*request));
+            });
             std::this_thread::sleep_for(std::chrono::milliseconds{1});
           }
         }) {}

@@ -47,7 +47,7 @@ robot::RobotSpec FixtureRobot() {
   spec.hanging = {.q = {0, 0, 0, 0, 0, 0}, .height = 1};
   spec.crane_body = "base";
   spec.crane_point = {0, 0, 0.1};
-  spec.default_start = "damped";
+  spec.default_start = "lying";
   return spec;
 }
 

@@ -17,7 +17,7 @@ namespace understudy::test {
 // with the base at 0.3 m, lies on its trunk, hangs in its standing pose at 1 m.
 robot::RobotSpec FixtureRobot();
 
-// Everything off that blurs numbers: no noise, no lattice. Starts damped.
+// Everything off that blurs numbers: no noise, no lattice. Starts lying.
 config::Config FixtureConfig();
 
 // The fixture robot, or another one with the same model, on its ground.

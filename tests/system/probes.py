@@ -178,7 +178,7 @@ def follows_a_slow_client(played):
 
 
 def stick_wish(played):
-    played.ctl("remote", "stick", "ly=1")
+    played.ctl("remote", "sticks", "--ly", "1")
     return played.becomes(lambda now: now["remote"]["ly"] == 1)["remote"]["wish"]
 
 

@@ -384,7 +384,7 @@ def test_every_key_of_the_reference_has_a_row_here_and_no_other():
 
 
 def test_two_runs_of_the_same_configuration_send_the_same_states():
-    first = states("go2", "robot.default_start=damped")
+    first = states("go2", "robot.default_start=lying")
     second = states("go2")
     common = first.keys() & second.keys()
 

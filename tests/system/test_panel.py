@@ -172,19 +172,19 @@ def test_speed_is_chosen_in_the_bar(page):
 def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page):
     page.evaluate("document.getElementById('speed').focus()")
 
-    page.evaluate("panel.link.post('/speed', { speed: 2 })")
+    page.evaluate("panel.link.post('speed', { speed: 2 })")
     page.becomes("document.getElementById('speed').value === '2'")
-    page.evaluate("panel.link.post('/speed', { speed: 1 })")
+    page.evaluate("panel.link.post('speed', { speed: 1 })")
 
     page.becomes("document.getElementById('speed').value === '1'")
     page.evaluate("document.activeElement.blur()")
 
 
 def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
-    drag = "panel.link.post('/drag', {})"
+    drag = "panel.link.post('drag', {})"
     page.evaluate(drag.format("{ body: 'base_link', to: [0, 0, 0.6], seconds: 60 }"))
     second = visit(url_of(dog))
-    second.becomes("panel.link.ordersOpen")
+    second.becomes("panel.link.requestsOpen")
 
     step = second.evaluate("panel.view.frame.step")
     second.becomes(f"panel.view.frame.step > {step}")
@@ -197,9 +197,9 @@ def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
 REFUSE = """(() => {
   const { link } = panel;
   link.asked = [];
-  link.order = async (path) => (link.asked.push(path), { status: 409, error: "not today" });
+  link.request = async (name) => (link.asked.push(name), { status: 409, error: "not today" });
 })()"""
-REFUSE_NO_MORE = "delete panel.link.order && delete panel.link.asked"
+REFUSE_NO_MORE = "delete panel.link.request && delete panel.link.asked"
 
 
 def test_what_is_refused_many_times_a_second_is_complained_of_once(page):
@@ -222,7 +222,7 @@ def test_space_pauses_once_however_long_it_is_held(page):
     asked = page.evaluate("panel.link.asked")
     page.evaluate(REFUSE_NO_MORE)
 
-    assert [path for path in asked if path != "/remote"] == ["/pause"]  # keys let go before
+    assert [name for name in asked if name != "remote.set"] == ["pause"]  # keys let go before
 
 
 def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):
@@ -235,7 +235,7 @@ def test_without_the_token_one_may_only_look(dog, visit):
     page = visit(url_of(dog).split("#")[0])
 
     assert "has no token" in page.text("#token")
-    assert page.evaluate("[...document.querySelectorAll('.orders')].every((one) => one.disabled)")
+    assert page.evaluate("[...document.querySelectorAll('.requests')].every((one) => one.disabled)")
     page.becomes("panel.view.frame.motors.length === 12")
 
 

@@ -20,7 +20,7 @@ def test_its_modules_do_what_they_say(page):
         return { ...all, anew: history.newest, left: history.end - history.begin };
       }""") == {"count": 100, "oldest": 50, "rows": 20, "peak": 9, "anew": 3, "left": 1}
     # Both ways at once is neither; of two hands the one that goes further counts.
-    assert module("remote_inputs", "m.orderOf(m.together([m.fromKeyboard(['w', 'b', 'e'], true),"
+    assert module("remote_inputs", "m.valuesOf(m.together([m.fromKeyboard(['w', 'b', 'e'], true),"
                   "m.fromKeyboard(['s', 'f', 'j'])]))") == {
                       "keys": "B+L2", "lx": 0, "ly": 0.5, "rx": -1, "ry": 0}
     assert module("motor_table", "[84, 71, 60].map((c) => m.temperatureLevel(c + 1, 85))") == [

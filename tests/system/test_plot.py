@@ -8,7 +8,7 @@ import pytest
 
 from robots import understudy
 
-PUSHED = "script:\n  - {at: 0.5, push: {force: [0, 60, 0]}, for: 0.1}\n"
+PUSHED = "script:\n  - {at: 0.5, push: {force: [0, 60, 0], for: 0.1}}\n"
 
 
 @pytest.fixture(scope="module")

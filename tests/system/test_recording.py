@@ -98,26 +98,26 @@ def test_a_recording_has_all_that_was_said(play, folder):
     assert recording.about["robot"] == "go2"
 
 
-def test_orders_are_events(play, folder):
-    file = folder / "orders.mcap"
+def test_requests_are_events(play, folder):
+    file = folder / "requests.mcap"
     robot = play("go2", "--record", file)
-    for order in (["push", "base_link", "0", "30", "0"], ["reset", "standing"], ["pause"], ["step", "2"],
+    for request in (["push", "base_link", "0", "30", "0"], ["reset", "standing"], ["pause"], ["step", "2"],
                   ["resume"]):
-        done = understudy("ctl", *order)
+        done = understudy("ctl", *request)
         assert done.returncode == 0, done.stderr
-    told = [order["text"] for order in robot.status()["orders"]]
+    told = [request["text"] for request in robot.status()["requests"]]
     stop(robot)
     recording = Recording(file)
 
     push, = recording.events("push")
-    assert push.text == "push base_link by 0 30 0 N for 0.1 s"
+    assert push.text == "push base_link 0 30 0 N"
     detail = json.loads(push.detail)
     assert detail["body"] == "base_link" and detail["force"] == [0, 30, 0]
-    assert detail["at"] == pytest.approx(push.time, abs=0.01)
-    assert [event.text for event in recording.events("reset")] == ["reset to standing"]
-    assert [event.text for event in recording.events("step")] == ["2 steps"]
+    assert detail["time"] == pytest.approx(push.time, abs=0.01)
+    assert [event.text for event in recording.events("reset")] == ["reset standing"]
+    assert [event.text for event in recording.events("step")] == ["step 2"]
     assert [event.text for event in recording.events("pause")] == ["paused", "goes on"]
-    assert told == [push.text, "reset to standing", "2 steps"]
+    assert told == [push.text, "reset standing", "step 2"]
 
 
 def test_what_is_decoded_is_what_was_measured(folder):

@@ -30,15 +30,15 @@ def test_the_documents_example_is_sound_and_runs_to_its_end(play, understudy, tm
 
 def test_a_mistake_ends_the_program_before_it_starts(understudy, tmp_path):
     file = tmp_path / "bad.yaml"
-    file.write_text("script:\n  - {at: 1, pres: A}\n")
+    file.write_text("script:\n  - {at: 1, remote.pres: A}\n")
     done = understudy("run", "go2", "--script", file)
     assert done.returncode == 3
-    assert "bad.yaml:2: unknown key 'pres'; did you mean 'press'?" in done.stderr
+    assert "bad.yaml:2: unknown key 'remote.pres'; did you mean 'remote.press'?" in done.stderr
 
 
 def test_what_the_robot_cannot_do_is_said_with_its_line(play, tmp_path):
     file = tmp_path / "lower.yaml"
-    file.write_text("script:\n  - {at: 0.1, crane: {lower: 1}}\n")
+    file.write_text("script:\n  - {at: 0.1, crane.lower: 1}\n")
     robot = play("go2", "--script", file)
     assert "lower.yaml:2: the robot does not hang" in robot.heard("script:", "warning")["message"]
 

@@ -7,21 +7,21 @@ const POSE_WORDS = { "": "start pose" };
 const SETTLE = 1000; // ms after a speed was chosen in which frames may still have the one before
 
 export class Bar {
-  // order(path, body) sends and reports a refusal.
-  constructor(order) {
+  // request(name, values) sends and reports a refusal.
+  constructor(request) {
     this.paused = false;
-    byId("pause").addEventListener("click", () => order("/pause", { on: !this.paused }));
+    byId("pause").addEventListener("click", () => request(this.paused ? "resume" : "pause"));
     byId("step").addEventListener("click", (event) => {
-      order("/step", { steps: event.shiftKey ? 10 : 1 });
+      request("step", { steps: event.shiftKey ? 10 : 1, wait: false });
     });
     this.chosenAt = -Infinity;
     byId("speed").addEventListener("change", () => {
       this.chosenAt = performance.now();
-      order("/speed", { speed: Number(byId("speed").value) });
+      request("speed", { speed: Number(byId("speed").value) });
     });
     byId("reset").addEventListener("click", () => {
       const pose = byId("pose").value;
-      order("/reset", pose ? { pose } : {});
+      request("reset", pose ? { pose } : {});
     });
   }
 

@@ -1,15 +1,15 @@
 // Pushing with the pointer: what is grabbed is drawn towards where the pointer is.
 import { lapse } from "./link.js";
 
-const EVERY = 33; // ms between orders while the pointer moves
+const EVERY = 33; // ms between requests while the pointer moves
 const RENEW = 150; // ms, well within the time after which the robot lets go
 
 export class DragTool {
-  // order(path, body) sends; wanted(event): whether this press is to push rather than to orbit;
+  // request(name, values) sends; wanted(event): whether this press is to push rather than to orbit;
   // speed() is how fast simulated time is meant to go, 0 for unbounded.
-  constructor(view, order, wanted, speed) {
+  constructor(view, request, wanted, speed) {
     this.view = view;
-    this.order = order;
+    this.request = request;
     this.wanted = wanted;
     this.speed = speed;
     this.grip = null;
@@ -46,7 +46,7 @@ export class DragTool {
   send() {
     const { body, at, to } = this.grip;
     this.grip.sent = performance.now();
-    this.order("/drag", { body, at, to, seconds: lapse(this.speed()) });
+    this.request("drag", { body, at, to, for: lapse(this.speed()) });
   }
 
   end(event) {
@@ -56,6 +56,6 @@ export class DragTool {
     this.grip = null;
     this.view.canvas.classList.remove("dragging");
     this.view.controls.enabled = true;
-    this.order("/drag", { body, release: true });
+    this.request("let_go", { body });
   }
 }

@@ -36,8 +36,8 @@ export function changes(before, now) {
   if (now.divergences > before.divergences) say("the physics diverged", "bad");
   if (!before.silenced && now.silenced) say("another robot speaks: we are silent", "bad");
   if (now.commands.timeouts > before.commands.timeouts) say("commands stopped", "warn");
-  const told = before.orders.at(-1)?.number ?? -1;
-  for (const order of now.orders) if (order.number > told) say(order.text);
+  const told = before.requests.at(-1)?.number ?? -1;
+  for (const { number, text } of now.requests) if (number > told) say(text);
   if (now.pace.overruns >= before.pace.overruns + 10) {
     say(`${now.pace.overruns - before.pace.overruns} late ticks`, "warn");
   }

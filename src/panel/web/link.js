@@ -1,13 +1,13 @@
-// The line to the robot: what it is, its frames and status as they come, orders to it.
+// The line to the robot: what it is, its frames and status as they come, requests to it.
 const RETRIES = [500, 1000, 2000, 4000]; // ms between attempts to reach it
 const STATUS_EVERY = 250; // ms
 const SILENCE = 2000; // ms without a frame after which one says so
 const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command";
-const ORDER_PATIENCE = 5000; // ms; the robot itself answers within 2 s
+const PATIENCE = 5000; // ms; the robot itself answers within 2 s
 const LAPSE = 0.5; // s of wall time after which the robot lets go of what is not renewed
 const LONGEST = 60; // s of simulated time, what a drag may last
 
-// LAPSE in simulated seconds, as orders have it; `speed` 0 is unbounded, and taken for 20.
+// LAPSE in simulated seconds, as requests have it; `speed` 0 is unbounded, and taken for 20.
 export function lapse(speed) {
   return Math.min(LAPSE * Math.max(speed || 20, 0.1), LONGEST);
 }
@@ -32,11 +32,11 @@ export class Link {
     this.on = on;
     this.known = null; // the newest status
     this.described = false;
-    this.ordersOpen = false; // the robot knows the token
+    this.requestsOpen = false; // the robot knows the token
     this.hz = 60;
     this.frames = null;
-    this.orders = null;
-    this.waiting = new Map(); // id of an order -> what its answer goes to
+    this.requests = null;
+    this.waiting = new Map(); // id of a request -> what its answer goes to
     this.next = 1;
   }
 
@@ -68,7 +68,7 @@ export class Link {
       } catch (error) {
         why = error.message;
       }
-      this.dropOrders(why);
+      this.dropRequests(why);
       this.on.line("lost", why);
       await pause(RETRIES[Math.min(failures++, RETRIES.length - 1)]);
     }
@@ -91,7 +91,7 @@ export class Link {
 
   // Passes frames and status on until the line breaks.
   async follow() {
-    this.openOrders();
+    this.openRequests();
     let live = true;
     const watch = async () => {
       while (live) {
@@ -148,64 +148,64 @@ export class Link {
     return `ws://${location.host}${path}`;
   }
 
-  // ---- orders
+  // ---- requests
 
-  // Whether the robot takes orders from this page, by what needs the token and changes nothing.
+  // Whether the robot takes requests from this page, by what needs the token and changes nothing.
   async checkToken() {
     if (!this.token) return this.on.token("none");
     const { status } = await fetch("/panel", { headers: this.authorization(), cache: "no-store" });
-    this.ordersOpen = status !== 401 && status !== 403;
-    this.on.token(this.ordersOpen ? "ok" : "stale");
+    this.requestsOpen = status !== 401 && status !== 403;
+    this.on.token(this.requestsOpen ? "ok" : "stale");
   }
 
   authorization() {
     return { Authorization: `Bearer ${this.token}` };
   }
 
-  openOrders() {
-    if (!this.token || !this.ordersOpen) return;
-    const socket = new WebSocket(this.socketUrl(`/orders?token=${this.token}`));
+  openRequests() {
+    if (!this.token || !this.requestsOpen) return;
+    const socket = new WebSocket(this.socketUrl(`/requests?token=${this.token}`));
     socket.onmessage = ({ data }) => {
       const answer = JSON.parse(data);
       this.waiting.get(answer.id)?.(answer);
       this.waiting.delete(answer.id);
     };
     socket.onclose = () => {
-      if (this.orders === socket) this.dropOrders("the line broke");
+      if (this.requests === socket) this.dropRequests("the line broke");
     };
-    this.orders = socket;
+    this.requests = socket;
   }
 
-  dropOrders(why) {
-    const socket = this.orders;
-    this.orders = null;
+  dropRequests(why) {
+    const socket = this.requests;
+    this.requests = null;
     socket?.close();
     for (const answer of this.waiting.values()) answer({ status: 0, error: why });
     this.waiting.clear();
   }
 
   // Promise of {status, error?}: 200 when done. In the order of the calls. Never rejects.
-  order(path, body) {
-    if (this.orders?.readyState !== WebSocket.OPEN) return this.post(path, body);
+  request(name, values = {}) {
+    if (this.requests?.readyState !== WebSocket.OPEN) return this.post(name, values);
     const id = this.next++;
     return new Promise((done) => {
       const late = setTimeout(() => {
         if (this.waiting.delete(id)) done({ status: 0, error: "no answer within 5 s" });
-      }, ORDER_PATIENCE);
+      }, PATIENCE);
       this.waiting.set(id, (answer) => {
         clearTimeout(late);
         done(answer);
       });
-      this.orders.send(JSON.stringify({ path, body, id }));
+      this.requests.send(JSON.stringify({ [name]: values, id }));
     });
   }
 
-  async post(path, body) {
+  async post(name, values = {}) {
     try {
-      const reply = await fetch(path, {
+      const reply = await fetch(`/${name.replace(".", "/")}`, {
         method: "POST",
         headers: { ...this.authorization(), "Content-Type": "application/json" },
-        body: JSON.stringify(body),
+        body: JSON.stringify(values),
       });
       const { error } = await reply.json();
       return { status: reply.status, error };

@@ -18,7 +18,7 @@ const HIDDEN_HZ = 5; // frames a second while the page is out of sight: historie
 
 const STALE = "Another run has this address now and does not know this page's token: looking only. " +
   "Open the new URL, which the robot printed at its start and `understudy ctl panel` tells.";
-const NO_TOKEN = "Looking only: this address has no token. To give orders too, open the URL that " +
+const NO_TOKEN = "Looking only: this address has no token. To ask something of it too, open the URL that " +
   "the robot printed at its start and `understudy ctl panel` tells.";
 
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
@@ -40,29 +40,29 @@ function makeView() {
   }
 }
 
-// An order, and in plain words why the robot did not take it.
-async function order(path, body) {
-  const answer = await link.order(path, body);
+// A request, and in plain words why the robot did not take it.
+async function request(name, values) {
+  const answer = await link.request(name, values);
   if (answer.status === 200) return;
   if (answer.status === 401 || answer.status === 403) showToken("stale");
-  say(answer.error ?? `${path}: ${answer.status}`);
+  say(answer.error ?? `${name}: ${answer.status}`);
 }
 
-const bar = new Bar(order);
-const rig = new Rig(order);
+const bar = new Bar(request);
+const rig = new Rig(request);
 const speed = () => bar.speed;
-const remote = new Remote(order, speed);
+const remote = new Remote(request, speed);
 const events = new Events(() => link.json("/refusals"));
 const table = new MotorTable(plotMotor);
 const sensors = new SensorTable((names) => plots.showFirst(names));
 const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
                           options: byId("signals"), seconds: byId("plots-seconds"),
                           add: byId("plots-add") });
-const takesOrders = () => !document.body.classList.contains("looking");
+const takesRequests = () => !document.body.classList.contains("looking");
 const pushing = () => byId("push-tool").getAttribute("aria-pressed") === "true";
-new DragTool(view, order, (event) => takesOrders() && (event.ctrlKey || pushing()), speed);
+new DragTool(view, request, (event) => takesRequests() && (event.ctrlKey || pushing()), speed);
 
-// Some orders go many times a second: one complaint is enough.
+// Some requests go many times a second: one complaint is enough.
 function say(text) {
   const again = !byId("message").hidden && byId("message").textContent === text;
   if (!again) events.add(text, "bad", view.frame?.time);
@@ -142,7 +142,7 @@ function showToken(state) {
   const looking = state !== "ok";
   document.body.classList.toggle("looking", looking);
   remote.setEnabled(!looking);
-  for (const control of document.querySelectorAll(".orders")) control.disabled = looking;
+  for (const control of document.querySelectorAll(".requests")) control.disabled = looking;
   setText(byId("token"), { stale: STALE, none: NO_TOKEN }[state] ?? "");
   byId("token").hidden = !looking;
 }
@@ -165,7 +165,7 @@ toggle("push-tool", (on) => view.canvas.classList.toggle("pushing", on));
 byId("home").addEventListener("click", () => view.home());
 
 window.addEventListener("keydown", (event) => {
-  if (event.key !== " " || focusWants(event) || !takesOrders()) return;
+  if (event.key !== " " || focusWants(event) || !takesRequests()) return;
   event.preventDefault();
   if (!event.repeat) byId("pause").click();
 });

@@ -2,16 +2,16 @@
 import { byId, focusWants, setText } from "./dom.js";
 import { lapse } from "./link.js";
 import {
-  fromGamepad, fromKeyboard, KEYBOARD, KEYBOARD_STICKS, orderOf, together,
+  fromGamepad, fromKeyboard, KEYBOARD, KEYBOARD_STICKS, together, valuesOf,
 } from "./remote_inputs.js";
 
 const EVERY = 33; // ms between looks at all inputs
 const RENEW = 150; // ms; what is held is told again, or the robot lets go of it
 
 export class Remote {
-  // order(path, body) sends; speed() is how fast simulated time is meant to go, 0 for unbounded.
-  constructor(order, speed) {
-    this.order = order;
+  // request(name, values) sends; speed() is how fast simulated time is meant to go, 0 for unbounded.
+  constructor(request, speed) {
+    this.request = request;
     this.speed = speed;
     this.root = byId("remote");
     this.drawn = { keys: new Set(), lx: 0, ly: 0, rx: 0, ry: 0 };
@@ -25,7 +25,7 @@ export class Remote {
     for (const button of this.root.querySelectorAll("[data-key]")) this.addKey(button);
     const sticks = [...this.root.querySelectorAll("[data-stick]")];
     this.sticks = sticks.map((node) => this.addStick(node));
-    byId("remote-off").addEventListener("click", () => this.order("/remote", { on: false }));
+    byId("remote-off").addEventListener("click", () => this.request("remote.off"));
     byId("latch").addEventListener("change", () => this.unlatch());
     this.listenToKeyboard();
     window.addEventListener("blur", () => this.letGo());
@@ -136,16 +136,16 @@ export class Remote {
     const latched = { ...this.drawn, keys: this.latched };
     const typed = fromKeyboard(this.down.values(), this.half);
     const wish = together([this.drawn, latched, typed, ...this.gamepads()]);
-    const order = orderOf(wish);
-    const text = JSON.stringify(order);
-    const idle = !order.keys && !order.lx && !order.ly && !order.rx && !order.ry;
+    const held = valuesOf(wish);
+    const text = JSON.stringify(held);
+    const idle = !held.keys && !held.lx && !held.ly && !held.rx && !held.ry;
     const now = performance.now();
     this.draw(wish);
     if (!this.enabled || (text === this.sent && (idle || now - this.sentAt < RENEW))) return;
     if (idle && !this.sent) return;
     this.sent = idle ? "" : text;
     this.sentAt = now;
-    this.order("/remote", { set: order, seconds: lapse(this.speed()) });
+    this.request("remote.set", { ...held, for: lapse(this.speed()) });
   }
 
   draw(wish) {

@@ -68,9 +68,9 @@ export function together(wishes) {
   return all;
 }
 
-// What POST /remote takes: keys joined by "+", sticks in hundredths so that noise sends nothing.
-export function orderOf(wish) {
-  const order = { keys: [...wish.keys].sort().join("+") };
-  for (const axis of AXES) order[axis] = Math.round(wish[axis] * 100) / 100;
-  return order;
+// What the request remote.set takes: keys joined by "+", sticks in hundredths so that noise sends nothing.
+export function valuesOf(wish) {
+  const values = { keys: [...wish.keys].sort().join("+") };
+  for (const axis of AXES) values[axis] = Math.round(wish[axis] * 100) / 100;
+  return values;
 }

@@ -2,20 +2,20 @@
 import { byId, element, number, setText } from "./dom.js";
 
 export class Rig {
-  // order(path, body) sends and reports a refusal.
-  constructor(order) {
-    const on = (id, path, body) => byId(id).addEventListener("click", () => order(path, body()));
-    const metres = () => Number(byId("crane-by").value);
-    on("crane-up", "/crane", () => ({ raise: metres() }));
-    on("crane-down", "/crane", () => ({ lower: metres() }));
-    on("crane-hook", "/crane", () => (this.attached ? { release: true } : { attach: true }));
-    on("clamp", "/clamp", () => ({ on: !this.clamped }));
+  // request(name, values) sends and reports a refusal.
+  constructor(request) {
+    const on = (id, act) => byId(id).addEventListener("click", act);
+    const metres = () => ({ by: Number(byId("crane-by").value) });
+    on("crane-up", () => request("crane.raise", metres()));
+    on("crane-down", () => request("crane.lower", metres()));
+    on("crane-hook", () => request(this.attached ? "crane.release" : "crane.attach"));
+    on("clamp", () => request("clamp", { on: !this.clamped }));
     byId("push-form").addEventListener("submit", (event) => {
       event.preventDefault();
-      order("/push", {
+      request("push", {
         body: byId("push-body").value,
         force: ["x", "y", "z"].map((axis) => Number(byId(`push-${axis}`).value)),
-        seconds: Number(byId("push-seconds").value),
+        for: Number(byId("push-seconds").value),
       });
     });
   }

@@ -1,6 +1,6 @@
-// Orders from a window to its robot, without the window waiting for an answer.
-#ifndef UNDERSTUDY_VIEWER_ORDER_SENDER_H_
-#define UNDERSTUDY_VIEWER_ORDER_SENDER_H_
+// Requests from a window to its robot, without the window waiting for an answer.
+#ifndef UNDERSTUDY_VIEWER_REQUEST_SENDER_H_
+#define UNDERSTUDY_VIEWER_REQUEST_SENDER_H_
 
 #include <condition_variable>
 #include <deque>
@@ -14,12 +14,12 @@
 
 namespace understudy::viewer {
 
-class OrderSender {
+class RequestSender {
  public:
-  explicit OrderSender(const std::filesystem::path& socket);
+  explicit RequestSender(const std::filesystem::path& socket);
 
-  // An order as POST `path` takes it. A drag replaces one that still waits.
-  void Send(const std::string& path, const nlohmann::json& body);
+  // A request of the table, with its values. A drag replaces one that still waits.
+  void Send(const std::string& name, const nlohmann::json& values = nlohmann::json::object());
 
   // The last refusal since the last call, "" for none.
   std::string TakeRefusal();
@@ -27,9 +27,9 @@ class OrderSender {
   std::string service() const;
 
  private:
-  struct Order {
-    std::string path;
-    nlohmann::json body;
+  struct Request {
+    std::string name;
+    nlohmann::json values;
   };
 
   void Run(const std::stop_token& stop, const std::filesystem::path& socket);
@@ -38,7 +38,7 @@ class OrderSender {
 
   mutable std::mutex mutex_;
   std::condition_variable_any news_;
-  std::deque<Order> waiting_;
+  std::deque<Request> waiting_;
   std::string refusal_;
   std::string service_;
   std::jthread thread_;  // last: it uses all of the above
@@ -46,4 +46,4 @@ class OrderSender {
 
 }  // namespace understudy::viewer
 
-#endif  // UNDERSTUDY_VIEWER_ORDER_SENDER_H_
+#endif  // UNDERSTUDY_VIEWER_REQUEST_SENDER_H_

@@ -1,4 +1,4 @@
-#include "viewer/order_sender.h"
+#include "viewer/request_sender.h"
 
 #include <algorithm>
 #include <chrono>
@@ -19,32 +19,32 @@ constexpr std::chrono::seconds kServicePeriod{1};
 
 }  // namespace
 
-OrderSender::OrderSender(const std::filesystem::path& socket)
+RequestSender::RequestSender(const std::filesystem::path& socket)
     : thread_([this, socket](const std::stop_token& stop) { Run(stop, socket); }) {}
 
-void OrderSender::Send(const std::string& path, const json& body) {
+void RequestSender::Send(const std::string& name, const json& values) {
   {
     const std::lock_guard lock(mutex_);
     // Only the newest place of a drag counts.
-    if (path == "/drag") {
-      std::erase_if(waiting_, [&](const Order& order) { return order.path == path; });
+    if (name == "drag") {
+      std::erase_if(waiting_, [&](const Request& waiting) { return waiting.name == name; });
     }
-    waiting_.push_back({path, body});
+    waiting_.push_back({name, values});
   }
   news_.notify_one();
 }
 
-std::string OrderSender::TakeRefusal() {
+std::string RequestSender::TakeRefusal() {
   const std::lock_guard lock(mutex_);
   return std::exchange(refusal_, {});
 }
 
-std::string OrderSender::service() const {
+std::string RequestSender::service() const {
   const std::lock_guard lock(mutex_);
   return service_;
 }
 
-void OrderSender::Run(const std::stop_token& stop, const std::filesystem::path& socket) {
+void RequestSender::Run(const std::stop_token& stop, const std::filesystem::path& socket) {
   while (!stop.stop_requested()) {
     try {
       Serve(stop, socket);
@@ -57,21 +57,21 @@ void OrderSender::Run(const std::stop_token& stop, const std::filesystem::path& 
   }
 }
 
-void OrderSender::Serve(const std::stop_token& stop, const std::filesystem::path& socket) {
-  client::ControlStream stream(socket, "/orders", kPatience);
+void RequestSender::Serve(const std::stop_token& stop, const std::filesystem::path& socket) {
+  client::ControlStream stream(socket, "/requests", kPatience);
   auto ask_at = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
-    std::optional<Order> order;
+    std::optional<Request> request;
     {
       std::unique_lock lock(mutex_);
       news_.wait_until(lock, stop, ask_at, [this] { return !waiting_.empty(); });
       if (!waiting_.empty()) {
-        order = std::move(waiting_.front());
+        request = std::move(waiting_.front());
         waiting_.pop_front();
       }
     }
-    if (order) {
-      stream.Send(json{{"path", order->path}, {"body", order->body}}.dump());
+    if (request) {
+      stream.Send(json{{request->name, request->values}}.dump());
       const json answer = json::parse(stream.Next(), nullptr, false);
       if (answer.is_object() && answer.contains("error") && answer["error"].is_string()) {
         const std::lock_guard lock(mutex_);
@@ -85,7 +85,7 @@ void OrderSender::Serve(const std::stop_token& stop, const std::filesystem::path
   }
 }
 
-void OrderSender::AskService(const std::filesystem::path& socket) {
+void RequestSender::AskService(const std::filesystem::path& socket) {
   const json status =
       json::parse(client::Call(socket, "GET", "/status", "", kPatience).body, nullptr, false);
   const json motion = status.is_object() ? status.value("motion", json()) : json();

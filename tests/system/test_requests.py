@@ -1,4 +1,4 @@
-"""Orders to the run itself and to bodies, as a user has them from a shell: pause, step, speed, reset, drag."""
+"""Requests about the run itself and about bodies, as a user has them from a shell: pause, step, speed, reset, drag."""
 
 import json
 import os
@@ -21,7 +21,7 @@ def paused(robot):
 
 
 def refused(robot, *arguments):
-    """What ctl says of an order that is not carried out."""
+    """What ctl says of a request that is not carried out."""
     with pytest.raises(AssertionError) as failure:
         robot.ctl(*arguments)
     return str(failure.value)
@@ -40,7 +40,7 @@ def test_a_paused_robot_stands_still_and_sends_nothing(play):
     robot.heard("paused at")
 
 
-def test_a_paused_robot_answers_orders_and_services(play):
+def test_a_paused_robot_answers_requests_and_services(play):
     robot = play("go2")
     paused(robot)
     robot.ctl("crane", "attach")
@@ -93,15 +93,15 @@ def test_the_speed_can_be_changed_while_it_runs(play):
     slow = robot.becomes(lambda now: now["speed"] == 0.01)
     time.sleep(0.5)
     assert robot.status()["steps"] - slow["steps"] < 200
-    # An order is answered long before the next of its ticks, which are 100 ms apart.
+    # A request is answered long before the next of its ticks, which are 100 ms apart.
     robot.ctl("speed", "1")
     robot.becomes(lambda now: now["steps"] > slow["steps"] + 500)
 
 
 def test_ctrl_c_ends_a_paused_robot_and_a_slow_one_at_once(play):
-    for order in (("pause",), ("speed", "0.001")):
+    for request in (("pause",), ("speed", "0.001")):
         robot = play("go2")
-        robot.ctl(*order)
+        robot.ctl(*request)
         started = time.monotonic()
         robot.send(signal.SIGINT)
         assert robot.exit_code() == 0
@@ -142,7 +142,7 @@ def test_a_drag_ends_when_it_is_released(play):
     robot = play("go2")
     robot.ctl("drag", "base_link", 0, 0, 0.8, "--for", 60)
     robot.becomes(lambda now: now["base"]["height"] > 0.5)
-    robot.ctl("drag", "--release")
+    robot.ctl("let_go")
     robot.becomes(lambda now: now["base"]["height"] < 0.3)
 
 
@@ -150,8 +150,8 @@ def test_what_has_no_such_body_is_not_dragged(play):
     assert "no body 'tail'" in refused(play("go2"), "drag", "tail", 0, 0, 1)
 
 
-def test_the_same_orders_come_from_a_script(play, tmp_path):
-    file = tmp_path / "orders.yaml"
+def test_the_same_requests_come_from_a_script(play, tmp_path):
+    file = tmp_path / "requests.yaml"
     file.write_text("script:\n  - {at: 0.1, speed: max}\n  - {at: 5, reset: hanging}\n"
                     "  - {at: 5.1, speed: 0.5}\n")
     robot = play("go2", "--script", file)

@@ -1,0 +1,103 @@
+// The verbs of `understudy ctl` that ask something of a robot: one a row of the table.
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+
+#include <CLI/CLI.hpp>
+
+#include "ctl/ask.h"
+#include "ctl/command.h"
+#include "emulator/request.h"
+#include "server/request_docs.h"
+
+namespace understudy::ctl {
+namespace {
+
+using emulator::Field;
+using emulator::FieldKind;
+using emulator::RequestRow;
+using nlohmann::json;
+
+// Steps are answered when they are made, however slow the robot is.
+constexpr std::chrono::hours kStepPatience{24};
+
+std::string Capitals(std::string_view key) {
+  std::string capitals(key);
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  return capitals;
+}
+
+// The value that the words on the command line stand for.
+json ValueOf(const Field& field, const std::vector<std::string>& words) {
+  if (field.kind == FieldKind::kVector) {
+    json numbers = json::array();
+    for (const std::string& word : words) numbers.push_back(emulator::ValueOf(word));
+    return numbers;
+  }
+  const bool text = field.kind == FieldKind::kWord || field.kind == FieldKind::kKeys ||
+                    field.kind == FieldKind::kBody;
+  return text ? json(words.front()) : emulator::ValueOf(words.front());
+}
+
+// What is no UTF-8 on the command line is a name that the robot does not know.
+std::string BodyOf(const json& values) {
+  return values.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace
+
+void CtlCommand::AddRequests(CLI::App* ctl) {
+  for (const RequestRow& row : emulator::RequestRows()) {
+    CLI::App* parent = ctl;
+    const std::size_t dot = row.name.find('.');
+    if (dot != std::string_view::npos) {
+      const std::string group(row.name.substr(0, dot));
+      const auto known = ctl->get_subcommands(
+          [&](const CLI::App* command) { return command->get_name() == group; });
+      if (!known.empty()) {
+        parent = known.front();
+      } else {
+        parent = ctl->add_subcommand(group, "Use the " + group);
+        parent->require_subcommand(1)->fallthrough();
+      }
+    }
+    AddRequest(parent, std::string(row.name.substr(dot + 1)), row);
+  }
+}
+
+void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const RequestRow& row) {
+  CLI::App* command = AddAction(parent, verb, std::string(row.does), nullptr);
+  command->footer("Example: understudy ctl " + std::string(row.example));
+  std::vector<std::string>* const words = words_.emplace_back(row.fields.size()).data();
+  for (std::size_t i = 0; i < row.fields.size(); ++i) {
+    const Field& field = row.fields[i];
+    const std::string name = field.bare ? Capitals(field.key) : "--" + std::string(field.key);
+    std::string help = std::string(field.does) + ": " + emulator::Expected(field);
+    if (field.otherwise) help += " [" + emulator::NumberText(*field.otherwise) + "]";
+    command->add_option(name, words[i], help)
+        ->expected(field.kind == FieldKind::kVector ? 3 : 1)
+        ->type_name("");
+  }
+  command->callback([this, &row, words] {
+    json values = json::object();
+    for (std::size_t i = 0; i < row.fields.size(); ++i) {
+      if (words[i].empty()) continue;
+      values[std::string(row.fields[i].key)] = ValueOf(row.fields[i], words[i]);
+    }
+    if (const auto request = emulator::ReadRequest(row, values); !request) {
+      throw CLI::ValidationError(std::string(row.name), request.why());
+    }
+    action_ = [this, &row, values] { Request(row, values); };
+  });
+}
+
+void CtlCommand::Request(const RequestRow& row, const json& values) const {
+  const std::chrono::milliseconds patience =
+      row.name == "step" ? std::chrono::milliseconds{kStepPatience} : kCallTimeout;
+  const std::string reply =
+      Ask(client::ChosenSocket(robot_), "POST", server::RequestPath(row), BodyOf(values), patience);
+  if (json_) *out_ << reply;
+}
+
+}  // namespace understudy::ctl

@@ -1,0 +1,349 @@
+// The table of requests, and what each of them does.
+#include <algorithm>
+
+#include "base/nearest_word.h"
+#include "emulator/request.h"
+#include "emulator/world.h"
+#include "physics/world_reading.h"
+#include "robot/start_pose.h"
+
+namespace understudy::emulator {
+namespace {
+
+Error NoBody(const physics::PhysicsWorld& world, std::string_view name) {
+  const std::string nearest = NearestWord(name, physics::BodyNames(world));
+  const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  return {"the model has no body '" + std::string(name) + "'" + hint};
+}
+
+Result<int> FindBody(const physics::PhysicsWorld& world, std::string_view name) {
+  const int body = world.FindBody(std::string(name));
+  if (body < 0) return NoBody(world, name);
+  if (body == 0) return Error{"'" + std::string(name) + "' does not move"};
+  return body;
+}
+
+std::uint16_t KeysOf(const Request& request) {
+  return static_cast<std::uint16_t>(request.number("keys"));
+}
+
+std::string_view OneOfForceAndImpulse(const Request& push) {
+  return push.has("force") != push.has("impulse") ? "" : "expected either force or impulse";
+}
+
+std::string_view AnyStick(const Request& sticks) {
+  const bool any = sticks.has("lx") || sticks.has("ly") || sticks.has("rx") || sticks.has("ry");
+  return any ? "" : "expected at least one of lx, ly, rx, ry";
+}
+
+Field Needed(Field field) {
+  field.required = true;
+  return field;
+}
+
+Field Bare(Field field) {
+  field.bare = true;
+  return field;
+}
+
+Field Or(double otherwise, Field field) {
+  field.otherwise = otherwise;
+  return field;
+}
+
+}  // namespace
+
+struct RequestActs {
+  // The id of a body that can be moved: the one that is named, else the base, which is then.
+  static Result<int> BodyOf(const World& world, const Robot& robot, Request* request) {
+    if (!request->has("body")) request->SetBody("body", robot.spec().base_body);
+    return FindBody(world.physics_, request->body());
+  }
+
+  // However short a time it is, it acts in one step.
+  static double Until(const World& world, const Request& request, double t) {
+    return t + std::max(request.number("for"), world.physics_.timestep());
+  }
+
+  static Answer Pause(World& world, Robot&, Request&, double) {
+    world.pace_.paused = true;
+    world.pace_.steps_left = 0;
+    return {};
+  }
+
+  static Answer Resume(World& world, Robot&, Request&, double) {
+    world.pace_.paused = false;
+    world.pace_.steps_left = 0;
+    return {};
+  }
+
+  static Answer Step(World& world, Robot&, Request& request, double) {
+    if (!world.pace_.paused) return Error{"the robot is not paused"};
+    if (world.steppers_.size() == world.steppers_.capacity()) {
+      return Error{"as many wait for their steps as can"};
+    }
+    world.pace_.steps_left += static_cast<std::int64_t>(request.number("steps"));
+    return {};
+  }
+
+  static Answer SetSpeed(World& world, Robot&, Request& request, double) {
+    world.pace_.speed = request.number("speed");
+    return {};
+  }
+
+  static Answer Reset(World& world, Robot& robot, Request& request, double) {
+    if (!request.has("pose")) request.SetNumber("pose", static_cast<double>(robot.start_pose()));
+    world.Reset(&robot, static_cast<robot::StartPose>(request.number("pose")));
+    return {};
+  }
+
+  static Answer Push(World& world, Robot& robot, Request& request, double t) {
+    const auto body = BodyOf(world, robot, &request);
+    if (!body) return body.error();
+    const Eigen::Vector3d force = request.has("force")
+                                      ? request.vector("force")
+                                      : request.vector("impulse") / request.number("for");
+    if (!world.pushes_.Begin(*body, force, Until(world, request, t))) {
+      return Error{"as many pushes as there can be are under way"};
+    }
+    return {};
+  }
+
+  static Answer Drag(World& world, Robot& robot, Request& request, double t) {
+    const auto body = BodyOf(world, robot, &request);
+    if (!body) return body.error();
+    if (!world.drags_.Pull(*body, request.vector("at"), request.vector("to"),
+                           Until(world, request, t))) {
+      return Error{"as many bodies as there can be are dragged"};
+    }
+    return {};
+  }
+
+  static Answer LetGo(World& world, Robot& robot, Request& request, double) {
+    if (!request.has("body")) {
+      world.drags_.Clear();
+      return {};
+    }
+    const auto body = BodyOf(world, robot, &request);
+    if (!body) return body.error();
+    world.drags_.Release(*body);
+    return {};
+  }
+
+  static Answer PayOut(Robot& robot, double metres) {
+    if (!robot.crane().attached()) return Error{"the robot does not hang from the crane"};
+    robot.crane().Lower(metres);
+    return {};
+  }
+  static Answer LowerCrane(World&, Robot& robot, Request& request, double) {
+    return PayOut(robot, request.number("by"));
+  }
+  static Answer RaiseCrane(World&, Robot& robot, Request& request, double) {
+    return PayOut(robot, -request.number("by"));
+  }
+  static Answer AttachCrane(World&, Robot& robot, Request&, double) {
+    robot.AttachCrane();
+    return {};
+  }
+  static Answer ReleaseCrane(World&, Robot& robot, Request&, double) {
+    robot.crane().Release();
+    return {};
+  }
+
+  static Answer Clamp(World& world, Robot&, Request& request, double) {
+    world.physics_.Clamp(request.on("on"));
+    return {};
+  }
+
+  static Answer PressKeys(World&, Robot& robot, Request& request, double t) {
+    robot.remote().Press(KeysOf(request), t + request.number("for"));
+    return {};
+  }
+  static Answer HoldKeys(World&, Robot& robot, Request& request, double) {
+    robot.remote().Hold(KeysOf(request));
+    return {};
+  }
+  static Answer ReleaseKeys(World&, Robot& robot, Request& request, double) {
+    robot.remote().Release(KeysOf(request));
+    return {};
+  }
+  static Answer MoveSticks(World&, Robot& robot, Request& request, double t) {
+    constexpr std::string_view kSticks[] = {"lx", "ly", "rx", "ry"};
+    const double seconds = request.number("for");
+    const double until = seconds > 0 ? t + seconds : kForever;
+    for (std::size_t i = 0; i < std::size(kSticks); ++i) {
+      if (request.has(kSticks[i])) robot.remote().Move(i, request.number(kSticks[i]), until);
+    }
+    return {};
+  }
+  static Answer SetRemote(World&, Robot& robot, Request& request, double t) {
+    robot.remote().Set({.keys = KeysOf(request),
+                        .lx = request.number("lx"),
+                        .ly = request.number("ly"),
+                        .rx = request.number("rx"),
+                        .ry = request.number("ry")},
+                       t + request.number("for"));
+    return {};
+  }
+  static Answer SwitchRemoteOn(World&, Robot& robot, Request&, double) {
+    robot.remote().Switch(true);
+    return {};
+  }
+  static Answer SwitchRemoteOff(World&, Robot& robot, Request&, double) {
+    robot.remote().Switch(false);
+    return {};
+  }
+};
+
+Answer World::CheckBody(const Request& request) const {
+  if (request.body().empty()) return {};
+  const auto body = FindBody(physics_, request.body());
+  return body ? Answer{} : Answer{body.error()};
+}
+
+const std::vector<RequestRow>& RequestRows() {
+  using enum FieldKind;
+  using enum From;
+  using Acts = RequestActs;
+  constexpr bool kNoted = true;
+
+  // All bounds are *assumed*: far beyond what is of use, and well within what physics bears. So are
+  // the times that a press, a push and a drag last unless told otherwise.
+  constexpr double kLeastTime = 1e-4, kLongest = 1e6, kLongestDrag = 60;  // s
+  constexpr double kHardest = 1e6;                                        // N or N·s
+  constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
+  constexpr double kMostSteps = 1e6;
+
+  const Field keys = Needed(Bare({.key = "keys", .kind = kKeys, .low = 1, .does = "Joined by +"}));
+  const Field metres =
+      Needed(Bare({"by", kNumber, "m", -kMostCrane, kMostCrane, "Less than 0 is the other way"}));
+  const Field lx{"lx", kNumber, "", -1, 1, "Right"}, ly{"ly", kNumber, "", -1, 1, "Forward"};
+  const Field rx{"rx", kNumber, "", -1, 1, "Right"}, ry{"ry", kNumber, "", -1, 1, "Forward"};
+  const auto seconds = [](double least, double most, std::string_view does) {
+    return Field{"for", kNumber, "s", least, most, does};
+  };
+
+  static const std::vector<RequestRow> kRows = {
+      {"pause",
+       "Simulated time stands still: nothing is sent, requests and services are answered",
+       {},
+       Acts::Pause,
+       "pause"},
+      {"resume", "Simulated time goes on", {}, Acts::Resume, "resume", false, kPeople},
+      {"step",
+       "Makes steps although paused, at the speed that is set",
+       {Or(1, Bare({"steps", kWhole, "", 1, kMostSteps, "How many, of 1 ms unless configured"})),
+        Or(1, {.key = "wait", .kind = kSwitch, .does = "Answer when they are made"})},
+       Acts::Step,
+       "step 1000",
+       kNoted},
+      {"speed",
+       "Sets how fast simulated time goes; changes no state",
+       {Needed(Bare(
+           {.key = "speed", .kind = kSpeed, .unit = "s/s", .does = "Simulated per wall time"}))},
+       Acts::SetSpeed,
+       "speed 0.1"},
+      {"reset",
+       "Puts the robot back at rest; time and script go on, services stay on or off",
+       {Bare({.key = "pose",
+              .kind = kWord,
+              .does = "The start pose unless one is named",
+              .words = robot::kStartPoses})},
+       Acts::Reset,
+       "reset hanging",
+       kNoted},
+      {"push",
+       "A force on a body's centre of mass for a time",
+       {Bare({.key = "body", .kind = kBody, .does = "Of the model; the base unless one is named"}),
+        Bare({"force", kVector, "N", -kHardest, kHardest, "World axes"}),
+        {"impulse", kVector, "N·s", -kHardest, kHardest,
+         "In place of a force: evenly over the time"},
+        Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that it acts"))},
+       Acts::Push,
+       "push base_link 100 0 0 --for 0.2",
+       kNoted,
+       kBoth,
+       OneOfForceAndImpulse},
+      {"drag",
+       "Pulls a point of a body to a place, as a mouse does: a spring as strong as the mass that "
+       "hangs on the body. Again within its time renews it",
+       {Needed(Bare({.key = "body", .kind = kBody, .does = "Of the model"})),
+        Needed(Bare({"to", kVector, "m", -kInWorld, kInWorld, "In the world"})),
+        Or(0, {"at", kVector, "m", -kOnBody, kOnBody,
+               "The point that is dragged, in the body's frame"}),
+        Or(0.5, seconds(kLeastTime, kLongestDrag, "Simulated time that it lasts"))},
+       Acts::Drag,
+       "drag base_link 0 0 0.6 --for 5",
+       kNoted},
+      {"let_go",
+       "Ends a drag",
+       {Bare({.key = "body", .kind = kBody, .does = "Whose; all unless one is named"})},
+       Acts::LetGo,
+       "let_go base_link",
+       kNoted},
+      {"crane.lower",
+       "Pays out tether, at crane.speed",
+       {metres},
+       Acts::LowerCrane,
+       "crane lower 0.2",
+       kNoted},
+      {"crane.raise",
+       "Takes in tether, at crane.speed",
+       {metres},
+       Acts::RaiseCrane,
+       "crane raise 0.2",
+       kNoted},
+      {"crane.attach",
+       "Hangs the robot from straight above, where it is",
+       {},
+       Acts::AttachCrane,
+       "crane attach"},
+      {"crane.release", "Lets the robot off the hook", {}, Acts::ReleaseCrane, "crane release"},
+      {"clamp",
+       "Holds the base where it is, or lets it go",
+       {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))},
+       Acts::Clamp,
+       "clamp on"},
+      {"remote.press",
+       "Keys go down together and up again",
+       {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
+       Acts::PressKeys,
+       "remote press L2+B"},
+      {"remote.hold", "Keys go down and stay down", {keys}, Acts::HoldKeys, "remote hold L2"},
+      {"remote.release", "Keys go up", {keys}, Acts::ReleaseKeys, "remote release L2"},
+      {"remote.sticks",
+       "Moves sticks; one that is not named stays",
+       {lx, ly, rx, ry,
+        Or(0, seconds(0, kLongest,
+                      "Simulated time after which they come back to the middle; 0 is never"))},
+       Acts::MoveSticks,
+       "remote sticks --ly 0.5 --for 2",
+       false,
+       kBoth,
+       AnyStick},
+      {"remote.set",
+       "The whole remote at once, as it is in somebody's hands: keys that are not in it go up. All "
+       "is let go unless this is renewed, so that a program that died or hangs leaves nothing held",
+       {{.key = "keys", .kind = kKeys, .does = "Joined by +; none unless given"},
+        lx,
+        ly,
+        rx,
+        ry,
+        Needed(seconds(kLeastTime, kLongest, "Simulated time after which all is let go"))},
+       Acts::SetRemote,
+       "remote set --keys A --for 1"},
+      {"remote.on",
+       "Switches the remote controller on; so does using it",
+       {},
+       Acts::SwitchRemoteOn,
+       "remote on"},
+      {"remote.off",
+       "As if it were not there: keys and sticks are let go and nothing is received",
+       {},
+       Acts::SwitchRemoteOff,
+       "remote off"},
+  };
+  return kRows;
+}
+
+}  // namespace understudy::emulator

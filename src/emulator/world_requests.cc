@@ -1,0 +1,61 @@
+// How requests reach the world: from a script and from people.
+#include <utility>
+
+#include "base/errors.h"
+#include "emulator/world.h"
+
+namespace understudy::emulator {
+
+void World::Play(std::vector<ScriptEvent> script) {
+  for (const ScriptEvent& event : script) {
+    if (auto fits = CheckBody(event.request); !fits) {
+      throw ConfigError(event.where + ": body: " + fits.why());
+    }
+  }
+  script_ = std::move(script);
+}
+
+void World::FollowScript(double t) {
+  // Half a step of grace: an event at 0.3 s belongs to the step of 0.3 s whatever either rounds to.
+  const double now = t + 0.5 * physics_.timestep();
+  for (; script_next_ < script_.size() && script_[script_next_].at <= now; ++script_next_) {
+    ScriptEvent& event = script_[script_next_];
+    const Answer answer = event.request.row->carry_out(*this, robot(), event.request, t);
+    if (answer) continue;
+    ++script_refused_;
+    script_refusal_ = event.where + ": " + answer.why();
+  }
+}
+
+void World::TakeRequests() {
+  AnswerSteppers();
+  inbox_->Drain([this](Request* request, Reply* reply) -> std::optional<Answer> {
+    const std::size_t dragged = drags_.size();
+    Answer answer = request->row->carry_out(*this, robot(), *request, time());
+    if (!answer) return answer;
+    // Who drags says so many times a second; the first time counts.
+    const bool renews = request->row->name == "drag" && drags_.size() == dragged;
+    if (request->row->noted && !renews) requests_.Add({.time = time(), .request = *request});
+    if (request->row->name == "step" && request->on("wait")) {
+      steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
+      return std::nullopt;
+    }
+    return answer;
+  });
+}
+
+// A pause forgets the steps that are left.
+void World::AnswerSteppers() {
+  std::erase_if(steppers_, [this](Stepper& stepper) {
+    if (step_ >= stepper.step) {
+      stepper.reply.Give({});
+    } else if (pace_.stands_still()) {
+      stepper.reply.Give(Error{"the robot was paused before all steps were made"});
+    } else {
+      return false;
+    }
+    return true;
+  });
+}
+
+}  // namespace understudy::emulator

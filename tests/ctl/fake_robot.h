@@ -1,0 +1,46 @@
+// A robot for `understudy ctl`: a server without a tick behind it.
+#ifndef UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_
+#define UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_
+
+#include <filesystem>
+#include <utility>
+
+#include "server/server.h"
+#include "tests/support/control.h"
+
+namespace understudy::ctl {
+
+// Notes what is asked of it and answers as it was told.
+class FakeRobot {
+ public:
+  explicit FakeRobot(const std::filesystem::path& socket, emulator::Answer answer = {})
+      : ticking_(&inbox_,
+                 [this, answer = std::move(answer)](const emulator::Request& request) {
+                   last_ = request;
+                   return answer;
+                 }),
+        showing_(&frames_),
+        server_(
+            socket,
+            {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_, .frames = &frames_}) {
+  }
+
+  emulator::StatusBoard* board() { return &board_; }
+  // Frames so far.
+  std::int64_t shown() const { return showing_.shown(); }
+  // Only after a request was answered.
+  const emulator::Request& last() const { return last_; }
+
+ private:
+  emulator::Request last_;
+  emulator::StatusBoard board_;
+  emulator::Inbox inbox_;
+  emulator::FrameBoard frames_{emulator::Frame{}};
+  test::Ticking ticking_;
+  test::Showing showing_;
+  server::ControlServer server_;
+};
+
+}  // namespace understudy::ctl
+
+#endif  // UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_
