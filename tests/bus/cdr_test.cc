@@ -11,6 +11,7 @@
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::bus {
 namespace {
@@ -37,7 +38,7 @@ std::span<const std::byte> Raw(const std::string& text) { return std::as_bytes(s
 const std::string kHey("\0\1\0\0\7\0\0\0\0\0\0\0\4\0\0\0hey\0", 20);
 
 TEST(CdrReaderTest, HasTheBytesOfTheWire) {
-  const Participant ours("lo", 211);
+  const Participant ours("lo", test::NewDomain());
   CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
   Writer<Hello> writer(ours, kTopic);
   std::string text = "hey";
@@ -47,7 +48,7 @@ TEST(CdrReaderTest, HasTheBytesOfTheWire) {
 }
 
 TEST(CdrReaderTest, KeepsAllUntilItIsTaken) {
-  const Participant ours("lo", 212);
+  const Participant ours("lo", test::NewDomain());
   CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
   Writer<Hello> writer(ours, kTopic);
   std::string text = "hey";
@@ -58,12 +59,13 @@ TEST(CdrReaderTest, KeepsAllUntilItIsTaken) {
 }
 
 TEST(CdrReaderTest, TellsWhoseAMessageIs) {
-  const Participant ours("lo", 213);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
   Writer<Hello> writer(ours, kTopic);
   std::string text = "hey";
   const Hello hello{.userID = 7, .message = text.data()};
-  const Stranger stranger(213);
+  const Stranger stranger(domain);
   const Entity theirs = stranger.Writes(kTopic.name);
   ASSERT_EQ(dds_write(theirs.handle(), &hello), DDS_RETCODE_OK);
   ASSERT_TRUE(writer.Write(hello));
@@ -75,14 +77,14 @@ TEST(CdrReaderTest, TellsWhoseAMessageIs) {
 }
 
 TEST(CdrReaderTest, DoesNotTellThatAWriterHasGone) {
-  const Participant ours("lo", 214);
+  const Participant ours("lo", test::NewDomain());
   CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
   { const Writer<Hello> writer(ours, kTopic); }
   EXPECT_THAT(Bytes(&reader), IsEmpty());
 }
 
 TEST(CdrWriterTest, SendsTheBytesAsAMessage) {
-  const Participant ours("lo", 215);
+  const Participant ours("lo", test::NewDomain());
   Reader<Hello> reader(ours, kTopic);
   CdrWriter writer(ours, kTopic.name, *kTopic.descriptor);
   EXPECT_EQ(writer.matched_readers(), 1);
@@ -97,7 +99,7 @@ TEST(CdrWriterTest, SendsTheBytesAsAMessage) {
 }
 
 TEST(CdrWriterTest, RefusesBytesThatAreNoMessage) {
-  const Participant ours("lo", 216);
+  const Participant ours("lo", test::NewDomain());
   CdrReader reader(ours, kTopic.name, *kTopic.descriptor);
   CdrWriter writer(ours, kTopic.name, *kTopic.descriptor);
   for (std::size_t size = 0; size < kHey.size(); ++size) {
@@ -113,7 +115,8 @@ TEST(CdrWriterTest, RefusesBytesThatAreNoMessage) {
 }
 
 TEST(EndpointWatchTest, FindsOurOwnTopicsAndWhatOthersWrite) {
-  const Participant ours("lo", 217);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   const Writer<Hello> writer(ours, {"rt/ours", &HelloWorldData_Msg_desc});
   const Reader<Hello> reader(ours, {"rt/in", &HelloWorldData_Msg_desc});
   EndpointWatch watch(ours);
@@ -123,7 +126,7 @@ TEST(EndpointWatchTest, FindsOurOwnTopicsAndWhatOthersWrite) {
   EXPECT_THAT(watch.Poll(), ElementsAre(topic("rt/ours"), topic("rt/in")));
   EXPECT_THAT(watch.Poll(), IsEmpty());
 
-  const Stranger stranger(217);
+  const Stranger stranger(domain);
   const Entity theirs = stranger.Writes("rt/theirs");
   const Entity ear = stranger.Reads("rt/ear");
   const std::vector<TopicOnBus> found = watch.Poll();

@@ -8,6 +8,7 @@
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::bus {
 namespace {
@@ -18,15 +19,16 @@ using ::testing::SizeIs;
 constexpr Topic<Hello> kTopic{"rt/lowstate", &HelloWorldData_Msg_desc};
 
 TEST(NeighbourWatchTest, SeesNobodyOnAnEmptyBus) {
-  const Participant ours("lo", 131);
+  const Participant ours("lo", test::NewDomain());
   NeighbourWatch watch(ours, kTopic.name);
   EXPECT_THAT(watch.Poll(), IsEmpty());
 }
 
 TEST(NeighbourWatchTest, DoesNotReportOurselves) {
-  const Participant ours("lo", 132);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   const Writer<Hello> writer(ours, kTopic);
-  const Stranger stranger(132);
+  const Stranger stranger(domain);
   const Entity theirs = stranger.Writes(kTopic.name);
   NeighbourWatch watch(ours, kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return !watch.Poll().empty(); }));
@@ -35,8 +37,9 @@ TEST(NeighbourWatchTest, DoesNotReportOurselves) {
 }
 
 TEST(NeighbourWatchTest, DoesNotReportWritersOfOtherTopics) {
-  const Participant ours("lo", 133);
-  const Stranger stranger(133);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  const Stranger stranger(domain);
   const Entity other = stranger.Writes("rt/other");
   const Entity same = stranger.Writes(kTopic.name);
   NeighbourWatch watch(ours, kTopic.name);
@@ -45,10 +48,12 @@ TEST(NeighbourWatchTest, DoesNotReportWritersOfOtherTopics) {
 }
 
 TEST(NeighbourWatchTest, TellsTypeProcessAndParticipantAcrossTheNetwork) {
-  const Participant ours("lo", 134);
+  const int domain = test::NewDomain();
+  const int alias = test::NewDomain();
+  const Participant ours("lo", domain);
   NeighbourWatch watch(ours, kTopic.name);
-  const Entity network = JoinOverTheNetwork(134, 135);
-  const Stranger stranger(135);
+  const Entity network = JoinOverTheNetwork(domain, alias);
+  const Stranger stranger(alias);
   const Entity writer = stranger.Writes(kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return watch.Poll().size() == 1; }));
   const Neighbour& neighbour = watch.Poll().front();
@@ -62,9 +67,10 @@ TEST(NeighbourWatchTest, TellsTypeProcessAndParticipantAcrossTheNetwork) {
 }
 
 TEST(NeighbourWatchTest, ForgetsAWriterThatHasGone) {
-  const Participant ours("lo", 136);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   NeighbourWatch watch(ours, kTopic.name);
-  const Stranger stranger(136);
+  const Stranger stranger(domain);
   {
     const Entity writer = stranger.Writes(kTopic.name);
     ASSERT_TRUE(test::Eventually([&] { return watch.Poll().size() == 1; }));

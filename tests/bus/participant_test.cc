@@ -8,6 +8,7 @@
 
 #include "base/errors.h"
 #include "tests/bus/stranger.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::bus {
 namespace {
@@ -24,15 +25,16 @@ std::string Complaint(const std::string& interface, int domain) {
 }
 
 TEST(ParticipantTest, TellsWhereItIs) {
-  const Participant participant("lo", 101);
+  const int domain = test::NewDomain();
+  const Participant participant("lo", domain);
   EXPECT_EQ(participant.interface(), "lo");
-  EXPECT_EQ(participant.domain(), 101);
+  EXPECT_EQ(participant.domain(), domain);
   EXPECT_EQ(participant.multicast(), FindInterface("lo").multicast);
   EXPECT_NE(participant.key(), ParticipantKey{});
 }
 
 TEST(ParticipantTest, RefusesAnAbsentInterface) {
-  EXPECT_THAT(Complaint("nope0", 102), HasSubstr("no network interface 'nope0'"));
+  EXPECT_THAT(Complaint("nope0", test::NewDomain()), HasSubstr("no network interface 'nope0'"));
 }
 
 TEST(ParticipantTest, RefusesADomainOutOfRange) {
@@ -43,28 +45,32 @@ TEST(ParticipantTest, RefusesADomainOutOfRange) {
 TEST(ParticipantTest, JoinsTheLastDomain) { EXPECT_EQ(Complaint("lo", kLastDomain), ""); }
 
 TEST(ParticipantTest, RefusesADomainThatThisProcessHas) {
-  const Participant first("lo", 103);
-  EXPECT_THAT(Complaint("lo", 103), HasSubstr("in DDS domain 103 already"));
+  const int domain = test::NewDomain();
+  const Participant first("lo", domain);
+  EXPECT_THAT(Complaint("lo", domain),
+              HasSubstr("in DDS domain " + std::to_string(domain) + " already"));
 }
 
 TEST(ParticipantTest, LeavesItsDomainForTheNext) {
-  { const Participant first("lo", 104); }
-  EXPECT_EQ(Complaint("lo", 104), "");
+  const int domain = test::NewDomain();
+  { const Participant first("lo", domain); }
+  EXPECT_EQ(Complaint("lo", domain), "");
 }
 
 TEST(ParticipantTest, DoesNotReadCycloneddsUri) {
   ASSERT_EQ(setenv("CYCLONEDDS_URI", "<CycloneDDS><Domain><Nonsense/></Domain></CycloneDDS>", 1),
             0);
-  EXPECT_EQ(Complaint("lo", 105), "");
+  EXPECT_EQ(Complaint("lo", test::NewDomain()), "");
   unsetenv("CYCLONEDDS_URI");
 }
 
 // Programs compete for ports only where the interface has no multicast. Each network below takes
-// one place of domain 107.
+// one place of a domain.
 TEST(ParticipantTest, TellsThatADomainIsFull) {
+  const int domain = test::NewDomain();
   std::vector<Entity> others;
-  for (int alias = 170; alias < 179; ++alias) others.push_back(JoinOverTheNetwork(107, alias));
-  const std::string complaint = Complaint("lo", 107);
+  for (int i = 0; i < 9; ++i) others.push_back(JoinOverTheNetwork(domain, test::NewDomain()));
+  const std::string complaint = Complaint("lo", domain);
   if (FindInterface("lo").multicast) {
     EXPECT_EQ(complaint, "");
   } else {
@@ -74,7 +80,7 @@ TEST(ParticipantTest, TellsThatADomainIsFull) {
 
 TEST(ParticipantTest, PrintsNothing) {
   ::testing::internal::CaptureStderr();
-  { const Participant participant("lo", 106); }
+  { const Participant participant("lo", test::NewDomain()); }
   EXPECT_EQ(::testing::internal::GetCapturedStderr(), "");
 }
 

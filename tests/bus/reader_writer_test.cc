@@ -15,6 +15,7 @@
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::bus {
 namespace {
@@ -42,16 +43,17 @@ Hello Greeting(std::int64_t id) {
 }
 
 TEST(ReaderTest, FindsNothingBeforeTheFirstMessage) {
-  const Participant ours("lo", 111);
+  const Participant ours("lo", test::NewDomain());
   Reader<Hello> reader(ours, kTopic);
   EXPECT_EQ(reader.matched_writers(), 0);
   EXPECT_THAT(TakeIds(&reader), IsEmpty());
 }
 
 TEST(ReaderTest, TakesOldestFirstAndEachOnce) {
-  const Participant ours("lo", 112);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic);
-  const Stranger stranger(112);
+  const Stranger stranger(domain);
   const Entity writer = stranger.Writes(kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (const std::int64_t id : {1, 2, 3}) ASSERT_TRUE(Send(writer, id));
@@ -61,9 +63,10 @@ TEST(ReaderTest, TakesOldestFirstAndEachOnce) {
 }
 
 TEST(ReaderTest, KeepsTheNewestOfItsDepth) {
-  const Participant ours("lo", 113);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic, {.depth = 2});
-  const Stranger stranger(113);
+  const Stranger stranger(domain);
   const Entity writer = stranger.Writes(kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (const std::int64_t id : {1, 2, 3}) ASSERT_TRUE(Send(writer, id));
@@ -71,9 +74,10 @@ TEST(ReaderTest, KeepsTheNewestOfItsDepth) {
 }
 
 TEST(ReaderTest, VisitsAtMostSixteenAtOnce) {
-  const Participant ours("lo", 114);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic, {.depth = 40});
-  const Stranger stranger(114);
+  const Stranger stranger(domain);
   const Entity writer = stranger.Writes(kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   for (std::int64_t id = 0; id < 20; ++id) ASSERT_TRUE(Send(writer, id));
@@ -83,10 +87,11 @@ TEST(ReaderTest, VisitsAtMostSixteenAtOnce) {
 
 // Each message is sent once the one before has been seen: one that came unnoticed would end it.
 TEST(ReaderTest, MissesNoMessageThatComesWhileItLooks) {
+  const int domain = test::NewDomain();
   constexpr std::int64_t kMessages = 5000;
-  const Participant ours("lo", 125);
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic);
-  const Stranger stranger(125);
+  const Stranger stranger(domain);
   const Entity writer = stranger.Writes(kTopic.name);
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   std::atomic<std::int64_t> seen{0};
@@ -103,9 +108,10 @@ TEST(ReaderTest, MissesNoMessageThatComesWhileItLooks) {
 }
 
 TEST(ReaderTest, AcceptsReliableAndBestEffortWritersOfBothRepresentations) {
-  const Participant ours("lo", 115);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic);
-  const Stranger stranger(115);
+  const Stranger stranger(domain);
   const Entity cpp = stranger.Writes(kTopic.name);
   const Entity ros = stranger.Writes(kTopic.name, {.depth = 10});
   const Entity best_effort = stranger.Writes(kTopic.name, {.reliable = false});
@@ -115,9 +121,10 @@ TEST(ReaderTest, AcceptsReliableAndBestEffortWritersOfBothRepresentations) {
 }
 
 TEST(ReaderTest, TellsWhoseASampleIsWhileTheWriterLives) {
-  const Participant ours("lo", 116);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic, {.reliable = true});
-  const Stranger stranger(116);
+  const Stranger stranger(domain);
   dds_guid_t guid{};
   ASSERT_EQ(dds_get_guid(stranger.handle(), &guid), DDS_RETCODE_OK);
   WriterHandle seen = 0;
@@ -133,9 +140,10 @@ TEST(ReaderTest, TellsWhoseASampleIsWhileTheWriterLives) {
 }
 
 TEST(ReaderTest, DoesNotVisitThatAWriterHasGone) {
-  const Participant ours("lo", 117);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Reader<Hello> reader(ours, kTopic);
-  const Stranger stranger(117);
+  const Stranger stranger(domain);
   {
     const Entity writer = stranger.Writes(kTopic.name);
     ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
@@ -147,19 +155,19 @@ TEST(ReaderTest, DoesNotVisitThatAWriterHasGone) {
 }
 
 TEST(ReaderTest, RefusesATypeOfAnotherSize) {
-  const Participant ours("lo", 118);
+  const Participant ours("lo", test::NewDomain());
   const Topic<std::int64_t> wrong{"rt/hello", &HelloWorldData_Msg_desc};
   EXPECT_THROW(Reader<std::int64_t>(ours, wrong), BusError);
 }
 
 TEST(WriterTest, RefusesATypeOfAnotherSize) {
-  const Participant ours("lo", 119);
+  const Participant ours("lo", test::NewDomain());
   const Topic<std::int64_t> wrong{"rt/hello", &HelloWorldData_Msg_desc};
   EXPECT_THROW(Writer<std::int64_t>(ours, wrong), BusError);
 }
 
 TEST(WriterTest, WritesWithoutAReader) {
-  const Participant ours("lo", 120);
+  const Participant ours("lo", test::NewDomain());
   Writer<Hello> writer(ours, kTopic);
   EXPECT_EQ(writer.matched_readers(), 0);
   EXPECT_FALSE(writer.has_readers());
@@ -168,17 +176,19 @@ TEST(WriterTest, WritesWithoutAReader) {
 }
 
 TEST(WriterTest, SatisfiesReliableReadersOfXcdr1) {
-  const Participant ours("lo", 121);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Writer<Hello> writer(ours, kTopic);
-  const Stranger stranger(121);
+  const Stranger stranger(domain);
   const Entity reader = stranger.Reads(kTopic.name);
   EXPECT_TRUE(test::Eventually([&] { return writer.matched_readers() == 1; }));
 }
 
 TEST(WriterTest, KnowsWhileSomebodyReads) {
-  const Participant ours("lo", 126);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Writer<Hello> writer(ours, kTopic);
-  const Stranger stranger(126);
+  const Stranger stranger(domain);
   {
     const Entity reader = stranger.Reads(kTopic.name);
     EXPECT_TRUE(test::Eventually([&] { return writer.has_readers(); }));
@@ -187,9 +197,10 @@ TEST(WriterTest, KnowsWhileSomebodyReads) {
 }
 
 TEST(WriterTest, ReachesAParticipantOnceItsReaderIsMatched) {
-  const Participant ours("lo", 122);
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
   Writer<Hello> writer(ours, kTopic);
-  const Stranger stranger(122);
+  const Stranger stranger(domain);
   dds_guid_t guid{};
   ASSERT_EQ(dds_get_guid(stranger.handle(), &guid), DDS_RETCODE_OK);
   EXPECT_FALSE(writer.ReachesParticipant(std::to_array(guid.v)));
@@ -199,7 +210,7 @@ TEST(WriterTest, ReachesAParticipantOnceItsReaderIsMatched) {
 }
 
 TEST(WriterTest, CountsRefusedMessages) {
-  const Participant ours("lo", 123);
+  const Participant ours("lo", test::NewDomain());
   Writer<Hello> orphan = [&] {
     Writer<Hello> writer(ours, kTopic);
     Writer<Hello> other = std::move(writer);
@@ -241,8 +252,9 @@ class ReadingProgram {
 };
 
 TEST(WriterTest, IsNotHeldUpByAProgramThatHangs) {
-  ReadingProgram program(124);
-  const Participant ours("lo", 124);
+  const int domain = test::NewDomain();
+  ReadingProgram program(domain);
+  const Participant ours("lo", domain);
   Writer<Hello> writer(ours, kTopic);
   ASSERT_TRUE(test::Eventually([&] { return writer.matched_readers() == 1; }));
   program.Hang();

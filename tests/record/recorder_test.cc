@@ -13,6 +13,7 @@
 #include "tests/record/mcap_files.h"
 #include "tests/support/allocations.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::record {
 namespace {
@@ -76,7 +77,7 @@ class RecorderTest : public McapFilesTest {
 };
 
 TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
-  const bus::Participant ours("lo", 201);
+  const bus::Participant ours("lo", test::NewDomain());
   bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 20'000; ++step) {
@@ -102,7 +103,7 @@ TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
 }
 
 TEST_F(RecorderTest, IsInOrderOfTime) {
-  const bus::Participant ours("lo", 202);
+  const bus::Participant ours("lo", test::NewDomain());
   bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 2000; ++step) Tick(recorder.get(), &writer, step);
@@ -115,10 +116,11 @@ TEST_F(RecorderTest, IsInOrderOfTime) {
 }
 
 TEST_F(RecorderTest, TellsClientsFromTheRobot) {
-  const bus::Participant ours("lo", 203);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
-  const bus::Stranger stranger(203);
+  const bus::Stranger stranger(domain);
   const bus::Entity theirs = stranger.Writes(kHello.name);
   std::string text = "hello";
   const bus::Hello hello{.userID = -1, .message = text.data()};
@@ -142,9 +144,10 @@ TEST_F(RecorderTest, TellsClientsFromTheRobot) {
 }
 
 TEST_F(RecorderTest, FindsTopicsThatComeLater) {
-  const bus::Participant ours("lo", 204);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   auto recorder = Start(ours, File());
-  const bus::Stranger stranger(204);
+  const bus::Stranger stranger(domain);
   const bus::Entity theirs = stranger.Writes("rt/later");
   std::string text = "hello";
   const bus::Hello hello{.userID = 5, .message = text.data()};
@@ -161,7 +164,7 @@ TEST_F(RecorderTest, FindsTopicsThatComeLater) {
 
 // Nothing ticks: what comes belongs to the step that is next.
 TEST_F(RecorderTest, GivesMessagesOfAPauseTheTimeOfThePause) {
-  const bus::Participant ours("lo", 205);
+  const bus::Participant ours("lo", test::NewDomain());
   bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
   for (std::int64_t step = 0; step < 3; ++step) Tick(recorder.get(), &writer, step);
@@ -174,7 +177,7 @@ TEST_F(RecorderTest, GivesMessagesOfAPauseTheTimeOfThePause) {
 }
 
 TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
-  const bus::Participant ours("lo", 206);
+  const bus::Participant ours("lo", test::NewDomain());
   bus::Writer<bus::Hello> writer(ours, kHello);
   EXPECT_THROW(Start(ours, "/dev/full"), RecordError);
 
@@ -201,7 +204,7 @@ TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
 }
 
 TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
-  const bus::Participant ours("lo", 207);
+  const bus::Participant ours("lo", test::NewDomain());
   auto recorder = Start(ours, File());
   const dds_topic_descriptor& known = HelloWorldData_Msg_desc;
   const dds_topic_descriptor unknown{.m_size = known.m_size,
@@ -227,7 +230,7 @@ TEST_F(RecorderTest, SaysWhichTopicItCannotRecord) {
 }
 
 TEST_F(RecorderTest, AllocatesNothingInTheLoopsThread) {
-  const bus::Participant ours("lo", 208);
+  const bus::Participant ours("lo", test::NewDomain());
   auto recorder = Start(ours, "/dev/null");
   std::uint64_t counted = 0;
   for (std::int64_t step = 0; step < 1000; ++step) {

@@ -11,6 +11,7 @@
 #include "services/parameter.h"
 #include "tests/services/services_fixture.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::services {
 namespace {
@@ -53,8 +54,6 @@ struct Options {
 
 class ServiceHostTest : public testing::Test {
  protected:
-  static constexpr int kDomain = 141;
-
   void Send(std::int64_t id, std::int64_t api, const std::string& parameter,
             const Options& options = {}, bus::Writer<Request>* writer = nullptr) {
     Request request{};
@@ -100,7 +99,7 @@ class ServiceHostTest : public testing::Test {
   ServedRobot robot_;
   ServiceHost::WallTime now_{0};
   std::vector<std::string> said_;
-  bus::Participant participant_{"lo", kDomain};
+  bus::Participant participant_{"lo", test::NewDomain()};
   ServiceHost host_{
       participant_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
   bus::Writer<Request> requests_{participant_,

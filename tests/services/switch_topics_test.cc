@@ -5,14 +5,13 @@
 #include "bus/participant.h"
 #include "bus/writer.h"
 #include "tests/services/services_fixture.h"
+#include "tests/support/new_domain.h"
 
 namespace understudy::services {
 namespace {
 
 class SwitchTopicsTest : public testing::Test {
  protected:
-  static constexpr int kDomain = 142;
-
   // A writer and a reader of one participant match at once.
   void Say(std::string word) {
     lidar_.Write({.data = word.data()});
@@ -21,7 +20,7 @@ class SwitchTopicsTest : public testing::Test {
 
   authority::MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
   Service service_{TableOf("go2", "uwbswitch")};
-  bus::Participant participant_{"lo", kDomain};
+  bus::Participant participant_{"lo", test::NewDomain()};
   SwitchTopics switches_{participant_, &service_};
   bus::Writer<std_msgs_msg_dds__String_> lidar_{
       participant_, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}};
