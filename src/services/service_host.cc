@@ -49,7 +49,8 @@ ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<Servic
   }
 }
 
-void ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
+std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
+  calls_.clear();
   try {
     if (switches_) switches_->Poll(owner);
   } catch (const std::exception&) {
@@ -69,6 +70,23 @@ void ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
     } catch (const std::exception&) {
       ++counts_.lost_replies;  // out of memory: the request goes unanswered, the robot goes on
     }
+  }
+  return calls_;
+}
+
+std::optional<std::int32_t> ServiceHost::Answer(std::string_view service, std::int64_t api_id,
+                                                std::string_view parameter,
+                                                authority::MotorOwner* owner,
+                                                WallTime now) noexcept {
+  const auto found = std::ranges::find_if(
+      services_, [&](const std::unique_ptr<Service>& one) { return one->table().name == service; });
+  if (found == services_.end() || !(*found)->IsServed(*owner)) return std::nullopt;
+  try {
+    const ServiceRequest request{
+        .api_id = api_id, .parameter = parameter, .parameter_bytes = parameter.size()};
+    return CarryOut(found->get(), request, owner, now).code;
+  } catch (const std::exception&) {
+    return std::nullopt;  // out of memory
   }
 }
 
@@ -104,19 +122,20 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
                         WallTime now) {
   Service& service = *channel->service;
   if (!service.IsServed(*owner)) return;
-  std::string notice;
-  ServiceReply reply =
-      channel->is_lease
-          ? service.lease().Answer(request.api_id, request.parameter, request.lease_id, now)
-          : service.Answer({.api_id = request.api_id,
-                            .lease_id = request.lease_id,
-                            .parameter = request.parameter,
-                            .parameter_bytes = request.parameter_bytes,
-                            .binary_bytes = request.binary_bytes},
-                           owner, now, &notice);
+  ServiceReply reply = channel->is_lease ? service.lease().Answer(request.api_id, request.parameter,
+                                                                  request.lease_id, now)
+                                         : CarryOut(&service,
+                                                    {.api_id = request.api_id,
+                                                     .lease_id = request.lease_id,
+                                                     .parameter = request.parameter,
+                                                     .parameter_bytes = request.parameter_bytes,
+                                                     .binary_bytes = request.binary_bytes},
+                                                    owner, now);
   if (reply.code != 0) ++counts_.refused;
-  if (!notice.empty()) Tell(service, request.api_id, notice, now);
-  if (reply.change) Announce(std::move(*reply.change));
+  if (!channel->is_lease) {
+    calls_.push_back(
+        {.service = service.table().name, .api_id = request.api_id, .code = reply.code});
+  }
   if (request.noreply || !request.client) return;
   if (channel->pending.size() >= kMostPending) {
     channel->pending.pop_front();
@@ -132,6 +151,15 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
                               .data = std::move(reply.data),
                               .after_arm_action = reply.after_arm_action,
                               .give_up = now + patience});
+}
+
+ServiceReply ServiceHost::CarryOut(Service* service, const ServiceRequest& request,
+                                   authority::MotorOwner* owner, WallTime now) {
+  std::string notice;
+  ServiceReply reply = service->Answer(request, owner, now, &notice);
+  if (!notice.empty()) Tell(*service, request.api_id, notice, now);
+  if (reply.change) Announce(*reply.change);
+  return reply;
 }
 
 void ServiceHost::Announce(ConfigChange change) {

@@ -47,7 +47,10 @@ class ServiceHost final : public ServicePort {
   ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say);
 
   // Allocates only when there is a request or a reply waits.
-  void Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
+  std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
+  std::optional<std::int32_t> Answer(std::string_view service, std::int64_t api_id,
+                                     std::string_view parameter, authority::MotorOwner* owner,
+                                     WallTime now) noexcept override;
 
   ServiceCounts counts() const override { return counts_; }
 
@@ -80,6 +83,8 @@ class ServiceHost final : public ServicePort {
 
   void Receive(Channel* channel);
   void Serve(Channel* channel, const Request& request, authority::MotorOwner* owner, WallTime now);
+  ServiceReply CarryOut(Service* service, const ServiceRequest& request,
+                        authority::MotorOwner* owner, WallTime now);
   void Announce(ConfigChange change);
   void SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now);
   void Tell(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
@@ -90,6 +95,7 @@ class ServiceHost final : public ServicePort {
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
+  std::vector<Call> calls_;  // of the last poll
   ServiceCounts counts_;
 };
 

@@ -153,6 +153,15 @@ TEST_F(CommandsTest, PassALenientGateWithWrongForm) {
   EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 1U);
 }
 
+TEST_F(CommandsTest, DrawOnTheBattery) {
+  Tick(10);
+  const double before = port_.last().state.battery.current;
+  port_.Send(Torque(20));
+  Tick();
+  // 0.1 W/(N·m)² · 6 · 20² (N·m)² at about 40 V.
+  EXPECT_LT(port_.last().state.battery.current, before - 4);
+}
+
 TEST_F(CommandsTest, OfDisabledMotorsGiveNoTorque) {
   robot::RobotCommand command = Torque(2);
   command.motors[3].enabled = false;

@@ -124,6 +124,34 @@ TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
   EXPECT_EQ(codes_[43], 3203);
 }
 
+TEST_F(ServiceHostTest, TellsWhatEachPollCarriedOut) {
+  SendText(1, "");
+  Send(2, 9999, "");
+  std::vector<Call> calls;
+  ASSERT_TRUE(test::Eventually([&] {
+    for (const Call& call : host_.Poll(&robot_.owner, now_)) calls.push_back(call);
+    return calls.size() == 2;
+  }));
+  EXPECT_EQ(calls[0].service, "echo");
+  EXPECT_EQ(calls[0].api_id, 7);
+  EXPECT_EQ(calls[0].code, 0);
+  EXPECT_EQ(calls[1].api_id, 9999);
+  EXPECT_EQ(calls[1].code, 3203);
+  EXPECT_TRUE(host_.Poll(&robot_.owner, now_).empty());
+}
+
+TEST_F(ServiceHostTest, AnswersACallFromWithinAsItDoesOneFromTheBus) {
+  const auto answer = [this](std::string_view service, std::int64_t api, std::string_view text) {
+    return host_.Answer(service, api, text, &robot_.owner, now_);
+  };
+  EXPECT_EQ(answer("echo", 7, R"({"a":"x"})"), 0);
+  EXPECT_EQ(carried_out(), 1U);
+  EXPECT_EQ(answer("echo", 9999, ""), 3203);
+  EXPECT_EQ(answer("echo", 8, ""), 4205);
+  EXPECT_EQ(said_.size(), 1U);
+  EXPECT_EQ(answer("sport", 7, ""), std::nullopt);
+}
+
 TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
   SendText(1, "early");
   ASSERT_TRUE(test::Eventually([&] {

@@ -9,22 +9,35 @@
 
 namespace understudy::test {
 
-// Calls wait until they are polled.
+// Calls wait until they are polled, and are told of as calls of an api 1 of "fake".
 class FakeServices final : public services::ServicePort {
  public:
   using Effect = std::function<void(authority::MotorOwner* owner)>;
 
   void Call(Effect effect) { waiting_.push_back(std::move(effect)); }
 
-  void Poll(authority::MotorOwner* owner, WallTime) noexcept override {
-    for (const Effect& effect : waiting_) effect(owner);
+  std::span<const services::Call> Poll(authority::MotorOwner* owner, WallTime) noexcept override {
+    calls_.clear();
+    for (const Effect& effect : waiting_) {
+      effect(owner);
+      calls_.push_back({.service = "fake", .api_id = 1, .code = 0});
+    }
     counts_.requests += waiting_.size();
     waiting_.clear();
+    return calls_;
+  }
+  // "release" of no parameter is all that there is.
+  std::optional<std::int32_t> Answer(std::string_view service, std::int64_t, std::string_view,
+                                     authority::MotorOwner* owner, WallTime) noexcept override {
+    if (service != "release") return std::nullopt;
+    owner->Release();
+    return 0;
   }
   services::ServiceCounts counts() const override { return counts_; }
 
  private:
   std::vector<Effect> waiting_;
+  std::vector<services::Call> calls_;
   services::ServiceCounts counts_;
 };
 
