@@ -24,7 +24,7 @@ std::string TextOf(const ordered_json& id, const HttpReply& reply) {
 
 // The request of a message, and in `id` what its answer is to be known by. Never recurses: a client
 // chooses how deep a message is.
-Result<emulator::Request> Read(std::string_view message, ordered_json* id) {
+Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id) {
   const json said = json::parse(message, nullptr, false);
   const Error form{R"(expected {"NAME": {...}, "id": text or number})"};
   if (!said.is_object() || said.empty() || said.size() > 2) return form;
@@ -73,7 +73,7 @@ void RequestLine::Read() {
 
 void RequestLine::Answer(std::string_view message) {
   ordered_json id;
-  const auto request = Read(message, &id);
+  const auto request = ReadMessage(message, &id);
   if (!request) return Write(TextOf(id, ErrorReply(400, request.why())));
   shared_->desk->Ask(
       *request, [self = Self(), id](const HttpReply& reply) { self->Write(TextOf(id, reply)); });
