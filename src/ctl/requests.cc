@@ -36,7 +36,8 @@ json ValueOf(const Field& field, const std::vector<std::string>& words) {
     return numbers;
   }
   const bool text = field.kind == FieldKind::kWord || field.kind == FieldKind::kKeys ||
-                    field.kind == FieldKind::kBody;
+                    field.kind == FieldKind::kBody || field.kind == FieldKind::kName ||
+                    field.kind == FieldKind::kJson;
   return text ? json(words.front()) : emulator::ValueOf(words.front());
 }
 

@@ -62,17 +62,28 @@ std::optional<double> Single(const Field& field, const json& value) {
     case FieldKind::kWord:
     case FieldKind::kVector:
     case FieldKind::kBody:
+    case FieldKind::kName:
+    case FieldKind::kJson:
       break;
   }
   return std::nullopt;
 }
 
 Result<> ReadField(const Field& field, const json& value, Request* request) {
-  if (field.kind == FieldKind::kBody) {
+  if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) {
     const bool text = value.is_string() && !value.get_ref<const std::string&>().empty() &&
                       value.get_ref<const std::string&>().size() <= kLongestName;
     if (!text) return Refused(field, value);
-    request->SetBody(field.key, value.get_ref<const std::string&>());
+    request->SetName(field.key, value.get_ref<const std::string&>());
+    return {};
+  }
+  if (field.kind == FieldKind::kJson) {
+    const auto* text = value.get_ptr<const std::string*>();
+    if (text == nullptr || text->size() > kLongestJson || !json::accept(*text)) {
+      return Refused(field, value);
+    }
+    std::ranges::copy(*text, request->json_text.begin());
+    request->given[static_cast<std::size_t>(&field - request->row->fields.data())] = true;
     return {};
   }
   if (field.kind == FieldKind::kVector) {
@@ -134,7 +145,7 @@ void Request::SetNumber(std::string_view key, double value) {
   given[Index(key)] = true;
 }
 
-void Request::SetBody(std::string_view key, std::string_view name) {
+void Request::SetName(std::string_view key, std::string_view name) {
   *std::copy_n(name.begin(), std::min(name.size(), kLongestName), text.begin()) = '\0';
   given[Index(key)] = true;
 }
@@ -207,7 +218,11 @@ ordered_json ValuesOf(const Request& request) {
         value = robot::RemoteKeyNames(static_cast<std::uint16_t>(numbers[0]));
         break;
       case FieldKind::kBody:
-        value = request.body();
+      case FieldKind::kName:
+        value = request.name();
+        break;
+      case FieldKind::kJson:
+        value = request.json();
         break;
     }
   }
@@ -257,6 +272,10 @@ std::string Expected(const Field& field) {
       return "keys of the remote controller, as in L2+B";
     case FieldKind::kBody:
       return "the name of a body";
+    case FieldKind::kName:
+      return "a name";
+    case FieldKind::kJson:
+      return "JSON as text of at most " + std::to_string(kLongestJson) + " bytes";
   }
   return {};
 }

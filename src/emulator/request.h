@@ -36,6 +36,8 @@ enum class FieldKind : std::uint8_t {
   kWord,    // one of the field's words, kept as its index
   kKeys,    // of the remote controller, as in L2+B, kept as bits; "" where `low` is 0
   kBody,    // the name of a body of the model
+  kName,    // the name of something else
+  kJson,    // JSON, as text
 };
 
 // One value of a request.
@@ -69,14 +71,16 @@ struct RequestRow {
 };
 
 inline constexpr std::size_t kMostFields = 6;
-inline constexpr std::size_t kLongestName = 63;  // bytes, of a body
+inline constexpr std::size_t kLongestName = 63;   // bytes
+inline constexpr std::size_t kLongestJson = 255;  // bytes; *assumed*
 
 // One request with its values, by the fields of its row. A plain value: copying allocates nothing.
 struct Request {
   const RequestRow* row = nullptr;
   std::array<std::array<double, 3>, kMostFields> numbers{};
   std::array<bool, kMostFields> given{};
-  std::array<char, kLongestName + 1> text{};  // of the field that is a body, "" where none is given
+  std::array<char, kLongestName + 1> text{};  // of the field that is a name, "" where none is given
+  std::array<char, kLongestJson + 1> json_text{};  // likewise of the one that is JSON
 
   // By the key of a field, which the row must have; where it was not given, what it is then.
   bool has(std::string_view key) const { return given[Index(key)]; }
@@ -85,10 +89,11 @@ struct Request {
   Eigen::Vector3d vector(std::string_view key) const {
     return Eigen::Vector3d(numbers[Index(key)].data());
   }
-  std::string_view body() const { return text.data(); }
+  std::string_view name() const { return text.data(); }
+  std::string_view json() const { return json_text.data(); }
 
   void SetNumber(std::string_view key, double value);
-  void SetBody(std::string_view key, std::string_view name);
+  void SetName(std::string_view key, std::string_view name);
 
  private:
   std::size_t Index(std::string_view key) const;

@@ -56,8 +56,8 @@ Field Or(double otherwise, Field field) {
 struct RequestActs {
   // The id of a body that can be moved: the one that is named, else the base, which is then.
   static Result<int> BodyOf(const World& world, const Robot& robot, Request* request) {
-    if (!request->has("body")) request->SetBody("body", robot.spec().base_body);
-    return FindBody(world.physics_, request->body());
+    if (!request->has("body")) request->SetName("body", robot.spec().base_body);
+    return FindBody(world.physics_, request->name());
   }
 
   // However short a time it is, it acts in one step.
@@ -193,11 +193,21 @@ struct RequestActs {
     robot.remote().Switch(false);
     return {};
   }
+
+  static Answer CallService(World& world, Robot& robot, Request& request, double) {
+    const auto api = static_cast<std::int64_t>(request.number("api"));
+    const auto code = robot.Call(request.name(), api, request.json(), world.now_);
+    if (!code) return Error{"nothing serves '" + std::string(request.name()) + "'"};
+    if (*code != 0) return Error{"the service answers " + std::to_string(*code)};
+    return {};
+  }
 };
 
 Answer World::CheckBody(const Request& request) const {
-  if (request.body().empty()) return {};
-  const auto body = FindBody(physics_, request.body());
+  const bool named = std::ranges::any_of(
+      request.row->fields, [](const Field& field) { return field.kind == FieldKind::kBody; });
+  if (!named || request.name().empty()) return {};
+  const auto body = FindBody(physics_, request.name());
   return body ? Answer{} : Answer{body.error()};
 }
 
@@ -213,6 +223,7 @@ const std::vector<RequestRow>& RequestRows() {
   constexpr double kHardest = 1e6;                                        // N or N·s
   constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
   constexpr double kMostSteps = 1e6;
+  constexpr double kMostApi = 1e6;
 
   const Field keys = Needed(Bare({.key = "keys", .kind = kKeys, .low = 1, .does = "Joined by +"}));
   const Field metres =
@@ -342,6 +353,13 @@ const std::vector<RequestRow>& RequestRows() {
        {},
        Acts::SwitchRemoteOff,
        "remote off"},
+      {"service.call",
+       "Calls a service of the robot as a program does over DDS; what it answers but 0 is an error",
+       {Needed(Bare({.key = "service", .kind = kName, .does = "As in rt/api/<service>/request"})),
+        Needed(Bare({"api", kWhole, "", 0, kMostApi, "Its id"})),
+        Bare({.key = "parameter", .kind = kJson, .does = "Nothing unless given"})},
+       Acts::CallService,
+       "service call motion_switcher 1003"},
   };
   return kRows;
 }

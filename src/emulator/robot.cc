@@ -56,6 +56,12 @@ void Robot::ServeCalls(time::Clock::Time now) {
   if (services_ != nullptr) services_->Poll(&router_.owner(), now);
 }
 
+std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t api_id,
+                                        std::string_view parameter, time::Clock::Time now) {
+  if (services_ == nullptr) return std::nullopt;
+  return services_->Answer(service, api_id, parameter, &router_.owner(), now);
+}
+
 void Robot::Hear(std::int64_t step, double t) {
   TakeCommands(t);
   TakeHandCommands(t);

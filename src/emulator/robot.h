@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "authority/command_delay.h"
@@ -45,6 +46,10 @@ class Robot {
 
   // Answers the calls of its services that wait; `now` is wall time. Between ticks too.
   void ServeCalls(time::Clock::Time now);
+
+  // One call of a service from within; as services::ServicePort::Answer.
+  std::optional<std::int32_t> Call(std::string_view service, std::int64_t api_id,
+                                   std::string_view parameter, time::Clock::Time now);
 
   // Takes the commands that wait and decides what the motors follow in the step at t.
   void Hear(std::int64_t step, double t);

@@ -25,6 +25,7 @@ World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
 
 physics::StepHealth World::Tick(time::Clock::Time now) {
   const double t = time();
+  now_ = now;
   FollowScript(t);
   Attend(now);
   for (Robot& robot : robots_) robot.Hear(step_, t);
@@ -49,6 +50,7 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
 }
 
 void World::Attend(time::Clock::Time now) {
+  now_ = now;
   TakeRequests();
   for (Robot& robot : robots_) robot.ServeCalls(now);
 }

@@ -88,6 +88,7 @@ class World {
   Inbox* inbox_;
   std::int64_t step_ns_;
 
+  time::Clock::Time now_{};  // wall time of the last call
   std::int64_t step_ = 0;
   std::vector<ScriptEvent> script_;
   std::size_t script_next_ = 0;

@@ -50,8 +50,8 @@ std::string DefaultOf(const Field& field) {
   return number + " " + number + " " + number;
 }
 
-constexpr std::array<std::string_view, 8> kKinds = {"number", "whole", "vector", "switch",
-                                                    "speed",  "word",  "keys",   "body"};
+constexpr std::array<std::string_view, 10> kKinds = {"number", "whole", "vector", "switch", "speed",
+                                                     "word",   "keys",  "body",   "name",   "json"};
 constexpr std::array<std::string_view, 3> kFrom = {"both", "people", "script"};
 
 bool HasRange(const Field& field) {
@@ -101,6 +101,8 @@ ordered_json SchemaOf(const Field& field) {
       break;
     case FieldKind::kKeys:
     case FieldKind::kBody:
+    case FieldKind::kName:
+    case FieldKind::kJson:
       schema = {{"type", "string"}};
       break;
   }

@@ -36,7 +36,10 @@ json Sound(const Field& field) {
     case FieldKind::kKeys:
       return "L2+B";
     case FieldKind::kBody:
+    case FieldKind::kName:
       return "trunk";
+    case FieldKind::kJson:
+      return R"({"a":1})";
   }
   return {};
 }
@@ -52,8 +55,10 @@ json Unsound(const Field& field) {
     case FieldKind::kSpeed:
     case FieldKind::kWord:
     case FieldKind::kKeys:
+    case FieldKind::kJson:
       return "zzz";
     case FieldKind::kBody:
+    case FieldKind::kName:
       return std::string(99, 'z');
   }
   return {};

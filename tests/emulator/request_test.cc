@@ -48,14 +48,16 @@ TEST(RequestTableTest, HasNamesOfItsOwnAndFieldsThatFit) {
     EXPECT_FALSE(row.example.empty()) << row.name;
     EXPECT_NE(row.carry_out, nullptr) << row.name;
     EXPECT_LE(row.fields.size(), kMostFields) << row.name;
-    int bodies = 0;
+    int name_fields = 0, json_fields = 0;
     std::set<std::string_view> keys;
     for (const Field& field : row.fields) {
       EXPECT_TRUE(keys.insert(field.key).second) << row.name << "." << field.key;
       EXPECT_FALSE(field.does.empty()) << row.name << "." << field.key;
-      if (field.kind == FieldKind::kBody) ++bodies;
+      if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) ++name_fields;
+      if (field.kind == FieldKind::kJson) ++json_fields;
     }
-    EXPECT_LE(bodies, 1) << row.name;  // a request has room for one name
+    EXPECT_LE(name_fields, 1) << row.name;  // a request has room for one name and one JSON
+    EXPECT_LE(json_fields, 1) << row.name;
   }
 }
 
@@ -84,11 +86,11 @@ TEST(RequestTest, TakesItsFirstValueAlone) {
 TEST(RequestTest, ReadsAPushByForceOrImpulse) {
   const Request force =
       RequestOf("push", {{"body", "trunk"}, {"force", {1, -2, 3.5}}, {"for", 0.25}});
-  EXPECT_EQ(force.body(), "trunk");
+  EXPECT_EQ(force.name(), "trunk");
   EXPECT_EQ(force.vector("force"), Eigen::Vector3d(1, -2, 3.5));
   EXPECT_EQ(force.number("for"), 0.25);
   const Request impulse = RequestOf("push", {{"impulse", {0, 5, 0}}});
-  EXPECT_EQ(impulse.body(), "");
+  EXPECT_EQ(impulse.name(), "");
   EXPECT_EQ(impulse.vector("impulse"), Eigen::Vector3d(0, 5, 0));
   EXPECT_EQ(impulse.number("for"), 0.1);
 }
@@ -103,6 +105,17 @@ TEST(RequestTest, RefusesAPushWithoutForceOrWithTwo) {
             R"(force: expected three numbers from -1000000 to 1000000 N, got "x")");
   EXPECT_EQ(Refusal("push", R"({"force": [1, 2, 3], "for": 0})"),
             "for: expected a number from 0.0001 to 1000000 s, got 0");
+}
+
+TEST(RequestTest, ReadsACallOfAService) {
+  const Request call = RequestOf(
+      "service.call", {{"service", "sport"}, {"api", 1008}, {"parameter", R"({"x":0.3})"}});
+  EXPECT_EQ(call.name(), "sport");
+  EXPECT_EQ(call.number("api"), 1008);
+  EXPECT_EQ(call.json(), R"({"x":0.3})");
+  EXPECT_EQ(RequestOf("service.call", {{"service", "sport"}, {"api", 1008}}).json(), "");
+  EXPECT_EQ(Refusal("service.call", R"({"service": "sport", "api": 1, "parameter": "{"})"),
+            R"(parameter: expected JSON as text of at most 255 bytes, got "{")");
 }
 
 TEST(RequestTest, ReadsWhatIsAskedOfTheRemote) {
@@ -186,7 +199,7 @@ TEST(RequestTest, RefusesAPoseThatIsNone) {
 TEST(RequestTest, ReadsADrag) {
   const Request drag =
       RequestOf("drag", {{"body", "trunk"}, {"at", {0, 0.1, 0}}, {"to", {1, 2, 3}}, {"for", 2}});
-  EXPECT_EQ(drag.body(), "trunk");
+  EXPECT_EQ(drag.name(), "trunk");
   EXPECT_EQ(drag.vector("at"), Eigen::Vector3d(0, 0.1, 0));
   EXPECT_EQ(drag.vector("to"), Eigen::Vector3d(1, 2, 3));
   EXPECT_EQ(drag.number("for"), 2);
@@ -199,7 +212,7 @@ TEST(RequestTest, ADragHoldsTheBodysOriginForHalfASecondUnlessToldOtherwise) {
 }
 
 TEST(RequestTest, LetsGoOfOneBodyOrOfAll) {
-  EXPECT_EQ(RequestOf("let_go", {{"body", "trunk"}}).body(), "trunk");
+  EXPECT_EQ(RequestOf("let_go", {{"body", "trunk"}}).name(), "trunk");
   EXPECT_FALSE(RequestOf("let_go").has("body"));
 }
 

@@ -21,6 +21,24 @@ TEST_F(ScriptTest, GivesEachRequestToTheTickOfItsTime) {
   EXPECT_EQ(world_->status().script_done, 2U);
 }
 
+TEST_F(ScriptTest, CallsServices) {
+  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  StartAs("clamped");
+  const auto call = [](const char* service) {
+    return test::RequestOf("service.call",
+                           {{"service", service}, {"api", 1003}, {"parameter", "{}"}});
+  };
+  world_->Play({{.at = 0.01, .request = call("release"), .where = ""},
+                {.at = 0.02, .request = call("vui"), .where = "s.yaml:4"}});
+  Tick(10);
+  EXPECT_EQ(robot().owner().active(), "ai");
+  Tick();
+  EXPECT_EQ(robot().owner().active(), "");
+  EXPECT_EQ(world_->status().script_refused, 0U);
+  Tick(10);
+  EXPECT_STREQ(world_->status().script_refusal.data(), "s.yaml:4: nothing serves 'vui'");
+}
+
 TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
   StartAs("standing");
   world_->Play({{.at = 0, .request = test::RequestOf("crane.lower", 1), .where = "s.yaml:3"}});
