@@ -18,7 +18,7 @@ using ParticipantKey = std::array<std::uint8_t, 16>;
 inline constexpr int kLastDomain = 232;
 
 // A domain and the one participant in it. Configured like the vendor's SDK by explicit XML
-// (sdk_surface.md, section 8), so that CYCLONEDDS_URI does not count. Must outlive the readers and
+// (docs/sources.md#dds), so that CYCLONEDDS_URI does not count. Must outlive the readers and
 // writers made with it.
 //
 // Without the MULTICAST flag Cyclone discovers others by unicast, on this machine only, and a

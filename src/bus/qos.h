@@ -15,7 +15,7 @@ struct QosDeleter {
 };
 using QosPtr = std::unique_ptr<dds_qos_t, QosDeleter>;
 
-// What the vendor's writers offer (sdk_surface.md, section 8): RELIABLE, VOLATILE, KEEP_LAST 1,
+// What the vendor's writers offer (docs/sources.md#dds): RELIABLE, VOLATILE, KEEP_LAST 1,
 // XCDR1 or XCDR2, sent as XCDR1. One thing differs, unseen by others: our writers may block for 0 s
 // where the vendor's may for 100 ms.
 QosPtr WriterQos();

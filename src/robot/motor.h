@@ -17,7 +17,8 @@ namespace understudy::robot {
 //
 //   tau + kp (q_des - q) + kd (dq_des - dq)
 //
-// (unitree_sdk2 example/h1/README; confirmed to 1 % by logs of a real G1, measured.md section b.)
+// (unitree_sdk2 example/h1/README; confirmed to 1 % by logs of a real G1,
+// docs/sources.md#motor-law.)
 // kNoPosition and kNoVelocity leave out their term. A disabled motor wants 0. NaN in, NaN out:
 // CommandGate has refused it before.
 double DesiredTorque(const MotorCommand& command, double q, double dq);

@@ -10,7 +10,7 @@
 namespace understudy::wire {
 
 // What the message's crc field has to be: Crc32 over all words before it, in the native layout of
-// the vendor's C++ object (offsets: sdk_surface.md, section 4), with zeros in the gaps between
+// the vendor's C++ object (offsets: docs/sources.md#crc), with zeros in the gaps between
 // fields. The present crc field does not matter. About 1 µs for the largest, hg LowState.
 //
 // The vendor's C++ sums up its object as it lies in memory, gaps included. Value-initialised

@@ -74,8 +74,8 @@ A2_SPORT = {name: code for name, code in QUADRUPED.items() if name != "AutoRecov
 
 
 # What G1, H1 and H1-2 share. Robots answer 0 to a state that they cannot reach and to a velocity at
-# which they cannot walk, and do nothing (hardware_contract.md, 4.1); that the same holds of heights,
-# balance mode and arm tasks is assumed. Only what is not played is a failure: 7301.
+# which they cannot walk, and do nothing (docs/sources.md#notes-on-real-robots); that the same holds
+# of heights, balance mode and arm tasks is assumed. Only what is not played is a failure: 7301.
 HUMANOID = {
     "SetFsmId": taking(OK),
     "SetVelocity": taking(OK),

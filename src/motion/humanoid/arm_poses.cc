@@ -6,7 +6,7 @@ namespace understudy::motion {
 namespace {
 
 // Every angle and time here is assumed: our own idea of the gesture that the vendor names
-// (hardware_contract.md, 4.3; sdk_surface.md, service arm). Known of hardware: a wave takes 4.19 s.
+// (docs/sources.md#arm-actions). Known of hardware: a wave takes 4.19 s.
 // Which ones hold is read from the vendor's example, which releases after those.
 
 // Left arms:                      pitch  roll  yaw    elbow wrist

@@ -23,7 +23,7 @@ enum class HumanoidStance : std::uint8_t {
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
 
 // Whether SetFsm may lead from one state to another: the vendor's picture of the G1's transitions
-// (hardware_contract.md, 4.1), assumed for every humanoid. `moving`: an action with an end is under
+// (docs/sources.md#g1-states), assumed for every humanoid. `moving`: an action with an end is under
 // way, then only damping is reached. kTaken for a state the robot is in already and, as on
 // hardware, for zero torque from any that bears load, which then does nothing.
 authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, int to,

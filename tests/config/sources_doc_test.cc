@@ -1,0 +1,102 @@
+// Citations lead to something that is here, and docs/sources.md says what each source is.
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace understudy::config {
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kRoot = UNDERSTUDY_SOURCE_DIR;
+
+std::string Text(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The files below these folders that cite.
+std::vector<fs::path> Files(const std::vector<std::string>& folders) {
+  const std::set<std::string> kinds = {".h", ".cc", ".py", ".yaml", ".md", ".xml", ".json"};
+  std::vector<fs::path> files;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder)) {
+      if (entry.is_regular_file() && kinds.contains(entry.path().extension())) {
+        files.push_back(entry.path());
+      }
+    }
+  }
+  return files;
+}
+
+std::vector<std::smatch> Matches(const std::string& text, const std::regex& pattern) {
+  return {std::sregex_iterator(text.begin(), text.end(), pattern), {}};
+}
+
+// As a link names the headings of a page.
+std::set<std::string> Anchors(const std::string& page) {
+  std::set<std::string> anchors;
+  for (const std::smatch& heading : Matches(page, std::regex("\n#+ ([^\n]*)"))) {
+    std::string anchor;
+    for (const char c : heading.str(1)) {
+      if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-') {
+        anchor += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      } else if (c == ' ') {
+        anchor += '-';
+      }
+    }
+    anchors.insert(anchor);
+  }
+  return anchors;
+}
+
+// A README is a source's own where ours has no such place.
+TEST(SourcesDocTest, EveryPageThatIsCitedIsHere) {
+  const std::regex page("([\\w./-]*\\w\\.md)(#([\\w-]+))?");
+  const std::set<std::string> sources = Anchors(Text(kRoot / "docs/sources.md"));
+  for (const fs::path& file : Files({"src", "tests", "config", "docs", "models", "examples"})) {
+    const std::string text = Text(file);
+    for (const std::smatch& cited : Matches(text, page)) {
+      const fs::path name = fs::path(cited.str(1)).relative_path();
+      if (name.filename() == "README.md") continue;
+      EXPECT_TRUE(fs::exists(kRoot / name) || fs::exists(kRoot / "docs" / name) ||
+                  fs::exists(file.parent_path() / name))
+          << file << " cites " << name;
+      if (name.filename() == "sources.md" && cited[3].matched) {
+        EXPECT_TRUE(sources.contains(cited.str(3))) << file << " cites #" << cited.str(3);
+      }
+    }
+  }
+}
+
+TEST(SourcesDocTest, EverySourceOfARobotsFiguresIsDescribed) {
+  const std::string sources = Text(kRoot / "docs/sources.md");
+  for (const fs::path& file : Files({"config/robots"})) {
+    const std::string text = Text(file);
+    EXPECT_NE(text.find("docs/sources.md"), std::string::npos) << file << " does not say where";
+    for (const std::smatch& comment : Matches(text, std::regex("#[^\n]*"))) {
+      const std::string said = comment.str();
+      for (const std::smatch& word : Matches(said, std::regex("\\[[A-Za-z][A-Za-z_]*[0-9]?\\]"))) {
+        EXPECT_NE(sources.find(word.str()), std::string::npos) << file << " cites " << word.str();
+      }
+    }
+  }
+}
+
+TEST(SourcesDocTest, EverySourceOfAServiceIsDescribed) {
+  const std::string sources = Text(kRoot / "docs/sources.md"),
+                    services = Text(kRoot / "docs/services.md");
+  for (const std::smatch& word : Matches(services, std::regex("\\| (\\[[a-z]+\\])"))) {
+    EXPECT_NE(sources.find(word.str(1)), std::string::npos) << word.str(1);
+  }
+}
+
+}  // namespace
+}  // namespace understudy::config
