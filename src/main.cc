@@ -22,7 +22,6 @@
 #include "ctl/command.h"
 #include "remote/arguments.h"
 #include "server/request_docs.h"
-#include "services/robot_services.h"
 #include "version.h"
 #include "viewer/arguments.h"
 
@@ -126,12 +125,7 @@ int Main(int argc, char** argv) {
   CLI::App* services =
       app.add_subcommand("services", "Print what every robot's services answer, as Markdown");
   services->footer("Example: understudy services > docs/services.md");
-  services->callback([&] {
-    chosen = [&] {
-      std::fputs(services::ServicesReference().c_str(), stdout);
-      return 0;
-    };
-  });
+  services->callback([&] { chosen = [&] { return commands::ServicesCommand(); }; });
 
   CLI::App* requests = app.add_subcommand(
       "requests", "Print what can be asked of a running robot, as Markdown or for OpenAPI");

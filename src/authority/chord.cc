@@ -59,7 +59,7 @@ Chord MakeChord(const robot::ChordSpec& spec, const std::string& where) {
     }
     chord.goal = MotionGoal{.action = word->action, .value = {spec.value}};
   }
-  for (const double id : spec.from) chord.from.push_back(static_cast<int>(std::lround(id)));
+  chord.from = spec.from;
   return chord;
 }
 

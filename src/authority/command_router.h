@@ -60,7 +60,7 @@ class CommandRouter {
   void FollowOwner();  // opens or closes the gate when the owner has changed
 
   bool fight_;
-  std::vector<double> stick_speed_;
+  Eigen::Vector3d stick_speed_;
   CommandGate gate_;
   CommandGate user_gate_;
   MotorOwner owner_;

@@ -31,7 +31,7 @@ enum class OwnerVerdict : std::uint8_t {
 };
 
 // At most one motion service is on at a time; while one is, it moves the motors and rt/lowcmd is
-// not followed (hardware_contract.md, sections 1.6 and 3). All calls come from the tick's thread
+// not followed (docs/sources.md#who-moves-the-motors). All calls come from the tick's thread
 // and return at once.
 class MotorOwner {
  public:

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -13,6 +14,7 @@
 #include "config/robot_file.h"
 #include "physics/world_model.h"
 #include "script/script.h"
+#include "services/robot_services.h"
 #include "version.h"
 
 namespace understudy::commands {
@@ -145,6 +147,16 @@ int RobotsCommand(bool as_json) {
     }
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());
+  return 0;
+}
+
+int ServicesCommand() {
+  const std::filesystem::path data = config::DataDir();
+  std::map<std::string, std::vector<std::string>> apis;
+  for (const std::string& name : config::RobotNames(data)) {
+    apis[name] = config::LoadConfig({.robot = name, .files = {}, .sets = {}}, data).robot.apis;
+  }
+  std::fputs(services::ServicesReference(apis).c_str(), stdout);
   return 0;
 }
 

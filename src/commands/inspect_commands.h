@@ -1,4 +1,5 @@
-// `understudy robots`, `check` and `version`: what can be said without running anything.
+// `understudy robots`, `check`, `services` and `version`: what can be said without running
+// anything.
 #ifndef UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
 #define UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
 
@@ -11,6 +12,7 @@ namespace understudy::commands {
 // code.
 int RobotsCommand(bool json);
 int VersionCommand(bool json);
+int ServicesCommand();  // as Markdown
 
 // Loads each file as what it is: a robot's YAML with its model, a configuration file, an MJCF. Says
 // for each whether it is fit to use; the exit code is that of the first that is not.

@@ -68,17 +68,21 @@ std::string RangeClause(const Row& row) {
   return row.unit.empty() ? text : text + " " + std::string(row.unit);
 }
 
-std::string LengthText(std::size_t length) {
-  return length == 0 ? "" : std::to_string(length) + " ";
+template <class Numbers>
+std::string ListText(const Numbers& numbers) {
+  std::vector<std::string> texts;
+  for (const auto number : numbers) texts.push_back(NumberText(number));
+  return "[" + Joined(texts) + "]";
 }
 
 }  // namespace
 
-void Archive::Word(const Row& row, const std::vector<std::string>& words, std::string* value) {
-  const auto found = std::find(words.begin(), words.end(), *value);
+void Archive::Word(Named<std::string> key, const About& about,
+                   const std::vector<std::string>& words) {
+  const auto found = std::find(words.begin(), words.end(), *key.value);
   int index = found == words.end() ? -1 : static_cast<int>(found - words.begin());
-  Visit(row, WordSlot{words, &index});
-  if (index >= 0) *value = words[static_cast<std::size_t>(index)];
+  Visit(Row(key.name, about), WordSlot{words, &index});
+  if (index >= 0) *key.value = words[static_cast<std::size_t>(index)];
 }
 
 std::string NumberText(double value) {
@@ -98,11 +102,9 @@ std::string ValueText(const Slot& slot) {
                                      ? TextText("")
                                      : TextText(v.words[static_cast<std::size_t>(*v.index)]);
                         },
-                        [](const NumbersSlot& v) {
-                          std::vector<std::string> texts;
-                          for (const double number : *v.values) texts.push_back(NumberText(number));
-                          return "[" + Joined(texts) + "]";
-                        },
+                        [](std::span<double> v) { return ListText(v); },
+                        [](const std::vector<double>* v) { return ListText(*v); },
+                        [](const std::vector<int>* v) { return ListText(*v); },
                         [](const std::vector<std::string>* v) {
                           std::vector<std::string> texts;
                           for (const std::string& text : *v) texts.push_back(TextText(text));
@@ -120,27 +122,32 @@ std::string Expected(const Row& row, const Slot& slot) {
           [&row](const double*) { return "a number" + RangeClause(row); },
           [](const std::string*) { return std::string("one line of text"); },
           [](const WordSlot& v) { return "one of " + Joined(v.words); },
-          [&row](const NumbersSlot& v) {
-            return "a list of " + LengthText(v.length) + "numbers" + RangeClause(row);
+          [&row](std::span<double> v) {
+            return "a list of " + std::to_string(v.size()) + " numbers" + RangeClause(row);
           },
+          [&row](const std::vector<double>*) { return "a list of numbers" + RangeClause(row); },
+          [&row](const std::vector<int>*) { return "a list of whole numbers" + RangeClause(row); },
           [](const std::vector<std::string>*) { return std::string("a list of words"); },
       },
       slot);
 }
 
 std::string Allowed(const Row& row, const Slot& slot) {
-  return std::visit(Overloaded{
-                        [](const bool*) { return std::string("true, false"); },
-                        [&row](const int*) { return "whole, " + RangeText(row.range); },
-                        [&row](const double*) { return RangeText(row.range); },
-                        [](const std::string*) { return std::string("text"); },
-                        [](const WordSlot& v) { return Joined(v.words); },
-                        [&row](const NumbersSlot& v) {
-                          return LengthText(v.length) + "numbers, " + RangeText(row.range);
-                        },
-                        [](const std::vector<std::string>*) { return std::string("words"); },
-                    },
-                    slot);
+  return std::visit(
+      Overloaded{
+          [](const bool*) { return std::string("true, false"); },
+          [&row](const int*) { return "whole, " + RangeText(row.range); },
+          [&row](const double*) { return RangeText(row.range); },
+          [](const std::string*) { return std::string("text"); },
+          [](const WordSlot& v) { return Joined(v.words); },
+          [&row](std::span<double> v) {
+            return std::to_string(v.size()) + " numbers, " + RangeText(row.range);
+          },
+          [&row](const std::vector<double>*) { return "numbers, " + RangeText(row.range); },
+          [&row](const std::vector<int>*) { return "whole numbers, " + RangeText(row.range); },
+          [](const std::vector<std::string>*) { return std::string("words"); },
+      },
+      slot);
 }
 
 }  // namespace understudy::config

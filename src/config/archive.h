@@ -8,8 +8,10 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -25,18 +27,41 @@ struct Range {
 // At least zero.
 inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
 
-// What is to be said about one key.
-struct Row {
-  Row(std::string_view name_in, std::string_view meaning_in) : name(name_in), meaning(meaning_in) {}
-  Row(std::string_view name_in, std::string_view unit_in, Range range_in,
-      std::string_view meaning_in)
-      : name(name_in), unit(unit_in), range(range_in), meaning(meaning_in) {}
+// What the documentation says of a key.
+struct About {
+  About(std::string_view meaning_in)
+      : meaning(meaning_in) {}  // NOLINT(google-explicit-constructor)
+  About(std::string_view unit_in, Range range_in, std::string_view meaning_in)
+      : unit(unit_in), range(range_in), meaning(meaning_in) {}
 
-  std::string_view name;
   std::string_view unit;  // "" where there is none
   Range range;            // of numbers
   std::string_view meaning;
 };
+
+// A key with all that is said of it.
+struct Row : About {
+  Row(std::string_view name_in, const About& about) : About(about), name(name_in) {}
+
+  std::string_view name;
+};
+
+// A value and the key it is read from.
+template <class T>
+struct Named {
+  std::string_view name;
+  T* value;
+};
+template <class T>
+Named(std::string_view, T*) -> Named<T>;
+
+// A member under its own name, as UNDERSTUDY_NVP(spec.mass): no key can be bound to another member.
+#define UNDERSTUDY_NVP(member) \
+  ::understudy::config::Named { ::understudy::config::AfterDot(#member), &(member) }
+
+constexpr std::string_view AfterDot(std::string_view expression) {
+  return expression.substr(expression.rfind('.') + 1);
+}
 
 // One of some words, by its place among them; -1 for none.
 struct WordSlot {
@@ -44,15 +69,9 @@ struct WordSlot {
   int* index;
 };
 
-// Numbers; `length` 0 leaves it open how many.
-struct NumbersSlot {
-  std::vector<double>* values;
-  std::size_t length;
-};
-
-// Where a value lives.
-using Slot = std::variant<bool*, int*, double*, std::string*, WordSlot, NumbersSlot,
-                          std::vector<std::string>*>;
+// Where a value lives. A span is a list of just so many numbers, a vector one of any length.
+using Slot = std::variant<bool*, int*, double*, std::string*, WordSlot, std::span<double>,
+                          std::vector<double>*, std::vector<int>*, std::vector<std::string>*>;
 
 // A list of structs without its type.
 struct ListSlot {
@@ -68,40 +87,44 @@ class Archive {
  public:
   virtual ~Archive() = default;
 
-  void Key(const Row& row, bool* value) { Visit(row, value); }
-  void Key(const Row& row, int* value) { Visit(row, value); }
-  void Key(const Row& row, double* value) { Visit(row, value); }
-  void Key(const Row& row, std::string* value) { Visit(row, value); }
-  void Key(const Row& row, std::vector<std::string>* values) { Visit(row, values); }
-  void Key(const Row& row, std::vector<double>* values, std::size_t length = 0) {
-    Visit(row, NumbersSlot{values, length});
+  // A value that a Slot can point to, or an Eigen vector or std::array of doubles.
+  template <class T>
+  void Key(Named<T> key, const About& about) {
+    const Row row(key.name, about);
+    if constexpr (std::is_constructible_v<Slot, T*>) {
+      Visit(row, key.value);
+    } else {
+      Visit(row, std::span<double>(key.value->data(), key.value->size()));
+    }
   }
 
   // An enum whose values count from 0 in the order of `words`.
   template <class E>
-  void Choice(const Row& row, std::initializer_list<std::string> words, E* value) {
-    int index = static_cast<int>(*value);
-    Visit(row, WordSlot{words, &index});
-    *value = static_cast<E>(index);
+  void Choice(Named<E> key, const About& about, std::initializer_list<std::string> words) {
+    int index = static_cast<int>(*key.value);
+    Visit(Row(key.name, about), WordSlot{words, &index});
+    *key.value = static_cast<E>(index);
   }
 
   // Text that must be one of `words`.
-  void Word(const Row& row, const std::vector<std::string>& words, std::string* value);
+  void Word(Named<std::string> key, const About& about, const std::vector<std::string>& words);
 
   // A nested mapping: `describe` is called with it entered, or not at all. `scalar_key` is the key
   // that is meant where a bare word stands in place of the mapping.
-  template <class F>
-  void Section(const Row& row, F describe, std::string_view scalar_key = {}) {
-    if (!Enter(row, scalar_key)) return;
-    describe();
+  template <class T>
+  void Section(Named<T> key, const About& about, void (*describe)(Archive&, T&),
+               std::string_view scalar_key = {}) {
+    if (!Enter(Row(key.name, about), scalar_key)) return;
+    describe(*this, *key.value);
     Leave();
   }
 
   // `name` is the member by whose value an element may be meant, null where none tells them apart.
   template <class T>
-  void List(const Row& row, std::vector<T>* values, void (*describe)(Archive&, T&),
+  void List(Named<std::vector<T>> key, const About& about, void (*describe)(Archive&, T&),
             std::string T::*name = nullptr) {
-    VisitList(row,
+    std::vector<T>* values = key.value;
+    VisitList(Row(key.name, about),
               ListSlot{[values] { return values->size(); },
                        [values](std::size_t n) {
                          values->clear();

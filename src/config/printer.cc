@@ -24,7 +24,7 @@ void Printer::Visit(const Row& row, const Slot& slot) {
       element_ += (element_.empty() ? "" : ", ") + name + ": " + ValueText(slot);
       return;
     case Mode::kElementComment:
-      Comment(Row("", row.unit, row.range, name + ": " + std::string(row.meaning)),
+      Comment(Row("", {row.unit, row.range, name + ": " + std::string(row.meaning)}),
               Allowed(row, slot));
       return;
   }
@@ -56,7 +56,7 @@ void Printer::VisitList(const Row& row, const ListSlot& slot) {
       return;
     }
     case Mode::kElementComment:
-      Comment(Row("", std::string(row.name) + ": " + std::string(row.meaning)), "");
+      Comment(Row("", About(std::string(row.name) + ": " + std::string(row.meaning))), "");
       ++depth_;
       slot.describe_blank();
       --depth_;

@@ -11,42 +11,39 @@ constexpr Range kPositiveScale{0.01, 100};  // of what has no meaning at 0
 
 using Spec = robot::RandomizationSpec;
 
+// A range under its own name.
+#define RANGE(name) #name, &Spec::name
+
 const std::array<RandomRange, 15> kRanges{{
-    {{"friction", "", kPositiveScale, "Sliding friction of every contact: factor on the model's"},
-     &Spec::friction},
-    {{"mass", "", kPositiveScale,
-      "Mass of each body of the robot: factor, which its inertia takes as well"},
-     &Spec::mass},
-    {{"base_com", "m", {-1, 1}, "Centre of mass of the base: added, along each of its axes"},
-     &Spec::base_com},
-    {{"inertia", "", kPositiveScale, "Inertia of each body of the robot: factor"}, &Spec::inertia},
-    {{"motor_strength", "", kScale, "Torque of each motor, limit included: factor"},
-     &Spec::motor_strength},
-    {{"damping", "", kScale, "Damping of each motor's joint: factor"}, &Spec::damping},
-    {{"armature", "", kScale, "Rotor inertia at each motor's joint: factor"}, &Spec::armature},
-    {{"frictionloss", "", kScale, "Dry friction of each motor's joint: factor"},
-     &Spec::frictionloss},
-    {{"timestep",
-      "s",
+    {RANGE(friction),
+     {"", kPositiveScale, "Sliding friction of every contact: factor on the model's"}},
+    {RANGE(mass),
+     {"", kPositiveScale,
+      "Mass of each body of the robot: factor, which its inertia takes as well"}},
+    {RANGE(base_com), {"m", {-1, 1}, "Centre of mass of the base: added, along each of its axes"}},
+    {RANGE(inertia), {"", kPositiveScale, "Inertia of each body of the robot: factor"}},
+    {RANGE(motor_strength), {"", kScale, "Torque of each motor, limit included: factor"}},
+    {RANGE(damping), {"", kScale, "Damping of each motor's joint: factor"}},
+    {RANGE(armature), {"", kScale, "Rotor inertia at each motor's joint: factor"}},
+    {RANGE(frictionloss), {"", kScale, "Dry friction of each motor's joint: factor"}},
+    {RANGE(timestep),
+     {"s",
       {0.0001, 0.01},
       "Physics step in place of physics.timestep: of those that divide the periods of LowState and "
-      "of the motion service"},
-     &Spec::timestep},
-    {{"kp", "", kScale, "How much of a commanded kp acts, for each motor: factor"}, &Spec::kp},
-    {{"kd", "", kScale, "How much of a commanded kd acts, for each motor: factor"}, &Spec::kd},
-    {{"delay", "s", {0, 0.1}, "Time from command to torque: added to robot.dynamics.delay"},
-     &Spec::delay},
-    {{"imu_mounting",
-      "rad",
+      "of the motion service"}},
+    {RANGE(kp), {"", kScale, "How much of a commanded kp acts, for each motor: factor"}},
+    {RANGE(kd), {"", kScale, "How much of a commanded kd acts, for each motor: factor"}},
+    {RANGE(delay), {"s", {0, 0.1}, "Time from command to torque: added to robot.dynamics.delay"}},
+    {RANGE(imu_mounting),
+     {"rad",
       {-3.2, 3.2},
-      "Rotation of each inertial unit from its place: the components of a rotation vector"},
-     &Spec::imu_mounting},
-    {{"gravity_tilt", "rad", {0, 1.5}, "Angle of gravity from the vertical, to any side"},
-     &Spec::gravity_tilt},
-    {{"floor_softness", "", kPositiveScale,
-      "How far contacts give way under a load: factor on the model's"},
-     &Spec::floor_softness},
+      "Rotation of each inertial unit from its place: the components of a rotation vector"}},
+    {RANGE(gravity_tilt), {"rad", {0, 1.5}, "Angle of gravity from the vertical, to any side"}},
+    {RANGE(floor_softness),
+     {"", kPositiveScale, "How far contacts give way under a load: factor on the model's"}},
 }};
+
+#undef RANGE
 
 }  // namespace
 
@@ -58,12 +55,13 @@ bool IsRandom(const robot::RandomizationSpec& spec) {
 }
 
 void DescribeRandomization(Archive& a, robot::RandomizationSpec& r) {
-  a.Key({"seed",
-         "",
+  a.Key(UNDERSTUDY_NVP(r.seed),
+        {"",
          {-1, kMaxInt},
-         "Seed of all that is drawn; -1 draws one, which the log and `ctl status` tell"},
-        &r.seed);
-  for (const RandomRange& range : kRanges) a.Key(range.row, &(r.*range.limits));
+         "Seed of all that is drawn; -1 draws one, which the log and `ctl status` tell"});
+  for (const RandomRange& range : kRanges) {
+    a.Key(Named{range.name, &(r.*range.limits)}, range.about);
+  }
 }
 
 }  // namespace understudy::config

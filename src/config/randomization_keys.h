@@ -3,6 +3,7 @@
 #define UNDERSTUDY_CONFIG_RANDOMIZATION_KEYS_H_
 
 #include <span>
+#include <string_view>
 
 #include "config/archive.h"
 #include "config/keys.h"
@@ -11,8 +12,9 @@
 namespace understudy::config {
 
 struct RandomRange {
-  Row row;
+  std::string_view name;  // of its key
   robot::RandomizationSpec::Limits robot::RandomizationSpec::*limits;
+  About about;
 };
 
 std::span<const RandomRange> RandomRanges();

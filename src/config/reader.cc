@@ -116,8 +116,15 @@ const YamlValue* Reader::Ask(const Row& row) {
 void Reader::Visit(const Row& row, const Slot& slot) {
   const YamlValue* value = Ask(row);
   if (value == nullptr) return;
-  if (const auto* numbers = std::get_if<NumbersSlot>(&slot))
-    return ReadNumbers(row, *numbers, *value);
+  const auto read_list = [&](auto* list) {
+    if (value->kind == Kind::kSequence) list->assign(value->items.size(), 0);
+    ReadNumbers(row, slot, *value, std::span(*list));
+  };
+  if (const auto* reals = std::get_if<std::vector<double>*>(&slot)) return read_list(*reals);
+  if (const auto* wholes = std::get_if<std::vector<int>*>(&slot)) return read_list(*wholes);
+  if (const auto* reals = std::get_if<std::span<double>>(&slot)) {
+    return ReadNumbers(row, slot, *value, *reals);
+  }
   if (const auto* texts = std::get_if<std::vector<std::string>*>(&slot)) {
     return ReadTexts(row, *texts, *value);
   }
@@ -137,28 +144,29 @@ void Reader::Visit(const Row& row, const Slot& slot) {
                     (hint.empty() ? "" : "; did you mean '" + hint + "'?"));
 }
 
-void Reader::ReadNumbers(const Row& row, const NumbersSlot& slot, const YamlValue& value) {
+template <class T>
+void Reader::ReadNumbers(const Row& row, const Slot& slot, const YamlValue& value,
+                         std::span<T> numbers) {
   const std::string path = Path(row);
-  const auto read = [&](const YamlValue& item, std::size_t i, double* number) {
+  const auto read = [&](const YamlValue& item, std::size_t i, T* number) {
     const std::string at = path + "." + std::to_string(i);
     if (!ReadNumber(row, item, number)) FailValue(item, at, Expected(row, number));
     (*places_)[at] = item.where;
   };
   if (value.kind == Kind::kMap) {
     for (std::size_t i = 0; i < value.keys.size(); ++i) {
-      const std::vector<std::string> unnamed(slot.values->size());
+      const std::vector<std::string> unnamed(numbers.size());
       const std::size_t index = Index(value.keys[i], path, unnamed);
-      read(value.items[i], index, &(*slot.values)[index]);
+      read(value.items[i], index, &numbers[index]);
     }
     return;
   }
   if (value.kind != Kind::kSequence) FailValue(value, path, Expected(row, slot));
-  if (slot.length != 0 && value.items.size() != slot.length) {
-    throw ConfigError(value.where + ": " + path + ": expected " + std::to_string(slot.length) +
+  if (value.items.size() != numbers.size()) {
+    throw ConfigError(value.where + ": " + path + ": expected " + std::to_string(numbers.size()) +
                       " numbers, got " + std::to_string(value.items.size()));
   }
-  slot.values->assign(value.items.size(), 0);
-  for (std::size_t i = 0; i < value.items.size(); ++i) read(value.items[i], i, &(*slot.values)[i]);
+  for (std::size_t i = 0; i < numbers.size(); ++i) read(value.items[i], i, &numbers[i]);
 }
 
 void Reader::ReadTexts(const Row& row, std::vector<std::string>* texts, const YamlValue& value) {

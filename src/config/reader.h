@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -48,7 +49,9 @@ class Reader : public Archive {
   const YamlValue* Ask(const Row& row);
   std::string Path(const Row& row) const { return open_.back().path + std::string(row.name); }
 
-  void ReadNumbers(const Row& row, const NumbersSlot& slot, const YamlValue& value);
+  // Into `numbers`, the list of `slot`; a sequence has as many.
+  template <class T>
+  void ReadNumbers(const Row& row, const Slot& slot, const YamlValue& value, std::span<T> numbers);
   void ReadTexts(const Row& row, std::vector<std::string>* texts, const YamlValue& value);
 
   Places* places_;

@@ -21,7 +21,7 @@ void CheckRandomization(const Config& config, const Checker& checker) {
   const robot::RandomizationSpec& spec = config.randomization;
   for (const RandomRange& range : RandomRanges()) {
     const robot::RandomizationSpec::Limits& limits = spec.*range.limits;
-    const std::string key = "randomization." + std::string(range.row.name);
+    const std::string key = "randomization." + std::string(range.name);
     checker.Check(limits.empty() || limits.size() == 2, key,
                   "expected [least, most], or [] to draw nothing, got " +
                       std::to_string(limits.size()) + " numbers");
@@ -77,7 +77,6 @@ void ValidateTerrain(const Config& config, const Places& places) {
   constexpr double kShortest = 2;  // m
   const Checker checker(places);
   const terrain::TerrainSpec& terrain = config.terrain;
-  checker.Check(terrain.size.size() == 2, "terrain.size", "expected length and width");
   checker.Check(config.scene != terrain::kPatchesScene || !terrain.patches.empty(), "scene",
                 "'row' needs terrain.patches, as in [{kind: rough}, {kind: gaps}]");
   checker.Check(terrain.patches.empty() || places.empty() || places.contains("scene"),

@@ -1,6 +1,7 @@
 #include "config/validate_robot.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +14,7 @@
 #include "config/archive.h"
 #include "config/keys.h"
 #include "robot/firmware.h"
+#include "services/api_names.h"
 
 namespace understudy::config {
 namespace {
@@ -74,12 +76,6 @@ void CheckHand(const robot::HandSpec& hand, const std::string& key, std::set<std
   for (std::size_t i = 0; i < hand.motors.size(); ++i) {
     CheckMotor(hand.motors[i], key + "motors." + std::to_string(i) + ".", joints, checker);
   }
-  for (std::size_t i = 0; i < hand.pads.size(); ++i) {
-    const std::vector<double>& taxels = hand.pads[i].taxels;
-    const bool whole = std::all_of(taxels.begin(), taxels.end(),
-                                   [](double taxel) { return taxel == std::floor(taxel); });
-    checker.Check(whole, key + "pads." + std::to_string(i) + ".taxels", "expected whole numbers");
-  }
 }
 
 void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
@@ -122,10 +118,10 @@ void CheckDynamics(const robot::RobotSpec& robot, const Checker& checker) {
   if (dynamics.use != robot::DynamicsSource::kFitted) return;
   checker.Check(!dynamics.fitted.empty(), "robot.dynamics.use",
                 "robot '" + robot.name + "' has no fitted figures; choose catalogue");
-  std::set<double> taken;
+  std::set<int> taken;
   for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
     const std::string key = "robot.dynamics.fitted." + std::to_string(i) + ".slots";
-    const std::vector<double>& slots = dynamics.fitted[i].slots;
+    const std::vector<int>& slots = dynamics.fitted[i].slots;
     // Some may be empty: a robot's next of kin has fewer motors.
     checker.Check(std::any_of(robot.motors.begin(), robot.motors.end(),
                               [&slots](const robot::MotorSpec& motor) {
@@ -133,9 +129,9 @@ void CheckDynamics(const robot::RobotSpec& robot, const Checker& checker) {
                                        slots.end();
                               }),
                   key, "expected slots of motors; none of these has one");
-    for (const double slot : slots) {
+    for (const int slot : slots) {
       checker.Check(taken.insert(slot).second, key,
-                    "slot " + NumberText(slot) + " has figures already");
+                    "slot " + std::to_string(slot) + " has figures already");
     }
   }
 }
@@ -147,21 +143,13 @@ void CheckPose(const robot::PoseSpec& pose, const std::string& name, std::size_t
                     std::to_string(pose.q.size()));
   double norm = 0;
   for (const double x : pose.quat) norm += x * x;
-  checker.Check(pose.quat.size() == 4 && std::abs(norm - 1) < 1e-3, "robot." + name + ".quat",
+  checker.Check(std::abs(norm - 1) < 1e-3, "robot." + name + ".quat",
                 "expected four numbers w, x, y, z of length 1");
 }
 
 void CheckHumanoid(const robot::RobotSpec& robot, const Checker& checker) {
   const robot::HumanoidMotionSpec& humanoid = robot.motion.humanoid;
   const std::string section = "robot.motion.humanoid.";
-  const auto check_ids = [&](const std::vector<double>& ids, const std::string& key) {
-    for (const double id : ids) {
-      checker.Check(id == std::floor(id), section + key,
-                    "expected whole numbers, got " + NumberText(id));
-    }
-  };
-  check_ids(humanoid.balance, "balance");
-  check_ids(humanoid.unplayed, "unplayed");
   const auto check_pose = [&](const std::vector<double>& q, bool needed, const std::string& key,
                               const std::string& state) {
     checker.Check(q.size() == robot.motors.size() || (q.empty() && !needed), section + key,
@@ -174,10 +162,25 @@ void CheckHumanoid(const robot::RobotSpec& robot, const Checker& checker) {
   check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
 }
 
-void CheckFeet(const robot::RobotSpec& robot, const Checker& checker) {
-  for (std::size_t i = 0; i < robot.feet.size(); ++i) {
-    checker.Check(robot.feet[i].axis.size() == 3, "robot.feet." + std::to_string(i) + ".axis",
-                  "expected three numbers");
+// A robot of a kind that is played has what its controller cannot do without.
+void CheckKind(const robot::RobotSpec& robot, const Checker& checker) {
+  const std::string otherwise = ", or robot.kind other for a motion service that only damps";
+  checker.Check(robot.kind != robot::RobotKind::kHumanoid || robot.motion.humanoid.lock_stand >= 0,
+                "robot.motion.humanoid.lock_stand", "a humanoid needs this state" + otherwise);
+  checker.Check(!robot::IsQuadruped(robot.kind) || robot.motion.quadruped.stand_height > 0,
+                "robot.motion.quadruped.stand_height", "a quadruped needs this height" + otherwise);
+  constexpr std::size_t kWheeledMotors = 16;  // three a leg, then the wheels
+  checker.Check(robot.kind != robot::RobotKind::kWheeled || robot.motors.size() == kWheeledMotors,
+                "robot.motors",
+                "a wheeled robot has 16, got " + std::to_string(robot.motors.size()));
+}
+
+void CheckApis(const robot::RobotSpec& robot, const Checker& checker) {
+  const std::vector<std::string> names(services::kApiNames.begin(), services::kApiNames.end());
+  for (std::size_t i = 0; i < robot.apis.size(); ++i) {
+    checker.Check(std::find(names.begin(), names.end(), robot.apis[i]) != names.end(),
+                  "robot.apis." + std::to_string(i),
+                  "no api '" + robot.apis[i] + "'" + DidYouMean(robot.apis[i], names));
   }
 }
 
@@ -222,11 +225,10 @@ void CheckFirmware(const robot::RobotSpec& robot, const Checker& checker) {
 void CheckArmSdk(const robot::RobotSpec& robot, const Checker& checker) {
   const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
   const robot::ArmSdkSpec& arms = robot.arm_sdk;
-  for (std::size_t i = 0; i < arms.slots.size(); ++i) {
-    const double slot = arms.slots[i];
+  for (const int slot : arms.slots) {
     const bool has = std::any_of(robot.motors.begin(), robot.motors.end(),
                                  [&](const robot::MotorSpec& motor) { return motor.slot == slot; });
-    checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + NumberText(slot));
+    checker.Check(has, "robot.arm_sdk.slots", "no motor is in slot " + std::to_string(slot));
   }
   checker.Check(arms.weight_slot < slots, "robot.arm_sdk.weight_slot",
                 "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
@@ -234,7 +236,6 @@ void CheckArmSdk(const robot::RobotSpec& robot, const Checker& checker) {
 }
 
 void CheckRemote(const robot::RobotSpec& robot, const Checker& checker) {
-  checker.Check(robot.remote.speed.size() == 3, "robot.remote.speed", "expected three numbers");
   for (std::size_t i = 0; i < robot.remote.chords.size(); ++i) {
     const std::string key = "robot.remote.chords." + std::to_string(i);
     authority::MakeChord(robot.remote.chords[i], checker.Where(key + ".keys") + key);
@@ -269,14 +270,15 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckDynamics(robot, checker);
-  CheckFeet(robot, checker);
   CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);
   CheckPose(robot.hanging, "hanging", robot.motors.size(), checker);
   CheckStartPose(robot.default_start, "robot.default_start", checker);
+  CheckKind(robot, checker);
+  CheckApis(robot, checker);
   CheckHumanoid(robot, checker);
-  const std::vector<double>& height_range = robot.motion.quadruped.height_range;
+  const std::array<double, 2>& height_range = robot.motion.quadruped.height_range;
   checker.Check(height_range[0] <= height_range[1], "robot.motion.quadruped.height_range",
                 "expected least before most");
   CheckFirmware(robot, checker);

@@ -36,7 +36,7 @@ Robot::Robot(const RobotParts& parts, physics::PhysicsWorld* physics)
       router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
               motion::MakeMotion(spec_, *physics_, parts.settings.gate.damping_kd)),
       crane_body_(physics_->Body(spec_.crane_body)),
-      crane_point_(spec_.crane_point.data()),
+      crane_point_(spec_.crane_point),
       step_ns_(std::llround(physics_->timestep() * 1e9)),
       lowstate_every_(Every(spec_.rates.lowstate_hz)),
       motion_every_(Every(spec_.rates.motion_hz)),

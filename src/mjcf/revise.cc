@@ -111,7 +111,8 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
   }
   for (std::size_t i = 0; i < spec.sites.size(); ++i) {
     const std::string key = "robot.sites." + std::to_string(i);
-    Require(root, "site", spec.sites[i].name, key).Set("pos", Text(spec.sites[i].pos));
+    Require(root, "site", spec.sites[i].name, key)
+        .Set("pos", Text({spec.sites[i].pos.begin(), spec.sites[i].pos.end()}));
   }
   for (const robot::MotorSpec& motor : spec.motors) {
     if (motor.armature == 0) continue;

@@ -20,14 +20,14 @@ std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
                                               const physics::PhysicsWorld& world,
                                               double damping_kd) {
   try {
-    if (spec.motion.humanoid.lock_stand >= 0) return MakeHumanoidMotion(spec, world);
-    if (spec.motion.quadruped.stand_height > 0) return MakeQuadrupedMotion(spec, world);
+    if (spec.kind == robot::RobotKind::kHumanoid) return MakeHumanoidMotion(spec, world);
+    if (robot::IsQuadruped(spec.kind)) return MakeQuadrupedMotion(spec, world);
   } catch (const ModelError&) {
     // Somebody else's model, in which the feet are not to be found: it can only damp.
   }
-  const bool four_feet = spec.feet.size() == 4;
-  return std::make_unique<DampingMotion>(four_feet ? kQuadrupedDamped : kHumanoidDamped,
-                                         four_feet ? kQuadrupedDamped : kHumanoidLimp, damping_kd);
+  const bool quadruped = robot::IsQuadruped(spec.kind);
+  return std::make_unique<DampingMotion>(quadruped ? kQuadrupedDamped : kHumanoidDamped,
+                                         quadruped ? kQuadrupedDamped : kHumanoidLimp, damping_kd);
 }
 
 }  // namespace understudy::motion

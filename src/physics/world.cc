@@ -39,7 +39,7 @@ PhysicsWorld::PhysicsWorld(mjcf::ModelHandle model, const robot::RobotSpec& spec
   }
   q_.resize(q_address_.size());
   dq_.resize(dq_address_.size());
-  for (const robot::FootSpec& foot : spec.feet) foot_axis_.emplace_back(foot.axis.data());
+  for (const robot::FootSpec& foot : spec.feet) foot_axis_.push_back(foot.axis);
   mj_kinematics(model_.get(), data_.get());
   foot_of_geom_ = FindFeet(*model_, *data_, spec);
   base_body_ = Body(spec.base_body);

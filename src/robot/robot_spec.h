@@ -4,15 +4,27 @@
 #ifndef UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 #define UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+#include <Eigen/Core>
+
 namespace understudy::robot {
 
 // Which of the vendor's two IDL families the robot speaks on rt/lowcmd and rt/lowstate.
 enum class WireFamily : std::uint8_t { kGo, kHg };
+
+// What it is built as: whose legs and wheels it has, and by that which controller can play its
+// motion service and which words its states have. kOther has none of these: it only damps.
+enum class RobotKind : std::uint8_t { kOther, kQuadruped, kWheeled, kHumanoid };
+
+// Whether it has a quadruped's four legs, with feet or wheels.
+constexpr bool IsQuadruped(RobotKind kind) {
+  return kind == RobotKind::kQuadruped || kind == RobotKind::kWheeled;
+}
 
 struct MotorSpec {
   std::string joint;         // MJCF joint
@@ -43,7 +55,7 @@ struct BodySpec {
 // Where a site is otherwise than the model file has it.
 struct SiteSpec {
   std::string name{};
-  std::vector<double> pos = {0, 0, 0};  // m, in its body's frame
+  Eigen::Vector3d pos{0, 0, 0};  // m, in its body's frame
 };
 
 // Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of
@@ -52,11 +64,11 @@ enum class DynamicsSource : std::uint8_t { kCatalogue, kFitted };
 
 // What such a fit says of some motors and their joints.
 struct FittedDynamicsSpec {
-  std::vector<double> slots{};  // the motors
-  double armature = -1;         // kg·m² at the joint; below 0: as in the model
-  double damping = -1;          // N·m·s/rad of the joint, likewise
-  double frictionloss = -1;     // N·m of the joint, likewise
-  double kd_share = 1;          // how much of a commanded kd acts
+  std::vector<int> slots{};  // the motors
+  double armature = -1;      // kg·m² at the joint; below 0: as in the model
+  double damping = -1;       // N·m·s/rad of the joint, likewise
+  double frictionloss = -1;  // N·m of the joint, likewise
+  double kd_share = 1;       // how much of a commanded kd acts
 };
 
 struct DynamicsSpec {
@@ -74,7 +86,7 @@ struct ParallelSpec {
 
 // A place of a hand that feels pressure.
 struct PadSpec {
-  std::vector<double> taxels{};  // the ones it has, of the message's 12
+  std::vector<int> taxels{};  // the ones it has, of the message's 12
 };
 
 // A hand with motors of its own, on topics of its own.
@@ -95,7 +107,7 @@ struct FootSpec {
   std::string name;
   std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
   // Direction the sensor feels, in the frame of the geoms' body; all 0 = the contact's own normal.
-  std::vector<double> axis = {0, 0, 1};
+  Eigen::Vector3d axis{0, 0, 1};
 };
 
 // A start pose: joint angles [rad] in motor order, height of the base [m] over the ground, and its
@@ -103,7 +115,7 @@ struct FootSpec {
 struct PoseSpec {
   std::vector<double> q;
   double height = 0;
-  std::vector<double> quat = {1, 0, 0, 0};
+  std::array<double, 4> quat = {1, 0, 0, 0};
 };
 
 struct RateSpec {
@@ -126,7 +138,7 @@ struct ServiceSpec {
 
 // rt/arm_sdk: commands mixed over those of the motion service.
 struct ArmSdkSpec {
-  std::vector<double> slots{};     // motors it acts on, by slot; none where there is no arm_sdk
+  std::vector<int> slots{};        // motors it acts on, by slot; none where there is no arm_sdk
   int weight_slot = 0;             // whose q is the weight
   bool weight_in_mode_pr = false;  // mode_pr is the weight in percent instead
   double timeout = 0;              // s after which an old command no longer counts; 0 = never
@@ -134,16 +146,16 @@ struct ArmSdkSpec {
 
 // What a chord of the remote controller does while the motion service is on.
 struct ChordSpec {
-  std::string keys{};          // "L2+B"
-  int clicks = 1;              // of the last key
-  std::string does{};          // a word of kChordActions, authority/chord.h
-  double value = 0;            // state id, action id; 0 where there is none
-  std::vector<double> from{};  // ids of states it works in; none = in all
+  std::string keys{};       // "L2+B"
+  int clicks = 1;           // of the last key
+  std::string does{};       // a word of kChordActions, authority/chord.h
+  double value = 0;         // state id, action id; 0 where there is none
+  std::vector<int> from{};  // ids of states it works in; none = in all
 };
 
 struct RemoteSpec {
   std::vector<ChordSpec> chords;
-  std::vector<double> speed = {0, 0, 0};  // forward, left m/s, turn rad/s of fully moved sticks
+  Eigen::Vector3d speed{0, 0, 0};  // forward, left m/s, turn rad/s of fully moved sticks
 };
 
 // Lattice and noise of the inertial unit; encoder lattices are MotorSpec's.
@@ -190,29 +202,29 @@ struct ThermalSpec {
 // The state machine of a humanoid's own motion service, by the vendor's numbers; -1 or empty where
 // the robot has no such state.
 struct HumanoidMotionSpec {
-  int lock_stand = -1;             // joints locked, standing; -1: not a humanoid
-  std::vector<double> balance{};   // standing balanced, the first one when none is named
-  int squat = -1;                  // joints locked in squat_q
-  int sit = -1;                    // joints locked in sit_q
-  int balanced_squat = -1;         // from standing into squat_q and back, balanced
-  std::vector<double> unplayed{};  // what the robot has and nothing here plays
-  std::vector<double> squat_q{};   // rad, motor order
+  int lock_stand = -1;            // joints locked, standing
+  std::vector<int> balance{};     // standing balanced, the first one when none is named
+  int squat = -1;                 // joints locked in squat_q
+  int sit = -1;                   // joints locked in sit_q
+  int balanced_squat = -1;        // from standing into squat_q and back, balanced
+  std::vector<int> unplayed{};    // what the robot has and nothing here plays
+  std::vector<double> squat_q{};  // rad, motor order
   std::vector<double> sit_q{};
-  bool arm_actions = false;  // has the arm action service
+  bool arm_actions = false;  // waves, shakes hands ...
 };
 
 // How the motion service of a quadruped stands and moves.
 struct QuadrupedMotionSpec {
-  double stand_height = 0;                    // m, of the base over the ground; 0: not a quadruped
-  double foot_x = 0;                          // m, how far the feet stand ahead of the hips
-  std::vector<double> height_range = {0, 0};  // m about stand_height
-  std::vector<double> euler_range = {0, 0, 0};  // rad either way: roll, pitch, yaw
-  std::vector<double> sit = {0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
-  double kp = 1;                        // N·m/rad at the legs' joints
-  double kd = 0;                        // N·m·s/rad
-  double damping_kd = 0;                // N·m·s/rad when damped, at all joints
-  double wheel_kp = 0;  // N·m/rad that keeps a balanced robot's wheels where they stand
-  double wheel_kd = 0;  // N·m·s/rad that brakes them
+  double stand_height = 0;                      // m, of the base over the ground
+  double foot_x = 0;                            // m, how far the feet stand ahead of the hips
+  std::array<double, 2> height_range = {0, 0};  // m about stand_height
+  Eigen::Vector3d euler_range{0, 0, 0};         // rad either way: roll, pitch, yaw
+  Eigen::Vector3d sit{0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
+  double kp = 1;                 // N·m/rad at the legs' joints
+  double kd = 0;                 // N·m·s/rad
+  double damping_kd = 0;         // N·m·s/rad when damped, at all joints
+  double wheel_kp = 0;           // N·m/rad that keeps a balanced robot's wheels where they stand
+  double wheel_kd = 0;           // N·m·s/rad that brakes them
 };
 
 // What the robot's own motion service is like.
@@ -228,9 +240,9 @@ struct RobotSpec {
   std::string description;
   std::string model;      // MJCF: absolute, else below models/
   std::string base_body;  // MJCF body with the free joint
+  RobotKind kind = RobotKind::kOther;
   WireFamily family = WireFamily::kGo;
-  std::string firmware;    // version of the software that is played
-  std::string form = "0";  // motion_switcher's word: "0" legged, "1" wheel-legged
+  std::string firmware;  // version of the software that is played
   // Firmware from which on states are told by the state machine's id: in go's SportModeState in
   // error_code, in hg in a message of its own. "" = never.
   std::string state_id_since;
@@ -249,6 +261,9 @@ struct RobotSpec {
   FootSensorSpec foot_sensor;
   RateSpec rates;
   std::vector<ServiceSpec> services;
+  // What answers requests: names of tables, of services::kApis.
+  std::vector<std::string> apis = {"motion_switcher", "config", "robot_state"};
+  bool arm_action_state = false;  // rt/arm/action/state; hg only
   ArmSdkSpec arm_sdk;
   bool user_lowcmd = false;  // rt/user_lowcmd, which its motion service can hand the motors to
   RemoteSpec remote;
@@ -258,9 +273,9 @@ struct RobotSpec {
   PoseSpec standing;
   PoseSpec hanging;  // on the crane or clamped; height is that of the base
   MotionSpec motion;
-  std::string crane_body;                       // MJCF body the crane's hook is in
-  std::vector<double> crane_point = {0, 0, 0};  // m, hook in that body's frame
-  std::string default_start;                    // lying | standing | hanging | clamped
+  std::string crane_body;                // MJCF body the crane's hook is in
+  Eigen::Vector3d crane_point{0, 0, 0};  // m, hook in that body's frame
+  std::string default_start;             // lying | standing | hanging | clamped
 };
 
 }  // namespace understudy::robot

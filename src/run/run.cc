@@ -125,7 +125,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   const auto port = wire::OpenPort(participant, config.robot);
-  services::ServiceHost host(participant, services::ServicesOf(config.robot.name),
+  services::ServiceHost host(participant, services::ServicesOf(config.robot.apis),
                              [](const std::string& notice) { spdlog::warn("{}", notice); });
 
   emulator::Inbox inbox;

@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_SERVICES_API_ROW_H_
 #define UNDERSTUDY_SERVICES_API_ROW_H_
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -18,7 +19,7 @@
 
 namespace understudy::services {
 
-// Codes of the vendor's RPC layer (sdk_surface.md, section 3).
+// Codes of the vendor's RPC layer (docs/sources.md#requests).
 inline constexpr std::int32_t kRpcOk = 0;
 inline constexpr std::int32_t kRpcServerInternal = 3202;
 inline constexpr std::int32_t kRpcApiNotImplemented = 3203;
@@ -62,8 +63,10 @@ struct ConfigChange {
 struct ServiceReply {
   std::int32_t code = kRpcOk;
   std::string data{};  // JSON, or "" where the vendor's clients ignore it
-  // Sent only when the arm action under way has ended or is held, as a G1 does.
-  bool after_arm_action = false;
+  // Sent once this holds of the motion service, or after `patience`; null: at once.
+  bool (*once)(const robot::MotionState& state) = nullptr;
+  // How long it waits for that and for the asking client's reader; the default is assumed.
+  std::chrono::nanoseconds patience = std::chrono::milliseconds(300);
   std::optional<ConfigChange> change{};  // to be told on rt/config_change_status
 };
 
@@ -138,7 +141,9 @@ struct ServiceTable {
   // The program on board that serves it, by the names of robot_state: while that is listed and off,
   // nothing answers. "" = always served.
   std::string_view program{};
-  bool needs_motion = false;  // served by the motion service or only while one is on
+  bool needs_motion = false;       // served by the motion service or only while one is on
+  bool tells_changes = false;      // on rt/config_change_status
+  bool has_switch_topics = false;  // SwitchTopics throw what it sets
   std::vector<ApiRow> rows{};
   std::vector<std::pair<std::string_view, std::string_view>> settings{};  // name, JSON at the start
   std::string_view note{};

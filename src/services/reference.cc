@@ -1,8 +1,9 @@
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
+#include "robot/robot_spec.h"
+#include "services/api_names.h"
 #include "services/parameter.h"
 #include "services/robot_services.h"
 
@@ -30,18 +31,16 @@ constexpr std::string_view kHead =
     "37116c5; [docs] the vendor's developer pages; [seen] on a real robot by others; assumed. That "
     "every service has a lease and that only reading needs none is assumed.\n\n";
 
-std::string Titles(const std::vector<ServiceTable>& tables) {
+std::string Joined(const std::vector<std::string>& apis) {
   std::string text;
-  for (const ServiceTable& table : tables) {
-    text += (text.empty() ? "" : "; ") + std::string(table.title);
-  }
+  for (const std::string& api : apis) text += (text.empty() ? "`" : ", `") + api + "`";
   return text;
 }
 
-std::string Section(const ServiceTable& table) {
+std::string Section(std::string_view name, const ServiceTable& table) {
   std::string text = "\n## " + std::string(table.title) + "\n\n";
-  text += "Topic `rt/api/" + std::string(table.name) + "`, api version " +
-          std::string(table.api_version) + ".";
+  text += "`" + std::string(name) + "` of `robot.apis`. Topic `rt/api/" + std::string(table.name) +
+          "`, api version " + std::string(table.api_version) + ".";
   if (!table.program.empty()) text += " Served by `" + std::string(table.program) + "`.";
   if (table.needs_motion) text += " Answers while a motion service is on.";
   if (!table.note.empty()) text += " " + std::string(table.note);
@@ -61,24 +60,15 @@ std::string Section(const ServiceTable& table) {
 
 }  // namespace
 
-std::string ServicesReference() {
+std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots) {
   std::string text(kHead);
-  text += "| robot | services |\n|---|---|\n";
-  std::vector<ServiceTable> all;
-  for (const std::string_view robot : RobotsWithServices()) {
-    const std::vector<ServiceTable> tables = ServicesOf(robot);
-    text += "| " + std::string(robot) + " | " + Titles(tables) + " |\n";
-    for (const ServiceTable& table : tables) {
-      if (std::ranges::find(all, table.title, &ServiceTable::title) == all.end()) {
-        all.push_back(table);
-      }
-    }
-  }
-  text += "| any other | " + Titles(ServicesOf("")) + " |\n\n";
+  text += "A robot's file names what it has under `robot.apis`; without that it has " +
+          Joined(robot::RobotSpec{}.apis) + ".\n\n| robot | `apis` |\n|---|---|\n";
+  for (const auto& [robot, apis] : robots) text += "| " + robot + " | " + Joined(apis) + " |\n";
   text +=
-      "A Go2 also listens to `rt/utlidar/switch` (`ON`, `OFF`: the program unitree_lidar) and to "
-      "`rt/uwbswitch` (what uwbswitch SwitchSet sets).\n";
-  for (const ServiceTable& table : all) text += Section(table);
+      "\nA robot with `uwbswitch` also listens to `rt/utlidar/switch` (`ON`, `OFF`: the program "
+      "unitree_lidar) and to `rt/uwbswitch` (what uwbswitch SwitchSet sets).\n";
+  for (const std::string_view name : kApiNames) text += Section(name, TableNamed(name));
   return text;
 }
 

@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_
 #define UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,16 +11,16 @@
 
 namespace understudy::services {
 
-// Robots with services of their own, in the order of the documentation.
-std::vector<std::string_view> RobotsWithServices();
+// The table of that name; throws std::out_of_range for one that is not among kApiNames.
+ServiceTable TableNamed(std::string_view name);
 
-// The services of the robot of that name, or of a build of it such as g1_23dof. A robot of another
-// name has what every robot has: motion_switcher, robot_state, config. Ids collide between robots:
-// the tables are bound here and nowhere else.
-std::vector<ServiceTable> ServicesOf(std::string_view robot);
+// The tables of robot.apis, in its order. Throws as above, and ConfigError for two variants of one
+// service.
+std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis);
 
-// docs/services.md: all of the above in Markdown.
-std::string ServicesReference();
+// docs/services.md: every table in Markdown, and which robot has which. `robots` maps the name of
+// each robot to its robot.apis.
+std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots);
 
 }  // namespace understudy::services
 

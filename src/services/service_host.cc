@@ -9,9 +9,6 @@
 namespace understudy::services {
 namespace {
 
-constexpr std::chrono::milliseconds kMatchPatience(300);  // assumed
-// The vendor's header: a held arm lets go after 20 s at most, so no action is under way longer.
-constexpr std::chrono::seconds kArmPatience(20);
 constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
@@ -37,11 +34,12 @@ ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<Servic
     : say_(std::move(say)) {
   for (ServiceTable& table : tables) {
     const std::string name(table.name);
+    const bool tells_changes = table.tells_changes, has_switch_topics = table.has_switch_topics;
     Service* service = services_.emplace_back(std::make_unique<Service>(std::move(table))).get();
     channels_.push_back(std::make_unique<Channel>(participant, name, service, false));
     channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
-    if (name == "uwbswitch") switches_.emplace(participant, service);
-    if (name == "config") {
+    if (has_switch_topics) switches_.emplace(participant, service);
+    if (tells_changes) {
       config_changes_.emplace(participant, bus::Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
                                                "rt/config_change_status",
                                                &unitree_go_msg_dds__ConfigChangeStatus__desc});
@@ -145,12 +143,11 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
   header.identity.id = request.id;
   header.identity.api_id = request.api_id;
   header.status.code = reply.code;
-  const WallTime patience = reply.after_arm_action ? WallTime(kArmPatience) : kMatchPatience;
   channel->pending.push_back({.client = *request.client,
                               .header = header,
                               .data = std::move(reply.data),
-                              .after_arm_action = reply.after_arm_action,
-                              .give_up = now + patience});
+                              .once = reply.once,
+                              .give_up = now + reply.patience});
 }
 
 ServiceReply ServiceHost::CarryOut(Service* service, const ServiceRequest& request,
@@ -169,10 +166,9 @@ void ServiceHost::Announce(ConfigChange change) {
 
 void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now) {
   const robot::MotionState state = owner.state();
-  const bool arm_moves = state.arm_action != 0 && !state.arm_holding;
   const auto settled = [&](Pending& pending) {
     const bool over = now >= pending.give_up;
-    if (pending.after_arm_action && arm_moves && !over) return false;
+    if (pending.once != nullptr && !pending.once(state) && !over) return false;
     const bool reaches = channel->writer.ReachesParticipant(pending.client);
     if (!reaches && !over) return false;
     unitree_api_msg_dds__Response_ response{};

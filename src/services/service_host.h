@@ -24,8 +24,8 @@
 
 namespace understudy::services {
 
-// Nothing here waits or throws. The rules are the vendor's (sdk_surface.md,
-// section 3; the server of the Python SDK):
+// Nothing here waits or throws. The rules are the vendor's (docs/sources.md#requests; the server of
+// the Python SDK):
 //
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
 //   - the request's identity is echoed, since clients match a reply by id;
@@ -66,7 +66,7 @@ class ServiceHost final : public ServicePort {
     bus::ParticipantKey client;
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
-    bool after_arm_action;
+    bool (*once)(const robot::MotionState& state);  // null: nothing to wait for
     WallTime give_up;
   };
   struct Channel {
@@ -91,7 +91,7 @@ class ServiceHost final : public ServicePort {
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
-  std::optional<SwitchTopics> switches_;  // of robots with uwbswitch
+  std::optional<SwitchTopics> switches_;  // of robots that have them
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;

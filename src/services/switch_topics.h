@@ -9,10 +9,9 @@
 
 namespace understudy::services {
 
-// Of a Go2 (sdk_surface.md, section 1):
+// Of a Go2 (docs/sources.md#topics):
 //   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
-//   lists
-//                      it so is assumed; no lidar is modelled.
+//                      lists it so is assumed; no lidar is modelled.
 //   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
 class SwitchTopics {
  public:

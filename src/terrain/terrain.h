@@ -2,6 +2,7 @@
 #ifndef UNDERSTUDY_TERRAIN_TERRAIN_H_
 #define UNDERSTUDY_TERRAIN_TERRAIN_H_
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -26,10 +27,10 @@ struct TerrainPatch {
 struct TerrainSpec {
   double difficulty = 0.5;  // 0 nearly flat .. 1 the hardest
   double friction = 0;  // of every contact with the ground; 0: the larger of 0.8 and the foot's own
-  std::vector<double> size = {8, 4};  // m: length of a patch along +x, width along y; assumed
-  int seed = 1;                       // of everything random
-  std::string image;                  // PNG or PGM of kind image
-  double image_height = 1;            // m from black to white at difficulty 1; assumed
+  std::array<double, 2> size = {8, 4};  // m: length of a patch along +x, width along y; assumed
+  int seed = 1;                         // of everything random
+  std::string image;                    // PNG or PGM of kind image
+  double image_height = 1;              // m from black to white at difficulty 1; assumed
   std::vector<TerrainPatch> patches;
 };
 

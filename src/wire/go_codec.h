@@ -25,7 +25,7 @@ robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::R
 // Writes a state: all fields but those that stay 0 on real robots. Call it with the same message
 // each time, all zero before the first (EncodeImu tells why). Slots without a motor stay as they
 // are. Robots fill ddq and the raw fields with 0, and show mode 1 on a passive motor too
-// (measured.md, section c).
+// (docs/sources.md#go2-captures).
 //
 // Not modelled: faults (reserve[0], bit_flag), lost packets, fans, foot_force_est, the board's
 // thermometers.

@@ -21,8 +21,8 @@ robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::R
 // are. With state.joint_space kMotors the parallel pairs show their motors: B in the slot of pitch,
 // A in that of roll, torques mapped so that power is the same.
 //
-// `vol` is the bus voltage, in the steps of 0.5 V seen (public audit of a real G1, measured.md,
-// section c). Not modelled: faults (motorstate), the sensor words.
+// `vol` is the bus voltage, in the steps of 0.5 V seen (docs/sources.md#g1-logs). Not modelled:
+// faults (motorstate), the sensor words.
 void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_hg_msg_dds__LowState_* message);
 

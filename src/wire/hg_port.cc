@@ -10,12 +10,6 @@
 #include "wire/topics.h"
 
 namespace understudy::wire {
-namespace {
-
-constexpr const char* kArmActionService = "g1_arm_example";  // what writes rt/arm/action/state
-
-}  // namespace
-
 HgPort::HgPort(const bus::Participant& participant, const robot::RobotSpec& spec)
     : spec_(spec),
       motion_fields_(MotionFieldsOf(spec)),
@@ -34,10 +28,7 @@ HgPort::HgPort(const bus::Participant& participant, const robot::RobotSpec& spec
     fsm_.emplace(Fsm{.state = bus::Writer(participant, kHgSportModeState),
                      .lf_state = bus::Writer(participant, kLfHgSportModeState)});
   }
-  const auto acts = [&](const robot::ServiceSpec& service) {
-    return service.name == kArmActionService;
-  };
-  if (std::ranges::any_of(spec.services, acts)) arm_action_.emplace(participant, kArmActionState);
+  if (spec.arm_action_state) arm_action_.emplace(participant, kArmActionState);
   for (const robot::HandSpec& hand : spec.hands) hands_.emplace_back(participant, hand);
   if (!spec.imu.secondary_site.empty()) {
     secondary_.emplace(SecondaryImu{.imu = bus::Writer(participant, kSecondaryImu),

@@ -35,7 +35,9 @@ constexpr ArmAction kArmActions[] = {
 }  // namespace
 
 MotionFields MotionFieldsOf(const robot::RobotSpec& spec) {
-  if (spec.family != robot::WireFamily::kGo || spec.feet.size() != 4) return MotionFields::kNone;
+  if (spec.family != robot::WireFamily::kGo || !robot::IsQuadruped(spec.kind)) {
+    return MotionFields::kNone;
+  }
   return robot::TellsStateId(spec) ? MotionFields::kStateId : MotionFields::kMode;
 }
 

@@ -14,7 +14,7 @@ namespace understudy::wire {
 
 // What a robot fills beside stamp, imu_state, position, body_height, velocity and yaw_speed.
 enum class MotionFields : std::uint8_t {
-  kNone,     // odometry of humanoids: nothing (*assumed*)
+  kNone,     // not a quadruped: nothing (*assumed*)
   kMode,     // firmware before RobotSpec::state_id_since: mode, progress and their kin
   kStateId,  // later: error_code is the state machine's id
 };

@@ -1,5 +1,4 @@
-// G1 with 23 motors, H1, H1-2, R1 and H2: their slots, and that description and model carry the
-// same published figures.
+// Humanoids: their slots, and that description and model carry the same published figures.
 #include <fstream>
 #include <string>
 #include <vector>
@@ -7,13 +6,12 @@
 #include <nlohmann/json.hpp>
 
 #include "config_fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::config {
 namespace {
 
-robot::RobotSpec Robot(const std::string& name) {
-  return LoadConfig({.robot = name}, std::filesystem::path(UNDERSTUDY_SOURCE_DIR)).robot;
-}
+using test::ShippedRobot;
 
 nlohmann::json Figures(const std::string& name) {
   return nlohmann::json::parse(
@@ -27,18 +25,18 @@ std::string JointInSlot(const robot::RobotSpec& robot, int slot) {
   return "none";
 }
 
-class HumanoidsTest : public testing::TestWithParam<const char*> {};
+class HumanoidsTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(HumanoidsTest, HasTheMotorsOfTheSdkInItsOrder) {
   const auto order = Figures(GetParam())["motor_order"].get<std::vector<std::string>>();
-  const robot::RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = ShippedRobot(GetParam());
   ASSERT_EQ(robot.motors.size(), order.size());
   for (std::size_t i = 0; i < order.size(); ++i) EXPECT_EQ(robot.motors[i].joint, order[i]);
 }
 
 TEST_P(HumanoidsTest, LimitsTheTorqueAsItsModelDoes) {
   const nlohmann::json figures = Figures(GetParam());
-  const robot::RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = ShippedRobot(GetParam());
   for (const nlohmann::json& joint : figures["joints"]) {
     for (const robot::MotorSpec& motor : robot.motors) {
       if (motor.joint != joint["name"]) continue;
@@ -49,7 +47,7 @@ TEST_P(HumanoidsTest, LimitsTheTorqueAsItsModelDoes) {
 
 TEST_P(HumanoidsTest, HoldsItsPosesByTheGainsOfTheExample) {
   const nlohmann::json hang = Figures(GetParam())["hang"];
-  const robot::RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = ShippedRobot(GetParam());
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
     EXPECT_EQ(robot.motors[i].hold_kp, hang["kp"][i].get<double>()) << robot.motors[i].joint;
     EXPECT_EQ(robot.motors[i].hold_kd, hang["kd"][i].get<double>()) << robot.motors[i].joint;
@@ -59,7 +57,7 @@ TEST_P(HumanoidsTest, HoldsItsPosesByTheGainsOfTheExample) {
 // A pose that is a millimetre high drops softly; one that is low starts in the ground.
 TEST_P(HumanoidsTest, StartsWithItsSolesJustAboveTheGround) {
   const nlohmann::json figures = Figures(GetParam());
-  const robot::RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = ShippedRobot(GetParam());
   EXPECT_EQ(robot.standing.q, figures["stand"]["pose"].get<std::vector<double>>());
   const double above = robot.standing.height - figures["stand"]["height"].get<double>();
   EXPECT_GT(above, 0.0005);
@@ -69,7 +67,7 @@ TEST_P(HumanoidsTest, StartsWithItsSolesJustAboveTheGround) {
 }
 
 TEST_P(HumanoidsTest, PairsArePitchAndRollOfOneMechanism) {
-  const robot::RobotSpec robot = Robot(GetParam());
+  const robot::RobotSpec robot = ShippedRobot(GetParam());
   for (const robot::ParallelSpec& pair : robot.parallel) {
     const std::string& pitch = robot.motors[static_cast<std::size_t>(pair.pitch)].joint;
     const std::string& roll = robot.motors[static_cast<std::size_t>(pair.roll)].joint;
@@ -78,12 +76,11 @@ TEST_P(HumanoidsTest, PairsArePitchAndRollOfOneMechanism) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest,
-                         testing::Values("g1_23dof", "h1", "h1_2", "r1", "h2"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidsTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& test) { return test.param; });
 
 TEST(HumanoidSlotsTest, H1LeavesSlotNineToTheArmWeight) {
-  const robot::RobotSpec robot = Robot("h1");
+  const robot::RobotSpec robot = ShippedRobot("h1");
   EXPECT_EQ(robot.family, robot::WireFamily::kGo);
   EXPECT_EQ(robot.motors.size(), 19U);
   EXPECT_EQ(JointInSlot(robot, 2), "right_knee_joint");
@@ -94,11 +91,11 @@ TEST(HumanoidSlotsTest, H1LeavesSlotNineToTheArmWeight) {
 }
 
 TEST(HumanoidSlotsTest, H1HasNoMoreCellsThanItsMessage) {
-  EXPECT_LE(Robot("h1").battery.cells, 15);  // unitree_go BmsState_.cell_vol
+  EXPECT_LE(ShippedRobot("h1").battery.cells, 15);  // unitree_go BmsState_.cell_vol
 }
 
 TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
-  const robot::RobotSpec robot = Robot("h1_2");
+  const robot::RobotSpec robot = ShippedRobot("h1_2");
   EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(robot.mode_machine, 6);
   EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_pitch_joint");
@@ -107,8 +104,8 @@ TEST(HumanoidSlotsTest, H12HasOneWaistMotorBetweenLegsAndArms) {
 }
 
 TEST(HumanoidSlotsTest, AG1OfTwentyThreeMotorsLeavesTheSlotsOfMissingJointsEmpty) {
-  const robot::RobotSpec small = Robot("g1_23dof");
-  const robot::RobotSpec large = Robot("g1");
+  const robot::RobotSpec small = ShippedRobot("g1_23dof");
+  const robot::RobotSpec large = ShippedRobot("g1");
   for (int slot = 0; slot < 35; ++slot) {
     const bool empty = slot == 13 || slot == 14 || slot == 20 || slot == 21 || slot >= 27;
     EXPECT_EQ(JointInSlot(small, slot), empty ? "none" : JointInSlot(large, slot)) << slot;
@@ -116,7 +113,7 @@ TEST(HumanoidSlotsTest, AG1OfTwentyThreeMotorsLeavesTheSlotsOfMissingJointsEmpty
 }
 
 TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {
-  const robot::RobotSpec robot = Robot("r1");
+  const robot::RobotSpec robot = ShippedRobot("r1");
   EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   for (const int slot : {14, 20, 21, 27, 28}) EXPECT_EQ(JointInSlot(robot, slot), "none") << slot;
   EXPECT_EQ(JointInSlot(robot, 12), "waist_roll_joint");
@@ -127,7 +124,7 @@ TEST(HumanoidSlotsTest, R1LeavesTheSlotsOfMissingJointsEmpty) {
 }
 
 TEST(HumanoidSlotsTest, H2RollsItsAnkleBeforeItPitchesIt) {
-  const robot::RobotSpec robot = Robot("h2");
+  const robot::RobotSpec robot = ShippedRobot("h2");
   EXPECT_EQ(robot.family, robot::WireFamily::kHg);
   EXPECT_EQ(JointInSlot(robot, 4), "left_ankle_roll_joint");
   EXPECT_EQ(JointInSlot(robot, 5), "left_ankle_pitch_joint");

@@ -18,8 +18,8 @@ TEST_F(RandomizationTest, DrawsNothingUnlessToldTo) {
 
 TEST_F(RandomizationTest, EveryRangeIsReadAndMakesTheRunRandom) {
   for (const RandomRange& range : RandomRanges()) {
-    const std::string limits = range.row.name == "timestep" ? "[0.0005, 0.001]" : "[0.01, 0.02]";
-    const std::string set = "randomization." + std::string(range.row.name) + "=" + limits;
+    const std::string limits = range.name == "timestep" ? "[0.0005, 0.001]" : "[0.01, 0.02]";
+    const std::string set = "randomization." + std::string(range.name) + "=" + limits;
     const robot::RandomizationSpec spec = Load({}, {set}).randomization;
     EXPECT_TRUE(IsRandom(spec)) << set;
     EXPECT_EQ((spec.*range.limits).size(), 2U) << set;

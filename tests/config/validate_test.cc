@@ -65,6 +65,23 @@ TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
             "angle per motor, 2, got 1");
 }
 
+TEST_F(ValidateTest, AKindNeedsWhatItsControllerCannotDoWithout) {
+  EXPECT_THAT(SetError("robot.kind=humanoid"),
+              testing::HasSubstr("robot.motion.humanoid.lock_stand: a humanoid needs this state"));
+  EXPECT_THAT(
+      SetError("robot.kind=quadruped"),
+      testing::HasSubstr("robot.motion.quadruped.stand_height: a quadruped needs this height"));
+  EXPECT_THAT(FileError("robot: {kind: wheeled, motion: {quadruped: {stand_height: 0.3}}}\n"),
+              testing::HasSubstr("robot.motors: a wheeled robot has 16, got 2"));
+  EXPECT_THAT(SetError("robot.kind=biped"), testing::HasSubstr("one of other, quadruped, "));
+}
+
+TEST_F(ValidateTest, NamesApisThatThereAre) {
+  EXPECT_THAT(SetError("robot.apis=[config, sport_g]"),
+              testing::HasSubstr("robot.apis.1: no api 'sport_g'; did you mean 'sport_go2'?"));
+  EXPECT_EQ(Load({}, {"robot.apis=[]"}).robot.apis.size(), 0U);
+}
+
 class HandsTest : public ValidateTest {
  protected:
   // The tiny robot as one of the hg family, with what is said of its hands.
@@ -122,7 +139,7 @@ TEST_F(HandsTest, HaveTopicsThatDdsTakes) {
 
 TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {
   EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [1.5]}]")),
-              testing::HasSubstr("robot.hands.0.pads.0.taxels: expected whole numbers"));
+              testing::HasSubstr("robot.hands.0.pads.0.taxels.0: expected a whole number from 0 to 11, got 1.5"));
   EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [12]}]")),
               testing::HasSubstr("robot.hands.0.pads.0.taxels"));
 }

@@ -23,7 +23,7 @@ class Dex3Test : public ModelTest {
  protected:
   // The wrists are where they are; no ground.
   Dex3Test()
-      : model_(LoadTogether({kG1Dex3},
+      : model_(LoadTogether({ModelFile("g1_29dof_dex3")},
                             "<equality><weld body1=\"left_wrist_yaw_link\"/>"
                             "<weld body1=\"right_wrist_yaw_link\"/></equality>")),
         data_(model_ ? mj_makeData(model_.get()) : nullptr),

@@ -64,7 +64,7 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
 
   const json& figures_ = Revisions()[GetParam()];
   const std::string robot_ = figures_["robot"];
-  json base_ = ReadFigures(robot_ == "g1" ? "g1_29dof" : robot_);
+  json base_ = ReadFigures(robot_);
   robot::RobotSpec spec_ =
       config::LoadConfig({.robot = robot_, .files = {}, .sets = {"robot.revision=" + GetParam()}},
                          kData)
@@ -123,7 +123,7 @@ TEST_P(G1RevisionTest, MotorsStopAtTheTorqueOfTheFileAndPassItsSpeed) {
 }
 
 TEST_P(G1RevisionTest, MotorsKeepTheirSlotsInTheOrderOfTheSdk) {
-  const json sdk = ReadFigures("g1_29dof")["motor_order"];  // index = slot
+  const json sdk = ReadFigures("g1")["motor_order"];  // index = slot
   int last = -1;
   for (const robot::MotorSpec& motor : spec_.motors) {
     EXPECT_EQ(sdk[static_cast<std::size_t>(motor.slot)], motor.joint);

@@ -1,4 +1,4 @@
-// What the models of H1, H1-2, R1 and H2 do: keep clear of themselves, stand on their soles only,
+// What the models of humanoids do: keep clear of themselves, stand on their soles only,
 // hang still under the vendor's gains, lie after a fall.
 
 #include <algorithm>
@@ -13,6 +13,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/models/model_fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::models {
 namespace {
@@ -23,13 +24,13 @@ constexpr double kTimestep = 0.001;  // s, as the models ask for
 constexpr int kSecond = 1000;        // steps
 constexpr int kBaseDofs = 6;
 
-class HumanoidTest : public ModelTest, public testing::WithParamInterface<const char*> {
+class HumanoidTest : public ModelTest, public testing::WithParamInterface<std::string> {
  protected:
   HumanoidTest() : figures_(ReadFigures(GetParam())) {}
 
   // The pelvis is held and there is no ground: a robot on its stand.
-  void Hang() { Load({File()}, "<equality><weld body1=\"pelvis\"/></equality>"); }
-  void PutOnGround() { Load({File(), kFlat}, ""); }
+  void Hang() { Load({ModelFile(GetParam())}, "<equality><weld body1=\"pelvis\"/></equality>"); }
+  void PutOnGround() { Load({ModelFile(GetParam()), kFlat}, ""); }
 
   JointPd Pd(std::vector<double> kp, std::vector<double> kd) const {
     return JointPd(*model_, figures_["motor_order"].get<std::vector<std::string>>(), std::move(kp),
@@ -57,10 +58,6 @@ class HumanoidTest : public ModelTest, public testing::WithParamInterface<const 
   DataPtr data_;
 
  private:
-  static std::string File() {
-    const std::string robot = GetParam();
-    return kModels + (robot == "g1_23dof" ? "g1" : robot) + "/" + robot + ".xml";
-  }
   void Load(const std::vector<std::string>& files, const std::string& extra) {
     model_ = LoadTogether(files, extra);
     ASSERT_TRUE(model_ != nullptr);
@@ -163,9 +160,8 @@ TEST_P(HumanoidTest, SlumpsToTheGroundWhenItsMotorsOnlyBrake) {
   EXPECT_NEAR(data_->qpos[2], height, 0.03);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest,
-                         testing::Values("g1_23dof", "h1", "h1_2", "r1", "h2"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace understudy::models

@@ -28,7 +28,7 @@ class G1Test : public ModelTest {
  protected:
   // The pelvis is held and there is no ground: a robot on its stand.
   G1Test()
-      : model_(LoadTogether({kG1}, "<equality><weld body1=\"pelvis\"/></equality>")),
+      : model_(LoadTogether({ModelFile("g1")}, "<equality><weld body1=\"pelvis\"/></equality>")),
         data_(model_ ? mj_makeData(model_.get()) : nullptr) {}
 
   void SetUp() override { ASSERT_TRUE(model_ != nullptr); }
@@ -61,7 +61,7 @@ TEST_F(G1Test, DoesNotTouchItselfInTheZeroPose) {
 
 TEST_F(G1Test, DoesNotTouchItselfStanding) {
   JointPd pd(*model_, Motors("g1_29dof"), std::vector<double>(29), std::vector<double>(29));
-  pd.SetTarget(ReadFigures("g1_29dof")["stand"]["pose"]);
+  pd.SetTarget(ReadFigures("g1")["stand"]["pose"]);
   pd.PlaceAtTarget(*model_, data_.get());
   mj_forward(model_.get(), data_.get());
   EXPECT_THAT(SelfContacts(*model_, *data_), IsEmpty());
@@ -71,7 +71,7 @@ TEST_F(G1Test, DoesNotTouchItselfStanding) {
 // weight.
 
 TEST_F(G1Test, HangsStillAtTheZeroPoseUnderTheGainsOfTheExample) {
-  const nlohmann::json hang = ReadFigures("g1_29dof")["hang"];
+  const nlohmann::json hang = ReadFigures("g1")["hang"];
   const double speed =
       SpeedAfterNudge(hang["kp"].get<std::vector<double>>(), hang["kd"].get<std::vector<double>>());
   EXPECT_LT(speed, 0.02);

@@ -15,6 +15,7 @@
 
 #include "physics/world_model.h"
 #include "tests/models/model_fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::models {
 namespace {
@@ -25,20 +26,15 @@ using nlohmann::json;
 // inertia in double precision.
 constexpr double kRelative = 1e-6;
 
-struct Robot {
-  std::string figures;
-  std::string file;
-};
-
-void PrintTo(const Robot& robot, std::ostream* out) { *out << robot.figures; }
-
-class ModelFiguresTest : public ModelTest, public testing::WithParamInterface<Robot> {
+class ModelFiguresTest : public ModelTest, public testing::WithParamInterface<std::string> {
  protected:
-  ModelFiguresTest() : figures_(ReadFigures(GetParam().figures)), model_(Load(GetParam().file)) {}
+  ModelFiguresTest()
+      : figures_(ReadFigures(GetParam())), file_(ModelFile(GetParam())), model_(Load(file_)) {}
 
   void SetUp() override { ASSERT_TRUE(model_ != nullptr); }
 
   json figures_;
+  std::string file_;
   ModelPtr model_;
 };
 
@@ -69,7 +65,7 @@ void ExpectRotation(const std::vector<double>& got, const json& figure, const st
 }
 
 TEST_P(ModelFiguresTest, LoadsBesideTheFlatScene) {
-  const ModelPtr world = LoadTogether({GetParam().file, kFlat});
+  const ModelPtr world = LoadTogether({file_, kFlat});
   ASSERT_TRUE(world != nullptr);
   EXPECT_EQ(world->nbody, model_->nbody);
   const auto colliding = [](const mjModel& model) {  // what is only drawn may have been left out
@@ -249,7 +245,7 @@ TEST_P(ModelFiguresTest, WheelsAreCylindersAroundTheirJoints) {
 // What the emulator itself does with the file, and all that a robot's description names.
 TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
   robot::RobotSpec spec;
-  spec.name = GetParam().figures;
+  spec.name = GetParam();
   spec.base_body = figures_["bodies"][0]["name"];
   spec.crane_body = spec.base_body;
   spec.imu.site = "imu";
@@ -263,7 +259,7 @@ TEST_P(ModelFiguresTest, LoadsAsTheEmulatorLoadsIt) {
       spec.feet.push_back({.name = foot["name"], .geoms = {foot["name"]}});
     }
   }
-  const mjcf::ModelHandle world = physics::LoadWorldModel(spec, GetParam().file, kFlat, 0.001);
+  const mjcf::ModelHandle world = physics::LoadWorldModel(spec, file_, kFlat, 0.001);
   EXPECT_EQ(world->nbody, model_->nbody);
   const auto colliding = [](const mjModel& model) {  // what is only drawn may have been left out
     int count = 0;
@@ -285,20 +281,8 @@ TEST_P(ModelFiguresTest, WhatIsDrawnNeverTouchesAndWhatTouchesIsNotDrawn) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest,
-                         testing::Values(Robot{"go2", kGo2},               //
-                                         Robot{"go2w", kGo2W},             //
-                                         Robot{"b2", kB2},                 //
-                                         Robot{"b2w", kB2W},               //
-                                         Robot{"a2", kA2},                 //
-                                         Robot{"g1_29dof", kG1},           //
-                                         Robot{"g1_29dof_dex3", kG1Dex3},  //
-                                         Robot{"g1_23dof", kG123},         //
-                                         Robot{"h1", kH1},                 //
-                                         Robot{"h1_2", kH12},              //
-                                         Robot{"r1", kR1},                 //
-                                         Robot{"h2", kH2}),                //
-                         [](const auto& test) { return test.param.figures; });
+INSTANTIATE_TEST_SUITE_P(Robots, ModelFiguresTest, testing::ValuesIn(test::Robots()),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace understudy::models

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/robots.h"
+
 namespace understudy::models {
 namespace {
 
@@ -63,6 +65,10 @@ ModelPtr ModelTest::LoadTogether(const std::vector<std::string>& paths, const st
   EXPECT_TRUE(model != nullptr);
   EXPECT_STREQ(error, "");
   return model;
+}
+
+std::string ModelFile(const std::string& robot) {
+  return kModels + test::ShippedRobot(robot).model;
 }
 
 nlohmann::json ReadFigures(const std::string& robot) {

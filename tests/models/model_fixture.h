@@ -21,18 +21,6 @@ using ModelPtr = std::unique_ptr<mjModel, DeleteModel>;
 using DataPtr = std::unique_ptr<mjData, DeleteData>;
 
 inline const std::string kModels = std::string(UNDERSTUDY_SOURCE_DIR) + "/models/";
-inline const std::string kGo2 = kModels + "go2/go2.xml";
-inline const std::string kGo2W = kModels + "go2w/go2w.xml";
-inline const std::string kB2 = kModels + "b2/b2.xml";
-inline const std::string kB2W = kModels + "b2w/b2w.xml";
-inline const std::string kA2 = kModels + "a2/a2.xml";
-inline const std::string kG1 = kModels + "g1/g1_29dof.xml";
-inline const std::string kG1Dex3 = kModels + "g1/g1_29dof_dex3.xml";
-inline const std::string kG123 = kModels + "g1/g1_23dof.xml";
-inline const std::string kH1 = kModels + "h1/h1.xml";
-inline const std::string kH12 = kModels + "h1_2/h1_2.xml";
-inline const std::string kR1 = kModels + "r1/r1.xml";
-inline const std::string kH2 = kModels + "h2/h2.xml";
 inline const std::string kFlat = kModels + "scene/flat.xml";
 
 // A fixture in which every warning or error of MuJoCo fails the test.
@@ -47,6 +35,9 @@ class ModelTest : public testing::Test {
   static ModelPtr LoadTogether(const std::vector<std::string>& paths,
                                const std::string& extra = "");
 };
+
+// The robot's model as its file names it.
+std::string ModelFile(const std::string& robot);
 
 // tests/data/figures/<robot>.json
 nlohmann::json ReadFigures(const std::string& robot);

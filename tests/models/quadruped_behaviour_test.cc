@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/models/model_fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::models {
 namespace {
@@ -20,19 +21,12 @@ using testing::IsEmpty;
 
 constexpr int kSecond = 1000;  // steps
 
-struct Quadruped {
-  std::string name;
-  std::string file;
-};
-
-void PrintTo(const Quadruped& robot, std::ostream* out) { *out << robot.name; }
-
-class QuadrupedTest : public ModelTest, public testing::WithParamInterface<Quadruped> {
+class QuadrupedTest : public ModelTest, public testing::WithParamInterface<std::string> {
  protected:
   QuadrupedTest()
-      : figures_(ReadFigures(GetParam().name)),
+      : figures_(ReadFigures(GetParam())),
         motors_(figures_["motor_order"].get<std::vector<std::string>>()),
-        model_(LoadTogether({GetParam().file, kFlat})),
+        model_(LoadTogether({ModelFile(GetParam()), kFlat})),
         data_(model_ ? mj_makeData(model_.get()) : nullptr) {}
 
   void SetUp() override { ASSERT_TRUE(model_ != nullptr); }
@@ -133,13 +127,8 @@ TEST_P(QuadrupedTest, RisesFromLyingAsTheExampleDoes) {
   EXPECT_GT(data_->qpos[2], stand["height"][0].get<double>());
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest,
-                         testing::Values(Quadruped{"go2", kGo2},    //
-                                         Quadruped{"go2w", kGo2W},  //
-                                         Quadruped{"b2", kB2},      //
-                                         Quadruped{"b2w", kB2W},    //
-                                         Quadruped{"a2", kA2}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest, testing::ValuesIn(test::Quadrupeds()),
+                         [](const auto& test) { return test.param; });
 
 class WheeledTest : public QuadrupedTest {};
 
@@ -165,9 +154,8 @@ TEST_P(WheeledTest, RollsAtTheCommandedWheelSpeed) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, WheeledTest,
-                         testing::Values(Quadruped{"go2w", kGo2W}, Quadruped{"b2w", kB2W}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Robots, WheeledTest, testing::ValuesIn(test::WheeledRobots()),
+                         [](const auto& test) { return test.param; });
 
 class Go2Test : public QuadrupedTest {};
 
@@ -176,9 +164,8 @@ TEST_P(Go2Test, ConesAreElliptic) {
   EXPECT_EQ(model_->opt.impratio, 100.0);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, Go2Test,
-                         testing::Values(Quadruped{"go2", kGo2}, Quadruped{"go2w", kGo2W}),
-                         [](const auto& test) { return test.param.name; });
+INSTANTIATE_TEST_SUITE_P(Robots, Go2Test, testing::Values("go2", "go2w"),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace understudy::models

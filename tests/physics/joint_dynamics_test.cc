@@ -43,7 +43,7 @@ class JointDynamicsTest : public test::MujocoTest {
   }
 };
 
-// measured.md, section d: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh
+// docs/sources.md#go2-fits: the friction of a real Go2's calf is 0.5 to 1.0 N·m, of hip and thigh
 // 0.14 to 0.29; the 0.2 of the vendor's model is too small at the calf.
 TEST_F(JointDynamicsTest, GivesTheGo2TheJointFrictionThatRealOnesShow) {
   const mjcf::ModelHandle model = Load("go2", "");

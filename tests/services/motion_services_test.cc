@@ -137,7 +137,10 @@ TEST(G1ArmTest, AnswersAnActionWhenItHasEnded) {
   Caller caller(TableOf("g1", "arm"));
   const ServiceReply reply = caller.Ask(7106, R"({"data":26})");
   EXPECT_EQ(reply.code, 0);
-  EXPECT_TRUE(reply.after_arm_action);
+  ASSERT_NE(reply.once, nullptr);
+  EXPECT_FALSE(reply.once({.arm_action = 25}));
+  EXPECT_TRUE(reply.once({.arm_action = 25, .arm_holding = true}));
+  EXPECT_TRUE(reply.once({}));
   EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 26);
 }
 

@@ -6,49 +6,60 @@
 
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
+#include "services/api_names.h"
 #include "services/service.h"
+#include "tests/support/robots.h"
 
 namespace understudy::services {
 namespace {
 
-std::set<std::string_view> NamesOf(std::string_view robot) {
-  std::set<std::string_view> names;
-  for (const ServiceTable& table : ServicesOf(robot)) names.insert(table.title);
-  return names;
+TEST(RobotServicesTest, GiveARobotTheTablesThatItsFileNames) {
+  const std::vector<ServiceTable> tables = ServicesOf({"config", "sport_go2w"});
+  ASSERT_EQ(tables.size(), 2U);
+  EXPECT_EQ(tables[0].title, "config");
+  EXPECT_EQ(tables[1].title, "sport of Go2-W");
 }
 
 TEST(RobotServicesTest, GiveABuildOfARobotTheRobotsServices) {
-  EXPECT_EQ(NamesOf("g1_23dof"), NamesOf("g1"));
-  EXPECT_EQ(NamesOf("h1_2"), NamesOf("h1"));
-  EXPECT_EQ(NamesOf("go2w").count("sport of Go2-W"), 1U);
+  EXPECT_EQ(test::ShippedRobot("g1_23dof").apis, test::ShippedRobot("g1").apis);
 }
 
-TEST(RobotServicesTest, GiveARobotOfAnotherNameWhatAllHave) {
-  const std::set<std::string_view> all = {"motion_switcher", "robot_state of the others", "config"};
-  EXPECT_EQ(NamesOf("my_robot"), all);
-  EXPECT_EQ(NamesOf("go2000"), all);
+TEST(RobotServicesTest, GiveARobotThatNamesNoneWhatAllHave) {
+  std::set<std::string_view> titles;
+  for (const ServiceTable& table : ServicesOf(robot::RobotSpec{}.apis)) titles.insert(table.title);
+  EXPECT_EQ(titles,
+            (std::set<std::string_view>{"motion_switcher", "robot_state of the others", "config"}));
 }
 
-TEST(RobotServicesTest, HaveEachServiceAndEachApiOnce) {
-  for (const std::string_view robot : RobotsWithServices()) {
-    std::set<std::string_view> services;
-    for (const ServiceTable& table : ServicesOf(robot)) {
-      EXPECT_TRUE(services.insert(table.name).second) << robot << " " << table.name;
-      std::set<std::int64_t> ids;
-      for (const ApiRow& row : table.rows) EXPECT_TRUE(ids.insert(row.id).second) << row.id;
+TEST(RobotServicesTest, RefuseTwoVariantsOfOneService) {
+  EXPECT_THROW(ServicesOf({"sport_go2", "sport_b2"}), ConfigError);
+  EXPECT_THROW(ServicesOf({"config", "config"}), ConfigError);
+}
+
+TEST(RobotServicesTest, AreThereForEachRobot) {
+  for (const std::string& robot : test::Robots()) {
+    EXPECT_NO_THROW(ServicesOf(test::ShippedRobot(robot).apis)) << robot;
+  }
+}
+
+TEST(RobotServicesTest, HaveEachApiOnce) {
+  for (const std::string_view name : kApiNames) {
+    std::set<std::int64_t> ids;
+    for (const ApiRow& row : TableNamed(name).rows) {
+      EXPECT_TRUE(ids.insert(row.id).second) << name << " " << row.id;
     }
   }
 }
 
 TEST(RobotServicesTest, GetOnlySettingsThatHaveAStart) {
-  for (const std::string_view robot : RobotsWithServices()) {
-    for (const ServiceTable& table : ServicesOf(robot)) {
-      const Service service(table);
-      for (const ApiRow& row : table.rows) {
-        const auto* give = std::get_if<GiveSetting>(&row.effect);
-        if (give == nullptr) continue;
-        EXPECT_EQ(service.settings().count(give->name), 1U) << table.title << " " << give->name;
-      }
+  for (const std::string_view name : kApiNames) {
+    const ServiceTable table = TableNamed(name);
+    const Service service(table);
+    for (const ApiRow& row : table.rows) {
+      const auto* give = std::get_if<GiveSetting>(&row.effect);
+      if (give == nullptr) continue;
+      EXPECT_EQ(service.settings().count(give->name), 1U) << table.title << " " << give->name;
     }
   }
 }
@@ -56,7 +67,10 @@ TEST(RobotServicesTest, GetOnlySettingsThatHaveAStart) {
 TEST(ServicesDocTest, IsWhatTheServicesCommandPrints) {
   std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/services.md", std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(text, ServicesReference()) << "write it anew: understudy services > docs/services.md";
+  std::map<std::string, std::vector<std::string>> robots;
+  for (const std::string& robot : test::Robots()) robots[robot] = test::ShippedRobot(robot).apis;
+  EXPECT_EQ(text, ServicesReference(robots))
+      << "write it anew: understudy services > docs/services.md";
 }
 
 }  // namespace

@@ -42,7 +42,13 @@ ServiceTable EchoTable(bool needs_motion) {
                                             throw std::runtime_error("oh");
                                           }}},
                {.id = 10, .name = "Wave", .effect = Special{[](const ServiceCall&) {
-                                            return ServiceReply{.after_arm_action = true};
+                                            return ServiceReply{
+                                                .once =
+                                                    [](const robot::MotionState& state) {
+                                                      return state.arm_action == 0 ||
+                                                             state.arm_holding;
+                                                    },
+                                                .patience = std::chrono::seconds(20)};
                                           }}}}};
 }
 

@@ -9,6 +9,7 @@ robot::RobotSpec FixtureRobot() {
   spec.name = "fixture";
   spec.model = FixtureFile("fixture_robot.xml").string();
   spec.base_body = "base";
+  spec.kind = robot::RobotKind::kQuadruped;
   const auto add = [&spec](const char* joint, int slot) {
     spec.motors.push_back({.joint = joint,
                            .slot = slot,

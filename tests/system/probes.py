@@ -7,6 +7,7 @@ from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwi
 from unitree_sdk2py.g1.loco.g1_loco_client import LocoClient
 from unitree_sdk2py.go2.robot_state.robot_state_client import RobotStateClient
 from unitree_sdk2py.idl.default import unitree_hg_msg_dds__HandCmd_
+from unitree_sdk2py.idl.std_msgs.msg.dds_ import String_
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from unitree_sdk2py.idl.unitree_hg.msg.dds_ import HandCmd_, HandState_
 
@@ -208,6 +209,11 @@ def motion_service(played):
 def state_told(played):
     with listener("rt/sportmodestate", SportModeState_) as ear:
         return ear.wait()[-1].error_code
+
+
+def hears_arm_actions(robot):
+    with listener("rt/arm/action/state", String_) as ear:
+        return bool(ear.take_for(0.5))
 
 
 def hears_hg(robot):

@@ -102,7 +102,7 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
   robot::RobotSpec spec = HgRobot();
   spec.firmware = "1.5.3";
   spec.state_id_since = "1.5.1";
-  spec.services = {{.name = "g1_arm_example"}};
+  spec.arm_action_state = true;
   HgPort port(participant, spec);
   bus::Reader<unitree_hg_msg_dds__SportModeState_> fsm(participant, kHgSportModeState);
   bus::Reader<std_msgs_msg_dds__String_> arms(participant, kArmActionState);

@@ -78,13 +78,16 @@ TEST(MotionCodecTest, FillsWhatOldFirmwareFilled) {
 
 TEST(MotionCodecTest, GoesByRobotAndFirmware) {
   robot::RobotSpec spec;
-  spec.feet.resize(4);
+  spec.kind = robot::RobotKind::kQuadruped;
   spec.firmware = "1.1.5";
   spec.state_id_since = "1.1.6";
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kMode);
   spec.firmware = "1.1.6";
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kStateId);
   spec.family = robot::WireFamily::kHg;
+  EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kNone);
+  spec.family = robot::WireFamily::kGo;
+  spec.kind = robot::RobotKind::kHumanoid;
   EXPECT_EQ(MotionFieldsOf(spec), MotionFields::kNone);
 }
 

@@ -5,7 +5,7 @@
 namespace understudy::motion {
 namespace {
 
-bool Has(const std::vector<double>& ids, int id) {
+bool Has(const std::vector<int>& ids, int id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
 

@@ -10,7 +10,7 @@ namespace understudy::motion {
 namespace {
 
 constexpr double kSensePeriod = 0.004;  // s: the body needs 1/20 of that per step of feedback
-constexpr double kMoveTime = 4;         // s: on hardware within 5 s (hardware_contract.md, 4.1)
+constexpr double kMoveTime = 4;         // s: on hardware within 5 s (docs/sources.md#g1-states)
 
 // Assumed, tried on every robot here.
 constexpr double kLockStiffness = 1.75;  // of a locked joint, in m g h of the whole robot: a G1
@@ -133,7 +133,7 @@ authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) 
     case authority::MotionAction::kSit:
       return SetFsm(ids_.sit);
     case authority::MotionAction::kBalanceStand:
-      return SetFsm(ids_.balance.empty() ? -1 : static_cast<int>(ids_.balance.front()));
+      return SetFsm(ids_.balance.empty() ? -1 : ids_.balance.front());
     case authority::MotionAction::kSetFsm:
       return SetFsm(number);
     case authority::MotionAction::kStopMove:

@@ -148,8 +148,10 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
 }  // namespace
 
 QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::RobotSpec& spec) {
-  if (spec.motors.size() < kLegMotors || spec.feet.size() != kLegs) {
-    throw ModelError("robot '" + spec.name + "' is no quadruped: it needs 12 motors and 4 feet");
+  const bool wheeled = spec.kind == robot::RobotKind::kWheeled;
+  if (spec.motors.size() < kLegMotors + (wheeled ? kLegs : 0) || spec.feet.size() != kLegs) {
+    throw ModelError("robot '" + spec.name +
+                     "' is no quadruped: it needs 12 motors, 4 for wheels, and 4 feet");
   }
   const mjModel& model = world.model();
   const int base = world.Body(spec.base_body);

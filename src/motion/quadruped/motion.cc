@@ -203,7 +203,7 @@ authority::MotionVerdict QuadrupedMotion::Euler(const Vector3d& rpy) {
   if (state_ != State::kBalance && state_ != State::kPosing)
     return authority::MotionVerdict::kNotNow;
   for (int i = 0; i < 3; ++i) {
-    const double most = figures_.euler_range[static_cast<std::size_t>(i)];
+    const double most = figures_.euler_range[i];
     wanted_.rpy[i] = std::clamp(rpy[i], -most, most);
   }
   stance_.Follow(stance_.Feasible(wanted_));

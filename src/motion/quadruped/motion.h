@@ -26,15 +26,15 @@ namespace understudy::motion {
 // (docs/fidelity.md): the vendor's graph was not found.
 class QuadrupedMotion : public authority::Motion {
  public:
-  // `spec` must outlive it; its motion.quadruped must have a stand_height.
+  // `spec` must outlive it.
   QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures);
 
   // Damped; a robot that stands is kept standing, balanced. Assumed: whether a real one stands up
   // by itself after boot, and into which state, is not known.
   void Start(const authority::MotionInput& input) override;
 
-  // kMove: kUnable; after StandUp taken and without effect, as on a real Go2 (measured.md,
-  // section c). Euler angles and body height beyond their range are cut to it.
+  // kMove: kUnable; after StandUp taken and without effect, as on a real Go2
+  // (docs/sources.md#go2-captures). Euler angles and body height beyond their range are cut to it.
   authority::MotionVerdict Ask(const authority::MotionGoal& goal) override;
 
   void Step(const authority::MotionInput& input, double dt, robot::RobotCommand* command) override;
@@ -98,7 +98,7 @@ class QuadrupedMotion : public authority::Motion {
   bool stands() const;    // is held by its joints, upright
   bool balances() const;  // is in one of the states that `stance_` leads
   bool upright() const;   // enough for the legs alone
-  bool wheeled() const { return spec_.motors.size() > 12; }
+  bool wheeled() const { return spec_.kind == robot::RobotKind::kWheeled; }
 
   const robot::RobotSpec& spec_;
   const robot::QuadrupedMotionSpec& figures_;

@@ -197,8 +197,8 @@ bool QuadrupedMotion::balances() const {
          state_ == State::kSitting || state_ == State::kPosing;
 }
 
-// All is said by q alone, with dq and tau 0: so a real Go2 does while it stands (measured.md,
-// section c). The motor law makes the same torque of it.
+// All is said by q alone, with dq and tau 0: so a real Go2 does while it stands
+// (docs/sources.md#go2-captures). The motor law makes the same torque of it.
 void QuadrupedMotion::Legs(robot::RobotCommand* command) const {
   const double kp = figures_.kp, kd = figures_.kd;
   for (std::size_t i = 0; i < 12; ++i) {

@@ -27,13 +27,20 @@ constexpr std::array kArmActions = {
     std::pair{24, "x-ray"},       std::pair{25, "face wave"},     std::pair{26, "high wave"},
     std::pair{27, "shake hand"}};
 
+// As seen on a G1, a reply comes when the action has ended or is held.
+bool IsSettled(const robot::MotionState& state) {
+  return state.arm_action == 0 || state.arm_holding;
+}
+// The vendor's header: a held arm lets go after 20 s at most, so no action is under way longer.
+constexpr std::chrono::seconds kLongestAction(20);
+
 ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before,
                     const ServiceCall& call) {
   // [sdk] g1/arm: states that allow actions.
   constexpr std::array kStates = {500, 501, 801, 802};
   switch (verdict) {
     case authority::MotionVerdict::kTaken:
-      return {.after_arm_action = true};
+      return {};
     case authority::MotionVerdict::kUnknown:
       return {.code = kBadAction};
     case authority::MotionVerdict::kNotNow:
@@ -49,19 +56,23 @@ ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& 
 ServiceReply Execute(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
   const auto id = call.parameter.at("action_id").get<double>();
-  return Answer(call.owner->Ask({.action = authority::MotionAction::kArmAction, .value = {id}}),
-                before, call);
+  ServiceReply reply =
+      Answer(call.owner->Ask({.action = authority::MotionAction::kArmAction, .value = {id}}),
+             before, call);
+  if (reply.code == kRpcOk) {
+    reply.once = &IsSettled;
+    reply.patience = kLongestAction;
+  }
+  return reply;
 }
 
 ServiceReply ExecuteByName(const ServiceCall&) { return {.code = kBadAction}; }
 
 ServiceReply Stop(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
-  ServiceReply reply = Answer(
+  return Answer(
       call.owner->Ask({.action = authority::MotionAction::kStopArmAction, .value = {kRelease}}),
       before, call);
-  reply.after_arm_action = false;
-  return reply;
 }
 
 ServiceReply List(const ServiceCall&) {

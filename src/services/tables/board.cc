@@ -275,6 +275,7 @@ ServiceTable ConfigTable() {
           .title = "config",
           .api_version = "1.0.0.1",
           .parameter_code = 8201,
+          .tells_changes = true,
           .rows =
               {
                   {1001,

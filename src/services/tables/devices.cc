@@ -176,6 +176,7 @@ ServiceTable UwbSwitchTable() {
           .title = "uwbswitch of Go2",
           .api_version = "1.0.0.1",
           .program = "utrack",
+          .has_switch_topics = true,
           .rows =
               {
                   {1001, "SwitchSet", {Int("enable", 0, 1)}, KeepSetting{"enable"}, "kept", kSdk},
@@ -203,26 +204,6 @@ ServiceTable VideoTable(std::string_view name, std::string_view title, std::stri
           .codes = {.unable = kDeviceError},
           .program = "video_hub",
           .rows = {WithoutImage()}};
-}
-
-ServiceTable G1AgvTable() {
-  return {.name = "agv",
-          .title = "agv of G1-D",
-          .api_version = "1.0.0.1",
-          .rows = {{.id = 1001,
-                    .name = "Move",
-                    .fields = {Clamped("vx", 1.5), Number("vy"), Clamped("vyaw", 0.6)},
-                    .effect = NoController{},
-                    .does = "no wheeled base is played",
-                    .source = "[sdk] g1/agv: ranges, 9102",
-                    .unable_code = 9102},
-                   {.id = 1002,
-                    .name = "HeightAdjust",
-                    .fields = {Clamped("data", 1.0)},
-                    .effect = NoController{},
-                    .does = "no column is played",
-                    .source = "[sdk] g1/agv: range, 9103",
-                    .unable_code = 9103}}};
 }
 
 }  // namespace understudy::services

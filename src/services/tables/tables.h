@@ -23,7 +23,6 @@ ServiceTable ConfigTable();
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits);
 ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits);
 ServiceTable A2SportTable();
-ServiceTable As2SportTable();
 
 ServiceTable G1SportTable();
 ServiceTable H2SportTable();
@@ -36,7 +35,6 @@ ServiceTable VuiTable();
 ServiceTable VoiceTable();
 ServiceTable UwbSwitchTable();
 ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version);
-ServiceTable G1AgvTable();
 
 }  // namespace understudy::services
 

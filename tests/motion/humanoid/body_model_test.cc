@@ -9,6 +9,7 @@
 #include "physics/world.h"
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -28,7 +29,7 @@ physics::PhysicsWorld WorldOf(const robot::RobotSpec& spec) {
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
 // The robot in the air, every joint somewhere and everything turning.
-class BodyModelTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {
+class BodyModelTest : public test::MujocoTest, public testing::WithParamInterface<std::string> {
  protected:
   BodyModelTest() {
     const mjModel& m = world_.model();
@@ -167,9 +168,8 @@ TEST_P(BodyModelTest, FindsSolesOfTheSizeOfAFoot) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest,
-                         testing::Values("g1", "g1_23dof", "h1", "h1_2", "r1", "h2"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& test) { return test.param; });
 
 using BodyModelMisuseTest = test::MujocoTest;
 

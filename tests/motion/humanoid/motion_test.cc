@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "tests/motion/humanoid/fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -232,13 +233,13 @@ TEST_F(HumanoidMotionTest, StandsWhenPushedAslant) {
   EXPECT_TRUE(rig_.standing());
 }
 
-class ArmActionsTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {};
+class ArmActionsTest : public test::MujocoTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   HumanoidRig rig(GetParam(), {}, 0.002);
   rig.Stand();
   rig.Run(1);
-  ASSERT_EQ(rig.SetFsm(static_cast<int>(rig.spec().motion.humanoid.balance.front())), kTaken);
+  ASSERT_EQ(rig.SetFsm(rig.spec().motion.humanoid.balance.front()), kTaken);
   double deepest = 0, tilt = 0;
   rig.watch = [&] {
     deepest = std::max(deepest, rig.DeepestSelfContact());
@@ -268,8 +269,11 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest, testing::Values("g1", "g1_23dof", "h2"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest,
+                         testing::ValuesIn(test::RobotsThat([](const robot::RobotSpec& spec) {
+                           return spec.motion.humanoid.arm_actions;
+                         })),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace understudy::motion

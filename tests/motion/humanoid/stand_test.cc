@@ -5,16 +5,17 @@
 #include <cmath>
 
 #include "tests/motion/humanoid/fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
 
 int Balanced(const HumanoidRig& rig) {
-  return static_cast<int>(rig.spec().motion.humanoid.balance.front());
+  return rig.spec().motion.humanoid.balance.front();
 }
 
 class HumanoidStandTest : public test::MujocoTest,
-                          public testing::WithParamInterface<const char*> {};
+                          public testing::WithParamInterface<std::string> {};
 
 // A push at the crane's hook, near the shoulders.
 void SurvivesPushes(HumanoidRig* rig, double impulse) {
@@ -53,7 +54,7 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
   EXPECT_TRUE(rig.standing());
 }
 
-class G1SquatTest : public test::MujocoTest, public testing::WithParamInterface<const char*> {};
+class G1SquatTest : public test::MujocoTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
   HumanoidRig rig(GetParam(), {}, 0.002);
@@ -78,10 +79,8 @@ std::string Name(std::string robot) {
   return robot;
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest,
-                         testing::Values("g1", "g1_23dof", "g1_29dof_dex3", "h1", "h1_2", "r1",
-                                         "h2"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidStandTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& test) { return test.param; });
 
 const auto kRevisions = testing::Values("g1 2", "g1 3", "g1 6", "g1 11", "g1 12", "g1 13", "g1 14",
                                         "g1 15", "g1 16", "g1_23dof 1", "g1_23dof 10");
@@ -94,7 +93,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, G1SquatTest, testing::Values("g1", "g1_23dof"),
                          [](const auto& test) { return Name(test.param); });
 
 class HumanoidLastsTest : public test::MujocoTest,
-                          public testing::WithParamInterface<const char*> {};
+                          public testing::WithParamInterface<std::string> {};
 
 TEST_P(HumanoidLastsTest, StandsForAMinute) {
   HumanoidRig rig(GetParam(), {}, 0.002);
@@ -109,11 +108,11 @@ TEST_P(HumanoidLastsTest, StandsForAMinute) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HumanoidLastsTest, testing::Values("g1", "h1"),
-                         [](const auto& test) { return std::string(test.param); });
+                         [](const auto& test) { return test.param; });
 
 // Noise and lattices of the sensors; 1 ms, as the robot runs.
 class HumanoidNoiseTest : public test::MujocoTest,
-                          public testing::WithParamInterface<const char*> {};
+                          public testing::WithParamInterface<std::string> {};
 
 TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
   HumanoidRig rig(GetParam());
@@ -134,7 +133,7 @@ TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HumanoidNoiseTest, testing::Values("g1", "h1"),
-                         [](const auto& test) { return std::string(test.param); });
+                         [](const auto& test) { return test.param; });
 
 struct Drives {
   double friction;  // N·m, of every joint

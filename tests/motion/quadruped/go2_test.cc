@@ -8,6 +8,7 @@
 #include "motion/quadruped/motion.h"
 #include "tests/motion/quadruped/rig.h"
 #include "tests/support/allocations.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -18,7 +19,7 @@ constexpr double kDegree = 0.017453;  // rad
 constexpr int kLocked = 1002;         // error_code of the vendor's sport service page
 
 // The vendor's page of the Go2-W.
-class WheeledMotionTest : public testing::TestWithParam<const char*> {
+class WheeledMotionTest : public testing::TestWithParam<std::string> {
  protected:
   QuadrupedRig rig_{GetParam()};
 };
@@ -46,7 +47,7 @@ TEST_P(WheeledMotionTest, RecoversFromDampingOrLyingOnly) {
   EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, WheeledMotionTest, testing::Values("go2w", "b2w"),
+INSTANTIATE_TEST_SUITE_P(Robots, WheeledMotionTest, testing::ValuesIn(test::WheeledRobots()),
                          [](const auto& test) { return test.param; });
 
 class Go2MotionTest : public testing::Test {
@@ -64,7 +65,7 @@ TEST_F(Go2MotionTest, SaysAllByAnglesAsTheRealOneDoes) {
   }
 }
 
-// measured.md, section c: 0.78 to 0.82 and -1.43 to -1.48 rad in a lock, hips within 0.06.
+// docs/sources.md#go2-captures: 0.78 to 0.82 and -1.43 to -1.48 rad in a lock, hips within 0.06.
 TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
   rig_.StandUp();
   for (std::size_t i = 0; i < 12; i += 3) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 #include "tests/support/temporary_folder.h"
 
 namespace understudy::motion {
@@ -14,7 +15,7 @@ namespace {
 
 constexpr double kDegree = 0.017453;  // rad
 
-class QuadrupedGroundTest : public testing::TestWithParam<const char*> {
+class QuadrupedGroundTest : public testing::TestWithParam<std::string> {
  protected:
   // A plane whose height grows by these slopes along x and y.
   std::filesystem::path Slope(double x, double y) {
@@ -43,8 +44,7 @@ TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedGroundTest,
-                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedGroundTest, testing::ValuesIn(test::Quadrupeds()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

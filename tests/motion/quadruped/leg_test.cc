@@ -8,6 +8,7 @@
 
 #include "motion/quadruped/body.h"
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -18,7 +19,7 @@ using Eigen::Vector3d;
 const std::array<Vector3d, 4> kAngles{Vector3d(0, 0.8, -1.5), Vector3d(0.4, 1.2, -2.2),
                                       Vector3d(-0.6, 0.3, -0.9), Vector3d(-0.2, 2.4, -1.8)};
 
-class QuadrupedLegTest : public testing::TestWithParam<const char*> {
+class QuadrupedLegTest : public testing::TestWithParam<std::string> {
  protected:
   QuadrupedLegTest() : rig_(GetParam()), figures_(ReadQuadruped(rig_.world(), rig_.spec())) {}
 
@@ -119,8 +120,7 @@ TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   EXPECT_LT((reading.com + rig_.world().base().p_WB - com).norm(), 1e-6);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest,
-                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest, testing::ValuesIn(test::Quadrupeds()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -26,7 +27,7 @@ enum : int {
   kPose = 1091,
 };
 
-class QuadrupedMotionTest : public testing::TestWithParam<const char*> {
+class QuadrupedMotionTest : public testing::TestWithParam<std::string> {
  protected:
   QuadrupedMotionTest() : rig_(GetParam()) {}
 
@@ -269,8 +270,7 @@ TEST_P(QuadrupedMotionTest, DampsItselfWhenItFalls) {
   EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kNotNow);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedMotionTest,
-                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedMotionTest, testing::ValuesIn(test::Quadrupeds()),
                          [](const auto& test) { return test.param; });
 
 }  // namespace

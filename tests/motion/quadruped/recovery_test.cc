@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -86,7 +87,7 @@ INSTANTIATE_TEST_SUITE_P(Robots, RandomRecoveryTest,
                                   std::to_string(test.param.seed);
                          });
 
-class RobotRecoveryTest : public RecoveryTest, public testing::WithParamInterface<const char*> {};
+class RobotRecoveryTest : public RecoveryTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(RobotRecoveryTest, GetsUpFromItsBackAndBothSides) {
   QuadrupedRig rig(GetParam());
@@ -103,8 +104,7 @@ TEST_P(RobotRecoveryTest, StandsUpFromLying) {
   ExpectGetsUp(&rig, rig.spec().lying, "lying");
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest,
-                         testing::Values("go2", "go2w", "b2", "b2w", "a2"),
+INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest, testing::ValuesIn(test::Quadrupeds()),
                          [](const auto& test) { return test.param; });
 
 TEST_F(RecoveryTest, EndsStandingFromEveryState) {
