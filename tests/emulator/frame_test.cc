@@ -1,7 +1,10 @@
 // What the emulator shows of itself.
 #include <cmath>
+#include <filesystem>
 
+#include "physics/world_model.h"
 #include "tests/emulator/emulator_test.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::emulator {
 namespace {
@@ -43,6 +46,22 @@ TEST_F(FrameTest, HasTheRobotWhereItIs) {
     lift += contact.force[2];
   }
   EXPECT_GT(lift, 0);
+}
+
+// In a scene with a body of its own, which is heavier and 5 m away.
+TEST_F(FrameTest, HasTheCentreOfMassOfTheRobotAlone) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path scene = folder.Write("scene.xml", R"(<mujoco><worldbody>
+      <geom type="plane" size="0 0 1" contype="0" conaffinity="1"/>
+      <body name="rock" pos="5 0 0.5"><geom type="box" size="0.5 0.5 0.5" mass="1000"/></body>
+      </worldbody></mujoco>)");
+  config_.start.pose = "standing";
+  world_ = MakeIn(
+      {physics::LoadWorldModel(config_.robot, config_.robot.model, scene, config_.physics.timestep),
+       config_.robot},
+      &port_, &inbox_);
+  Tick();
+  EXPECT_NEAR(Shown().com[0], 0, 0.1);
 }
 
 TEST_F(FrameTest, HasTheCraneAndItsPull) {
