@@ -52,11 +52,11 @@ ArmOverlay::ArmOverlay(const robot::RobotSpec& spec)
   }
 }
 
-robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double weight, double t) {
-  if (!std::isfinite(weight)) return robot::Refusal::kNotFinite;
+robot::Refusal ArmOverlay::Offer(const robot::RobotCommand& command, double t) {
+  if (!std::isfinite(command.weight)) return robot::Refusal::kNotFinite;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   command_ = command;
-  weight_ = std::clamp(weight, 0.0, 1.0);
+  weight_ = std::clamp(command.weight, 0.0, 1.0);
   at_ = t;
   return robot::Refusal::kNone;
 }

@@ -23,9 +23,9 @@ class ArmOverlay {
  public:
   explicit ArmOverlay(const robot::RobotSpec& spec);
 
-  // A command of time t [s] with its weight, cut to 0..1. One that would harm (HarmIn), or whose
+  // A command of time t [s]; its weight is cut to 0..1. One that would harm (HarmIn), or whose
   // weight is not finite, is left out; returns why, or kNone.
-  robot::Refusal Offer(const robot::RobotCommand& command, double weight, double t);
+  robot::Refusal Offer(const robot::RobotCommand& command, double t);
   void Clear() { weight_ = 0; }
 
   // The weight that counts at time t [s].

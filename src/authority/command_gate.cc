@@ -34,20 +34,9 @@ CommandGate::CommandGate(const GateConfig& config, robot::RobotCommand start)
       damping_(DampingCommand(start_.motors.size(), config.damping_kd)),
       limp_{.motors = std::vector<robot::MotorCommand>(start_.motors.size())} {}
 
-robot::Refusal CommandGate::Offer(const robot::RobotCommand& command, robot::Refusal wire,
-                                  double t) {
-  const robot::Refusal harm = HarmIn(command);
-  if (wire != robot::Refusal::kNone) ++counts_.refused[static_cast<std::size_t>(wire)];
-  if (wire != robot::Refusal::kNone && !config_.lenient) return wire;
-  if (harm != robot::Refusal::kNone) {
-    ++counts_.refused[static_cast<std::size_t>(harm)];
-    return harm;
-  }
-  if (state_ == GateState::kClosed) {
-    ++counts_.refused[static_cast<std::size_t>(robot::Refusal::kMotionService)];
-    return robot::Refusal::kMotionService;
-  }
-  ++counts_.accepted;
+robot::Refusal CommandGate::Offer(const robot::RobotCommand& command, double t) {
+  if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
+  if (state_ == GateState::kClosed) return robot::Refusal::kMotionService;
   taken_ = command;
   taken_at_ = t;
   state_ = GateState::kFollowing;
@@ -57,7 +46,7 @@ robot::Refusal CommandGate::Offer(const robot::RobotCommand& command, robot::Ref
 const robot::RobotCommand& CommandGate::Current(double t) {
   if (state_ == GateState::kFollowing && t - taken_at_ > config_.timeout) {
     state_ = GateState::kDamping;
-    ++counts_.timeouts;
+    ++timeouts_;
   }
   switch (state_) {
     case GateState::kFollowing:

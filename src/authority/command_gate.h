@@ -12,7 +12,7 @@
 namespace understudy::authority {
 
 struct GateConfig {
-  bool lenient = false;   // take commands whose form is wrong; they are counted all the same
+  bool lenient = false;   // of every topic's Intake
   double timeout = 0.2;   // s without a taken command until damping; assumed
   double damping_kd = 2;  // N·m·s/rad of that damping; assumed
 };
@@ -33,17 +33,9 @@ constexpr std::string_view Name(GateState state) {
   return kNames[static_cast<std::size_t>(state)];
 }
 
-struct GateCounts {
-  std::uint64_t accepted = 0;
-  std::array<std::uint64_t, robot::kRefusals> refused{};  // by Refusal; kNone stays 0
-  std::uint64_t timeouts = 0;                             // times that commands stopped
-};
-
 // Takes commands or refuses them with a reason. There is always a current command, never "none":
 // the start command until one is taken, the last one taken while it is fresh, damping after that. A
-// refused command changes nothing. Lenient lets pass what is wrong in form (crc, head,
-// mode_machine, mode_pr, motor mode); values that would harm (kNotFinite, kGain) are refused in any
-// case.
+// refused command changes nothing. Values that would harm (kNotFinite, kGain) are refused.
 //
 // Closed, it refuses every command, those without a fault as kMotionService.
 class CommandGate {
@@ -51,15 +43,14 @@ class CommandGate {
   // `start` is what the motors do before the first command; its size is the number of motors.
   CommandGate(const GateConfig& config, robot::RobotCommand start);
 
-  // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
-  // Returns kNone when taken, else the reason. `command` must hold as many motors as the start
-  // command.
-  robot::Refusal Offer(const robot::RobotCommand& command, robot::Refusal wire, double t);
+  // Offers a command that arrived at time t [s]. Returns kNone when taken, else the reason.
+  // `command` must hold as many motors as the start command.
+  robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
   // What the motors follow at time t [s], not before the last call's t.
   const robot::RobotCommand& Current(double t);
 
-  // Back to the start command, or to another one, and open; counters kept.
+  // Back to the start command, or to another one, and open.
   void Restart();
   void Restart(const robot::RobotCommand& start);
 
@@ -69,7 +60,8 @@ class CommandGate {
   void Rest(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
 
   GateState state() const { return state_; }
-  const GateCounts& counts() const { return counts_; }
+  // Times that commands stopped, since it was made.
+  std::uint64_t timeouts() const { return timeouts_; }
 
  private:
   GateConfig config_;
@@ -78,7 +70,7 @@ class CommandGate {
   robot::RobotCommand damping_;
   robot::RobotCommand limp_;
   GateState state_ = GateState::kStart;
-  GateCounts counts_;
+  std::uint64_t timeouts_ = 0;
   double taken_at_ = 0;
 };
 

@@ -18,13 +18,6 @@ std::vector<Chord> ChordsOf(const robot::RobotSpec& spec) {
   return chords;
 }
 
-// Gives `refusal` back.
-robot::Refusal Count(robot::Refusal refusal, GateCounts* counts) {
-  ++(refusal == robot::Refusal::kNone ? counts->accepted
-                                      : counts->refused[static_cast<std::size_t>(refusal)]);
-  return refusal;
-}
-
 }  // namespace
 
 CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate,
@@ -37,6 +30,8 @@ CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gat
       owner_(OnboardServices(spec, StartService(spec, config)),
              spec.kind == robot::RobotKind::kWheeled ? "1" : "0", std::move(motion)),
       arms_(spec),
+      hands_(spec.hands.begin(), spec.hands.end()),
+      intakes_(robot::kMostCommandTopics, Intake(gate.lenient)),
       chords_(ChordsOf(spec)),
       own_(DampingCommand(spec.motors.size(), gate.damping_kd)),
       mixed_(own_) {
@@ -47,37 +42,44 @@ void CommandRouter::Restart(const robot::RobotCommand& start) {
   gate_.Restart(start);
   owner_.Restart();
   arms_.Clear();
+  for (HandGate& hand : hands_) hand.Restart();
   fought_ = fresh_lowcmd_ = false;
   was_on_ = service_on();
   if (was_on_ && !fight_) gate_.Close();
 }
 
-robot::Refusal CommandRouter::Offer(const robot::RobotCommand& command, robot::Refusal wire,
-                                    double t) {
+robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand& command,
+                                    robot::Refusal form, double t) {
   FollowOwner();
-  const robot::Refusal refusal = gate_.Offer(command, wire, t);
-  if (refusal == robot::Refusal::kNone) fresh_lowcmd_ = true;
-  return refusal;
+  return intakes_[topic].Judge(form, [&] { return Put(topic, command, t); });
 }
 
-robot::Refusal CommandRouter::OfferArms(const robot::RobotCommand& command, double weight,
-                                        double t) {
-  FollowOwner();
-  return Count(service_on() ? arms_.Offer(command, weight, t) : robot::Refusal::kNoMotionService,
-               &arm_counts_);
+// Hands a command whose form does not matter any more to who is to follow it.
+robot::Refusal CommandRouter::Put(std::size_t topic, const robot::RobotCommand& command, double t) {
+  switch (topic) {
+    case robot::kLowCmdTopic: {
+      const robot::Refusal refusal = gate_.Offer(command, t);
+      if (refusal == robot::Refusal::kNone) fresh_lowcmd_ = true;
+      return refusal;
+    }
+    case robot::kArmSdkTopic:
+      return service_on() ? arms_.Offer(command, t) : robot::Refusal::kNoMotionService;
+    case robot::kUserLowCmdTopic:
+      if (owner_.user_control()) return user_gate_.Offer(command, t);
+      return service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
+    default:
+      return hands_[topic - robot::kFirstHandTopic].Offer(command, t);
+  }
 }
 
-robot::Refusal CommandRouter::OfferUser(const robot::RobotCommand& command, double t) {
-  FollowOwner();
-  robot::Refusal refusal =
-      service_on() ? robot::Refusal::kNotHandedOver : robot::Refusal::kNoMotionService;
-  if (owner_.user_control()) refusal = user_gate_.Offer(command, robot::Refusal::kNone, t);
-  return Count(refusal, &user_counts_);
-}
-
-GateCounts CommandRouter::user_counts() const {
-  GateCounts counts = user_counts_;
-  counts.timeouts = user_gate_.counts().timeouts;
+GateCounts CommandRouter::counts(std::size_t topic) const {
+  GateCounts counts = intakes_[topic].counts();
+  const std::size_t hand = topic - robot::kFirstHandTopic;
+  if (topic == robot::kLowCmdTopic) counts.timeouts = gate_.timeouts();
+  if (topic == robot::kUserLowCmdTopic) counts.timeouts = user_gate_.timeouts();
+  if (topic >= robot::kFirstHandTopic && hand < hands_.size()) {
+    counts.timeouts = hands_[hand].timeouts();
+  }
   return counts;
 }
 

@@ -1,5 +1,5 @@
-// Which command the motors follow: the motion service's, rt/arm_sdk mixed over it, rt/user_lowcmd
-// or rt/lowcmd.
+// Which commands the motors follow: those of the body the motion service's, rt/arm_sdk mixed over
+// it, rt/user_lowcmd or rt/lowcmd; those of a hand its own topic's.
 #ifndef UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
 #define UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
 
@@ -11,8 +11,11 @@
 #include "authority/arm_overlay.h"
 #include "authority/chord.h"
 #include "authority/command_gate.h"
+#include "authority/hand_gate.h"
+#include "authority/intake.h"
 #include "authority/motion_config.h"
 #include "authority/motor_owner.h"
+#include "robot/command_topics.h"
 
 namespace understudy::authority {
 
@@ -30,11 +33,10 @@ class CommandRouter {
   // moves them begins anew.
   void Restart(const robot::RobotCommand& start);
 
-  // A command of rt/lowcmd at time t [s]; `wire` as for CommandGate::Offer, and so is the answer.
-  robot::Refusal Offer(const robot::RobotCommand& command, robot::Refusal wire, double t);
-  // The same for rt/arm_sdk and rt/user_lowcmd, on which nothing is asked of the form.
-  robot::Refusal OfferArms(const robot::RobotCommand& command, double weight, double t);
-  robot::Refusal OfferUser(const robot::RobotCommand& command, double t);
+  // A command of a topic that the robot has, at time t [s]; `form` and the answer as for
+  // Intake::Judge.
+  robot::Refusal Offer(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
+                       double t);
   // The remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
 
@@ -50,13 +52,16 @@ class CommandRouter {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
-  const GateCounts& arm_counts() const { return arm_counts_; }
-  GateCounts user_counts() const;
+  HandGate& hand(std::size_t i) { return hands_[i]; }
+  const HandGate& hand(std::size_t i) const { return hands_[i]; }
+  // What became of the commands of a topic; nothing has where the robot has no such topic.
+  GateCounts counts(std::size_t topic) const;
   // What the sticks ask for: forward, left m/s, turn rad/s.
   const std::array<double, 3>& stick_wish() const { return stick_wish_; }
   double arm_weight(double t) const { return arms_.weight(t); }
 
  private:
+  robot::Refusal Put(std::size_t topic, const robot::RobotCommand& command, double t);
   void FollowOwner();  // opens or closes the gate when the owner has changed
 
   bool fight_;
@@ -65,8 +70,8 @@ class CommandRouter {
   CommandGate user_gate_;
   MotorOwner owner_;
   ArmOverlay arms_;
-  GateCounts arm_counts_;
-  GateCounts user_counts_;  // but for the time-outs
+  std::vector<HandGate> hands_;
+  std::vector<Intake> intakes_;  // by topic
   ChordReader chords_;
   robot::RobotCommand own_;    // the motion service's last
   robot::RobotCommand mixed_;  // the same with the arms

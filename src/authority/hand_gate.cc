@@ -1,49 +1,35 @@
 #include "authority/hand_gate.h"
 
 namespace understudy::authority {
-namespace {
 
-robot::Refusal FirstHarm(const robot::HandCommand& command) {
-  for (const robot::HandMotorCommand& asked : command.motors) {
-    if (const robot::Refusal harm = HarmIn(asked.motor); harm != robot::Refusal::kNone) return harm;
-  }
-  return robot::Refusal::kNone;
-}
-
-}  // namespace
-
-HandGate::HandGate(const robot::HandSpec& spec, bool lenient)
-    : spec_(spec), lenient_(lenient), motors_(spec.motors.size()), current_(spec.motors.size()) {
+HandGate::HandGate(const robot::HandSpec& spec)
+    : timeout_(spec.timeout),
+      lock_kd_(spec.lock_kd),
+      motors_(spec.motors.size()),
+      current_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {
   Restart();
 }
 
-robot::Refusal HandGate::Offer(const robot::HandCommand& command, robot::Refusal wire, double t) {
-  const bool fits = wire != robot::Refusal::kMotorCount && command.motors.size() == motors_.size();
-  if (!fits) wire = robot::Refusal::kMotorCount;
-  if (wire != robot::Refusal::kNone) ++counts_.refused[static_cast<std::size_t>(wire)];
-  if (wire != robot::Refusal::kNone && (!lenient_ || !fits)) return wire;
-  if (const robot::Refusal harm = FirstHarm(command); harm != robot::Refusal::kNone) {
-    ++counts_.refused[static_cast<std::size_t>(harm)];
-    return harm;
-  }
-  ++counts_.accepted;
+robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
+  if (command.motors.size() != motors_.size()) return robot::Refusal::kMotorCount;
+  if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   taken_at_ = t;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const robot::HandMotorCommand& asked = command.motors[i];
+    const robot::MotorCommand& asked = command.motors[i];
     motors_[i].watched = asked.watched;
     if (!asked.watched) motors_[i].timed_out = false;
-    if (motors_[i].timed_out || !asked.motor.enabled) {
+    if (motors_[i].timed_out || !asked.enabled) {
       Lock(i);
     } else {
       motors_[i].locked = false;
-      current_[i] = asked.motor;
+      current_.motors[i] = asked;
     }
   }
   return robot::Refusal::kNone;
 }
 
-std::span<const robot::MotorCommand> HandGate::Current(double t) {
-  if (t - taken_at_ <= spec_.timeout) return current_;
+const robot::RobotCommand& HandGate::Current(double t) {
+  if (t - taken_at_ <= timeout_) return current_;
   bool stopped = false;
   for (std::size_t i = 0; i < motors_.size(); ++i) {
     Motor& motor = motors_[i];
@@ -51,7 +37,7 @@ std::span<const robot::MotorCommand> HandGate::Current(double t) {
     motor.timed_out = stopped = true;
     Lock(i);
   }
-  if (stopped) ++counts_.timeouts;
+  if (stopped) ++timeouts_;
   return current_;
 }
 
@@ -64,7 +50,7 @@ void HandGate::Restart() {
 
 void HandGate::Lock(std::size_t motor) {
   motors_[motor].locked = true;
-  current_[motor] = {.enabled = true, .q = robot::kNoPosition, .kd = spec_.lock_kd};
+  current_.motors[motor] = {.enabled = true, .q = robot::kNoPosition, .kd = lock_kd_};
 }
 
 }  // namespace understudy::authority

@@ -3,7 +3,6 @@
 #define UNDERSTUDY_AUTHORITY_HAND_GATE_H_
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "authority/command_gate.h"
@@ -19,29 +18,28 @@ namespace understudy::authority {
 // hardware_contract 1.5). That a motor which has timed out locks rather than goes limp is
 // *assumed*.
 //
-// No motion service holds a hand: commands count at any time. Lenient lets pass what is wrong in
-// form (motor mode), but not a command with other than one entry per motor.
+// No motion service holds a hand: commands count at any time.
 class HandGate {
  public:
-  // `spec` must outlive the gate.
-  HandGate(const robot::HandSpec& spec, bool lenient);
+  explicit HandGate(const robot::HandSpec& spec);
 
-  // Offers a command that arrived at time t [s]; `wire` is what the port found wrong with its form.
-  // Returns kNone when taken, else the reason. A refused command changes nothing but the counts.
-  robot::Refusal Offer(const robot::HandCommand& command, robot::Refusal wire, double t);
+  // Offers a command that arrived at time t [s]. Returns kNone when taken, else the reason:
+  // kMotorCount for another number of motors, or what would harm. A refused command changes
+  // nothing.
+  robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
   // What each motor follows at time t [s], not before the last call's t, in motor order. All are
   // enabled: a locked one is told to brake. Valid until the next call.
-  std::span<const robot::MotorCommand> Current(double t);
+  const robot::RobotCommand& Current(double t);
 
   bool locked(std::size_t motor) const { return motors_[motor].locked; }
   bool timed_out(std::size_t motor) const { return motors_[motor].timed_out; }
 
-  // As before the first command, counts kept.
+  // As before the first command.
   void Restart();
 
-  // `timeouts` counts how often commands stopped, however many motors were watched.
-  const GateCounts& counts() const { return counts_; }
+  // Times that commands stopped, however many motors were watched, since it was made.
+  std::uint64_t timeouts() const { return timeouts_; }
 
  private:
   struct Motor {
@@ -52,11 +50,11 @@ class HandGate {
 
   void Lock(std::size_t motor);
 
-  const robot::HandSpec& spec_;
-  bool lenient_;
+  double timeout_;
+  double lock_kd_;
   std::vector<Motor> motors_;
-  std::vector<robot::MotorCommand> current_;
-  GateCounts counts_;
+  robot::RobotCommand current_;
+  std::uint64_t timeouts_ = 0;
   double taken_at_ = 0;
 };
 

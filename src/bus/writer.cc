@@ -67,9 +67,6 @@ bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
 }
 
 bool WriterCore::WriteMessage(const void* message) noexcept {
-  // Before any reader is matched there is nobody to send to, and VOLATILE owes a later one nothing.
-  // Cyclone would turn the message into bytes all the same.
-  if (dds_get_matched_subscriptions(writer_.handle(), nullptr, 0) == 0) return true;
   const bool written = dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
   if (!written) ++failures_;
   return written;

@@ -57,8 +57,9 @@ class Writer : public WriterCore {
   Writer(const Participant& participant, const Topic<Msg>& topic)
       : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg)) {}
 
-  // Sends one message to the readers matched now; without one it does nothing. False, and counted
-  // in failures(), when Cyclone refuses it. Allocates in Cyclone's C, not here.
+  // Sends one message to the readers matched now. False, and counted in failures(), when Cyclone
+  // refuses it. Without a reader it costs as much: ask has_readers() first. Allocates in Cyclone's
+  // C, not here.
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
 };
 

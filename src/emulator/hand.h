@@ -1,4 +1,4 @@
-// A hand of the robot: what it is told, what its motors give and what it tells.
+// A hand of the robot: what its motors give and what it tells.
 #ifndef UNDERSTUDY_EMULATOR_HAND_H_
 #define UNDERSTUDY_EMULATOR_HAND_H_
 
@@ -16,30 +16,21 @@ namespace understudy::emulator {
 // pads feel.
 class Hand {
  public:
-  // `spec` must outlive the hand. `lenient` as in HandGate.
-  Hand(const robot::HandSpec& spec, bool lenient);
+  // `spec` must outlive the hand.
+  explicit Hand(const robot::HandSpec& spec);
 
-  // As HandGate::Offer.
-  robot::Refusal Offer(const robot::HandCommand& command, robot::Refusal wire, double t);
-
-  // Torques [N·m] of its motors for angles [rad] and rates [rad/s] of the instant t [s], all in
-  // motor order. Valid until the next call.
-  std::span<const double> Step(std::span<const double> q, std::span<const double> dq, double t);
+  // Torques [N·m] of its motors for angles [rad] and rates [rad/s], all in motor order. Valid until
+  // the next call.
+  std::span<const double> Step(const robot::RobotCommand& command, std::span<const double> q,
+                               std::span<const double> dq);
 
   // What it tells of the instant of the last Step, with the same q and dq.
-  void Sample(std::span<const double> q, std::span<const double> dq,
-              robot::HandReading* reading) const;
-
-  void Restart() { gate_.Restart(); }
-
-  const authority::GateCounts& counts() const { return gate_.counts(); }
-  robot::Refusal last_refusal() const { return last_refusal_; }
+  void Sample(const authority::HandGate& gate, std::span<const double> q,
+              std::span<const double> dq, robot::HandReading* reading) const;
 
  private:
   const robot::HandSpec& spec_;
-  authority::HandGate gate_;
   std::vector<double> torque_;
-  robot::Refusal last_refusal_ = robot::Refusal::kNone;
 };
 
 }  // namespace understudy::emulator

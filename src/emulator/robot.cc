@@ -38,16 +38,10 @@ Robot::Robot(const RobotParts& parts, physics::PhysicsWorld* physics)
       crane_body_(physics_->Body(spec_.crane_body)),
       crane_point_(spec_.crane_point),
       step_ns_(std::llround(physics_->timestep() * 1e9)),
-      lowstate_every_(Every(spec_.rates.lowstate_hz)),
-      motion_every_(Every(spec_.rates.motion_hz)),
-      hand_every_(Every(spec_.rates.hand_hz)),
-      lf_every_(Every(spec_.rates.lf_hz)),
-      service_every_(Every(spec_.rates.service_hz)),
+      service_rate_(spec_.rates.service_hz, physics_->timestep()),
       command_(&start(start_pose_).command),
       offered_(*command_) {
-  for (const robot::HandSpec& hand : spec_.hands) {
-    hands_.emplace_back(hand, parts.settings.gate.lenient);
-  }
+  for (const robot::HandSpec& hand : spec_.hands) hands_.emplace_back(hand);
   state_.hands.resize(hands_.size());
   Reset(start_pose_);
 }
@@ -64,7 +58,6 @@ std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t a
 
 void Robot::Hear(std::int64_t step, double t) {
   TakeCommands(t);
-  TakeHandCommands(t);
   command_ = &delay_.Pass(Decide(step, t));
 }
 
@@ -73,7 +66,8 @@ void Robot::Act(double t) {
   motors_.Step(*command_, physics_->q(), physics_->dq(), dt);
   battery_.Step(motors_.torque(), physics_->dq(), dt);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
-    physics_->DriveHand(i, hands_[i].Step(physics_->hand_q(i), physics_->hand_dq(i), t));
+    physics_->DriveHand(
+        i, hands_[i].Step(router_.hand(i).Current(t), physics_->hand_q(i), physics_->hand_dq(i)));
   }
   if (crane_.attached()) {
     const physics::PointReading at = hook();
@@ -82,35 +76,18 @@ void Robot::Act(double t) {
 }
 
 void Robot::Tell(std::int64_t step) {
-  const wire::Due due = DueAt(step);
-  if (!due.any()) return;
+  if (!port_->Due(step)) return;
   Sample(step);
-  if (silenced_) return;
-  port_->Publish(state_, due);
-  if (due.lowstate) ++published_;
+  if (!silenced_) port_->Publish(state_, step);
 }
 
 void Robot::TakeCommands(double t) {
   router_.Obey(remote_.Read(t), t);
-  double weight = 0;
-  while (port_->TakeArmCommand(&offered_, &weight)) {
-    refusals_.Add(robot::kArmSdkTopic, router_.OfferArms(offered_, weight, t), t);
-  }
-  while (port_->TakeUserCommand(&offered_)) {
-    refusals_.Add(robot::kUserLowCmdTopic, router_.OfferUser(offered_, t), t);
-  }
-  for (robot::Refusal wire = robot::Refusal::kNone; port_->TakeCommand(&offered_, &wire);) {
-    const robot::Refusal refusal = router_.Offer(offered_, wire, t);
-    if (refusal != robot::Refusal::kNone) last_refusal_ = refusal;
-    refusals_.Add(robot::kLowCmdTopic, refusal, t);
-  }
-}
-
-void Robot::TakeHandCommands(double t) {
-  for (std::size_t i = 0; i < hands_.size(); ++i) {
-    for (robot::Refusal wire = robot::Refusal::kNone;
-         port_->TakeHandCommand(i, &offered_hand_, &wire);) {
-      refusals_.Add(robot::kFirstHandTopic + i, hands_[i].Offer(offered_hand_, wire, t), t);
+  for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
+    robot::Refusal form = robot::Refusal::kNone;
+    for (int i = 0; i < authority::Intake::kMostAtOnce && port_->Take(topic, &offered_, &form);
+         ++i) {
+      refusals_.Add(topic, router_.Offer(topic, offered_, form, t), t);
     }
   }
 }
@@ -119,7 +96,7 @@ void Robot::TakeHandCommands(double t) {
 // computer has it: the published sample where there was one. While no service is on nothing is
 // sampled for it.
 const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
-  const bool service_due = step % service_every_ == 0;
+  const bool service_due = service_rate_.Due(step);
   input_.time = t;
   if (service_due && router_.service_on()) {
     if (sampled_ != step - 1) Sample(step - 1);
@@ -128,7 +105,7 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
     input_.foot_force = state_.foot_force;
   }
   return router_.Current(input_, service_due,
-                         static_cast<double>(service_every_ * step_ns_) * 1e-9);
+                         static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);
 }
 
 void Robot::Report(double t, Status* status) const {
@@ -139,18 +116,18 @@ void Robot::Report(double t, Status* status) const {
   status->arm_weight = router_.service_on() ? router_.arm_weight(t) : 0;
   status->remote = state_.remote;
   status->stick_wish = router_.stick_wish();
-  status->commands = router_.gate().counts();
-  status->last_refusal = last_refusal_;
-  status->arm_commands = router_.arm_counts();
-  status->user_commands = router_.user_counts();
+  status->commands = router_.counts(robot::kLowCmdTopic);
+  status->last_refusal = status->commands.last_refusal;
+  status->arm_commands = router_.counts(robot::kArmSdkTopic);
+  status->user_commands = router_.counts(robot::kUserLowCmdTopic);
   status->port = port_->counts();
   if (services_ != nullptr) status->services = services_->counts();
-  status->published = published_;
+  status->published = status->port.lowstates;
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     HandStatus& hand = status->hands[i];
     Copy(spec_.hands[i].name, &hand.name);
-    hand.commands = hands_[i].counts();
-    hand.last_refusal = hands_[i].last_refusal();
+    hand.commands = router_.counts(robot::kFirstHandTopic + i);
+    hand.last_refusal = hand.commands.last_refusal;
   }
   status->crane_attached = crane_.attached();
   status->crane_length = crane_.length();
@@ -168,15 +145,10 @@ std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double d
           {.command = damping, .pose = spec.hanging, .clamped = true}};
 }
 
-std::int64_t Robot::Every(double hz) const {
-  return std::llround(1e9 / (hz * static_cast<double>(step_ns_)));
-}
-
 void Robot::Reset(robot::StartPose pose) {
   const Start& begin = start(pose);
   router_.Restart(begin.command);
   delay_.Restart(begin.command);
-  for (Hand& hand : hands_) hand.Restart();
   physics_->Reset(begin.pose);
   crane_.Release();
   if (begin.on_crane) AttachCrane();
@@ -186,18 +158,11 @@ void Robot::Reset(robot::StartPose pose) {
 
 void Robot::AttachCrane() { crane_.Attach(hook().p_WP, physics_->weight()); }
 
-wire::Due Robot::DueAt(std::int64_t step) const {
-  return {.lowstate = step % lowstate_every_ == 0,
-          .motion = step % motion_every_ == 0,
-          .hands = !hands_.empty() && step % hand_every_ == 0,
-          .lf = step % lf_every_ == 0};
-}
-
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
   sensors_.Sample(*physics_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
-    hands_[i].Sample(physics_->hand_q(i), physics_->hand_dq(i), &state_.hands[i]);
+    hands_[i].Sample(router_.hand(i), physics_->hand_q(i), physics_->hand_dq(i), &state_.hands[i]);
   }
   state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();

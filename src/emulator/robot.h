@@ -19,6 +19,7 @@
 #include "physics/world.h"
 #include "robot/battery.h"
 #include "robot/motor.h"
+#include "robot/rate.h"
 #include "sensors/sensors.h"
 #include "services/service_port.h"
 #include "time/clock.h"
@@ -99,10 +100,7 @@ class Robot {
   const Start& start(robot::StartPose pose) const {
     return starts_[static_cast<std::size_t>(pose)];
   }
-  std::int64_t Every(double hz) const;
-  wire::Due DueAt(std::int64_t step) const;
   void TakeCommands(double t);
-  void TakeHandCommands(double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   void Sample(std::int64_t step);  // of the instant that the physics shows
 
@@ -123,18 +121,15 @@ class Robot {
   int crane_body_;
   Eigen::Vector3d crane_point_;
   std::int64_t step_ns_;
-  std::int64_t lowstate_every_, motion_every_, hand_every_, lf_every_, service_every_;  // in steps
+  robot::Rate service_rate_;
 
   const robot::RobotCommand* command_;
   robot::RobotCommand offered_;
-  robot::HandCommand offered_hand_;
   authority::MotionInput input_;
   robot::RobotState state_;
   std::int64_t sampled_ = kNever;  // the step that state_ is of
   bool silenced_ = false;
-  robot::Refusal last_refusal_ = robot::Refusal::kNone;
   RefusalLog refusals_;
-  std::uint64_t published_ = 0;
 };
 
 }  // namespace understudy::emulator

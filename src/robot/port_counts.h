@@ -10,6 +10,7 @@ namespace understudy::robot {
 struct PortCounts {
   std::uint64_t unused_slots = 0;    // slots without a motor that got gains or torque; ignored
   std::uint64_t unset_heads = 0;     // go: commands whose head and level_flag were left 0
+  std::uint64_t lowstates = 0;       // times that rt/lowstate was due, read by somebody or not
   std::uint64_t write_failures = 0;  // messages that the bus did not take
 };
 

@@ -24,6 +24,7 @@ struct MotorCommand {
   double tau = 0;        // N·m, feed-forward
   double kp = 0;         // N·m/rad
   double kd = 0;         // N·m·s/rad
+  bool watched = false;  // of a hand: locks by itself when commands stop
 
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
@@ -34,21 +35,12 @@ enum class JointSpace : std::uint8_t {
   kMotors = 1,     // AB: the two motors that drive them
 };
 
-// One command to the whole robot, in motor order (RobotSpec::motors).
+// One command to all motors of the body or of a hand, in motor order (RobotSpec::motors,
+// HandSpec::motors). A motor of a hand that is not enabled is locked: it brakes where it is.
 struct RobotCommand {
   std::vector<MotorCommand> motors;
-  JointSpace joint_space = JointSpace::kPitchRoll;
-};
-
-// What one motor of a hand is asked to do. Not enabled, it is locked: it brakes where it is.
-struct HandMotorCommand {
-  MotorCommand motor;
-  bool watched = false;  // locks by itself when commands stop
-};
-
-// One command to a hand, in motor order (HandSpec::motors).
-struct HandCommand {
-  std::vector<HandMotorCommand> motors;
+  JointSpace joint_space = JointSpace::kPitchRoll;  // of the body's
+  double weight = 0;                                // of rt/arm_sdk: as sent
 };
 
 // What one motor reports. Joint side, signs as in MotorCommand.

@@ -25,7 +25,7 @@
 #include "services/service_host.h"
 #include "time/pacer.h"
 #include "time/realtime.h"
-#include "wire/open_port.h"
+#include "wire/port.h"
 #include "wire/remote_codec.h"
 #include "wire/strangers.h"
 
@@ -124,7 +124,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   MadeWorld made = MakeWorld(&config);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
-  const auto port = wire::OpenPort(participant, config.robot);
+  wire::Port port(participant, config.robot, config.physics.timestep);
   services::ServiceHost host(participant, services::ServicesOf(config.robot.apis),
                              [](const std::string& notice) { spdlog::warn("{}", notice); });
 
@@ -133,7 +133,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   emulator::World world(std::move(made.world), config::WorldSettingsOf(config),
                         {{.spec = config.robot,
                           .settings = config::RobotSettingsOf(config),
-                          .port = port.get(),
+                          .port = &port,
                           .services = &host}},
                         &inbox);
   world.Play(options.script);
@@ -188,7 +188,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
 
     emulator::Status status = world.status();
     status.ready = true;
-    status.command_writers = port->command_writers();
+    status.command_writers = port.command_writers();
     status.pace = pacer.reading();
     status.ticks = ticks;
     status.recording = recording.status();

@@ -64,6 +64,7 @@ bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message) {
 robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
                       robot::RobotCommand* command) {
   bool modes_known = true;
+  command->motors.resize(spec.motors.size());
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
     modes_known = modes_known && Knows(wire.mode);

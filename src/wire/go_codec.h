@@ -13,7 +13,7 @@ namespace understudy::wire {
 // Go2 (far-unitree-sdk 0.1.8). Taken; that a real robot takes it is *assumed*.
 bool HeadIsUnset(const unitree_go_msg_dds__LowCmd_& message);
 
-// Reads a command into `command`, whose vectors have the robot's size, and tells the first thing
+// Reads a command into `command`, which takes the robot's size, and tells the first thing
 // wrong with its form, in this order: crc (kCrc), head FE EF and level_flag FF, or all three unset
 // (kHead), the mode of
 // a slot with a motor (kMotorMode). Modes are 0 stop, 1 servo, 0x0A servo of H1's strong motors.

@@ -22,7 +22,7 @@ constexpr unsigned kFollowing = 1;
 }  // namespace
 
 robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
-                      robot::HandCommand* command) {
+                      robot::RobotCommand* command) {
   const std::span wire(message.motor_cmd._buffer, message.motor_cmd._length);
   if (wire.size() != spec.motors.size()) return robot::Refusal::kMotorCount;
   command->motors.resize(wire.size());
@@ -31,8 +31,8 @@ robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::
     const unsigned mode = wire[i].mode;
     const unsigned status = mode >> kStatusShift & kStatusMask;
     modes_known = modes_known && (mode & kIdMask) == i && status <= kFollowing;
-    command->motors[i].motor = DecodeMotor(wire[i]);
-    command->motors[i].motor.enabled = status != kLocked;
+    command->motors[i] = DecodeMotor(wire[i]);
+    command->motors[i].enabled = status != kLocked;
     command->motors[i].watched = mode >> kTimeoutShift != 0;
   }
   return modes_known ? robot::Refusal::kNone : robot::Refusal::kMotorMode;

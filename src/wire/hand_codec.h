@@ -22,7 +22,7 @@ inline constexpr int kHandIds = 16;  // of motors, 0 to 15
 // filled, the id not looked at and any other status taken for 1). That a robot refuses such
 // commands is *assumed*. `reserve` is not read.
 robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
-                      robot::HandCommand* command);
+                      robot::RobotCommand* command);
 
 // A message whose sequences point into memory of this class.
 class HandStateMessage {

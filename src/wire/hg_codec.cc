@@ -51,6 +51,7 @@ void EncodePair(const robot::RobotState& state, const robot::RobotSpec& spec,
 robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
                       robot::RobotCommand* command) {
   bool modes_known = true;
+  command->motors.resize(spec.motors.size());
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const auto& wire = message.motor_cmd[SlotOf(spec.motors[i])];
     modes_known = modes_known && wire.mode <= kEnabled;

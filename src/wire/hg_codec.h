@@ -9,7 +9,7 @@
 
 namespace understudy::wire {
 
-// Reads a command into `command`, whose vectors have the robot's size, and tells the first thing
+// Reads a command into `command`, which takes the robot's size, and tells the first thing
 // wrong with its form, in this order: crc (kCrc), mode_machine equal to the robot's (kModeMachine),
 // mode_pr 0 or 1 (kModePr), the mode of a slot with a motor, 0 or 1 (kMotorMode). `command` is
 // filled in any case; an unknown mode_pr counts as PR there, an unknown mode as enabled.

@@ -3,7 +3,9 @@
 #define UNDERSTUDY_WIRE_SLOTS_H_
 
 #include <cstddef>
+#include <cstdint>
 
+#include "robot/refusal.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -37,18 +39,6 @@ robot::MotorCommand DecodeMotor(const MotorCmd& wire) {
           .kd = wire.kd};
 }
 
-// A command of rt/arm_sdk or rt/user_lowcmd: every motor counts as enabled, for the vendor's
-// clients leave the mode 0, and as commanded in PR.
-template <typename LowCmd>
-void DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spec,
-                    robot::RobotCommand* command) {
-  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
-    command->motors[i] = DecodeMotor(message.motor_cmd[SlotOf(spec.motors[i])]);
-    command->motors[i].enabled = true;
-  }
-  command->joint_space = robot::JointSpace::kPitchRoll;
-}
-
 // The weight of a command of rt/arm_sdk: as sent, neither cut nor checked.
 template <typename LowCmd>
 double ArmWeight(const LowCmd& message, const robot::ArmSdkSpec& spec) {
@@ -58,10 +48,26 @@ double ArmWeight(const LowCmd& message, const robot::ArmSdkSpec& spec) {
   return message.motor_cmd[static_cast<std::size_t>(spec.weight_slot)].q;
 }
 
+// A command of rt/arm_sdk or rt/user_lowcmd, with whose form nothing is ever wrong: neither crc nor
+// modes are looked at. Every motor counts as enabled, for the vendor's clients leave the mode 0,
+// and as commanded in PR.
+template <typename LowCmd>
+robot::Refusal DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spec,
+                              robot::RobotCommand* command) {
+  command->motors.resize(spec.motors.size());
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
+    command->motors[i] = DecodeMotor(message.motor_cmd[SlotOf(spec.motors[i])]);
+    command->motors[i].enabled = true;
+  }
+  command->joint_space = robot::JointSpace::kPitchRoll;
+  command->weight = ArmWeight(message, spec.arm_sdk);
+  return robot::Refusal::kNone;
+}
+
 // How many slots without a motor carry gains or torque.
 template <typename LowCmd>
-int UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
-  int count = 0;
+std::uint64_t UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
+  std::uint64_t count = 0;
   auto motor = spec.motors.begin();
   int slot = 0;
   for (const auto& wire : message.motor_cmd) {

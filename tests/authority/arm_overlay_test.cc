@@ -37,7 +37,9 @@ class ArmOverlayTest : public ::testing::Test {
     for (const int slot : {2, 5, 7}) spec_.motors.push_back({.joint = "", .slot = slot});
     spec_.arm_sdk.slots = {5, 7};
   }
-  robot::RobotCommand Of(const robot::MotorCommand& motor) const { return {.motors = {3, motor}}; }
+  robot::RobotCommand Of(const robot::MotorCommand& motor, double weight = 0) const {
+    return {.motors = {3, motor}, .weight = weight};
+  }
 
   robot::RobotSpec spec_;
 };
@@ -51,7 +53,7 @@ TEST_F(ArmOverlayTest, ChangesNothingBeforeTheFirstCommand) {
 
 TEST_F(ArmOverlayTest, MovesItsOwnMotorsOnly) {
   ArmOverlay arms(spec_);
-  arms.Offer(Of(kOther), 1, 0);
+  arms.Offer(Of(kOther, 1), 0);
   robot::RobotCommand command = Of(kHold);
   arms.MixOver(0, &command);
   EXPECT_EQ(command.motors[0], kHold);
@@ -61,29 +63,29 @@ TEST_F(ArmOverlayTest, MovesItsOwnMotorsOnly) {
 
 TEST_F(ArmOverlayTest, CutsTheWeight) {
   ArmOverlay arms(spec_);
-  arms.Offer(Of(kOther), 7, 0);
+  arms.Offer(Of(kOther, 7), 0);
   EXPECT_EQ(arms.weight(0), 1);
-  arms.Offer(Of(kOther), -1, 0);
+  arms.Offer(Of(kOther, -1), 0);
   EXPECT_EQ(arms.weight(0), 0);
 }
 
 TEST_F(ArmOverlayTest, LeavesOutWhatWouldHarm) {
   ArmOverlay arms(spec_);
-  arms.Offer(Of(kOther), 0.5, 0);
+  arms.Offer(Of(kOther, 0.5), 0);
   robot::MotorCommand bad = kOther;
   bad.kp = -1;
-  arms.Offer(Of(bad), 1, 0);
-  arms.Offer(Of(kOther), std::numeric_limits<double>::quiet_NaN(), 0);
+  arms.Offer(Of(bad, 1), 0);
+  arms.Offer(Of(kOther, std::numeric_limits<double>::quiet_NaN()), 0);
   EXPECT_EQ(arms.weight(0), 0.5);
 }
 
 TEST_F(ArmOverlayTest, KeepsTheLastCommandUnlessItsRobotDropsIt) {
   ArmOverlay forever(spec_);
-  forever.Offer(Of(kOther), 1, 0);
+  forever.Offer(Of(kOther, 1), 0);
   EXPECT_EQ(forever.weight(1000), 1);
   spec_.arm_sdk.timeout = 0.5;
   ArmOverlay fading(spec_);
-  fading.Offer(Of(kOther), 1, 0);
+  fading.Offer(Of(kOther, 1), 0);
   EXPECT_EQ(fading.weight(0.5), 1);
   EXPECT_EQ(fading.weight(0.51), 0);
 }

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "authority/intake.h"
+
 namespace understudy::authority {
 namespace {
 
@@ -16,21 +18,33 @@ robot::RobotCommand Torques(double first, double second) {
   return command;
 }
 
-std::uint64_t Refused(const CommandGate& gate, robot::Refusal refusal) {
-  return gate.counts().refused[static_cast<std::size_t>(refusal)];
+// A gate and what comes before it.
+struct Entrance {
+  robot::Refusal Offer(const robot::RobotCommand& command, robot::Refusal form, double t) {
+    return intake.Judge(form, [&] { return gate.Offer(command, t); });
+  }
+
+  CommandGate gate;
+  Intake intake;
+};
+
+std::uint64_t Refused(const Entrance& to, robot::Refusal refusal) {
+  return to.intake.counts().refused[static_cast<std::size_t>(refusal)];
 }
 
-std::uint64_t RefusedInAll(const CommandGate& gate) {
+std::uint64_t RefusedInAll(const Entrance& to) {
   std::uint64_t sum = 0;
-  for (const std::uint64_t count : gate.counts().refused) sum += count;
+  for (const std::uint64_t count : to.intake.counts().refused) sum += count;
   return sum;
 }
 
 class CommandGateTest : public testing::Test {
  protected:
   const robot::RobotCommand start_ = Torques(-1, -2);
-  CommandGate gate_{GateConfig{.timeout = 0.2, .damping_kd = 3}, start_};
-  CommandGate lenient_{GateConfig{.lenient = true, .timeout = 0.2, .damping_kd = 3}, start_};
+  const GateConfig config_{.timeout = 0.2, .damping_kd = 3};
+  Entrance strict_{CommandGate(config_, start_), Intake(/*lenient=*/false)};
+  Entrance lenient_{CommandGate(config_, start_), Intake(/*lenient=*/true)};
+  CommandGate& gate_ = strict_.gate;
 };
 
 TEST_F(CommandGateTest, FollowsTheStartCommandUntilOneIsTaken) {
@@ -38,22 +52,22 @@ TEST_F(CommandGateTest, FollowsTheStartCommandUntilOneIsTaken) {
   EXPECT_EQ(gate_.Current(0).motors, start_.motors);
   EXPECT_EQ(gate_.Current(1e6).motors, start_.motors);
   EXPECT_EQ(gate_.state(), GateState::kStart);
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
 TEST_F(CommandGateTest, RefusesEveryCommandWhileClosedAndSaysWhatIsWrongWithIt) {
   gate_.Close();
-  EXPECT_EQ(gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kMotionService);
-  EXPECT_EQ(gate_.Offer(Torques(5, 6), robot::Refusal::kCrc, 1), robot::Refusal::kCrc);
-  EXPECT_EQ(gate_.Offer(Torques(kNan, 6), robot::Refusal::kNone, 1), robot::Refusal::kNotFinite);
+  EXPECT_EQ(strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kMotionService);
+  EXPECT_EQ(strict_.Offer(Torques(5, 6), robot::Refusal::kCrc, 1), robot::Refusal::kCrc);
+  EXPECT_EQ(strict_.Offer(Torques(kNan, 6), robot::Refusal::kNone, 1), robot::Refusal::kNotFinite);
   EXPECT_EQ(gate_.state(), GateState::kClosed);
-  EXPECT_EQ(Refused(gate_, robot::Refusal::kMotionService), 1U);
-  EXPECT_EQ(RefusedInAll(gate_), 3U);
-  EXPECT_EQ(gate_.counts().accepted, 0U);
+  EXPECT_EQ(Refused(strict_, robot::Refusal::kMotionService), 1U);
+  EXPECT_EQ(RefusedInAll(strict_), 3U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 0U);
 }
 
 TEST_F(CommandGateTest, RefusesWhileClosedThoughLenient) {
-  lenient_.Close();
+  lenient_.gate.Close();
   EXPECT_EQ(lenient_.Offer(Torques(5, 6), robot::Refusal::kCrc, 1), robot::Refusal::kMotionService);
 }
 
@@ -65,36 +79,36 @@ TEST_F(CommandGateTest, RestsInDampingOrLimpUntilACommandIsTaken) {
   gate_.Rest(/*limp=*/true);
   EXPECT_EQ(gate_.state(), GateState::kLimp);
   for (const robot::MotorCommand& motor : gate_.Current(1).motors) EXPECT_FALSE(motor.enabled);
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
-  EXPECT_EQ(gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kNone);
+  EXPECT_EQ(gate_.timeouts(), 0U);
+  EXPECT_EQ(strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kNone);
   EXPECT_EQ(gate_.Current(1).motors, Torques(5, 6).motors);
 }
 
 TEST_F(CommandGateTest, FollowsATakenCommandAtOnce) {
-  EXPECT_EQ(gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kNone);
+  EXPECT_EQ(strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1), robot::Refusal::kNone);
   EXPECT_EQ(gate_.Current(1).motors, Torques(5, 6).motors);
   EXPECT_EQ(gate_.state(), GateState::kFollowing);
-  EXPECT_EQ(gate_.counts().accepted, 1U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 1U);
 }
 
 TEST_F(CommandGateTest, FollowsTheLastOfSeveral) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 1);
-  gate_.Offer(Torques(7, 8), robot::Refusal::kNone, 1);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1);
+  strict_.Offer(Torques(7, 8), robot::Refusal::kNone, 1);
   EXPECT_EQ(gate_.Current(1).motors, Torques(7, 8).motors);
-  EXPECT_EQ(gate_.counts().accepted, 2U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 2U);
 }
 
 TEST_F(CommandGateTest, KeepsTheJointSpaceOfTheCommand) {
   robot::RobotCommand command = Torques(5, 6);
   command.joint_space = robot::JointSpace::kMotors;
-  gate_.Offer(command, robot::Refusal::kNone, 0);
+  strict_.Offer(command, robot::Refusal::kNone, 0);
   EXPECT_EQ(gate_.Current(0).joint_space, robot::JointSpace::kMotors);
 }
 
 TEST_F(CommandGateTest, GoesToDampingWhenCommandsStop) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 1);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 1);
   EXPECT_EQ(gate_.Current(1.199).motors, Torques(5, 6).motors);
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.timeouts(), 0U);
   for (const robot::MotorCommand& motor : gate_.Current(1.201).motors) {
     EXPECT_EQ(motor, (robot::MotorCommand{.enabled = true, .q = robot::kNoPosition, .kd = 3}));
   }
@@ -103,33 +117,33 @@ TEST_F(CommandGateTest, GoesToDampingWhenCommandsStop) {
 }
 
 TEST_F(CommandGateTest, CountsAStopOfCommandsOnce) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
   gate_.Current(1);
   gate_.Current(2);
-  EXPECT_EQ(gate_.counts().timeouts, 1U);
+  EXPECT_EQ(gate_.timeouts(), 1U);
 }
 
 TEST_F(CommandGateTest, FollowsAgainWhenCommandsResume) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
   gate_.Current(1);
-  gate_.Offer(Torques(7, 8), robot::Refusal::kNone, 1);
+  strict_.Offer(Torques(7, 8), robot::Refusal::kNone, 1);
   EXPECT_EQ(gate_.Current(1).motors, Torques(7, 8).motors);
   EXPECT_EQ(gate_.state(), GateState::kFollowing);
   gate_.Current(2);
-  EXPECT_EQ(gate_.counts().timeouts, 2U);
+  EXPECT_EQ(gate_.timeouts(), 2U);
 }
 
 TEST_F(CommandGateTest, StaysFreshWhileCommandsCome) {
   for (int i = 0; i < 100; ++i) {
-    gate_.Offer(Torques(i, i), robot::Refusal::kNone, 0.1 * i);
+    strict_.Offer(Torques(i, i), robot::Refusal::kNone, 0.1 * i);
     EXPECT_EQ(gate_.Current(0.1 * i).motors, Torques(i, i).motors);
   }
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
 TEST_F(CommandGateTest, ChangesNothingForARefusedCommand) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
-  EXPECT_EQ(gate_.Offer(Torques(7, 8), robot::Refusal::kCrc, 0.15), robot::Refusal::kCrc);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
+  EXPECT_EQ(strict_.Offer(Torques(7, 8), robot::Refusal::kCrc, 0.15), robot::Refusal::kCrc);
   EXPECT_EQ(gate_.Current(0.15).motors, Torques(5, 6).motors);
   // Nor does it keep the one before it fresh.
   gate_.Current(0.25);
@@ -137,16 +151,16 @@ TEST_F(CommandGateTest, ChangesNothingForARefusedCommand) {
 }
 
 TEST_F(CommandGateTest, StaysAtTheStartWhenTheFirstCommandIsRefused) {
-  gate_.Offer(Torques(7, 8), robot::Refusal::kHead, 0);
+  strict_.Offer(Torques(7, 8), robot::Refusal::kHead, 0);
   EXPECT_EQ(gate_.state(), GateState::kStart);
   EXPECT_EQ(gate_.Current(1).motors, start_.motors);
-  EXPECT_EQ(gate_.counts().accepted, 0U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 0U);
 }
 
 TEST_F(CommandGateTest, StaysDampedWhenARefusedCommandEndsTheSilence) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
   gate_.Current(1);
-  gate_.Offer(Torques(7, 8), robot::Refusal::kCrc, 1);
+  strict_.Offer(Torques(7, 8), robot::Refusal::kCrc, 1);
   gate_.Current(1);
   EXPECT_EQ(gate_.state(), GateState::kDamping);
 }
@@ -155,26 +169,26 @@ TEST_F(CommandGateTest, CountsRefusalsByReason) {
   for (const robot::Refusal wire :
        {robot::Refusal::kCrc, robot::Refusal::kHead, robot::Refusal::kHead,
         robot::Refusal::kModeMachine, robot::Refusal::kModePr, robot::Refusal::kMotorMode}) {
-    EXPECT_EQ(gate_.Offer(start_, wire, 0), wire);
+    EXPECT_EQ(strict_.Offer(start_, wire, 0), wire);
   }
-  gate_.Offer(Torques(kNan, 0), robot::Refusal::kNone, 0);
+  strict_.Offer(Torques(kNan, 0), robot::Refusal::kNone, 0);
   robot::RobotCommand pushing = Torques(0, 0);
   pushing.motors[1].kp = -1;
-  gate_.Offer(pushing, robot::Refusal::kNone, 0);
+  strict_.Offer(pushing, robot::Refusal::kNone, 0);
 
-  EXPECT_EQ(Refused(gate_, robot::Refusal::kHead), 2U);
+  EXPECT_EQ(Refused(strict_, robot::Refusal::kHead), 2U);
   for (const robot::Refusal once :
        {robot::Refusal::kCrc, robot::Refusal::kModeMachine, robot::Refusal::kModePr,
         robot::Refusal::kMotorMode, robot::Refusal::kNotFinite, robot::Refusal::kGain}) {
-    EXPECT_EQ(Refused(gate_, once), 1U) << robot::Name(once);
+    EXPECT_EQ(Refused(strict_, once), 1U) << robot::Name(once);
   }
-  EXPECT_EQ(Refused(gate_, robot::Refusal::kNone), 0U);
-  EXPECT_EQ(gate_.counts().accepted, 0U);
+  EXPECT_EQ(Refused(strict_, robot::Refusal::kNone), 0U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 0U);
 }
 
 TEST_F(CommandGateTest, CountsACommandThatIsWrongTwiceOnce) {
-  EXPECT_EQ(gate_.Offer(Torques(kNan, 0), robot::Refusal::kCrc, 0), robot::Refusal::kCrc);
-  EXPECT_EQ(RefusedInAll(gate_), 1U);
+  EXPECT_EQ(strict_.Offer(Torques(kNan, 0), robot::Refusal::kCrc, 0), robot::Refusal::kCrc);
+  EXPECT_EQ(RefusedInAll(strict_), 1U);
 }
 
 TEST_F(CommandGateTest, LenientTakesWrongFormAndCountsIt) {
@@ -184,8 +198,8 @@ TEST_F(CommandGateTest, LenientTakesWrongFormAndCountsIt) {
     EXPECT_EQ(lenient_.Offer(Torques(5, 6), wire, 0), robot::Refusal::kNone) << robot::Name(wire);
     EXPECT_EQ(Refused(lenient_, wire), 1U);
   }
-  EXPECT_EQ(lenient_.counts().accepted, 5U);
-  EXPECT_EQ(lenient_.Current(0).motors, Torques(5, 6).motors);
+  EXPECT_EQ(lenient_.intake.counts().accepted, 5U);
+  EXPECT_EQ(lenient_.gate.Current(0).motors, Torques(5, 6).motors);
 }
 
 // One bad field of one motor refuses the whole command, lenient or not.
@@ -194,14 +208,14 @@ class HarmTest : public CommandGateTest, public testing::WithParamInterface<robo
 TEST_P(HarmTest, IsRefusedInAnyCase) {
   robot::RobotCommand command = Torques(0, 0);
   command.motors[1] = GetParam();
-  for (CommandGate* gate : {&gate_, &lenient_}) {
-    const robot::Refusal refusal = gate->Offer(command, robot::Refusal::kNone, 0);
+  for (Entrance* to : {&strict_, &lenient_}) {
+    const robot::Refusal refusal = to->Offer(command, robot::Refusal::kNone, 0);
     EXPECT_TRUE(refusal == robot::Refusal::kNotFinite || refusal == robot::Refusal::kGain)
         << robot::Name(refusal);
-    EXPECT_EQ(gate->Current(0).motors, start_.motors);
+    EXPECT_EQ(to->gate.Current(0).motors, start_.motors);
   }
   EXPECT_NE(lenient_.Offer(command, robot::Refusal::kCrc, 0), robot::Refusal::kNone);
-  EXPECT_EQ(lenient_.state(), GateState::kStart);
+  EXPECT_EQ(lenient_.gate.state(), GateState::kStart);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -217,18 +231,18 @@ TEST_F(CommandGateTest, TakesTheMarksForNoPositionAndNoVelocity) {
   robot::RobotCommand command = Torques(0, 0);
   command.motors[0].q = robot::kNoPosition;
   command.motors[0].dq = robot::kNoVelocity;
-  EXPECT_EQ(gate_.Offer(command, robot::Refusal::kNone, 0), robot::Refusal::kNone);
+  EXPECT_EQ(strict_.Offer(command, robot::Refusal::kNone, 0), robot::Refusal::kNone);
 }
 
 TEST_F(CommandGateTest, RestartsAtTheStartCommandAndKeepsItsCounts) {
-  gate_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
-  gate_.Offer(Torques(5, 6), robot::Refusal::kCrc, 0);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kNone, 0);
+  strict_.Offer(Torques(5, 6), robot::Refusal::kCrc, 0);
   gate_.Restart();
   EXPECT_EQ(gate_.state(), GateState::kStart);
   EXPECT_EQ(gate_.Current(10).motors, start_.motors);
-  EXPECT_EQ(gate_.counts().accepted, 1U);
-  EXPECT_EQ(Refused(gate_, robot::Refusal::kCrc), 1U);
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(strict_.intake.counts().accepted, 1U);
+  EXPECT_EQ(Refused(strict_, robot::Refusal::kCrc), 1U);
+  EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
 TEST_F(CommandGateTest, RestartsAtAnotherStartCommandAndKeepsToIt) {

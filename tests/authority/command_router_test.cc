@@ -52,7 +52,19 @@ class CommandRouterTest : public ::testing::Test {
     const robot::RobotCommand& command = router_->Current(input_, service_due, 0.002);
     return {command.motors[0].tau, command.motors[1].tau};
   }
-  robot::Refusal Offer() { return router_->Offer(Of(kLowCmd), robot::Refusal::kNone, input_.time); }
+  robot::Refusal Offer() { return OfferTo(robot::kLowCmdTopic, Of(kLowCmd)); }
+  robot::Refusal OfferTo(std::size_t topic, const robot::RobotCommand& command,
+                         robot::Refusal form = robot::Refusal::kNone) {
+    return router_->Offer(topic, command, form, input_.time);
+  }
+  robot::Refusal OfferArms(robot::RobotCommand command, double weight) {
+    command.weight = weight;
+    return OfferTo(robot::kArmSdkTopic, command);
+  }
+  robot::Refusal OfferUser() { return OfferTo(robot::kUserLowCmdTopic, Of(kUser)); }
+  std::uint64_t Refused(std::size_t topic, robot::Refusal refusal) const {
+    return router_->counts(topic).refused[static_cast<std::size_t>(refusal)];
+  }
   void Press(const char* keys) {
     router_->Obey({.there = true, .keys = *RemoteKeysOf(keys)}, input_.time);
     router_->Obey({.there = true}, input_.time);
@@ -90,7 +102,7 @@ TEST_F(CommandRouterTest, BrakesAfterReleaseUntilLowCmdComes) {
   router_->owner().Release();
   Torques();
   EXPECT_EQ(router_->gate().state(), GateState::kDamping);
-  EXPECT_EQ(router_->gate().counts().timeouts, 0U);
+  EXPECT_EQ(router_->gate().timeouts(), 0U);
   EXPECT_EQ(Offer(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
 }
@@ -117,23 +129,23 @@ TEST_F(CommandRouterTest, LetsWhoeverSpokeLastHaveTheMotorsInAFight) {
 
 TEST_F(CommandRouterTest, MixesTheArmsOverTheServiceOnly) {
   Make();
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), robot::Refusal::kNone);
+  EXPECT_EQ(OfferArms(Of(kArms), 0.5), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kService, 5));
   router_->owner().Release();
   Offer();
   EXPECT_EQ(Torques(), Pair(kLowCmd, kLowCmd));
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 1, 0), robot::Refusal::kNoMotionService);
+  EXPECT_EQ(OfferArms(Of(kArms), 1), robot::Refusal::kNoMotionService);
   router_->owner().Select("ai");
   EXPECT_EQ(Torques(), Pair(kService, kService));  // what came before the service is forgotten
 }
 
 TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
   Make();
-  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), robot::Refusal::kNotHandedOver);
+  EXPECT_EQ(OfferUser(), robot::Refusal::kNotHandedOver);
   EXPECT_EQ(Torques(), Pair(kService, kService));
   router_->owner().SetUserControl(true);
   EXPECT_EQ(Torques(), Pair(kService, kService));
-  EXPECT_EQ(router_->OfferUser(Of(kUser), input_.time), robot::Refusal::kNone);
+  EXPECT_EQ(OfferUser(), robot::Refusal::kNone);
   EXPECT_EQ(Torques(), Pair(kUser, kUser));
   EXPECT_EQ(Offer(), robot::Refusal::kMotionService);
   router_->owner().SetUserControl(false);
@@ -142,21 +154,41 @@ TEST_F(CommandRouterTest, LeavesTheMotorsToTheUserWhenTheServiceDoes) {
 
 TEST_F(CommandRouterTest, CountsWhatTheArmsAndTheUserAreRefused) {
   Make();
-  EXPECT_EQ(router_->OfferArms(Of(kArms), 0.5, 0), robot::Refusal::kNone);
-  EXPECT_EQ(router_->OfferArms(Of(kArms), std::nan(""), 0), robot::Refusal::kNotFinite);
+  EXPECT_EQ(OfferArms(Of(kArms), 0.5), robot::Refusal::kNone);
+  EXPECT_EQ(OfferArms(Of(kArms), std::nan("")), robot::Refusal::kNotFinite);
   robot::RobotCommand harmful = Of(kArms);
   harmful.motors[0].kp = -1;
-  EXPECT_EQ(router_->OfferArms(harmful, 1, 0), robot::Refusal::kGain);
+  EXPECT_EQ(OfferArms(harmful, 1), robot::Refusal::kGain);
   EXPECT_EQ(Torques(), Pair(kService, 5));
   router_->owner().Release();
-  EXPECT_EQ(router_->OfferUser(Of(kUser), 0), robot::Refusal::kNoMotionService);
-  EXPECT_EQ(router_->arm_counts().accepted, 1U);
-  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(robot::Refusal::kNotFinite)],
-            1U);
-  EXPECT_EQ(router_->arm_counts().refused[static_cast<std::size_t>(robot::Refusal::kGain)], 1U);
-  EXPECT_EQ(
-      router_->user_counts().refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
-      1U);
+  EXPECT_EQ(OfferUser(), robot::Refusal::kNoMotionService);
+  EXPECT_EQ(router_->counts(robot::kArmSdkTopic).accepted, 1U);
+  EXPECT_EQ(Refused(robot::kArmSdkTopic, robot::Refusal::kNotFinite), 1U);
+  EXPECT_EQ(Refused(robot::kArmSdkTopic, robot::Refusal::kGain), 1U);
+  EXPECT_EQ(Refused(robot::kUserLowCmdTopic, robot::Refusal::kNoMotionService), 1U);
+}
+
+TEST_F(CommandRouterTest, CountsEveryTopicApart) {
+  spec_.hands = {{.name = "left", .motors = {{.joint = "thumb"}}},
+                 {.name = "right", .motors = {{.joint = "thumb"}, {.joint = "index"}}}};
+  Make();
+  router_->owner().Release();
+  const std::size_t right = robot::kFirstHandTopic + 1;
+  EXPECT_EQ(OfferTo(right, Of(1)), robot::Refusal::kNone);
+  EXPECT_EQ(OfferTo(right, Of(1), robot::Refusal::kMotorMode), robot::Refusal::kMotorMode);
+  EXPECT_EQ(OfferTo(robot::kFirstHandTopic, Of(1)), robot::Refusal::kMotorCount);
+  EXPECT_EQ(Offer(), robot::Refusal::kNone);
+  EXPECT_EQ(router_->hand(1).Current(input_.time).motors[1].tau, 1);
+  EXPECT_EQ(router_->counts(right).accepted, 1U);
+  EXPECT_EQ(router_->counts(right).last_refusal, robot::Refusal::kMotorMode);
+  EXPECT_EQ(Refused(right, robot::Refusal::kMotorMode), 1U);
+  EXPECT_EQ(Refused(robot::kFirstHandTopic, robot::Refusal::kMotorCount), 1U);
+  EXPECT_EQ(router_->counts(robot::kLowCmdTopic).last_refusal, robot::Refusal::kNone);
+  router_->Current(input_, false, 0.002);
+  input_.time += 1;
+  router_->Current(input_, false, 0.002);
+  EXPECT_EQ(router_->counts(robot::kLowCmdTopic).timeouts, 1U);
+  EXPECT_EQ(router_->counts(right).timeouts, 0U);
 }
 
 TEST_F(CommandRouterTest, PassesChordsToTheService) {

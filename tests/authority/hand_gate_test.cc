@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "authority/intake.h"
+
 namespace understudy::authority {
 namespace {
 
@@ -17,88 +19,95 @@ robot::HandSpec TwoMotors() {
           .lock_kd = 0.5};
 }
 
-robot::MotorCommand Torque(double tau) { return {.enabled = true, .tau = tau}; }
+robot::MotorCommand Torque(double tau, bool watched = false) {
+  return {.enabled = true, .tau = tau, .watched = watched};
+}
 
-robot::HandCommand Torques(double first, double second, bool watched = false) {
-  return {.motors = {{.motor = Torque(first), .watched = watched},
-                     {.motor = Torque(second), .watched = watched}}};
+robot::RobotCommand Torques(double first, double second, bool watched = false) {
+  return {.motors = {Torque(first, watched), Torque(second, watched)}};
 }
 
 class HandGateTest : public testing::Test {
  protected:
-  robot::Refusal Offer(const robot::HandCommand& command, double t = 0) {
-    return gate_.Offer(command, robot::Refusal::kNone, t);
+  robot::Refusal Offer(const robot::RobotCommand& command, double t = 0) {
+    return Offer(&strict_, command, robot::Refusal::kNone, t);
+  }
+  robot::Refusal Offer(Intake* intake, const robot::RobotCommand& command, robot::Refusal form,
+                       double t = 0) {
+    return intake->Judge(form, [&] { return gate_.Offer(command, t); });
   }
   std::uint64_t Refused(robot::Refusal refusal) const {
-    return gate_.counts().refused[static_cast<std::size_t>(refusal)];
+    return strict_.counts().refused[static_cast<std::size_t>(refusal)];
   }
   // A command whose second motor is `motor`, and what comes of it.
   void ExpectRefused(const robot::MotorCommand& motor, robot::Refusal refusal) {
     ASSERT_EQ(Offer(Torques(1, 2)), robot::Refusal::kNone);
-    robot::HandCommand command = Torques(3, 4);
-    command.motors[1].motor = motor;
+    robot::RobotCommand command = Torques(3, 4);
+    command.motors[1] = motor;
     EXPECT_EQ(Offer(command), refusal);
     EXPECT_EQ(Refused(refusal), 1U);
-    EXPECT_EQ(gate_.counts().accepted, 1U);
-    EXPECT_EQ(gate_.Current(0)[0], Torque(1));
-    EXPECT_EQ(gate_.Current(0)[1], Torque(2));
+    EXPECT_EQ(strict_.counts().accepted, 1U);
+    EXPECT_EQ(gate_.Current(0).motors[0], Torque(1));
+    EXPECT_EQ(gate_.Current(0).motors[1], Torque(2));
   }
 
   const robot::HandSpec spec_ = TwoMotors();
-  HandGate gate_{spec_, /*lenient=*/false};
+  HandGate gate_{spec_};
+  Intake strict_{/*lenient=*/false};
+  Intake lenient_{/*lenient=*/true};
 };
 
 TEST_F(HandGateTest, IsLockedUntilACommandIsTaken) {
   for (const double t : {0.0, 1e6}) {
     for (const std::size_t motor : {0U, 1U}) {
-      EXPECT_EQ(gate_.Current(t)[motor], kBraked);
+      EXPECT_EQ(gate_.Current(t).motors[motor], kBraked);
       EXPECT_TRUE(gate_.locked(motor));
       EXPECT_FALSE(gate_.timed_out(motor));
     }
   }
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
 TEST_F(HandGateTest, FollowsTheLastTakenCommand) {
   EXPECT_EQ(Offer(Torques(1, 2)), robot::Refusal::kNone);
   EXPECT_EQ(Offer(Torques(3, 4)), robot::Refusal::kNone);
-  EXPECT_EQ(gate_.Current(0)[0], Torque(3));
-  EXPECT_EQ(gate_.Current(0)[1], Torque(4));
+  EXPECT_EQ(gate_.Current(0).motors[0], Torque(3));
+  EXPECT_EQ(gate_.Current(0).motors[1], Torque(4));
   EXPECT_FALSE(gate_.locked(0));
-  EXPECT_EQ(gate_.counts().accepted, 2U);
+  EXPECT_EQ(strict_.counts().accepted, 2U);
 }
 
 TEST_F(HandGateTest, FollowsForEverWhatIsNotWatched) {
   Offer(Torques(1, 2));
-  EXPECT_EQ(gate_.Current(1e6)[0], Torque(1));
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
+  EXPECT_EQ(gate_.Current(1e6).motors[0], Torque(1));
+  EXPECT_EQ(gate_.timeouts(), 0U);
 }
 
 TEST_F(HandGateTest, LocksTheMotorsThatACommandLocks) {
-  robot::HandCommand command = Torques(1, 2);
-  command.motors[0].motor.enabled = false;
+  robot::RobotCommand command = Torques(1, 2);
+  command.motors[0].enabled = false;
   Offer(command);
-  EXPECT_EQ(gate_.Current(0)[0], kBraked);
+  EXPECT_EQ(gate_.Current(0).motors[0], kBraked);
   EXPECT_TRUE(gate_.locked(0));
-  EXPECT_EQ(gate_.Current(0)[1], Torque(2));
+  EXPECT_EQ(gate_.Current(0).motors[1], Torque(2));
 }
 
 TEST_F(HandGateTest, LocksWatchedMotorsWhenCommandsStop) {
-  robot::HandCommand command = Torques(1, 2);
+  robot::RobotCommand command = Torques(1, 2);
   command.motors[1].watched = true;
   Offer(command, 5);
-  EXPECT_EQ(gate_.Current(6)[1], Torque(2));
-  EXPECT_EQ(gate_.counts().timeouts, 0U);
-  EXPECT_EQ(gate_.Current(6.001)[1], kBraked);
+  EXPECT_EQ(gate_.Current(6).motors[1], Torque(2, /*watched=*/true));
+  EXPECT_EQ(gate_.timeouts(), 0U);
+  EXPECT_EQ(gate_.Current(6.001).motors[1], kBraked);
   EXPECT_TRUE(gate_.timed_out(1));
-  EXPECT_EQ(gate_.Current(6.001)[0], Torque(1));
+  EXPECT_EQ(gate_.Current(6.001).motors[0], Torque(1));
   EXPECT_FALSE(gate_.timed_out(0));
 }
 
 TEST_F(HandGateTest, CountsAStopOnceForAllMotors) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   for (const double t : {1.1, 1.2, 30.0}) gate_.Current(t);
-  EXPECT_EQ(gate_.counts().timeouts, 1U);
+  EXPECT_EQ(gate_.timeouts(), 1U);
 }
 
 TEST_F(HandGateTest, DoesNotStopWhileCommandsCome) {
@@ -106,23 +115,23 @@ TEST_F(HandGateTest, DoesNotStopWhileCommandsCome) {
     gate_.Current(t);
     Offer(Torques(t, 0, /*watched=*/true), t);
   }
-  EXPECT_EQ(gate_.Current(3.6)[0], Torque(2.7));
+  EXPECT_EQ(gate_.Current(3.6).motors[0], Torque(2.7, /*watched=*/true));
 }
 
 TEST_F(HandGateTest, RefusedCommandsDoNotKeepItFromStopping) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   Offer(Torques(kNan, 2, /*watched=*/true), 0.9);
-  EXPECT_EQ(gate_.Current(1.1)[0], kBraked);
+  EXPECT_EQ(gate_.Current(1.1).motors[0], kBraked);
 }
 
 TEST_F(HandGateTest, StaysLockedUntilACommandNoLongerHasItWatched) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   gate_.Current(2);
   EXPECT_EQ(Offer(Torques(3, 4, /*watched=*/true), 2), robot::Refusal::kNone);
-  EXPECT_EQ(gate_.Current(2)[0], kBraked);
+  EXPECT_EQ(gate_.Current(2).motors[0], kBraked);
   EXPECT_TRUE(gate_.timed_out(0));
   EXPECT_EQ(Offer(Torques(5, 6), 2.1), robot::Refusal::kNone);
-  EXPECT_EQ(gate_.Current(2.1)[0], Torque(5));
+  EXPECT_EQ(gate_.Current(2.1).motors[0], Torque(5));
   EXPECT_FALSE(gate_.timed_out(0));
 }
 
@@ -130,11 +139,11 @@ TEST_F(HandGateTest, IsAsBeforeTheFirstCommandAfterARestart) {
   Offer(Torques(1, 2, /*watched=*/true), 0);
   gate_.Current(2);
   gate_.Restart();
-  EXPECT_EQ(gate_.Current(2)[0], kBraked);
+  EXPECT_EQ(gate_.Current(2).motors[0], kBraked);
   EXPECT_FALSE(gate_.timed_out(0));
-  EXPECT_EQ(gate_.Current(30)[1], kBraked);
-  EXPECT_EQ(gate_.counts().timeouts, 1U);
-  EXPECT_EQ(gate_.counts().accepted, 1U);
+  EXPECT_EQ(gate_.Current(30).motors[1], kBraked);
+  EXPECT_EQ(gate_.timeouts(), 1U);
+  EXPECT_EQ(strict_.counts().accepted, 1U);
 }
 
 TEST_F(HandGateTest, RefusesAnAngleThatIsNoNumber) {
@@ -155,32 +164,30 @@ TEST_F(HandGateTest, RefusesANegativeGain) {
 }
 
 TEST_F(HandGateTest, RefusesWhatThePortFoundWrong) {
-  EXPECT_EQ(gate_.Offer(Torques(1, 2), robot::Refusal::kMotorMode, 0), robot::Refusal::kMotorMode);
+  EXPECT_EQ(Offer(&strict_, Torques(1, 2), robot::Refusal::kMotorMode), robot::Refusal::kMotorMode);
   EXPECT_EQ(Refused(robot::Refusal::kMotorMode), 1U);
-  EXPECT_EQ(gate_.Current(0)[0], kBraked);
+  EXPECT_EQ(gate_.Current(0).motors[0], kBraked);
 }
 
 TEST_F(HandGateTest, RefusesACommandForAnotherNumberOfMotors) {
-  robot::HandCommand command = Torques(1, 2);
+  robot::RobotCommand command = Torques(1, 2);
   command.motors.pop_back();
   EXPECT_EQ(Offer(command), robot::Refusal::kMotorCount);
   EXPECT_EQ(Refused(robot::Refusal::kMotorCount), 1U);
 }
 
 TEST_F(HandGateTest, LenientTakesAWrongModeAndCountsIt) {
-  HandGate lenient(spec_, /*lenient=*/true);
-  EXPECT_EQ(lenient.Offer(Torques(1, 2), robot::Refusal::kMotorMode, 0), robot::Refusal::kNone);
-  EXPECT_EQ(lenient.counts().refused[static_cast<std::size_t>(robot::Refusal::kMotorMode)], 1U);
-  EXPECT_EQ(lenient.Current(0)[0], Torque(1));
+  EXPECT_EQ(Offer(&lenient_, Torques(1, 2), robot::Refusal::kMotorMode), robot::Refusal::kNone);
+  EXPECT_EQ(lenient_.counts().refused[static_cast<std::size_t>(robot::Refusal::kMotorMode)], 1U);
+  EXPECT_EQ(gate_.Current(0).motors[0], Torque(1));
 }
 
 TEST_F(HandGateTest, LenientRefusesAWrongCountAndHarmAllTheSame) {
-  HandGate lenient(spec_, /*lenient=*/true);
-  EXPECT_EQ(lenient.Offer(Torques(1, 2), robot::Refusal::kMotorCount, 0),
+  EXPECT_EQ(Offer(&lenient_, Torques(1, 2), robot::Refusal::kMotorCount),
             robot::Refusal::kMotorCount);
-  EXPECT_EQ(lenient.Offer(Torques(kNan, 2), robot::Refusal::kMotorMode, 0),
+  EXPECT_EQ(Offer(&lenient_, Torques(kNan, 2), robot::Refusal::kMotorMode),
             robot::Refusal::kNotFinite);
-  EXPECT_EQ(lenient.Current(0)[0], kBraked);
+  EXPECT_EQ(gate_.Current(0).motors[0], kBraked);
 }
 
 }  // namespace

@@ -100,7 +100,7 @@ TEST_F(AllocationTest, IsSeenByTheCount) {
 TEST_F(AllocationTest, DoesNotHappenInATick) {
   config_.sensors = {};
   config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
-  config_.robot.rates.lowstate_hz = 1000;
+  port_.TellEvery(1);
   port_.KeepTheLastOnly();
   StartAs("hanging");
   robot::RobotCommand command;
@@ -181,12 +181,12 @@ TEST_F(AllocationTest, DoesNotHappenWithHands) {
                  {.name = "right", .motors = {{.joint = "neck_pitch_joint", .torque_limit = 5}}}};
   port_.KeepTheLastOnly();
   StartAs("clamped");
-  robot::HandCommand command{
-      .motors = {{.motor = {.enabled = true, .q = 0.3, .kp = 20, .kd = 1}, .watched = true}}};
+  robot::RobotCommand command{
+      .motors = {{.enabled = true, .q = 0.3, .kp = 20, .kd = 1, .watched = true}}};
   port_.SendHandsEveryTick(command);
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
-  command.motors[0].motor.kp = -1;
+  command.motors[0].kp = -1;
   port_.SendHandsEveryTick(command);
   EXPECT_EQ(CountIn(1500), 0);
   EXPECT_EQ(world_->status().hands[1].commands.timeouts, 1U);
@@ -196,9 +196,10 @@ TEST_F(AllocationTest, DoesNotHappenWithHands) {
 TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
   config_ = config::LoadConfig({.robot = "g1_29dof_dex3"}, root);
+  port_.TellEvery(1);
   port_.KeepTheLastOnly();
-  port_.SendHandsEveryTick({.motors = std::vector<robot::HandMotorCommand>(
-                                7, {.motor = {.enabled = true, .kp = 1, .kd = 0.1}})});
+  port_.SendHandsEveryTick(
+      {.motors = std::vector<robot::MotorCommand>(7, {.enabled = true, .kp = 1, .kd = 0.1})});
   world_ =
       MakeIn({physics::LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
                                       root / "models/scene/flat.xml", config_.physics.timestep),

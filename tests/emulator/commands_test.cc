@@ -9,7 +9,7 @@ namespace {
 class CommandsTest : public EmulatorTest {
  protected:
   CommandsTest() {
-    config_.robot.rates.lowstate_hz = 1000;
+    port_.TellEvery(1);
     config_.start.pose = "clamped";
     Start();
   }
@@ -57,6 +57,25 @@ TEST_F(CommandsTest, AreTakenAllAndTheLastIsFollowed) {
   EXPECT_TRUE(port_.idle());
   EXPECT_EQ(world_->status().commands.accepted, 5U);
   EXPECT_EQ(port_.last().state.motors[0].tau, 5);
+}
+
+TEST_F(CommandsTest, AreTakenEightAtOnceAndTheOthersInLaterTicks) {
+  for (int i = 1; i <= 20; ++i) {
+    port_.Send(Torque(i));
+    port_.SendUser(Torque(i));
+  }
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[0].tau, 8);
+  Tick();
+  EXPECT_EQ(port_.last().state.motors[0].tau, 16);
+  EXPECT_FALSE(port_.idle());
+  Tick();
+  EXPECT_TRUE(port_.idle());
+  EXPECT_EQ(port_.last().state.motors[0].tau, 20);
+  EXPECT_EQ(world_->status().commands.accepted, 20U);
+  EXPECT_EQ(world_->status()
+                .user_commands.refused[static_cast<std::size_t>(robot::Refusal::kNoMotionService)],
+            20U);
 }
 
 TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {

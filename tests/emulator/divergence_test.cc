@@ -8,7 +8,7 @@ class EmulatorDivergenceTest : public EmulatorTest {
  protected:
   EmulatorDivergenceTest() {
     for (robot::MotorSpec& motor : config_.robot.motors) motor.torque_limit = 1e30;
-    config_.robot.rates.lowstate_hz = 1000;
+    port_.TellEvery(1);
     config_.start.pose = "standing";
   }
 

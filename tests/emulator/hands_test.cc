@@ -22,14 +22,13 @@ class HandsTest : public EmulatorTest {
                                {.joint = "neck_pitch_joint", .torque_limit = 5}},
                     .timeout = 0.1,
                     .lock_kd = 1}};
-    robot.rates.hand_hz = 250;
     StartAs("clamped");
   }
 
   // Both motors to these angles.
-  static robot::HandCommand Reach(double roll, double pitch, bool watched = false) {
-    const auto motor = [watched](double q) -> robot::HandMotorCommand {
-      return {.motor = {.enabled = true, .q = q, .kp = 20, .kd = 1}, .watched = watched};
+  static robot::RobotCommand Reach(double roll, double pitch, bool watched = false) {
+    const auto motor = [watched](double q) -> robot::MotorCommand {
+      return {.enabled = true, .q = q, .kp = 20, .kd = 1, .watched = watched};
     };
     return {.motors = {motor(roll), motor(pitch)}};
   }
@@ -74,8 +73,8 @@ TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
 }
 
 TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
-  robot::HandCommand spin = Reach(0, 0, /*watched=*/true);
-  spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
+  robot::RobotCommand spin = Reach(0, 0, /*watched=*/true);
+  spin.motors[kRoll] = {.enabled = true, .dq = 2, .kd = 5, .watched = true};
   port_.SendHand(0, spin);
   Tick(50);
   const double before = Reading().motors[kRoll].dq;
@@ -88,11 +87,11 @@ TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
 }
 
 TEST_F(HandsTest, BrakeWhenLocked) {
-  robot::HandCommand spin = Reach(0, 0);
-  spin.motors[kRoll].motor = {.enabled = true, .dq = 2, .kd = 5};
+  robot::RobotCommand spin = Reach(0, 0);
+  spin.motors[kRoll] = {.enabled = true, .dq = 2, .kd = 5};
   port_.SendHand(0, spin);
   Tick(50);
-  spin.motors[kRoll].motor.enabled = false;
+  spin.motors[kRoll].enabled = false;
   port_.SendHand(0, spin);
   Tick(4);
   EXPECT_FALSE(Reading().motors[kRoll].enabled);
@@ -101,18 +100,11 @@ TEST_F(HandsTest, BrakeWhenLocked) {
 }
 
 TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
-  robot::HandCommand command = Reach(0, 0);
-  command.motors[kPitch].motor.tau = 100;
+  robot::RobotCommand command = Reach(0, 0);
+  command.motors[kPitch].tau = 100;
   port_.SendHand(0, command);
   Tick();
   EXPECT_EQ(Reading().motors[kPitch].tau, 5);
-}
-
-TEST_F(HandsTest, AreToldAtTheirOwnRate) {
-  Tick(1001);
-  int told = 0;
-  for (const test::FakePort::Sample& sample : port_.samples()) told += sample.due.hands ? 1 : 0;
-  EXPECT_EQ(told, 251);
 }
 
 TEST_F(HandsTest, AreLockedAgainAfterAReset) {
@@ -125,8 +117,8 @@ TEST_F(HandsTest, AreLockedAgainAfterAReset) {
 }
 
 TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
-  robot::HandCommand harm = Reach(0, 0);
-  harm.motors[0].motor.q = NAN;
+  robot::RobotCommand harm = Reach(0, 0);
+  harm.motors[0].q = NAN;
   port_.SendHand(0, harm);
   port_.SendHand(0, Reach(0, 0), robot::Refusal::kMotorMode);
   port_.SendHand(0, {}, robot::Refusal::kMotorCount);

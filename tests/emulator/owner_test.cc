@@ -8,7 +8,7 @@ namespace {
 class OwnerTest : public EmulatorTest {
  protected:
   OwnerTest() {
-    config_.robot.rates.lowstate_hz = 1000;
+    port_.TellEvery(1);
     config_.robot.services = {{.name = "sport_mode", .alias = "normal"},
                               {.name = "ai_sport", .alias = "ai"}};
     config_.robot.remote.chords = {{.keys = "L2+B", .does = "damp"},

@@ -7,7 +7,7 @@ namespace {
 class ScriptTest : public EmulatorTest {};
 
 TEST_F(ScriptTest, GivesEachRequestToTheTickOfItsTime) {
-  config_.robot.rates.lowstate_hz = 1000;
+  port_.TellEvery(1);
   StartAs("standing");
   world_->Play({{.at = 0.3, .request = test::RequestOf("clamp", true), .where = ""},
                 {.at = 0.5, .request = test::RequestOf("clamp", false), .where = ""}});

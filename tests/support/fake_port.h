@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "robot/robot_spec.h"
+#include "robot/command_topics.h"
 #include "wire/robot_port.h"
 
 namespace understudy::test {
@@ -19,63 +19,67 @@ class FakePort final : public wire::RobotPort {
  public:
   struct Sample {
     robot::RobotState state;
-    wire::Due due;
   };
 
-  // Lets a command wait, with what the wire found wrong with it.
-  void Send(const robot::RobotCommand& command, robot::Refusal wire = robot::Refusal::kNone);
-  // From now on one such command waits at every drain of the port. Taking it allocates nothing.
-  void SendEveryTick(const robot::RobotCommand& command) { steady_ = command; }
-  // The same for rt/arm_sdk and rt/user_lowcmd: these wait until taken.
-  void SendArms(const robot::RobotCommand& command, double weight) {
-    arms_.push_back({command, weight});
+  // Lets a command wait, with what is wrong with its form.
+  void Send(const robot::RobotCommand& command, robot::Refusal form = robot::Refusal::kNone) {
+    SendTo(robot::kLowCmdTopic, command, form);
   }
-  void SendUser(const robot::RobotCommand& command) { user_.push_back(command); }
-  // The same for a hand: one that waits, and one that waits at every drain.
-  void SendHand(std::size_t hand, const robot::HandCommand& command,
-                robot::Refusal wire = robot::Refusal::kNone);
-  void SendHandsEveryTick(const robot::HandCommand& command) { steady_hand_ = command; }
+  void SendArms(robot::RobotCommand command, double weight) {
+    command.weight = weight;
+    SendTo(robot::kArmSdkTopic, command);
+  }
+  void SendUser(const robot::RobotCommand& command) { SendTo(robot::kUserLowCmdTopic, command); }
+  void SendHand(std::size_t hand, const robot::RobotCommand& command,
+                robot::Refusal form = robot::Refusal::kNone) {
+    SendTo(robot::kFirstHandTopic + hand, command, form);
+  }
+  // From now on one such command waits at every drain of the port. Taking it allocates nothing.
+  void SendEveryTick(const robot::RobotCommand& command) {
+    topics_[robot::kLowCmdTopic].steady = command;
+  }
+  void SendHandsEveryTick(const robot::RobotCommand& command) {
+    for (std::size_t i = robot::kFirstHandTopic; i < topics_.size(); ++i) {
+      topics_[i].steady = command;
+    }
+  }
+  // A state is due in every so manyth step.
+  void TellEvery(std::int64_t steps) { every_ = steps; }
   // From now on only the last sample is kept; publishing one more then allocates nothing.
   void KeepTheLastOnly() { keep_all_ = false; }
 
   const std::vector<Sample>& samples() const { return samples_; }
   const Sample& last() const { return samples_.back(); }
-  bool idle() const { return waiting_.empty(); }
+  // Whether no command waits on rt/lowcmd.
+  bool idle() const { return topics_[robot::kLowCmdTopic].waiting.empty(); }
 
-  bool TakeCommand(robot::RobotCommand* command, robot::Refusal* wire) override;
-  bool TakeArmCommand(robot::RobotCommand* command, double* weight) override;
-  bool TakeUserCommand(robot::RobotCommand* command) override;
-  bool TakeHandCommand(std::size_t hand, robot::HandCommand* command,
-                       robot::Refusal* wire) override;
-  void Publish(const robot::RobotState& state, const wire::Due& due) override;
-  int command_writers() override { return 1; }
-  robot::PortCounts counts() const override { return {}; }
+  bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) override;
+  bool Due(std::int64_t step) const override { return step % every_ == 0; }
+  void Publish(const robot::RobotState& state, std::int64_t step) override;
+  int command_writers() const override { return 1; }
+  robot::PortCounts counts() const override { return {.lowstates = published_}; }
 
  private:
   struct Waiting {
     robot::RobotCommand command;
-    robot::Refusal wire;
+    robot::Refusal form;
   };
 
-  struct WaitingHand {
-    robot::HandCommand command;
-    robot::Refusal wire;
+  struct Topic {
+    std::deque<Waiting> waiting;
+    std::optional<robot::RobotCommand> steady;
+    bool steady_taken = false;  // in this drain
   };
 
-  struct WaitingArms {
-    robot::RobotCommand command;
-    double weight;
-  };
+  void SendTo(std::size_t topic, const robot::RobotCommand& command,
+              robot::Refusal form = robot::Refusal::kNone) {
+    topics_[topic].waiting.push_back({command, form});
+  }
 
-  std::deque<Waiting> waiting_;
-  std::deque<WaitingArms> arms_;
-  std::deque<robot::RobotCommand> user_;
-  std::array<std::deque<WaitingHand>, robot::kMostHands> hands_;
-  std::optional<robot::HandCommand> steady_hand_;
-  bool steady_hand_taken_ = false;  // in this drain
-  std::optional<robot::RobotCommand> steady_;
-  bool steady_taken_ = false;  // in this drain
+  std::array<Topic, robot::kMostCommandTopics> topics_;
+  std::int64_t every_ = 2;  // 500 Hz in steps of 1 ms
   bool keep_all_ = true;
+  std::uint64_t published_ = 0;
   std::vector<Sample> samples_;
 };
 

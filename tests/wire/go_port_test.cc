@@ -1,14 +1,10 @@
-#include "wire/go_port.h"
-
-#include <memory>
-
 #include <gmock/gmock.h>
 
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
-#include "wire/open_port.h"
+#include "wire/port.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -17,7 +13,7 @@ namespace {
 TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
   const bus::Participant participant("lo", 152);
   const robot::RobotSpec spec = GoRobot();
-  GoPort port(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
@@ -26,7 +22,7 @@ TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
   ASSERT_TRUE(client.Write(message));
   robot::RobotCommand command = CommandOf(spec);
   robot::Refusal wire = robot::Refusal::kNone;
-  ASSERT_TRUE(port.TakeCommand(&command, &wire));
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &command, &wire));
   EXPECT_EQ(wire, robot::Refusal::kNone);
   EXPECT_EQ(port.counts().unused_slots, 1);
 }
@@ -34,7 +30,7 @@ TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   const bus::Participant participant("lo", 153);
   const robot::RobotSpec spec = GoRobot();
-  const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Reader<unitree_go_msg_dds__LowState_> lowstate(participant, kGoLowState);
   bus::Reader<unitree_go_msg_dds__LowState_> lf_lowstate(participant, kGoLfLowState);
   bus::Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kSportModeState);
@@ -46,18 +42,18 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   robot::RobotState state = StateOf(spec);
 
   state.tick_ms = 2;
-  port->Publish(state, {.lowstate = true});
+  port.Publish(state, kLowStateStep);
   const auto first = Next(&lowstate);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->tick, 2);
   EXPECT_EQ(first->crc, MessageCrc(*first));
 
   state.tick_ms = 3;
-  port->Publish(state, {.motion = true});
+  port.Publish(state, kMotionStep);
   ASSERT_TRUE(Next(&motion));
 
   state.tick_ms = 4;
-  port->Publish(state, {.lf = true});
+  port.Publish(state, kLfStep);
   const auto lf = Next(&lf_lowstate);
   ASSERT_TRUE(lf);
   EXPECT_EQ(lf->tick, 4);
@@ -67,7 +63,7 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   EXPECT_EQ(lowstate.Take(ignore) + lf_lowstate.Take(ignore) + motion.Take(ignore) +
                 lf_motion.Take(ignore),
             0);
-  EXPECT_EQ(port->counts().write_failures, 0);
+  EXPECT_EQ(port.counts().write_failures, 0);
 }
 
 }  // namespace

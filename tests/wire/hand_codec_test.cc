@@ -33,38 +33,38 @@ class HandDecodeTest : public testing::Test {
 
   const robot::HandSpec spec_ = ThreeMotors();
   std::array<unitree_hg_msg_dds__MotorCmd_, 4> wire_{};
-  robot::HandCommand command_;
+  robot::RobotCommand command_;
 };
 
 TEST_F(HandDecodeTest, ReadsEveryFieldOfEveryMotor) {
   wire_[2] = {.mode = 2 | 1 << 4, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5, .reserve = 9};
   EXPECT_EQ(Read(), robot::Refusal::kNone);
   ASSERT_EQ(command_.motors.size(), 3U);
-  EXPECT_EQ(command_.motors[2].motor,
+  EXPECT_EQ(command_.motors[2],
             (robot::MotorCommand{.enabled = true, .q = 1, .dq = 2, .tau = 3, .kp = 4, .kd = 5}));
   EXPECT_FALSE(command_.motors[2].watched);
-  EXPECT_EQ(command_.motors[0].motor, robot::MotorCommand{.enabled = true});
+  EXPECT_EQ(command_.motors[0], robot::MotorCommand{.enabled = true});
 }
 
 TEST_F(HandDecodeTest, StatusZeroLocks) {
   wire_[1].mode = 1;
   EXPECT_EQ(Read(), robot::Refusal::kNone);
-  EXPECT_FALSE(command_.motors[1].motor.enabled);
-  EXPECT_TRUE(command_.motors[0].motor.enabled);
+  EXPECT_FALSE(command_.motors[1].enabled);
+  EXPECT_TRUE(command_.motors[0].enabled);
 }
 
 TEST_F(HandDecodeTest, TheHighestBitHasAMotorWatched) {
   wire_[1].mode = 1 | 1 << 4 | 1 << 7;
   EXPECT_EQ(Read(), robot::Refusal::kNone);
   EXPECT_TRUE(command_.motors[1].watched);
-  EXPECT_TRUE(command_.motors[1].motor.enabled);
+  EXPECT_TRUE(command_.motors[1].enabled);
   EXPECT_FALSE(command_.motors[2].watched);
 }
 
 TEST_F(HandDecodeTest, RefusesAnIdThatIsNotThePlace) {
   wire_[1].mode = 2 | 1 << 4;
   EXPECT_EQ(Read(), robot::Refusal::kMotorMode);
-  EXPECT_TRUE(command_.motors[1].motor.enabled);  // for a lenient gate
+  EXPECT_TRUE(command_.motors[1].enabled);  // for a lenient gate
 }
 
 // What other hg programs put into mode.
@@ -77,7 +77,7 @@ TEST_F(HandDecodeTest, RefusesAnUnknownStatus) {
   for (const int status : {2, 3, 4, 5, 6, 7}) {
     wire_[0].mode = static_cast<std::uint8_t>(status << 4);
     EXPECT_EQ(Read(), robot::Refusal::kMotorMode) << status;
-    EXPECT_TRUE(command_.motors[0].motor.enabled);
+    EXPECT_TRUE(command_.motors[0].enabled);
   }
 }
 
@@ -87,7 +87,7 @@ TEST_F(HandDecodeTest, RefusesAnotherNumberOfMotorsAndLeavesTheCommandAlone) {
   for (const std::size_t length : {0U, 2U, 4U})
     EXPECT_EQ(Read(length), robot::Refusal::kMotorCount);
   EXPECT_EQ(command_.motors.size(), 3U);
-  EXPECT_EQ(command_.motors[0].motor.q, 0);
+  EXPECT_EQ(command_.motors[0].q, 0);
 }
 
 TEST_F(HandDecodeTest, RefusesAMessageWithoutASequence) {

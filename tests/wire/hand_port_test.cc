@@ -1,5 +1,4 @@
-#include "wire/hand_port.h"
-
+// Hands on the wire.
 #include <array>
 #include <utility>
 #include <vector>
@@ -10,7 +9,7 @@
 #include "tests/support/allocations.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
-#include "wire/hg_port.h"
+#include "wire/port.h"
 
 namespace understudy::wire {
 namespace {
@@ -37,22 +36,16 @@ robot::RobotSpec Handy() {
   return spec;
 }
 
-robot::RobotState HandyState(const robot::RobotSpec& spec) {
-  robot::RobotState state = StateOf(spec);
-  state.hands.assign(2, {.motors = std::vector<robot::MotorReading>(2), .timed_out = {0, 0}});
-  return state;
-}
-
 // A robot on the wire, in a domain of its own, and what was taken from one of its hands.
 struct Played {
   explicit Played(int domain, robot::RobotSpec robot = Handy())
-      : participant("lo", domain), spec(std::move(robot)), port(participant, spec) {}
-  bool Take(std::size_t hand) { return port.TakeHandCommand(hand, &command, &wire); }
+      : participant("lo", domain), spec(std::move(robot)), port(participant, spec, kTimestep) {}
+  bool Take(std::size_t hand) { return port.Take(robot::kFirstHandTopic + hand, &command, &wire); }
 
   bus::Participant participant;
   robot::RobotSpec spec;
-  HgPort port;
-  robot::HandCommand command{.motors = std::vector<robot::HandMotorCommand>(2)};
+  Port port;
+  robot::RobotCommand command{.motors = std::vector<robot::MotorCommand>(2)};
   robot::Refusal wire = robot::Refusal::kNone;
 };
 
@@ -99,9 +92,9 @@ TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
   ASSERT_TRUE(right.Write(Command(2).message));
   ASSERT_TRUE(test::Eventually([&] { return robot.Take(1); }));
   EXPECT_EQ(robot.wire, robot::Refusal::kNone);
-  EXPECT_EQ(robot.command.motors[1].motor.q, 1);
+  EXPECT_EQ(robot.command.motors[1].q, 1);
   ASSERT_TRUE(robot.Take(1));
-  EXPECT_EQ(robot.command.motors[1].motor.q, 2);
+  EXPECT_EQ(robot.command.motors[1].q, 2);
   EXPECT_FALSE(robot.Take(1));
   EXPECT_FALSE(robot.Take(0));
 }
@@ -123,18 +116,18 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
   bus::Reader<HandState> right(robot.participant, State("rt/dex/right/state"));
   bus::Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
   bus::Reader<HandState> lf_right(robot.participant, State("rt/lf/dex/right/state"));
-  robot::RobotState state = HandyState(robot.spec);
+  robot::RobotState state = StateOf(robot.spec);
   state.hands[0].motors[0].q = 1;
   state.hands[1].motors[0].q = 2;
-  robot.port.Publish(state, {.hands = true});
+  robot.port.Publish(state, kHandStep);
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));
   const auto ignore = [](const auto&, bus::WriterHandle) {};
   EXPECT_EQ(lf_left.Take(ignore), 0);
-  robot.port.Publish(state, {.lf = true});
+  robot.port.Publish(state, kLfStep);
   EXPECT_EQ(Heard(&lf_left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&lf_right), std::pair(2.0F, 1U));
-  robot.port.Publish(state, {.lowstate = true, .motion = true});
+  robot.port.Publish(state, kLowStateStep * kMotionStep);
   EXPECT_EQ(left.Take(ignore), 0);
   EXPECT_EQ(robot.port.counts().write_failures, 0U);
 }
@@ -153,12 +146,12 @@ TEST(HandPortTest, AllocatesNothingInATick) {
   Played robot(195);
   bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
   ASSERT_TRUE(test::Eventually([&] { return left.matched_readers() == 1; }));
-  const robot::RobotState state = HandyState(robot.spec);
+  const robot::RobotState state = StateOf(robot.spec);
   const Command message(1);
   const std::uint64_t before = test::Allocations();
   left.Write(message.message);
   const bool taken = robot.Take(0);
-  robot.port.Publish(state, {.hands = true, .lf = true});
+  robot.port.Publish(state, kHandStep * kLfStep);
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);
@@ -166,12 +159,12 @@ TEST(HandPortTest, AllocatesNothingInATick) {
 
 TEST(HandPortTest, RefusesAHandThatDoesNotFit) {
   const bus::Participant participant("lo", 196);
-  robot::HandSpec hand = Handy().hands[0];
-  hand.motors.resize(17);
-  EXPECT_THROW(HandPort(participant, hand), ModelError);
-  hand = Handy().hands[0];
-  hand.pads[0].taxels = {12};
-  EXPECT_THROW(HandPort(participant, hand), ModelError);
+  robot::RobotSpec spec = Handy();
+  spec.hands[0].motors.resize(17);
+  EXPECT_THROW(Port(participant, spec, kTimestep), ModelError);
+  spec = Handy();
+  spec.hands[1].pads[0].taxels = {12};
+  EXPECT_THROW(Port(participant, spec, kTimestep), ModelError);
 }
 
 }  // namespace

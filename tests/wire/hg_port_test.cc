@@ -1,13 +1,9 @@
-#include "wire/hg_port.h"
-
-#include <memory>
-
 #include <gmock/gmock.h>
 
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
-#include "wire/open_port.h"
+#include "wire/port.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -16,14 +12,14 @@ namespace {
 TEST(HgPortTest, PublishesTheFastMessages) {
   const bus::Participant participant("lo", 162);
   const robot::RobotSpec spec = HgRobot();
-  const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
   bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
   bus::Reader<unitree_go_msg_dds__SportModeState_> motion(participant, kOdomModeState);
   robot::RobotState state = StateOf(spec);
   state.tick_ms = 9;
   state.secondary_imu.temperature_c = 61;
-  port->Publish(state, {.lowstate = true, .motion = true});
+  port.Publish(state, kLowStateStep * kMotionStep);
   const auto low = Next(&lowstate);
   ASSERT_TRUE(low);
   EXPECT_EQ(low->tick, 9);
@@ -37,7 +33,7 @@ TEST(HgPortTest, PublishesTheFastMessages) {
 TEST(HgPortTest, PublishesTheSlowMessages) {
   const bus::Participant participant("lo", 163);
   const robot::RobotSpec spec = HgRobot();
-  const std::unique_ptr<RobotPort> port = OpenPort(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLfLowState);
   bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kLfSecondaryImu);
   bus::Reader<unitree_hg_msg_dds__BmsState_> bms(participant, kLfBmsState);
@@ -45,7 +41,7 @@ TEST(HgPortTest, PublishesTheSlowMessages) {
   bus::Reader<unitree_hg_msg_dds__LowState_> fast(participant, kHgLowState);
   robot::RobotState state = StateOf(spec);
   state.battery.soc = 0.5;
-  port->Publish(state, {.lf = true});
+  port.Publish(state, kLfStep);
   EXPECT_TRUE(Next(&lowstate));
   EXPECT_TRUE(Next(&secondary));
   EXPECT_TRUE(Next(&motion));
@@ -53,14 +49,14 @@ TEST(HgPortTest, PublishesTheSlowMessages) {
   ASSERT_TRUE(battery);
   EXPECT_EQ(battery->soc, 50);
   EXPECT_EQ(fast.Take([](const auto&, bus::WriterHandle) {}), 0);
-  EXPECT_EQ(port->counts().write_failures, 0);
+  EXPECT_EQ(port.counts().write_failures, 0);
 }
 
 TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
   const bus::Participant participant("lo", 164);
   robot::RobotSpec spec = HgRobot();
   spec.imu.secondary_site.clear();
-  HgPort port(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__IMUState_> secondary(participant, kSecondaryImu);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
   ASSERT_TRUE(test::Eventually([&] { return lowstate.matched_writers() == 1; }));
@@ -73,7 +69,7 @@ TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
   spec.arm_sdk.slots = {7};
   spec.arm_sdk.weight_slot = 29;
   spec.user_lowcmd = true;
-  HgPort port(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Writer<unitree_hg_msg_dds__LowCmd_> arms(participant, kHgArmSdk);
   bus::Writer<unitree_hg_msg_dds__LowCmd_> user(participant, kUserLowCmd);
   ASSERT_TRUE(
@@ -82,17 +78,19 @@ TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
   message.motor_cmd[7].q = 1;
   message.motor_cmd[29].q = 0.5F;
   robot::RobotCommand command = CommandOf(spec);
-  double weight = 0;
-  EXPECT_FALSE(port.TakeArmCommand(&command, &weight));
-  EXPECT_FALSE(port.TakeUserCommand(&command));
+  robot::Refusal form = robot::Refusal::kNone;
+  const auto take = [&](std::size_t topic) { return port.Take(topic, &command, &form); };
+  EXPECT_FALSE(take(robot::kArmSdkTopic));
+  EXPECT_FALSE(take(robot::kUserLowCmdTopic));
   ASSERT_TRUE(arms.Write(message));
-  ASSERT_TRUE(test::Eventually([&] { return port.TakeArmCommand(&command, &weight); }));
-  EXPECT_EQ(weight, 0.5);
+  ASSERT_TRUE(test::Eventually([&] { return take(robot::kArmSdkTopic); }));
+  EXPECT_EQ(form, robot::Refusal::kNone);
+  EXPECT_EQ(command.weight, 0.5);
   EXPECT_EQ(command.motors[2].q, 1);
   EXPECT_TRUE(command.motors[2].enabled);
   message.motor_cmd[7].q = 2;
   ASSERT_TRUE(user.Write(message));
-  ASSERT_TRUE(test::Eventually([&] { return port.TakeUserCommand(&command); }));
+  ASSERT_TRUE(test::Eventually([&] { return take(robot::kUserLowCmdTopic); }));
   EXPECT_EQ(command.motors[2].q, 2);
   EXPECT_TRUE(command.motors[0].enabled);
 }
@@ -103,15 +101,15 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
   spec.firmware = "1.5.3";
   spec.state_id_since = "1.5.1";
   spec.arm_action_state = true;
-  HgPort port(participant, spec);
+  Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__SportModeState_> fsm(participant, kHgSportModeState);
   bus::Reader<std_msgs_msg_dds__String_> arms(participant, kArmActionState);
   ASSERT_TRUE(
       test::Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
   robot::RobotState state = StateOf(spec);
-  port.Publish(state, {.motion = true, .lf = true});
+  port.Publish(state, kMotionStep * kLfStep);
   state.motion = {.id = 4, .mode = 1, .arm_action = 27};
-  port.Publish(state, {.motion = true, .lf = true});
+  port.Publish(state, kMotionStep * kLfStep);
   const auto heard = Next(&fsm);
   ASSERT_TRUE(heard);
   EXPECT_EQ(heard->fsm_id, 4U);

@@ -1,4 +1,6 @@
 // What both families' ports do alike.
+#include "wire/port.h"
+
 #include <gmock/gmock.h>
 
 #include "base/errors.h"
@@ -6,8 +8,6 @@
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"
-#include "wire/go_port.h"
-#include "wire/hg_port.h"
 #include "wire/message_crc.h"
 #include "wire/topics.h"
 
@@ -15,7 +15,6 @@ namespace understudy::wire {
 namespace {
 
 struct Go {
-  using Port = GoPort;
   using LowCmd = unitree_go_msg_dds__LowCmd_;
   static constexpr auto& kLowCmd = kGoLowCmd;
   static constexpr int kFirstDomain = 156;
@@ -31,7 +30,6 @@ struct Go {
 };
 
 struct Hg {
-  using Port = HgPort;
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
   static constexpr auto& kLowCmd = kHgLowCmd;
   static constexpr int kFirstDomain = 167;
@@ -63,14 +61,14 @@ TYPED_TEST_SUITE(PortTest, Families);
 
 TYPED_TEST(PortTest, HasNoCommandBeforeTheFirst) {
   const bus::Participant participant = TestFixture::Join(0);
-  typename TypeParam::Port port(participant, this->spec_);
+  Port port(participant, this->spec_, kTimestep);
   EXPECT_EQ(port.command_writers(), 0);
-  EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
+  EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
 }
 
 TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
   const bus::Participant participant = TestFixture::Join(1);
-  typename TypeParam::Port port(participant, this->spec_);
+  Port port(participant, this->spec_, kTimestep);
   bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   ASSERT_TRUE(client.Write(TypeParam::Command(1)));
@@ -78,26 +76,26 @@ TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
   broken.crc ^= 1;
   ASSERT_TRUE(client.Write(broken));
 
-  ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
   EXPECT_EQ(this->wire_, robot::Refusal::kNone);
   EXPECT_EQ(this->command_.motors[1].q, 1);
-  ASSERT_TRUE(port.TakeCommand(&this->command_, &this->wire_));
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
   EXPECT_EQ(this->wire_, robot::Refusal::kCrc);
   EXPECT_EQ(this->command_.motors[1].q, 2);
-  EXPECT_FALSE(port.TakeCommand(&this->command_, &this->wire_));
+  EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
 }
 
 TYPED_TEST(PortTest, AllocatesNothingInATick) {
   const bus::Participant participant = TestFixture::Join(2);
-  typename TypeParam::Port port(participant, this->spec_);
+  Port port(participant, this->spec_, kTimestep);
   bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
   const robot::RobotState state = StateOf(this->spec_);
   const auto message = TypeParam::Command(1);
   const std::uint64_t before = test::Allocations();
   client.Write(message);
-  const bool taken = port.TakeCommand(&this->command_, &this->wire_);
-  port.Publish(state, {.lowstate = true, .motion = true, .lf = true});
+  const bool taken = port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_);
+  port.Publish(state, 0);
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);
@@ -106,7 +104,7 @@ TYPED_TEST(PortTest, AllocatesNothingInATick) {
 TYPED_TEST(PortTest, RefusesARobotThatDoesNotFit) {
   const bus::Participant participant = TestFixture::Join(3);
   this->spec_.motors.back().slot = TypeParam::kSlots;
-  EXPECT_THROW(typename TypeParam::Port(participant, this->spec_), ModelError);
+  EXPECT_THROW(Port(participant, this->spec_, kTimestep), ModelError);
 }
 
 }  // namespace

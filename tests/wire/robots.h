@@ -7,6 +7,14 @@
 
 namespace understudy::wire {
 
+// The step in which that message, and no other, is due; in steps of kTimestep.
+inline constexpr std::int64_t kLowStateStep = 2, kMotionStep = 3, kHandStep = 5, kLfStep = 7;
+inline constexpr double kTimestep = 0.001;
+inline const robot::RateSpec kRates{.lowstate_hz = 1000.0 / kLowStateStep,
+                                    .motion_hz = 1000.0 / kMotionStep,
+                                    .hand_hz = 1000.0 / kHandStep,
+                                    .lf_hz = 1000.0 / kLfStep};
+
 // Three motors, two feet, eight cells.
 inline robot::RobotSpec GoRobot() {
   robot::RobotSpec spec;
@@ -16,6 +24,7 @@ inline robot::RobotSpec GoRobot() {
   spec.feet = {{.name = "FR", .geoms = {}}, {.name = "FL", .geoms = {}}};
   spec.foot_sensor = {.offset_counts = 15, .counts_per_newton = 0.5};
   spec.battery.cells = 8;
+  spec.rates = kRates;
   return spec;
 }
 
@@ -33,6 +42,7 @@ inline robot::RobotSpec HgRobot() {
   spec.parallel = {{.pitch = 2, .roll = 1, .roll_ratio = 0.5}};
   spec.imu.secondary_site = "torso";
   spec.battery.cells = 13;
+  spec.rates = kRates;
   return spec;
 }
 
@@ -40,6 +50,11 @@ inline robot::RobotState StateOf(const robot::RobotSpec& spec) {
   robot::RobotState state;
   state.motors.resize(spec.motors.size());
   state.foot_force.resize(spec.feet.size());
+  for (const robot::HandSpec& hand : spec.hands) {
+    const std::size_t motors = hand.motors.size();
+    state.hands.push_back({.motors = std::vector<robot::MotorReading>(motors),
+                           .timed_out = std::vector<std::uint8_t>(motors)});
+  }
   return state;
 }
 

@@ -1,0 +1,48 @@
+// A topic that brings commands for motors.
+#ifndef UNDERSTUDY_WIRE_COMMAND_SOURCE_H_
+#define UNDERSTUDY_WIRE_COMMAND_SOURCE_H_
+
+#include <utility>
+
+#include "bus/participant.h"
+#include "bus/reader.h"
+#include "robot/refusal.h"
+#include "robot/robot_values.h"
+
+namespace understudy::wire {
+
+class CommandSource {
+ public:
+  virtual ~CommandSource() = default;
+
+  // As RobotPort::Take.
+  virtual bool Take(robot::RobotCommand* command, robot::Refusal* form) = 0;
+  virtual int writers() const = 0;  // matched now
+};
+
+// Reads messages by robot::Refusal decode(const Msg&, robot::RobotCommand*), which tells what is
+// wrong with the form of one.
+template <typename Msg, typename Decode>
+class MessageSource final : public CommandSource {
+ public:
+  // Throws BusError when Cyclone refuses.
+  MessageSource(const bus::Participant& participant, const bus::Topic<Msg>& topic, Decode decode)
+      : reader_(participant, topic), decode_(std::move(decode)) {}
+
+  bool Take(robot::RobotCommand* command, robot::Refusal* form) override {
+    const auto visit = [&](const Msg& message, bus::WriterHandle) {
+      *form = decode_(message, command);
+    };
+    return reader_.Take(visit, 1) == 1;
+  }
+
+  int writers() const override { return reader_.matched_writers(); }
+
+ private:
+  bus::Reader<Msg> reader_;
+  Decode decode_;
+};
+
+}  // namespace understudy::wire
+
+#endif  // UNDERSTUDY_WIRE_COMMAND_SOURCE_H_

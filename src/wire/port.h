@@ -1,0 +1,71 @@
+// The topics of a robot's low level on the bus.
+#ifndef UNDERSTUDY_WIRE_PORT_H_
+#define UNDERSTUDY_WIRE_PORT_H_
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bus/participant.h"
+#include "idl/unitree_go.h"
+#include "robot/command_topics.h"
+#include "robot/rate.h"
+#include "robot/robot_spec.h"
+#include "wire/command_source.h"
+#include "wire/publication.h"
+#include "wire/robot_port.h"
+
+namespace understudy::wire {
+
+// What a robot hears and tells, as two lists that are made once, by spec.family; go_port.cc and
+// hg_port.cc have the rows.
+class Port final : public RobotPort {
+ public:
+  // `participant` and `spec` must outlive the port; steps are of `timestep` seconds. Throws
+  // BusError when Cyclone refuses and ModelError when the robot does not fit into the messages.
+  Port(const bus::Participant& participant, const robot::RobotSpec& spec, double timestep);
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+
+  bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) override;
+  bool Due(std::int64_t step) const override;
+  void Publish(const robot::RobotState& state, std::int64_t step) override;
+  int command_writers() const override;
+  robot::PortCounts counts() const override;
+
+ private:
+  void OpenGo();
+  void OpenHg();
+  void OpenHand(std::size_t hand);
+  // What both families have in the same type.
+  void TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,
+                  const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow);
+  void TellRemote();
+
+  template <typename Msg, typename Decode>
+  void Hear(std::size_t number, const bus::Topic<Msg>& topic, Decode decode) {
+    sources_[number] = std::make_unique<MessageSource<Msg, Decode>>(participant_, topic, decode);
+  }
+
+  template <typename Msg, typename Encode>
+  void Tell(std::initializer_list<TopicRow<Msg>> rows, Encode encode) {
+    publications_.push_back(std::make_unique<MessagePublication<Msg, Encode>>(
+        participant_, timestep_, rows, std::move(encode)));
+  }
+
+  const bus::Participant& participant_;
+  const robot::RobotSpec& spec_;
+  double timestep_;
+  robot::Rate lowstate_;
+  std::array<std::unique_ptr<CommandSource>, robot::kMostCommandTopics> sources_;  // null: none
+  std::vector<std::unique_ptr<Publication>> publications_;
+  robot::PortCounts counts_;
+};
+
+}  // namespace understudy::wire
+
+#endif  // UNDERSTUDY_WIRE_PORT_H_

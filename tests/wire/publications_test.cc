@@ -1,0 +1,108 @@
+// What the robots that we ship say by themselves, and how often.
+#include <cmath>
+#include <deque>
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "bus/cdr_reader.h"
+#include "config/load.h"
+#include "config/robot_file.h"
+#include "robot/firmware.h"
+#include "tests/support/eventually.h"
+#include "tests/wire/robots.h"
+#include "wire/port.h"
+
+namespace understudy::wire {
+namespace {
+
+struct Row {
+  std::string topic;
+  const dds_topic_descriptor* type;
+  int hz;  // of simulated time
+};
+
+std::vector<Row> GoRows() {
+  return {{"rt/lowstate", &unitree_go_msg_dds__LowState__desc, 500},
+          {"rt/lf/lowstate", &unitree_go_msg_dds__LowState__desc, 20},
+          {"rt/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 500},
+          {"rt/lf/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
+          {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, 500}};
+}
+
+std::vector<Row> HgRows(const robot::RobotSpec& spec) {
+  std::vector<Row> rows = {
+      {"rt/lowstate", &unitree_hg_msg_dds__LowState__desc, 1000},
+      {"rt/lf/lowstate", &unitree_hg_msg_dds__LowState__desc, 20},
+      {"rt/odommodestate", &unitree_go_msg_dds__SportModeState__desc, 500},
+      {"rt/lf/odommodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
+      {"rt/lf/bmsstate", &unitree_hg_msg_dds__BmsState__desc, 20},
+      {"rt/lf/mainboardstate", &unitree_hg_msg_dds__MainBoardState__desc, 20},
+      {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, 500}};
+  const bool second = !spec.imu.secondary_site.empty();
+  rows.push_back({"rt/secondary_imu", &unitree_hg_msg_dds__IMUState__desc, second ? 1000 : 0});
+  rows.push_back({"rt/lf/secondary_imu", &unitree_hg_msg_dds__IMUState__desc, second ? 20 : 0});
+  const bool fsm = robot::TellsStateId(spec);
+  rows.push_back({"rt/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 500 : 0});
+  rows.push_back({"rt/lf/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 20 : 0});
+  const bool acts = spec.name.starts_with("g1");
+  rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts ? 20 : 0});
+  const bool hands = spec.name == "g1_29dof_dex3";
+  for (const std::string side : {"left", "right"}) {
+    const dds_topic_descriptor* type = &unitree_hg_msg_dds__HandState__desc;
+    rows.push_back({"rt/dex3/" + side + "/state", type, hands ? 500 : 0});
+    rows.push_back({"rt/lf/dex3/" + side + "/state", type, hands ? 20 : 0});
+  }
+  return rows;
+}
+
+TEST(PublicationsTest, HaveTheirRatesOnEveryRobot) {
+  const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
+  for (const std::string& name : config::RobotNames(root)) {
+    SCOPED_TRACE(name);
+    const config::Config config = config::LoadConfig({.robot = name}, root);
+    const robot::RobotSpec& spec = config.robot;
+    const bus::Participant participant("lo", 197);
+    Port port(participant, spec, config.physics.timestep);
+    const std::vector<Row> rows = spec.family == robot::WireFamily::kGo ? GoRows() : HgRows(spec);
+    std::deque<bus::CdrReader> readers;
+    for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);
+
+    robot::RobotState state = StateOf(spec);
+    state.remote.there = true;
+    state.motion.emplace();
+    const auto steps = std::llround(1 / config.physics.timestep);
+    for (std::int64_t step = 0; step < steps; ++step) {
+      if (port.Due(step)) port.Publish(state, step);
+    }
+    std::vector<int> heard(rows.size());
+    test::Eventually([&] {
+      bool all = true;
+      for (std::size_t i = 0; i < rows.size(); ++i) {
+        readers[i].Take([&](const bus::CdrSample&) { ++heard[i]; });
+        all = all && heard[i] >= rows[i].hz;
+      }
+      return all;
+    });
+    for (std::size_t i = 0; i < rows.size(); ++i) EXPECT_EQ(heard[i], rows[i].hz) << rows[i].topic;
+    EXPECT_EQ(port.counts().lowstates, static_cast<std::uint64_t>(rows[0].hz));
+    EXPECT_EQ(port.counts().write_failures, 0U);
+  }
+}
+
+TEST(PublicationsTest, KeepToStepsOfOtherLengths) {
+  const bus::Participant participant("lo", 198);
+  robot::RobotSpec spec = GoRobot();
+  spec.rates = {.lowstate_hz = 500, .motion_hz = 250, .lf_hz = 20};
+  for (const double timestep : {0.0005, 0.002, 0.0001}) {
+    const Port port(participant, spec, timestep);
+    const auto per_state = std::llround(0.002 / timestep);
+    for (std::int64_t step = 0; step < 10 * per_state; ++step) {
+      EXPECT_EQ(port.Due(step), step % per_state == 0) << timestep << " s, step " << step;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace understudy::wire
