@@ -79,7 +79,7 @@ class CoveredWords {
   std::array<std::uint32_t, kWords> words_{};
 };
 
-constexpr auto kGoLowCmd = [] {
+constexpr auto kGoLowCmdWords = [] {
   CoveredWords<GoLowCmd> words;
   words.Gap(22, 24).Gap(803, 804);
   for (std::size_t motor = 24; motor < 744; motor += sizeof(GoMotorCmd)) {
@@ -88,7 +88,7 @@ constexpr auto kGoLowCmd = [] {
   return words;
 }();
 
-constexpr auto kGoLowState = [] {
+constexpr auto kGoLowStateWords = [] {
   CoveredWords<GoLowState> words;
   words.Gap(22, 24).Gap(24 + 53, 24 + 56).Gap(1145, 1148).Gap(1154, 1156);
   for (std::size_t motor = 80; motor < 1040; motor += sizeof(GoMotorState)) {
@@ -97,7 +97,7 @@ constexpr auto kGoLowState = [] {
   return words;
 }();
 
-constexpr auto kHgLowCmd = [] {
+constexpr auto kHgLowCmdWords = [] {
   CoveredWords<HgLowCmd> words;
   words.Gap(2, 4);
   for (std::size_t motor = 4; motor < 984; motor += sizeof(HgMotorCmd)) {
@@ -106,7 +106,7 @@ constexpr auto kHgLowCmd = [] {
   return words;
 }();
 
-constexpr auto kHgLowState = [] {
+constexpr auto kHgLowStateWords = [] {
   CoveredWords<HgLowState> words;
   words.Gap(10, 12).Gap(16 + 54, 16 + 56);
   for (std::size_t motor = 72; motor < 2032; motor += sizeof(HgMotorState)) {
@@ -117,9 +117,9 @@ constexpr auto kHgLowState = [] {
 
 }  // namespace
 
-std::uint32_t MessageCrc(const GoLowCmd& message) { return kGoLowCmd.Crc(message); }
-std::uint32_t MessageCrc(const GoLowState& message) { return kGoLowState.Crc(message); }
-std::uint32_t MessageCrc(const HgLowCmd& message) { return kHgLowCmd.Crc(message); }
-std::uint32_t MessageCrc(const HgLowState& message) { return kHgLowState.Crc(message); }
+std::uint32_t MessageCrc(const GoLowCmd& message) { return kGoLowCmdWords.Crc(message); }
+std::uint32_t MessageCrc(const GoLowState& message) { return kGoLowStateWords.Crc(message); }
+std::uint32_t MessageCrc(const HgLowCmd& message) { return kHgLowCmdWords.Crc(message); }
+std::uint32_t MessageCrc(const HgLowState& message) { return kHgLowStateWords.Crc(message); }
 
 }  // namespace understudy::wire
