@@ -15,19 +15,19 @@ constexpr const char* kDebug = "debug";
 
 struct Word {
   const char* word;
-  MotionAction action;
+  GoalMaker goal;
 };
 
 constexpr std::array kWords = {
-    Word{"zero_torque", MotionAction::kZeroTorque},
-    Word{"damp", MotionAction::kDamp},
-    Word{"stand_up", MotionAction::kStandUp},
-    Word{"stand_down", MotionAction::kStandDown},
-    Word{"balance_stand", MotionAction::kBalanceStand},
-    Word{"recovery_stand", MotionAction::kRecoveryStand},
-    Word{"set_fsm", MotionAction::kSetFsm},
-    Word{"balance_mode", MotionAction::kSetBalanceMode},
-    Word{"arm_action", MotionAction::kArmAction},
+    Word{"zero_torque", To<goal::ZeroTorque>},
+    Word{"damp", To<goal::Damp>},
+    Word{"stand_up", To<goal::StandUp>},
+    Word{"stand_down", To<goal::StandDown>},
+    Word{"balance_stand", To<goal::BalanceStand>},
+    Word{"recovery_stand", To<goal::RecoveryStand>},
+    Word{"set_fsm", To<goal::SetFsm>},
+    Word{"balance_mode", To<goal::SetBalanceMode>},
+    Word{"arm_action", To<goal::ArmAction>},
 };
 
 }  // namespace
@@ -57,7 +57,7 @@ Chord MakeChord(const robot::ChordSpec& spec, const std::string& where) {
       throw ConfigError(where + ".does: unknown word '" + spec.does + "'" +
                         DidYouMean(spec.does, ChordActions()));
     }
-    chord.goal = MotionGoal{.action = word->action, .value = {spec.value}};
+    chord.goal = word->goal({spec.value});
   }
   chord.from = spec.from;
   return chord;

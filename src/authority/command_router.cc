@@ -89,21 +89,22 @@ void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
   const int resting = gate_.state() == GateState::kLimp ? 0 : 1;
   const Chord* chord = chords_.Read(remote.keys, released ? resting : owner_.state().id, t);
   if (chord != nullptr && released && chords_.knows_debug() && chord->goal) {
-    const MotionAction action = chord->goal->action;
-    if (action == MotionAction::kZeroTorque) gate_.Rest(/*limp=*/true);
-    if (action == MotionAction::kDamp) gate_.Rest();
+    if (std::holds_alternative<goal::ZeroTorque>(*chord->goal)) gate_.Rest(/*limp=*/true);
+    if (std::holds_alternative<goal::Damp>(*chord->goal)) gate_.Rest();
   } else if (chord != nullptr && !released && chord->goal) {
     owner_.Ask(*chord->goal);
   } else if (chord != nullptr && !released) {
     owner_.Release();
     FollowOwner();
   }
-  const bool moved = remote.lx != 0 || remote.ly != 0 || remote.rx != 0;
-  stick_wish_ = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
-                 -stick_speed_[2] * remote.rx};
+  const bool moved = owner_.sticks() && (remote.lx != 0 || remote.ly != 0 || remote.rx != 0);
+  stick_wish_ = {};
+  if (moved) {
+    stick_wish_ = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
+                   -stick_speed_[2] * remote.rx};
+  }
   if ((moved || sticks_moved_) && service_on()) {
-    owner_.Ask({.action = MotionAction::kMove,
-                .value = {stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold}});
+    owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold});
   }
   sticks_moved_ = moved;
 }

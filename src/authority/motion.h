@@ -2,44 +2,13 @@
 #ifndef UNDERSTUDY_AUTHORITY_MOTION_H_
 #define UNDERSTUDY_AUTHORITY_MOTION_H_
 
-#include <array>
 #include <cstdint>
 #include <span>
 
+#include "authority/goals.h"
 #include "robot/robot_values.h"
 
 namespace understudy::authority {
-
-// What the services, the remote controller and scripts may ask for. What `value` holds stands
-// beside each; the rest is 0.
-enum class MotionAction : std::uint8_t {
-  kZeroTorque,
-  kDamp,     // legal in every state
-  kStandUp,  // joints locked, not balanced
-  kStandDown,
-  kBalanceStand,
-  kRecoveryStand,  // from wherever the robot lies
-  kSit,
-  kRiseSit,
-  kHello,
-  kStretch,
-  kPose,        // 1 on, 0 off
-  kEuler,       // roll, pitch, yaw of the body, rad
-  kBodyHeight,  // m over the robot's own standing height
-  kStopMove,
-  kAutoRecovery,    // 1: gets up by itself after a fall, 0: stays damped (as at the start)
-  kMove,            // vx, vy m/s, yaw rate rad/s in the body's frame, s it holds
-  kSetFsm,          // humanoids: the vendor's state-machine id
-  kSetBalanceMode,  // humanoids: 0 step only when needed, 1 keep stepping
-  kSetStandHeight,  // humanoids: 0 lowest to 1 highest
-  kArmAction,       // humanoids: the vendor's action id
-  kStopArmAction,   // humanoids
-};
-
-struct MotionGoal {
-  MotionAction action = MotionAction::kDamp;
-  std::array<double, 4> value{};
-};
 
 // What became of a goal. Services turn it into the code their robot would send.
 enum class MotionVerdict : std::uint8_t {

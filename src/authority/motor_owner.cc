@@ -30,6 +30,7 @@ OwnerVerdict MotorOwner::Select(std::string_view alias) {
 
 void MotorOwner::Release() {
   user_control_ = false;
+  sticks_ = true;
   for (OnboardService& service : services_) {
     if (!service.alias.empty()) service.on = false;
   }
@@ -47,6 +48,7 @@ OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
 
 void MotorOwner::Restart() {
   user_control_ = false;
+  sticks_ = true;
   fresh_ = true;
 }
 

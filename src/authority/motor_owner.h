@@ -59,6 +59,11 @@ class MotorOwner {
   void SetUserControl(bool on) { user_control_ = on; }
   bool user_control() const { return user_control_ && !active().empty(); }
 
+  // Whether the sticks of the remote controller move the robot (SwitchJoystick). They do again when
+  // a service starts anew (*assumed*).
+  void SetSticks(bool on) { sticks_ = on; }
+  bool sticks() const { return sticks_; }
+
   // The robot has been put back to where it started: the service that is on starts anew.
   void Restart();
 
@@ -77,6 +82,7 @@ class MotorOwner {
   std::unique_ptr<Motion> motion_;
   bool silent_ = false;
   bool user_control_ = false;
+  bool sticks_ = true;
   bool fresh_ = true;  // the service has not started yet
 };
 

@@ -6,15 +6,10 @@
 #include <charconv>
 #include <cmath>
 
+#include "base/overloaded.h"
+
 namespace understudy::config {
 namespace {
-
-template <class... Fs>
-struct Overloaded : Fs... {
-  using Fs::operator()...;
-};
-template <class... Fs>
-Overloaded(Fs...) -> Overloaded<Fs...>;
 
 // Text that a YAML reader takes as just that text, also inside [] and {}.
 bool IsPlain(std::string_view text) {

@@ -3,11 +3,11 @@
 namespace understudy::motion {
 
 authority::MotionVerdict DampingMotion::Ask(const authority::MotionGoal& goal) {
-  const bool by_id = goal.action == authority::MotionAction::kSetFsm;
-  const bool damp =
-      goal.action == authority::MotionAction::kDamp || (by_id && goal.value[0] == damped_.id);
-  const bool limp =
-      goal.action == authority::MotionAction::kZeroTorque || (by_id && goal.value[0] == limp_.id);
+  const auto* fsm = std::get_if<authority::goal::SetFsm>(&goal);
+  const bool damp = std::holds_alternative<authority::goal::Damp>(goal) ||
+                    (fsm != nullptr && fsm->id == damped_.id);
+  const bool limp = std::holds_alternative<authority::goal::ZeroTorque>(goal) ||
+                    (fsm != nullptr && fsm->id == limp_.id);
   if (!damp && !limp) return authority::MotionVerdict::kUnable;
   is_limp_ = !damp;
   return authority::MotionVerdict::kTaken;

@@ -81,9 +81,8 @@ struct ServiceCall {
 
 // Kinds of effects. None claims a success that did not happen.
 struct AskGoal {
-  authority::MotionAction action;
-  // All numbers of the parameter in the schema's order go into MotionGoal::value, a bool as 1 or 0;
-  // then these.
+  // Makes the goal of all numbers of the parameter in the schema's order and then of these.
+  authority::GoalMaker goal;
   std::vector<double> then{};
   // Setting in which the parameter's first field is kept when the goal is taken; "" = none.
   std::string_view keep{};

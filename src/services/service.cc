@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "base/overloaded.h"
 #include "services/parameter.h"
 
 namespace understudy::services {
@@ -15,19 +16,12 @@ using nlohmann::json;
 
 constexpr std::int64_t kApiVersion = 1;
 
-template <typename... Visitors>
-struct Overloaded : Visitors... {
-  using Visitors::operator()...;
-};
-template <typename... Visitors>
-Overloaded(Visitors...) -> Overloaded<Visitors...>;
-
 // All numbers of the parameter in the schema's order, then `then`.
 authority::MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const json& parameter) {
-  authority::MotionGoal goal{.action = effect.action};
+  authority::goal::Numbers numbers{};
   std::size_t next = 0;
   const auto add = [&](double value) {
-    if (next < goal.value.size()) goal.value[next++] = value;
+    if (next < numbers.size()) numbers[next++] = value;
   };
   for (const Field& field : row.fields) {
     const auto found = parameter.find(field.key);
@@ -37,7 +31,7 @@ authority::MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const jso
     if (found->is_array()) std::ranges::for_each(*found, [&](const json& v) { add(v); });
   }
   std::ranges::for_each(effect.then, add);
-  return goal;
+  return effect.goal(numbers);
 }
 
 std::string NameOfSetting(std::string_view name, const Field& field, bool first) {

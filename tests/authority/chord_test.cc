@@ -17,10 +17,10 @@ class ChordReaderTest : public ::testing::Test {
                  MakeChord({.keys = "L2+A", .does = "set_fsm", .value = 4, .from = {1}}, ""),
                  MakeChord({.keys = "START", .clicks = 2, .does = "balance_stand"}, "")}) {}
 
-  std::optional<MotionAction> Read(std::uint16_t keys, double t, int state = 1) {
+  std::optional<MotionGoal> Read(std::uint16_t keys, double t, int state = 1) {
     const Chord* chord = reader_.Read(keys, state, t);
     if (chord == nullptr || !chord->goal) return std::nullopt;
-    return chord->goal->action;
+    return chord->goal;
   }
 
   ChordReader reader_;
@@ -28,10 +28,10 @@ class ChordReaderTest : public ::testing::Test {
 
 TEST_F(ChordReaderTest, ActsOnceWhenTheLastKeyGoesDown) {
   EXPECT_EQ(Read(kL2, 0), std::nullopt);
-  EXPECT_EQ(Read(kL2 | kB, 0.1), MotionAction::kDamp);
+  EXPECT_EQ(Read(kL2 | kB, 0.1), MotionGoal(goal::Damp{}));
   EXPECT_EQ(Read(kL2 | kB, 0.2), std::nullopt);
   EXPECT_EQ(Read(kL2, 0.3), std::nullopt);
-  EXPECT_EQ(Read(kL2 | kB, 1), MotionAction::kDamp);
+  EXPECT_EQ(Read(kL2 | kB, 1), MotionGoal(goal::Damp{}));
 }
 
 TEST_F(ChordReaderTest, WantsExactlyItsKeys) {
@@ -42,14 +42,13 @@ TEST_F(ChordReaderTest, WantsExactlyItsKeys) {
 TEST_F(ChordReaderTest, PassesTheValueOn) {
   const Chord* chord = reader_.Read(kL2 | kA, 1, 0);
   ASSERT_NE(chord, nullptr);
-  EXPECT_EQ(chord->goal->action, MotionAction::kSetFsm);
-  EXPECT_EQ(chord->goal->value[0], 4);
+  EXPECT_EQ(chord->goal, MotionGoal(goal::SetFsm{4}));
 }
 
 TEST_F(ChordReaderTest, WorksInItsStatesOnly) {
   EXPECT_EQ(Read(kL2 | kA, 0, 500), std::nullopt);
   EXPECT_EQ(Read(0, 1, 500), std::nullopt);
-  EXPECT_EQ(Read(kL2 | kB, 2, 500), MotionAction::kDamp);
+  EXPECT_EQ(Read(kL2 | kB, 2, 500), MotionGoal(goal::Damp{}));
 }
 
 TEST_F(ChordReaderTest, TellsDebugByHavingNoGoal) {
@@ -63,7 +62,7 @@ TEST_F(ChordReaderTest, TellsDebugByHavingNoGoal) {
 TEST_F(ChordReaderTest, CountsTwoClicksWithinHalfASecond) {
   EXPECT_EQ(Read(kStart, 0), std::nullopt);
   EXPECT_EQ(Read(0, 0.1), std::nullopt);
-  EXPECT_EQ(Read(kStart, 0.4), MotionAction::kBalanceStand);
+  EXPECT_EQ(Read(kStart, 0.4), MotionGoal(goal::BalanceStand{}));
   Read(0, 0.5);
   EXPECT_EQ(Read(kStart, 0.6), std::nullopt);  // the third begins anew
   Read(0, 0.7);

@@ -16,7 +16,7 @@ class RecordingMotion final : public Motion {
   void Start(const MotionInput&) override { state_ = 0; }
   MotionVerdict Ask(const MotionGoal& goal) override {
     asked_->push_back(goal);
-    if (goal.action == MotionAction::kDamp) state_ = 1;
+    if (std::holds_alternative<goal::Damp>(goal)) state_ = 1;
     return MotionVerdict::kTaken;
   }
   void Step(const MotionInput&, double, robot::RobotCommand* command) override {
@@ -197,9 +197,9 @@ TEST_F(CommandRouterTest, PassesChordsToTheService) {
   EXPECT_TRUE(asked_.empty());
   Press("L2+B");
   ASSERT_EQ(asked_.size(), 1U);
-  EXPECT_EQ(asked_[0].action, MotionAction::kDamp);
+  EXPECT_EQ(asked_[0], MotionGoal(goal::Damp{}));
   Press("L2+Y");
-  EXPECT_EQ(asked_.back().action, MotionAction::kZeroTorque);
+  EXPECT_EQ(asked_.back(), MotionGoal(goal::ZeroTorque{}));
 }
 
 TEST_F(CommandRouterTest, DebugReleasesAndNoChordLeavesIt) {
@@ -228,13 +228,27 @@ TEST_F(CommandRouterTest, SticksMoveAndTheirEndStops) {
   Make();
   router_->Obey({.there = true, .lx = 0.5, .ly = 1, .rx = -1}, 0);
   ASSERT_EQ(asked_.size(), 1U);
-  EXPECT_EQ(asked_[0].action, MotionAction::kMove);
-  EXPECT_EQ(asked_[0].value, (std::array<double, 4>{1, -0.25, 2, 0.1}));
+  EXPECT_EQ(asked_[0], MotionGoal(goal::Move{1, -0.25, 2, 0.1}));
   router_->Obey({.there = true}, 0);
   ASSERT_EQ(asked_.size(), 2U);
-  EXPECT_EQ(asked_[1].value[0], 0);
+  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1}));
   router_->Obey({.there = true}, 0);
   EXPECT_EQ(asked_.size(), 2U);
+}
+
+TEST_F(CommandRouterTest, SticksThatAreSwitchedOffStopWhatTheyBeganAndMoveNothing) {
+  Make();
+  router_->Obey({.there = true, .ly = 1}, 0);
+  router_->owner().SetSticks(false);
+  router_->Obey({.there = true, .ly = 1}, 0);
+  ASSERT_EQ(asked_.size(), 2U);
+  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1}));
+  router_->Obey({.there = true, .ly = 1}, 0);
+  EXPECT_EQ(asked_.size(), 2U);
+  EXPECT_EQ(router_->stick_wish(), (std::array<double, 3>{}));
+  router_->owner().Restart();
+  router_->Obey({.there = true, .ly = 1}, 0);
+  EXPECT_EQ(asked_.size(), 3U);
 }
 
 }  // namespace

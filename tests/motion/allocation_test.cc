@@ -14,8 +14,8 @@ TEST_F(MotionAllocationTest, AHumanoidStepsAndListensWithoutAllocating) {
   const std::uint64_t before = test::Allocations();
   rig.SetFsm(500);
   rig.Run(0.1);
-  rig.Ask(authority::MotionAction::kArmAction, 26);
-  rig.Ask(authority::MotionAction::kSetStandHeight, 0.5);
+  rig.Ask(goal::ArmAction{26});
+  rig.Ask(goal::SetStandHeight{0.5});
   rig.Run(1.6);
   rig.SetFsm(706);
   rig.Run(0.1);

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 namespace understudy::motion {
+
+namespace goal = authority::goal;
 namespace {
 
 class DampingMotionTest : public ::testing::Test {
@@ -23,29 +25,23 @@ TEST_F(DampingMotionTest, DampsEveryMotor) {
 }
 
 TEST_F(DampingMotionTest, GoesLimpAndBack) {
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kZeroTorque}),
-            authority::MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.Ask(goal::ZeroTorque{}), authority::MotionVerdict::kTaken);
   for (const robot::MotorCommand& motor : Step().motors) EXPECT_FALSE(motor.enabled);
   EXPECT_EQ(motion_.state().id, 0);
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kDamp}),
-            authority::MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(Step().motors[0].enabled);
 }
 
 TEST_F(DampingMotionTest, KnowsItsStatesByTheirIds) {
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kSetFsm, .value = {0}}),
-            authority::MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.Ask(goal::SetFsm{0}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(motion_.state().id, 0);
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kSetFsm, .value = {1}}),
-            authority::MotionVerdict::kTaken);
+  EXPECT_EQ(motion_.Ask(goal::SetFsm{1}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(motion_.state().id, 1);
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kSetFsm, .value = {4}}),
-            authority::MotionVerdict::kUnable);
+  EXPECT_EQ(motion_.Ask(goal::SetFsm{4}), authority::MotionVerdict::kUnable);
 }
 
 TEST_F(DampingMotionTest, CanDoNothingElse) {
-  EXPECT_EQ(motion_.Ask({.action = authority::MotionAction::kStandUp}),
-            authority::MotionVerdict::kUnable);
+  EXPECT_EQ(motion_.Ask(goal::StandUp{}), authority::MotionVerdict::kUnable);
   EXPECT_TRUE(Step().motors[0].enabled);
 }
 

@@ -190,7 +190,7 @@ TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
   EXPECT_EQ(caller.Ask(1004, R"({"is_remote_commands_from_api":true})").code, 0);
   EXPECT_EQ(caller.Ask(1003, move).code, 0);
   ASSERT_EQ(caller.robot.book.goals.size(), 1U);
-  EXPECT_EQ(caller.robot.book.goals[0].value, (std::array<double, 4>{1.5, 0, 0, 1}));
+  EXPECT_EQ(caller.robot.book.goals[0], authority::MotionGoal(authority::goal::Move{1.5, 0, 0, 1}));
   EXPECT_EQ(caller.Ask(1003, R"({"x":1,"y":0,"yaw":0,"mode":2})").code, 3202);
 }
 

@@ -7,14 +7,14 @@
 namespace understudy::services {
 namespace {
 
+using authority::MotionGoal;
 using nlohmann::json;
-using Values = std::array<double, 4>;
+namespace goal = authority::goal;
 
 TEST(Go2SportTest, MovesForASecondWithinItsLimits) {
   Caller caller(TableOf("go2", "sport"));
   EXPECT_EQ(caller.Ask(1008, R"({"x":9,"y":-9,"z":0.5})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kMove);
-  EXPECT_EQ(caller.robot.book.goals.at(0).value, (Values{3.8, -1, 0.5, 1}));
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::Move{3.8, -1, 0.5, 1}));
 }
 
 TEST(Go2SportTest, TellsByCodeWhatBecameOfAGoal) {
@@ -39,9 +39,32 @@ TEST(Go2SportTest, SwitchesAutoRecoveryAndGivesItBack) {
   Caller caller(TableOf("go2", "sport"));
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":false})");
   EXPECT_EQ(caller.Ask(2054, R"({"data":true})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kAutoRecovery);
-  EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 1);
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::AutoRecovery{true}));
   EXPECT_EQ(caller.Ask(2055).data, R"({"data":true})");
+}
+
+TEST(Go2SportTest, SwitchesTheSticksOfTheRemoteController) {
+  Caller caller(TableOf("go2", "sport"));
+  EXPECT_TRUE(caller.robot.owner.sticks());
+  EXPECT_EQ(caller.Ask(1027, R"({"data":false})").code, 0);
+  EXPECT_FALSE(caller.robot.owner.sticks());
+  EXPECT_EQ(caller.Ask(1027, R"({"data":1})").code, 0);
+  EXPECT_TRUE(caller.robot.owner.sticks());
+}
+
+TEST(Go2SportTest, SaysThatNoSpeedIsThereToBeSet) {
+  Caller caller(TableOf("go2", "sport"));
+  EXPECT_EQ(caller.Ask(1015, R"({"data":1})").code, 4205);
+  EXPECT_NE(caller.notice, "");
+  EXPECT_EQ(caller.Ask(1015, R"({"data":2})").code, kRpcApiParameter);
+}
+
+TEST(Go2SportTest, EndsAPoseWithTheCallThatBeginsIt) {
+  Caller caller(TableOf("go2", "sport"));
+  caller.Ask(1028, R"({"data":true})");
+  caller.Ask(1028, R"({"data":false})");
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::Pose{}));
+  EXPECT_EQ(caller.robot.book.goals.at(1), MotionGoal(goal::EndPose{}));
 }
 
 TEST(B2SportTest, RefusesAPathOfAnotherLengthWithItsOwnCode) {
@@ -59,8 +82,8 @@ TEST(B2SportTest, HoldsAMoveHalfAsLongOnWheels) {
   Caller legs(TableOf("b2", "sport")), wheels(TableOf("b2w", "sport"));
   legs.Ask(1008, R"({"x":1,"y":0,"z":0})");
   wheels.Ask(1008, R"({"x":1,"y":0,"z":0})");
-  EXPECT_EQ(legs.robot.book.goals.at(0).value[3], 1.0);
-  EXPECT_EQ(wheels.robot.book.goals.at(0).value[3], 0.5);
+  EXPECT_EQ(legs.robot.book.goals.at(0), MotionGoal(goal::Move{1, 0, 0, 1.0}));
+  EXPECT_EQ(wheels.robot.book.goals.at(0), MotionGoal(goal::Move{1, 0, 0, 0.5}));
 }
 
 TEST(A2SportTest, TellsItsStateInTexts) {
@@ -92,13 +115,13 @@ TEST(G1SportTest, TellsTheStateThatIs) {
 TEST(G1SportTest, GivesVelocityItsDuration) {
   Caller caller(TableOf("g1", "sport"));
   EXPECT_EQ(caller.Ask(7105, R"({"velocity":[0.3,0,-0.2],"duration":864000})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).value, (Values{0.3, 0, -0.2, 864000}));
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::Move{0.3, 0, -0.2, 864000}));
 }
 
 TEST(G1SportTest, SaturatesTheStandHeightAndGivesItBack) {
   Caller caller(TableOf("g1", "sport"));
   EXPECT_EQ(caller.Ask(7104, R"({"data":4294967295})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 1);
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::SetStandHeight{1}));
   EXPECT_EQ(caller.Ask(7005).data, R"({"data":1.0})");
   caller.Ask(7104, R"({"data":0})");
   EXPECT_EQ(caller.Ask(7005).data, R"({"data":0.0})");
@@ -123,7 +146,7 @@ TEST(G1SportTest, RefusesATaskItDoesNotHave) {
   EXPECT_EQ(caller.Ask(7106, R"({"data":4})").code, 7303);
   EXPECT_EQ(caller.Ask(7106, R"({"data":-1})").code, 7303);
   EXPECT_EQ(caller.Ask(7106, R"({"data":2})").code, 0);
-  EXPECT_EQ(caller.robot.book.goals.at(0).action, authority::MotionAction::kArmAction);
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::ArmAction{27}));
 }
 
 TEST(H1LocoTest, GivesBackThePhase) {
@@ -141,7 +164,7 @@ TEST(G1ArmTest, AnswersAnActionWhenItHasEnded) {
   EXPECT_FALSE(reply.once({.arm_action = 25}));
   EXPECT_TRUE(reply.once({.arm_action = 25, .arm_holding = true}));
   EXPECT_TRUE(reply.once({}));
-  EXPECT_EQ(caller.robot.book.goals.at(0).value[0], 26);
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::ArmAction{26}));
 }
 
 TEST(G1ArmTest, SaysWhyAnActionIsNotDone) {

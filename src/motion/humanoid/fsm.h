@@ -2,7 +2,7 @@
 #ifndef UNDERSTUDY_MOTION_HUMANOID_FSM_H_
 #define UNDERSTUDY_MOTION_HUMANOID_FSM_H_
 
-#include "authority/motion.h"
+#include "motion/transitions.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
@@ -14,11 +14,18 @@ inline constexpr int kDampingId = 1;
 enum class HumanoidStance : std::uint8_t {
   kZeroTorque,
   kDamping,
-  kLocked,    // joints held: standing, squatting, sitting
-  kBalanced,  // on both feet
+  kLockStand,  // joints held, as in the two that follow
+  kSquat,
+  kSit,
+  kBalanced,  // on both feet, as in the one that follows
+  kBalancedSquat,
   kUnplayed,  // the robot has it, nothing here plays it
   kNone,      // no such state
 };
+inline constexpr StateSet<HumanoidStance> kLockedStances{
+    HumanoidStance::kLockStand, HumanoidStance::kSquat, HumanoidStance::kSit};
+inline constexpr StateSet<HumanoidStance> kBalancedStances{HumanoidStance::kBalanced,
+                                                           HumanoidStance::kBalancedSquat};
 
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
 

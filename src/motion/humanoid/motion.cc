@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "base/errors.h"
+#include "base/overloaded.h"
 
 namespace understudy::motion {
 namespace {
@@ -106,7 +107,8 @@ void HumanoidMotion::Start(const authority::MotionInput& input) {
     if (bears_[i]) off = std::max(off, std::abs(q_[i] - spec_.standing.q[i]));
   }
   const bool upright = body_.attitude()(2, 2) > std::cos(kFoundTilt);
-  if (!upright || off > kFoundPose || StanceOf(ids_, ids_.lock_stand) != HumanoidStance::kLocked) {
+  if (!upright || off > kFoundPose ||
+      StanceOf(ids_, ids_.lock_stand) != HumanoidStance::kLockStand) {
     return;
   }
   id_ = ids_.lock_stand;
@@ -114,53 +116,39 @@ void HumanoidMotion::Start(const authority::MotionInput& input) {
 }
 
 authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) {
-  if (!std::isfinite(goal.value[0])) return authority::MotionVerdict::kUnknown;
-  const int number = static_cast<int>(std::clamp(goal.value[0], -1.0, 1e6));
-  const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
-  const auto when_balanced = [balanced](authority::MotionVerdict verdict) {
-    return balanced ? verdict : authority::MotionVerdict::kNotNow;
+  using authority::MotionVerdict;
+  namespace goal_of = authority::goal;
+  const auto when_balanced = [this](MotionVerdict verdict) {
+    return balanced() ? verdict : MotionVerdict::kNotNow;
   };
-  switch (goal.action) {
-    case authority::MotionAction::kZeroTorque:
-      return SetFsm(kZeroTorqueId);
-    case authority::MotionAction::kDamp:
-      return SetFsm(kDampingId);
-    case authority::MotionAction::kStandUp:
-    case authority::MotionAction::kRiseSit:
-      return SetFsm(ids_.lock_stand);
-    case authority::MotionAction::kStandDown:
-      return SetFsm(ids_.squat);
-    case authority::MotionAction::kSit:
-      return SetFsm(ids_.sit);
-    case authority::MotionAction::kBalanceStand:
-      return SetFsm(ids_.balance.empty() ? -1 : ids_.balance.front());
-    case authority::MotionAction::kSetFsm:
-      return SetFsm(number);
-    case authority::MotionAction::kStopMove:
-      return when_balanced(authority::MotionVerdict::kTaken);  // it does not move
-    case authority::MotionAction::kMove:
-      return when_balanced(authority::MotionVerdict::kUnable);
-    case authority::MotionAction::kSetBalanceMode:
-      return when_balanced(number == 0 ? authority::MotionVerdict::kTaken
-                                       : authority::MotionVerdict::kUnable);
-    case authority::MotionAction::kSetStandHeight:
-      return balanced ? SetStandHeight(goal.value[0]) : authority::MotionVerdict::kNotNow;
-    case authority::MotionAction::kArmAction:
-      return BeginArmAction(number);
-    case authority::MotionAction::kStopArmAction:
-      arms_.Release();
-      return authority::MotionVerdict::kTaken;
-    case authority::MotionAction::kRecoveryStand:
-      return authority::MotionVerdict::kUnable;
-    case authority::MotionAction::kHello:
-    case authority::MotionAction::kStretch:
-    case authority::MotionAction::kPose:
-    case authority::MotionAction::kEuler:
-    case authority::MotionAction::kBodyHeight:
-    case authority::MotionAction::kAutoRecovery:
-      break;  // a quadruped's
-  }
-  return authority::MotionVerdict::kUnknown;
+  return std::visit(
+      Overloaded{
+          [&](goal_of::ZeroTorque) { return SetFsm(kZeroTorqueId); },
+          [&](goal_of::Damp) { return SetFsm(kDampingId); },
+          [&](goal_of::StandUp) { return SetFsm(ids_.lock_stand); },
+          [&](goal_of::RiseSit) { return SetFsm(ids_.lock_stand); },
+          [&](goal_of::StandDown) { return SetFsm(ids_.squat); },
+          [&](goal_of::Sit) { return SetFsm(ids_.sit); },
+          [&](goal_of::BalanceStand) {
+            return SetFsm(ids_.balance.empty() ? -1 : static_cast<int>(ids_.balance.front()));
+          },
+          [&](const goal_of::SetFsm& fsm) { return SetFsm(fsm.id); },
+          [&](goal_of::StopMove) { return when_balanced(MotionVerdict::kTaken); },  // it stands
+          [&](const goal_of::Move&) { return when_balanced(MotionVerdict::kUnable); },
+          [&](const goal_of::SetBalanceMode& balance) {
+            return when_balanced(balance.mode == 0 ? MotionVerdict::kTaken
+                                                   : MotionVerdict::kUnable);
+          },
+          [&](const goal_of::SetStandHeight& stand) { return SetStandHeight(stand.height); },
+          [&](const goal_of::ArmAction& action) { return BeginArmAction(action.id); },
+          [&](goal_of::StopArmAction) {
+            arms_.Release();
+            return MotionVerdict::kTaken;
+          },
+          [&](goal_of::RecoveryStand) { return MotionVerdict::kUnable; },
+          [&](const auto&) { return MotionVerdict::kUnknown; },  // a quadruped's
+      },
+      goal);
 }
 
 authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
@@ -195,7 +183,7 @@ void HumanoidMotion::Balance(int id) {
     const bool down = id_ == id;  // then up
     arms_.Release();
     depth_.Begin(from, down ? kUp : kDown, kSquatTime);
-  } else if (StanceOf(ids_, id_) != HumanoidStance::kBalanced) {
+  } else if (!balanced()) {
     depth_.Begin(kUp, kUp, 0);
     const Eigen::Vector2d offset = ComOffset(body_);
     constexpr std::array kMiddle = {0.0, 0.0};
@@ -207,6 +195,8 @@ void HumanoidMotion::Balance(int id) {
 }
 
 authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
+  if (!std::isfinite(height)) return authority::MotionVerdict::kUnknown;
+  if (!balanced()) return authority::MotionVerdict::kNotNow;
   if (ids_.squat_q.empty()) return authority::MotionVerdict::kUnable;
   if (moving() || id_ == ids_.balanced_squat) return authority::MotionVerdict::kNotNow;
   const std::array from = {depth_.q(0)};
@@ -217,8 +207,7 @@ authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
 
 authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
   if (!ids_.arm_actions) return authority::MotionVerdict::kUnknown;
-  const bool allowed =
-      StanceOf(ids_, id_) == HumanoidStance::kBalanced && id_ != ids_.balanced_squat;
+  const bool allowed = balanced() && id_ != ids_.balanced_squat;
   // A number that does not exist is said before a state that does not allow it.
   if (!allowed && id != kReleaseArms && FindArmAction(id) == nullptr && !IsUnplayedArmAction(id)) {
     return authority::MotionVerdict::kUnknown;
@@ -226,15 +215,13 @@ authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
   return allowed ? arms_.Begin(id) : authority::MotionVerdict::kNotNow;
 }
 
+bool HumanoidMotion::locked() const { return kLockedStances.Has(StanceOf(ids_, id_)); }
+
+bool HumanoidMotion::balanced() const { return kBalancedStances.Has(StanceOf(ids_, id_)); }
+
 bool HumanoidMotion::moving() const {
-  switch (StanceOf(ids_, id_)) {
-    case HumanoidStance::kLocked:
-      return !posture_.over();
-    case HumanoidStance::kBalanced:
-      return !depth_.over();
-    default:
-      return false;
-  }
+  if (locked()) return !posture_.over();
+  return balanced() && !depth_.over();
 }
 
 robot::MotionState HumanoidMotion::state() const {
@@ -256,21 +243,18 @@ void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
     fresh_ = false;
   }
   command->joint_space = robot::JointSpace::kPitchRoll;
-  switch (StanceOf(ids_, id_)) {
-    case HumanoidStance::kLocked:
-      posture_.Advance(dt);
-      HoldPosture(command);
-      break;
-    case HumanoidStance::kBalanced:
-      balanced_for_ += dt;
-      depth_.Advance(dt);
-      com_offset_.Advance(dt);
-      arms_.Advance(dt);
-      HoldPosture(command);
-      if (id_ == ids_.balanced_squat && depth_.over() && depth_.q(0) == 0) id_ = stood_in_;
-      break;
-    default:
-      Brake(command);
+  if (locked()) {
+    posture_.Advance(dt);
+    HoldPosture(command);
+  } else if (balanced()) {
+    balanced_for_ += dt;
+    depth_.Advance(dt);
+    com_offset_.Advance(dt);
+    arms_.Advance(dt);
+    HoldPosture(command);
+    if (id_ == ids_.balanced_squat && depth_.over() && depth_.q(0) == 0) id_ = stood_in_;
+  } else {
+    Brake(command);
   }
 }
 
@@ -287,12 +271,12 @@ void HumanoidMotion::Feel(const authority::MotionInput& input, double dt) {
 
 void HumanoidMotion::Sense(const authority::MotionInput& input, double dt) {
   body_.Update(q_, dq_, input.imu);
-  const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
-  if (balanced && body_.attitude()(2, 2) < std::cos(kFallenTilt)) {
+  const bool balances = balanced();
+  if (balances && body_.attitude()(2, 2) < std::cos(kFallenTilt)) {
     arms_.Reset();
     id_ = kDampingId;
   }
-  if (balanced) {
+  if (balances) {
     balance_.Step(body_, BalanceGoal(), load_, dt);
   } else {
     balance_.Rest(body_, load_);
@@ -327,19 +311,19 @@ void HumanoidMotion::Brake(robot::RobotCommand* command) const {
 }
 
 void HumanoidMotion::HoldPosture(robot::RobotCommand* command) const {
-  const bool balanced = StanceOf(ids_, id_) == HumanoidStance::kBalanced;
-  const double soft = balanced ? load_ * SmoothStep(balanced_for_ / kBlendTime) : 0;
+  const bool balances = balanced();
+  const double soft = balances ? load_ * SmoothStep(balanced_for_ / kBlendTime) : 0;
   for (std::size_t i = 0; i < kp_.size(); ++i) {
     robot::MotorCommand& motor = command->motors[i];
     motor = {.enabled = true,
-             .q = balanced ? Crouched(i) : posture_.q(i),
-             .dq = balanced ? 0 : posture_.dq(i),
+             .q = balances ? Crouched(i) : posture_.q(i),
+             .dq = balances ? 0 : posture_.dq(i),
              .tau = tau_[i],
              .kp = kp_[i],
              .kd = kd_[i]};
     if (body_.IsOfLeg(i)) motor.kp *= 1 + soft * (kSoftness - 1);
   }
-  if (!balanced) return;
+  if (!balances) return;
   for (std::size_t i = 0; i < arms_.motors().size(); ++i) {
     robot::MotorCommand& motor = command->motors[static_cast<std::size_t>(arms_.motors()[i])];
     motor.q = arms_.q(i);

@@ -48,6 +48,8 @@ class HumanoidMotion final : public authority::Motion {
   void FindGains();
   StandGoal BalanceGoal() const;
   double Crouched(std::size_t motor) const;  // rad, the posture at the present depth
+  bool locked() const;
+  bool balanced() const;
   bool moving() const;
 
   authority::MotionVerdict SetFsm(int id);

@@ -7,6 +7,9 @@ namespace {
 
 using Eigen::Vector3d;
 
+constexpr double kReturnTime = 1.0;        // s back to the stand, assumed
+constexpr std::size_t kKeyframesBack = 2;  // the last ones, which put the robot back on its feet
+
 Keyframe Body(double duration, const Vector3d& place, double pitch) {
   return {.duration = duration, .pose = {.place = place, .rpy = {0, pitch, 0}}};
 }
@@ -40,6 +43,34 @@ std::span<const Keyframe> StretchKeyframes() {
 const StancePose& PosePosture() {
   static const StancePose kPosture{.place = {0, 0, -0.1}, .rpy = {0, -0.2, 0}};
   return kPosture;
+}
+
+StancePose InMetres(const StancePose& posture, double leg_length, double stand_height) {
+  StancePose pose = posture;
+  pose.place *= leg_length;
+  pose.place.z() += stand_height;
+  pose.paw *= leg_length;
+  return pose;
+}
+
+void Gesture::Begin(std::span<const Keyframe> frames) {
+  frames_ = frames;
+  Play(0);
+}
+
+void Gesture::End() {
+  if (frame_ + kKeyframesBack < frames_.size()) Play(frames_.size() - kKeyframesBack);
+}
+
+void Gesture::Play(std::size_t frame) {
+  frame_ = frame;
+  const Keyframe key = frame < frames_.size() ? frames_[frame] : Keyframe{kReturnTime, {}};
+  stance_->MoveTo(stance_->Feasible(InMetres(key.pose, leg_length_, stand_height_)), key.duration);
+}
+
+void Gesture::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
+  stance_->Step(sensed, dt, legs);
+  if (stance_->over() && frame_ < frames_.size()) Play(frame_ + 1);
 }
 
 }  // namespace understudy::motion

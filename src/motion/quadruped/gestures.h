@@ -1,4 +1,4 @@
-// What the gestures of a quadruped look like.
+// The gestures of a quadruped: what they look like, and how they are played.
 #ifndef UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_
 #define UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_
 
@@ -21,9 +21,31 @@ std::span<const Keyframe> HelloKeyframes();  // shifts its weight, lifts the fro
 std::span<const Keyframe> StretchKeyframes();  // chest down and back, then rump down
 const StancePose& PosePosture();
 
-// The last of the keyframes above that put the robot back on its feet: from there a gesture that is
-// stopped goes on.
-inline constexpr std::size_t kKeyframesBack = 2;
+// A posture in a robot's own measure, in metres.
+StancePose InMetres(const StancePose& posture, double leg_length, double stand_height);
+
+// Leads a stance from keyframe to keyframe and then back to a stand.
+class Gesture final : public Behaviour {
+ public:
+  // `stance` must outlive it and have begun. Lengths in m.
+  Gesture(Stance* stance, double leg_length, double stand_height)
+      : stance_(stance), leg_length_(leg_length), stand_height_(stand_height) {}
+
+  // `frames` must outlive it; none: back to the stand at once.
+  void Begin(std::span<const Keyframe> frames);
+  // Goes on with those keyframes that put the robot back on its feet, if it is not there yet.
+  void End();
+  void Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) override;
+  bool over() const override { return frame_ == frames_.size() && stance_->over(); }
+
+ private:
+  void Play(std::size_t frame);  // past the last: back to the stand
+
+  Stance* stance_;
+  double leg_length_, stand_height_;
+  std::span<const Keyframe> frames_;
+  std::size_t frame_ = 0;
+};
 
 }  // namespace understudy::motion
 

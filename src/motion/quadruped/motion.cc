@@ -2,17 +2,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace understudy::motion {
 namespace {
 
 using Eigen::Vector3d;
+namespace goal = authority::goal;
 
 // All assumed.
 constexpr double kUprightCosine = 0.85;  // from which the legs alone can lift or lower the robot
 constexpr double kExtended = 0.6;        // of the standing height: higher is standing
-constexpr double kReturnTime = 1.0;      // s back to a balanced stand
+constexpr double kCrouch = 0.25;         // feet under the hips, of the leg's length
+constexpr double kBalanceTime = 1.0;     // s to a balanced stand
 constexpr double kSitTime = 1.8;         // s
+constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
+constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
+
+bool IsFinite(const authority::MotionGoal& goal) {
+  if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
+    return std::isfinite(euler->roll) && std::isfinite(euler->pitch) && std::isfinite(euler->yaw);
+  }
+  const auto* height = std::get_if<goal::BodyHeight>(&goal);
+  return height == nullptr || std::isfinite(height->height);
+}
 
 }  // namespace
 
@@ -21,304 +34,246 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       figures_(spec.motion.quadruped),
       body_(figures),
       estimator_(body_),
+      feet_(body_),
       stance_(body_),
-      recovery_(body_),
-      joints_(12) {}
+      gesture_(&stance_, body_.leg_length(), figures_.stand_height),
+      recovery_(body_) {}
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
   estimator_.Begin(reading_);
-  state_ = State::kDamped;
-  balance_next_ = false;
-  fallen_for_ = 0;
-  if (upright() && estimator_.height() > kExtended * figures_.stand_height) Balance();
+  Enter(kDamped);
+  if (upright() && estimator_.height() > kExtended * figures_.stand_height) Enter(kBalance);
 }
 
 authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
-  const auto finite = [](double x) { return std::isfinite(x); };
-  if (!std::all_of(goal.value.begin(), goal.value.end(), finite))
-    return authority::MotionVerdict::kUnknown;
-  switch (goal.action) {
-    case authority::MotionAction::kDamp:
-      state_ = State::kDamped;
+  const auto rows = QuadrupedTransitions();
+  const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
+  if (!known || !IsFinite(goal)) return authority::MotionVerdict::kUnknown;
+  const QuadrupedTransition* row =
+      Find(rows, goal.index(), state_, [this](QuadrupedWhen when) { return Holds(when); });
+  if (row == nullptr) return authority::MotionVerdict::kNotNow;
+  if (row->verdict == authority::MotionVerdict::kTaken) {
+    if (row->to) Enter(*row->to);
+    Keep(goal);
+  }
+  return row->verdict;
+}
+
+bool QuadrupedMotion::Holds(QuadrupedWhen when) const {
+  switch (when) {
+    case QuadrupedWhen::kUpright:
+      return upright();
+    case QuadrupedWhen::kLegged:
+      return !wheeled();
+    case QuadrupedWhen::kAlways:
+      break;
+  }
+  return true;
+}
+
+void QuadrupedMotion::Enter(State state) {
+  const State from = std::exchange(state_, state);
+  switch (state) {
+    case kDamped:
       fallen_for_ = 0;
-      return authority::MotionVerdict::kTaken;
-    case authority::MotionAction::kAutoRecovery:
-      auto_recovery_ = goal.value[0] != 0;
-      return authority::MotionVerdict::kTaken;
-    case authority::MotionAction::kStandUp:
-      return StandUp();
-    case authority::MotionAction::kStandDown:
-      return StandDown();
-    case authority::MotionAction::kBalanceStand:
-      return BalanceStand();
-    case authority::MotionAction::kRecoveryStand:
-      return Recover();
-    case authority::MotionAction::kSit:
-      return Sit();
-    case authority::MotionAction::kRiseSit:
-      return RiseSit();
-    case authority::MotionAction::kHello:
-      return Gesture(HelloKeyframes());
-    case authority::MotionAction::kStretch:
-      return Gesture(StretchKeyframes());
-    case authority::MotionAction::kPose:
-      return Pose(goal.value[0] != 0);
-    case authority::MotionAction::kEuler:
-      return Euler({goal.value[0], goal.value[1], goal.value[2]});
-    case authority::MotionAction::kBodyHeight:
-      return BodyHeight(goal.value[0]);
-    case authority::MotionAction::kStopMove:
-      return StopMove();
-    case authority::MotionAction::kMove:
-      return Move();
-    default:
-      return authority::MotionVerdict::kUnknown;
-  }
-}
-
-authority::MotionVerdict QuadrupedMotion::StandUp() {
-  switch (state_) {
-    case State::kDamped:
-    case State::kUnfolding:
-    case State::kLying:
-      if (!upright()) return authority::MotionVerdict::kNotNow;
-      balance_next_ = false;
-      Fold();
-      return authority::MotionVerdict::kTaken;
-    case State::kLowering:
-      balance_next_ = false;
-      Rise(Stand());
-      return authority::MotionVerdict::kTaken;
-    case State::kFolding:
-    case State::kRising:
-    case State::kLocked:
-      balance_next_ = false;
-      return authority::MotionVerdict::kTaken;
-    case State::kBalance:
-    case State::kPosing:
-      balance_next_ = false;
-      Rise(stance_.FeetInBase(Default()));  // the feet stay where they are
-      return authority::MotionVerdict::kTaken;
-    default:
-      return authority::MotionVerdict::kNotNow;
-  }
-}
-
-authority::MotionVerdict QuadrupedMotion::StandDown() {
-  switch (state_) {
-    case State::kDamped:
-      if (!upright()) return authority::MotionVerdict::kNotNow;
-      Unfold();
-      return authority::MotionVerdict::kTaken;
-    case State::kBalance:
-    case State::kPosing:
-      if (wheeled()) return authority::MotionVerdict::kNotNow;
-      Lower();
-      return authority::MotionVerdict::kTaken;
-    case State::kLocked:
-      Lower();
-      return authority::MotionVerdict::kTaken;
-    case State::kLowering:
-    case State::kUnfolding:
-    case State::kLying:
-      return authority::MotionVerdict::kTaken;
-    default:
-      return authority::MotionVerdict::kNotNow;
-  }
-}
-
-authority::MotionVerdict QuadrupedMotion::BalanceStand() {
-  switch (state_) {
-    case State::kRising:
-      balance_next_ = true;
-      return authority::MotionVerdict::kTaken;
-    case State::kLocked:
-      Balance();
-      return authority::MotionVerdict::kTaken;
-    case State::kPosing:
-      return Pose(false);
-    case State::kBalance:
-      return authority::MotionVerdict::kTaken;
-    default:
-      return authority::MotionVerdict::kNotNow;
-  }
-}
-
-authority::MotionVerdict QuadrupedMotion::Recover() {
-  switch (state_) {
-    case State::kRecovering:
-      return authority::MotionVerdict::kTaken;
-    case State::kDamped:
-    case State::kFolding:
-    case State::kLowering:
-    case State::kUnfolding:
-    case State::kLying:
-      state_ = State::kRecovering;
+      now_ = nullptr;
+      break;
+    case kLocked:
+    case kLying:
+      now_ = nullptr;
+      break;
+    case kFolding:
+    case kFoldingOn: {
+      if (from == kFolding || from == kFoldingOn) break;  // the move goes on, to another end
+      PerLeg q;
+      body_.Reach(Under(kCrouch * body_.leg_length()), &q);
+      joints_.Begin(reading_, q);
+      now_ = &joints_;
+      break;
+    }
+    case kRising:
+    case kRisingOn:
+      if (from == kRising || from == kRisingOn) break;
+      // Of a robot that stands the feet stay where they are.
+      feet_.Begin(reading_,
+                  kStanceStates.Has(from) ? stance_.FeetInBase(Default())
+                                          : Under(figures_.stand_height - body_.radius()),
+                  FeetMove::Load::kTaken);
+      now_ = &feet_;
+      break;
+    case kLowering: {
+      PerLeg feet = reading_.feet;
+      for (Vector3d& foot : feet) foot.z() = -kCrouch * body_.leg_length();
+      feet_.Begin(reading_, feet, FeetMove::Load::kGivenUp);
+      now_ = &feet_;
+      break;
+    }
+    case kUnfolding: {
+      PerLeg q;
+      for (std::size_t i = 0; i < 12; ++i) {
+        q[i / 3][static_cast<Eigen::Index>(i % 3)] = spec_.lying.q[i];
+      }
+      joints_.Begin(reading_, q);
+      now_ = &joints_;
+      break;
+    }
+    case kBalance:
+      Balance(from);
+      break;
+    case kHello:
+    case kStretch:
+    case kRisingSit:
+      wanted_ = Default();
+      gesture_.Begin(state == kHello     ? HelloKeyframes()
+                     : state == kStretch ? StretchKeyframes()
+                                         : std::span<const Keyframe>());
+      now_ = &gesture_;
+      break;
+    case kEndingGesture:
+      gesture_.End();
+      break;
+    case kSittingDown: {
+      StancePose pose = Default();
+      pose.place += Vector3d(figures_.sit[0], 0, figures_.sit[1]);
+      pose.rpy.y() = figures_.sit[2];
+      stance_.MoveTo(stance_.Feasible(pose), kSitTime);
+      break;
+    }
+    case kSitting:
+      break;
+    case kPosing:
+      Follow(InMetres(PosePosture(), body_.leg_length(), figures_.stand_height));
+      break;
+    case kRecovering:
       recovery_.Begin(reading_);
-      return authority::MotionVerdict::kTaken;
-    case State::kSittingDown:
-    case State::kSitting:
-      return wheeled() ? authority::MotionVerdict::kNotNow : RiseSit();
-    default:
-      return wheeled() ? authority::MotionVerdict::kNotNow : BalanceStand();
+      now_ = &recovery_;
+      break;
   }
 }
 
-authority::MotionVerdict QuadrupedMotion::Sit() {
-  if (state_ == State::kSitting) return authority::MotionVerdict::kTaken;
-  if (state_ != State::kBalance) return authority::MotionVerdict::kNotNow;
-  StancePose pose = Default();
-  pose.place += Vector3d(figures_.sit[0], 0, figures_.sit[1]);
-  pose.rpy.y() = figures_.sit[2];
-  stance_.MoveTo(stance_.Feasible(pose), kSitTime);
-  state_ = State::kSittingDown;
-  return authority::MotionVerdict::kTaken;
+void QuadrupedMotion::Balance(State from) {
+  now_ = &stance_;
+  if (kGestureStates.Has(from)) return;
+  if (kStanceStates.Has(from)) {
+    Follow(Default());
+    return;
+  }
+  stance_.Begin(reading_);
+  wanted_ = Default();
+  stance_.MoveTo(stance_.Feasible(wanted_), kBalanceTime);
+  wheel_angles_.fill(robot::kNoPosition);
 }
 
-authority::MotionVerdict QuadrupedMotion::RiseSit() {
-  if (state_ != State::kSitting) return authority::MotionVerdict::kNotNow;
-  frames_ = {};
-  Play(0);
-  return authority::MotionVerdict::kTaken;
+void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
+  if (const auto* recovery = std::get_if<goal::AutoRecovery>(&goal)) auto_recovery_ = recovery->on;
+  StancePose wanted = wanted_;
+  if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
+    const auto& most = figures_.euler_range;
+    wanted.rpy = {std::clamp(euler->roll, -most[0], most[0]),
+                  std::clamp(euler->pitch, -most[1], most[1]),
+                  std::clamp(euler->yaw, -most[2], most[2])};
+    Follow(wanted);
+  } else if (const auto* body = std::get_if<goal::BodyHeight>(&goal)) {
+    wanted.place.z() = figures_.stand_height +
+                       std::clamp(body->height, figures_.height_range[0], figures_.height_range[1]);
+    Follow(wanted);
+  }
 }
 
-authority::MotionVerdict QuadrupedMotion::Gesture(std::span<const Keyframe> frames) {
-  if (state_ != State::kBalance) return authority::MotionVerdict::kNotNow;
-  frames_ = frames;
-  Play(0);
-  return authority::MotionVerdict::kTaken;
-}
-
-authority::MotionVerdict QuadrupedMotion::Pose(bool on) {
-  if (state_ != State::kBalance && state_ != State::kPosing)
-    return authority::MotionVerdict::kNotNow;
-  wanted_ = on ? InMetres(PosePosture()) : Default();
+void QuadrupedMotion::Follow(const StancePose& pose) {
+  wanted_ = pose;
   stance_.Follow(stance_.Feasible(wanted_));
-  state_ = on ? State::kPosing : State::kBalance;
-  return authority::MotionVerdict::kTaken;
 }
 
-authority::MotionVerdict QuadrupedMotion::Euler(const Vector3d& rpy) {
-  if (state_ != State::kBalance && state_ != State::kPosing)
-    return authority::MotionVerdict::kNotNow;
-  for (int i = 0; i < 3; ++i) {
-    const double most = figures_.euler_range[i];
-    wanted_.rpy[i] = std::clamp(rpy[i], -most, most);
-  }
-  stance_.Follow(stance_.Feasible(wanted_));
-  return authority::MotionVerdict::kTaken;
-}
-
-authority::MotionVerdict QuadrupedMotion::BodyHeight(double height) {
-  if (state_ != State::kBalance && state_ != State::kPosing)
-    return authority::MotionVerdict::kNotNow;
-  wanted_.place.z() = figures_.stand_height +
-                      std::clamp(height, figures_.height_range[0], figures_.height_range[1]);
-  stance_.Follow(stance_.Feasible(wanted_));
-  return authority::MotionVerdict::kTaken;
-}
-
-authority::MotionVerdict QuadrupedMotion::StopMove() {
-  if (state_ == State::kGesture && frame_ + kKeyframesBack < frames_.size()) {
-    Play(frames_.size() - kKeyframesBack);
-  } else if (state_ == State::kBalance || state_ == State::kPosing) {
-    return Pose(false);
-  }
-  return authority::MotionVerdict::kTaken;
-}
-
-authority::MotionVerdict QuadrupedMotion::Move() const {
-  switch (state_) {
-    case State::kRising:
-    case State::kLocked:
-      return authority::MotionVerdict::kTaken;
-    case State::kBalance:
-    case State::kPosing:
-      return authority::MotionVerdict::kUnable;
-    default:
-      return authority::MotionVerdict::kNotNow;
-  }
-}
-
-// error_code and mode of the vendor's sport service page. Recovering is in neither list: the crouch
-// and recoveryStand of the older firmware are assumed.
 robot::MotionState QuadrupedMotion::state() const {
-  robot::MotionState state;
-  const auto is = [&state](int id, int mode, int progress) {
-    state.id = id;
-    state.mode = mode;
-    state.progress = progress;
-  };
-  switch (state_) {
-    case State::kDamped:
-      is(1001, 7, 0);
-      break;
-    case State::kFolding:
-    case State::kRising:
-    case State::kLocked:
-      is(1002, 6, 0);
-      break;
-    case State::kLowering:
-    case State::kUnfolding:
-    case State::kLying:
-      is(1004, 5, 0);
-      break;
-    case State::kBalance:
-      is(1013, 1, 0);
-      break;
-    case State::kGesture:
-      is(1006, 1, 1);
-      break;
-    case State::kSittingDown:
-    case State::kSitting:
-      is(1007, 10, 0);
-      break;
-    case State::kPosing:
-      is(1091, 2, 0);
-      break;
-    case State::kRecovering:
-      is(2006, 8, 0);
-      break;
+  const QuadrupedStateRow& row = RowOf(state_);
+  return {.id = row.id,
+          .mode = row.mode,
+          .progress = row.progress,
+          .body_height = estimator_.height(),
+          .v_WB_W = estimator_.v_WB_W()};
+}
+
+void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
+                           robot::RobotCommand* command) {
+  reading_ = body_.Read(input);
+  estimator_.Step(reading_, dt);
+  WatchForFalls(dt);
+  if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
+  command->joint_space = robot::JointSpace::kPitchRoll;
+  if (state_ == kDamped) {
+    Brake(figures_.damping_kd, command);
+  } else if (state_ == kLying && wheeled()) {
+    Brake(0, command);  // the vendor's Go2-W page: motors idle after StandDown
+  } else {
+    Legs(command);
+    Wheels(input, command);
   }
-  state.body_height = estimator_.height();
-  state.v_WB_W = estimator_.v_WB_W();
-  return state;
+  const State next = RowOf(state_).next;
+  if (next != state_ && now_->over()) Enter(next);
+}
+
+void QuadrupedMotion::WatchForFalls(double dt) {
+  const bool held = state_ != kDamped && state_ != kRecovering;
+  if (held && reading_.up.z() < kFallenCosine) {
+    Enter(kDamped);
+    fallen_for_ = dt;
+  } else if (state_ == kDamped && fallen_for_ > 0) {
+    fallen_for_ += dt;
+    if (auto_recovery_ && fallen_for_ > kFallenRest) Enter(kRecovering);
+  }
+}
+
+// All is said by q alone, with dq and tau 0: so a real Go2 does while it stands. The motor law
+// makes the same torque of it.
+void QuadrupedMotion::Legs(robot::RobotCommand* command) const {
+  const double kp = figures_.kp, kd = figures_.kd;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const std::size_t leg = i / 3;
+    const auto at = static_cast<Eigen::Index>(i % 3);
+    const double q = legs_.q[leg][at] + (legs_.tau[leg][at] + kd * legs_.dq[leg][at]) / kp;
+    command->motors[i] = {.enabled = true, .q = q, .dq = 0, .tau = 0, .kp = kp, .kd = kd};
+  }
+}
+
+void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCommand* command) {
+  for (std::size_t i = 12; i < command->motors.size(); ++i) {
+    robot::MotorCommand& wheel = command->motors[i];
+    wheel = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.wheel_kd};
+    const std::size_t leg = i - 12;
+    if (!kStanceStates.Has(state_) || leg >= wheel_angles_.size()) continue;
+    // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
+    const double carried = stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
+    if (wheel_angles_[leg] == robot::kNoPosition) {
+      wheel_angles_[leg] = input.motors[i].q + carried;
+    }
+    wheel.q = wheel_angles_[leg] - carried;
+    wheel.kp = figures_.wheel_kp;
+  }
+}
+
+void QuadrupedMotion::Brake(double kd, robot::RobotCommand* command) {
+  for (robot::MotorCommand& motor : command->motors) {
+    motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = kd};
+  }
+}
+
+PerLeg QuadrupedMotion::Under(double depth) const {
+  PerLeg feet;
+  for (std::size_t leg = 0; leg < feet.size(); ++leg) {
+    const LegFigures& f = body_.leg(leg).figures();
+    feet[leg] = f.hip + f.thigh + Vector3d(figures_.foot_x, f.calf.y() + f.foot.y(), 0);
+    feet[leg].z() = -depth;
+  }
+  return feet;
 }
 
 StancePose QuadrupedMotion::Default() const {
   return {.place = {0, 0, figures_.stand_height}, .rpy = {0, 0, 0}};
 }
 
-StancePose QuadrupedMotion::InMetres(const StancePose& posture) const {
-  StancePose pose = posture;
-  pose.place *= body_.leg_length();
-  pose.place.z() += figures_.stand_height;
-  pose.paw *= body_.leg_length();
-  return pose;
-}
-
 bool QuadrupedMotion::upright() const { return reading_.up.z() > kUprightCosine; }
-
-void QuadrupedMotion::Balance() {
-  stance_.Begin(reading_);
-  wanted_ = Default();
-  stance_.MoveTo(stance_.Feasible(wanted_), kReturnTime);
-  for (std::size_t leg = 0; leg < wheel_angles_.size(); ++leg)
-    wheel_angles_[leg] = robot::kNoPosition;
-  state_ = State::kBalance;
-}
-
-void QuadrupedMotion::Play(std::size_t frame) {
-  frame_ = frame;
-  state_ = State::kGesture;
-  if (frame < frames_.size()) {
-    stance_.MoveTo(stance_.Feasible(InMetres(frames_[frame].pose)), frames_[frame].duration);
-  } else {
-    wanted_ = Default();
-    stance_.MoveTo(stance_.Feasible(wanted_), kReturnTime);
-  }
-}
 
 std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
                                                        const physics::PhysicsWorld& world) {

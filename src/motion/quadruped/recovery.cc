@@ -62,15 +62,7 @@ const Push& Way(bool on_back, std::size_t pushes) {
 
 bool IsRight(std::size_t leg) { return leg % 2 == 0; }
 
-std::array<double, 12> Flat(const PerLeg& q) {
-  std::array<double, 12> flat{};
-  for (std::size_t i = 0; i < 12; ++i) flat[i] = q[i / 3][static_cast<Eigen::Index>(i % 3)];
-  return flat;
-}
-
 }  // namespace
-
-QuadrupedRecovery::QuadrupedRecovery(const QuadrupedBody& body) : body_(body), move_(12) {}
 
 void QuadrupedRecovery::Begin(const QuadrupedReading& reading) {
   pushes_ = 0;
@@ -107,7 +99,7 @@ void QuadrupedRecovery::Enter(Phase phase, const QuadrupedReading& reading) {
                                                : way.rest;
   phase_ = phase;
   left_ = time + rest;
-  move_.Begin(Flat(reading.q), Flat(Goal(phase)), time);
+  move_.Begin(reading, Goal(phase), time);
 }
 
 void QuadrupedRecovery::Follow(const QuadrupedReading& reading) {
@@ -133,14 +125,12 @@ void QuadrupedRecovery::Follow(const QuadrupedReading& reading) {
   }
 }
 
-void QuadrupedRecovery::Step(const QuadrupedReading& reading, double dt, PerLeg* q, PerLeg* dq) {
+void QuadrupedRecovery::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   left_ -= dt;
-  move_.Advance(dt);
-  if (left_ <= 0) Follow(reading);
-  for (std::size_t i = 0; i < 12; ++i) {
-    (*q)[i / 3][static_cast<Eigen::Index>(i % 3)] = move_.q(i);
-    (*dq)[i / 3][static_cast<Eigen::Index>(i % 3)] = move_.dq(i);
-  }
+  move_.Step(sensed, dt, legs);
+  if (left_ > 0) return;
+  Follow(sensed);
+  move_.Step(sensed, 0, legs);
 }
 
 }  // namespace understudy::motion

@@ -5,27 +5,24 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "motion/joint_move.h"
-#include "motion/quadruped/body.h"
+#include "motion/quadruped/moves.h"
 
 namespace understudy::motion {
 
 // Folds the legs; while the robot is not upright, swings legs behind its back, pushes with them and
 // folds again: off its back with the legs of the higher side, off its side with those it lies on.
 // Should it not get over, it pushes in another way the next time. Looks at joint angles and the
-// inertial unit only. Allocates in the constructor only.
-class QuadrupedRecovery {
+// inertial unit only.
+class QuadrupedRecovery final : public Behaviour {
  public:
   // `body` must outlive it.
-  explicit QuadrupedRecovery(const QuadrupedBody& body);
+  explicit QuadrupedRecovery(const QuadrupedBody& body) : body_(body) {}
 
-  void Begin(const QuadrupedReading& reading);
-
-  // Joint angles [rad] and rates for now.
-  void Step(const QuadrupedReading& reading, double dt, PerLeg* q, PerLeg* dq);
+  void Begin(const QuadrupedReading& sensed);
+  void Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) override;
 
   // The robot is upright on folded legs. Before the first Begin: true.
-  bool over() const { return phase_ == Phase::kOver; }
+  bool over() const override { return phase_ == Phase::kOver; }
 
  private:
   enum class Phase : std::uint8_t { kFold, kSwing, kPush, kOver };
@@ -35,7 +32,7 @@ class QuadrupedRecovery {
   PerLeg Goal(Phase phase) const;
 
   const QuadrupedBody& body_;
-  JointMove move_;
+  JointsMove move_;
   Phase phase_ = Phase::kOver;
   double left_ = 0;         // s of the phase
   bool on_back_ = false;    // else on its side, as the last push began

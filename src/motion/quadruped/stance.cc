@@ -169,11 +169,11 @@ void Stance::Lead(double dt) {
   held_.paw_load = to_.paw_load;
 }
 
-StanceCommand Stance::Step(const QuadrupedReading& reading, double dt) {
+void Stance::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   Lead(dt);
   StancePose pose = held_;
-  com_ = reading.com;
-  Measure(reading, pose.paw_load);
+  com_ = sensed.com;
+  Measure(sensed, pose.paw_load);
 
   const Matrix3d R_wanted = Rotation(pose.rpy);
   const double rate = pose.paw_load / kTrimTime;  // on three feet a correction would rock it
@@ -192,15 +192,13 @@ StanceCommand Stance::Step(const QuadrupedReading& reading, double dt) {
     pose.rpy =
         RollPitchYaw(AngleAxisd(angle, trim_rotation_ / angle).toRotationMatrix() * R_wanted);
   }
-  StanceCommand command;
-  body_.Reach(FeetInBase(pose), &command.q);
-  command.tau = body_.SupportTorque(reading, {pose.paw_load, 1, 1, 1}, 1);
+  body_.Reach(FeetInBase(pose), &legs->q);
+  legs->tau = body_.SupportTorque(sensed, {pose.paw_load, 1, 1, 1}, 1);
   for (std::size_t leg = 0; leg < last_q_.size(); ++leg) {
-    command.dq[leg] = fresh_ ? Vector3d::Zero() : Vector3d((command.q[leg] - last_q_[leg]) / dt);
+    legs->dq[leg] = fresh_ ? Vector3d::Zero() : Vector3d((legs->q[leg] - last_q_[leg]) / dt);
   }
-  last_q_ = command.q;
+  last_q_ = legs->q;
   fresh_ = false;
-  return command;
 }
 
 }  // namespace understudy::motion

@@ -6,7 +6,7 @@
 
 #include <Eigen/Core>
 
-#include "motion/quadruped/body.h"
+#include "motion/quadruped/behaviour.h"
 
 namespace understudy::motion {
 
@@ -19,15 +19,10 @@ struct StancePose {
   double paw_load = 1;             // 1 it carries its part, 0 nothing
 };
 
-// What the legs are to do: angles, their rates, and torques that carry the body.
-struct StanceCommand {
-  PerLeg q, dq, tau;  // rad, rad/s, N·m
-};
-
 // Leads the body from pose to pose. Height and orientation come from the joint angles and the
 // inertial unit and are corrected until they fit, on whatever ground the feet stand. Allocates
 // nothing.
-class Stance {
+class Stance final : public Behaviour {
  public:
   // `body` must outlive it.
   explicit Stance(const QuadrupedBody& body) : body_(body) {}
@@ -49,9 +44,10 @@ class Stance {
   // Points of the feet in the base when the body is held so, m.
   PerLeg FeetInBase(const StancePose& pose) const { return FeetInBase(pose, com_); }
 
-  StanceCommand Step(const QuadrupedReading& reading, double dt);
+  void Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) override;
 
-  bool over() const { return elapsed_ >= duration_; }
+  // The last MoveTo has got there.
+  bool over() const override { return elapsed_ >= duration_; }
   // Where the body is, as of the last Begin or Step. `place` is that of the base, not of the mass.
   const StancePose& measured() const { return measured_; }
   // How it is being held.

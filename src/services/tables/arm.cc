@@ -55,10 +55,8 @@ ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& 
 
 ServiceReply Execute(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
-  const auto id = call.parameter.at("action_id").get<double>();
-  ServiceReply reply =
-      Answer(call.owner->Ask({.action = authority::MotionAction::kArmAction, .value = {id}}),
-             before, call);
+  const int id = authority::goal::Whole(call.parameter.at("action_id").get<double>());
+  ServiceReply reply = Answer(call.owner->Ask(authority::goal::ArmAction{id}), before, call);
   if (reply.code == kRpcOk) {
     reply.once = &IsSettled;
     reply.patience = kLongestAction;
@@ -70,9 +68,7 @@ ServiceReply ExecuteByName(const ServiceCall&) { return {.code = kBadAction}; }
 
 ServiceReply Stop(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
-  return Answer(
-      call.owner->Ask({.action = authority::MotionAction::kStopArmAction, .value = {kRelease}}),
-      before, call);
+  return Answer(call.owner->Ask(authority::goal::StopArmAction{}), before, call);
 }
 
 ServiceReply List(const ServiceCall&) {

@@ -40,9 +40,8 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
   };
-  const authority::MotionVerdict verdict =
-      call.owner->Ask({.action = authority::MotionAction::kMove,
-                       .value = {within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1.0}});
+  const authority::MotionVerdict verdict = call.owner->Ask(
+      authority::goal::Move{within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1.0});
   if (verdict == authority::MotionVerdict::kTaken) {
     *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
     return {};

@@ -53,6 +53,12 @@ inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view
           .source = source};
 }
 
+// Of the rows SwitchJoystick.
+inline ServiceReply SwitchSticks(const ServiceCall& call) {
+  call.owner->SetSticks(call.parameter.at("data").get<bool>());
+  return {};
+}
+
 }  // namespace understudy::services::fields
 
 #endif  // UNDERSTUDY_SERVICES_TABLES_FIELDS_H_

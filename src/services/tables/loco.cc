@@ -10,7 +10,8 @@
 namespace understudy::services {
 namespace {
 
-using enum authority::MotionAction;
+using authority::To;
+namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 // Ids and words of the four humanoid services differ; what they do does not.
@@ -39,7 +40,7 @@ ApiRow SetId(const Loco& l, std::string_view source) {
   return {l.set + 1,
           "SetFsmId",
           {Int()},
-          AskGoal{.action = kSetFsm, .not_now = kRpcOk, .unknown = kRpcOk},
+          AskGoal{.goal = To<goal::SetFsm>, .not_now = kRpcOk, .unknown = kRpcOk},
           "asks for a state; an unknown or unreachable one is answered 0 and ignored",
           source};
 }
@@ -47,7 +48,7 @@ ApiRow SetVelocity(const Loco& l) {
   return {l.set + 5,
           "SetVelocity",
           {Numbers("velocity", 3), Number("duration", 0)},
-          AskGoal{.action = kMove, .not_now = kRpcOk},
+          AskGoal{.goal = To<goal::Move>, .not_now = kRpcOk},
           "vx, vy m/s, yaw rate rad/s, for so many s; ignored where the robot cannot walk",
           "[sdk] loco; [seen] 0 and no walking; no range is published"};
 }
@@ -88,7 +89,7 @@ std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
       {l.set + 2,
        "SetBalanceMode",
        {Int("data", 0, 1)},
-       AskGoal{.action = kSetBalanceMode, .keep = "balance_mode", .not_now = kRpcOk},
+       AskGoal{.goal = To<goal::SetBalanceMode>, .keep = "balance_mode", .not_now = kRpcOk},
        "0 steps only when needed, 1 keeps stepping",
        "[sdk] loco; [docs] G1; that more is refused is assumed"},
       {l.set + 3,
@@ -100,7 +101,7 @@ std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
       {l.set + 4,
        "SetStandHeight",
        {Clamped("data", 0, 1)},
-       AskGoal{.action = kSetStandHeight, .keep = "stand_height", .not_now = kRpcOk},
+       AskGoal{.goal = To<goal::SetStandHeight>, .keep = "stand_height", .not_now = kRpcOk},
        "0 lowest to 1 highest; HighStand sends 4294967295",
        "[sdk] loco: saturates; that 1 is the highest is assumed"},
       SetVelocity(l),
@@ -119,10 +120,9 @@ std::vector<std::pair<std::string_view, std::string_view>> CommonSettings() {
 // The tasks of the loco services by what the arm service calls them (assumed): wave, wave and turn,
 // both halves of a handshake.
 ServiceReply AskArm(const ServiceCall& call, std::int64_t arm_action, std::int32_t state_code) {
-  authority::MotionGoal goal{.action = kArmAction};
-  if (arm_action == 99) goal.action = kStopArmAction;
-  goal.value[0] = static_cast<double>(arm_action);
-  const authority::MotionVerdict verdict = call.owner->Ask(goal);
+  authority::MotionGoal wanted = goal::ArmAction{static_cast<int>(arm_action)};
+  if (arm_action == 99) wanted = goal::StopArmAction{};
+  const authority::MotionVerdict verdict = call.owner->Ask(wanted);
   if (verdict == authority::MotionVerdict::kTaken || verdict == authority::MotionVerdict::kNotNow)
     return {};
   *call.notice =
@@ -166,10 +166,9 @@ ServiceReply TakeBack(const ServiceCall& call) {
   constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
   const int mode = call.parameter.at("data").get<int>();
   call.owner->SetUserControl(false);
-  if (mode == kPassive) call.owner->Ask({.action = authority::MotionAction::kDamp});
+  if (mode == kPassive) call.owner->Ask(goal::Damp{});
   if (mode == kWalkRun &&
-      call.owner->Ask({.action = authority::MotionAction::kSetFsm, .value = {kWalkId}}) ==
-          authority::MotionVerdict::kUnable) {
+      call.owner->Ask(goal::SetFsm{kWalkId}) == authority::MotionVerdict::kUnable) {
     *call.notice = "sport SwitchToInternalCtrl: nothing here walks; answered 7301";
     return {.code = 7301};
   }

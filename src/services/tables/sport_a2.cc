@@ -6,7 +6,8 @@
 namespace understudy::services {
 namespace {
 
-using enum authority::MotionAction;
+using authority::To;
+namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 constexpr std::string_view kA2 = "[sdk] a2/sport";
@@ -41,22 +42,37 @@ ServiceTable A2SportTable() {
       .needs_motion = true,
       .rows =
           {
-              {1001, "Damp", {}, AskGoal{kDamp}, "all joints damped, from every state", kA2},
-              {1002, "BalanceStand", {}, AskGoal{kBalanceStand}, "stands and balances", kA2},
-              {1003, "StopMove", {}, AskGoal{kStopMove}, "stops walking", kA2},
-              {1004, "StandUp", {}, AskGoal{kStandUp}, "stands with locked joints", kA2},
-              {1005, "StandDown", {}, AskGoal{kStandDown}, "lies down", kA2},
-              {1006, "RecoveryStand", {}, AskGoal{kRecoveryStand}, "stands up from anywhere", kA2},
+              {1001,
+               "Damp",
+               {},
+               AskGoal{To<goal::Damp>},
+               "all joints damped, from every state",
+               kA2},
+              {1002,
+               "BalanceStand",
+               {},
+               AskGoal{To<goal::BalanceStand>},
+               "stands and balances",
+               kA2},
+              {1003, "StopMove", {}, AskGoal{To<goal::StopMove>}, "stops walking", kA2},
+              {1004, "StandUp", {}, AskGoal{To<goal::StandUp>}, "stands with locked joints", kA2},
+              {1005, "StandDown", {}, AskGoal{To<goal::StandDown>}, "lies down", kA2},
+              {1006,
+               "RecoveryStand",
+               {},
+               AskGoal{To<goal::RecoveryStand>},
+               "stands up from anywhere",
+               kA2},
               {1007,
                "Euler",
                {Number("x"), Number("y"), Number("z")},
-               AskGoal{kEuler},
+               AskGoal{To<goal::Euler>},
                "roll, pitch, yaw of the body, rad; no range is published",
                kA2},
               {1008,
                "Move",
                {Number("x"), Number("y"), Number("z")},
-               AskGoal{.action = kMove, .then = {1.0}},
+               AskGoal{.goal = To<goal::Move>, .then = {1.0}},
                "velocity, m/s and rad/s, for 1 s (assumed, as a Go2); no range is published",
                kA2},
               NotPlayed(1009, "BodyPosition", kA2,
@@ -65,7 +81,7 @@ ServiceTable A2SportTable() {
               {1013,
                "BodyHeight",
                {Number()},
-               AskGoal{kBodyHeight},
+               AskGoal{To<goal::BodyHeight>},
                "m over the own standing height; no range is published",
                kA2},
               {1015,
@@ -90,7 +106,7 @@ ServiceTable A2SportTable() {
               {1040,
                "SetAutoRecovery",
                {Flag()},
-               AskGoal{.action = kAutoRecovery, .keep = "auto_recovery"},
+               AskGoal{.goal = To<goal::AutoRecovery>, .keep = "auto_recovery"},
                "whether a fallen robot gets up by itself; read by GetState",
                kA2},
               NotPlayed(1035, "Trajectory", kA2,

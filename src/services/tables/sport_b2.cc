@@ -3,7 +3,8 @@
 
 namespace understudy::services {
 
-using enum authority::MotionAction;
+using authority::To;
+namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
@@ -17,16 +18,31 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
       .needs_motion = true,
       .rows =
           {
-              {1001, "Damp", {}, AskGoal{kDamp}, "all joints damped, from every state", kSdk},
-              {1002, "BalanceStand", {}, AskGoal{kBalanceStand}, "stands and balances", kSdk},
-              {1003, "StopMove", {}, AskGoal{kStopMove}, "stops walking", kSdk},
-              {1004, "StandUp", {}, AskGoal{kStandUp}, "stands with locked joints", kSdk},
-              {1005, "StandDown", {}, AskGoal{kStandDown}, "lies down", kSdk},
-              {1006, "RecoveryStand", {}, AskGoal{kRecoveryStand}, "stands up from anywhere", kSdk},
+              {1001,
+               "Damp",
+               {},
+               AskGoal{To<goal::Damp>},
+               "all joints damped, from every state",
+               kSdk},
+              {1002,
+               "BalanceStand",
+               {},
+               AskGoal{To<goal::BalanceStand>},
+               "stands and balances",
+               kSdk},
+              {1003, "StopMove", {}, AskGoal{To<goal::StopMove>}, "stops walking", kSdk},
+              {1004, "StandUp", {}, AskGoal{To<goal::StandUp>}, "stands with locked joints", kSdk},
+              {1005, "StandDown", {}, AskGoal{To<goal::StandDown>}, "lies down", kSdk},
+              {1006,
+               "RecoveryStand",
+               {},
+               AskGoal{To<goal::RecoveryStand>},
+               "stands up from anywhere",
+               kSdk},
               {1008,
                "Move",
                {Number("x"), Number("y"), Number("z")},
-               AskGoal{.action = kMove, .then = {limits.hold}},
+               AskGoal{.goal = To<goal::Move>, .then = {limits.hold}},
                "velocity, m/s and rad/s; clients want no reply",
                "[sdk] b2/sport; 0.5 s hold of B2-W: [sdk] b2w_sport_client example; 1 s of B2 "
                "assumed; no range is published"},
@@ -34,15 +50,11 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
               {1013,
                "BodyHeight",
                {Number()},
-               AskGoal{kBodyHeight},
+               AskGoal{To<goal::BodyHeight>},
                "m over the own standing height; no range is published",
                kSdk},
-              {1015,
-               "SpeedLevel",
-               {Int("data", -1, 1)},
-               KeepSetting{"speed_level"},
-               "kept",
-               "[sdk] b2/sport; range as a Go2's, assumed"},
+              NotPlayed(1015, "SpeedLevel", "[sdk] b2/sport; range as a Go2's, assumed",
+                        {Int("data", -1, 1)}),
               {.id = 1018,
                .name = "TrajectoryFollow",
                .fields = {Path("", 30)},
@@ -57,7 +69,7 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
               {1040,
                "AutoRecoverySet",
                {Flag()},
-               AskGoal{.action = kAutoRecovery, .keep = "auto_recovery"},
+               AskGoal{.goal = To<goal::AutoRecovery>, .keep = "auto_recovery"},
                "whether a fallen robot gets up by itself",
                kSdk},
               NotPlayed(1045, "FreeWalk", kSdk, {Optional(Flag())}),
@@ -74,7 +86,7 @@ ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits) {
               NotPlayed(1053, "GaitHeight", kSdk, {Flag()}),
               NotPlayed(1101, "VisionWalk", kSdk, {Flag()}),
           },
-      .settings = {{"speed_level", "0"}, {"auto_recovery", "false"}},
+      .settings = {{"auto_recovery", "false"}},
       .note =
           "4201 when the present state does not allow it (assumed), 4205 for what is not "
           "played.",

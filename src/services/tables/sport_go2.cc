@@ -3,7 +3,8 @@
 
 namespace understudy::services {
 
-using enum authority::MotionAction;
+using authority::To;
+namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
@@ -12,11 +13,11 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kPosture =
       "[sdk] go2/sport; [docs] 4206 when the posture does not allow it";
   constexpr std::int32_t kPostureUnfit = 4206;
-  const auto gesture = [&](std::int64_t id, std::string_view name, authority::MotionAction action,
+  const auto gesture = [&](std::int64_t id, std::string_view name, authority::GoalMaker goal,
                            std::string_view does) {
     return ApiRow{.id = id,
                   .name = name,
-                  .effect = AskGoal{.action = action, .not_now = kPostureUnfit},
+                  .effect = AskGoal{.goal = goal, .not_now = kPostureUnfit},
                   .does = does,
                   .source = kPosture};
   };
@@ -29,53 +30,58 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
       .needs_motion = true,
       .rows =
           {
-              {1001, "Damp", {}, AskGoal{kDamp}, "all joints damped, from every state", kDocs},
-              {1002, "BalanceStand", {}, AskGoal{kBalanceStand}, "stands and balances", kDocs},
-              {1003, "StopMove", {}, AskGoal{kStopMove}, "stops walking", kDocs},
-              {1004, "StandUp", {}, AskGoal{kStandUp}, "stands with locked joints", kDocs},
-              {1005, "StandDown", {}, AskGoal{kStandDown}, "lies down", kDocs},
+              {1001,
+               "Damp",
+               {},
+               AskGoal{To<goal::Damp>},
+               "all joints damped, from every state",
+               kDocs},
+              {1002,
+               "BalanceStand",
+               {},
+               AskGoal{To<goal::BalanceStand>},
+               "stands and balances",
+               kDocs},
+              {1003, "StopMove", {}, AskGoal{To<goal::StopMove>}, "stops walking", kDocs},
+              {1004, "StandUp", {}, AskGoal{To<goal::StandUp>}, "stands with locked joints", kDocs},
+              {1005, "StandDown", {}, AskGoal{To<goal::StandDown>}, "lies down", kDocs},
               {1006,
                "RecoveryStand",
                {},
-               AskGoal{kRecoveryStand},
+               AskGoal{To<goal::RecoveryStand>},
                "stands up from anywhere",
                kDocs},
               {1007,
                "Euler",
                {Clamped("x", 0.75), Clamped("y", 0.75), Clamped("z", 0.6)},
-               AskGoal{kEuler},
+               AskGoal{To<goal::Euler>},
                "roll, pitch, yaw of the body, rad",
                "[sdk] go2/sport; [docs] ranges; that more is clamped is assumed"},
               {1008,
                "Move",
                {Clamped("x", limits.vx_min, limits.vx_max), Clamped("y", limits.vy),
                 Clamped("z", limits.yaw_rate)},
-               AskGoal{.action = kMove, .then = {limits.hold}},
+               AskGoal{.goal = To<goal::Move>, .then = {limits.hold}},
                "velocity, m/s and rad/s, for 1 s; clients want no reply",
                "[sdk] go2/sport; [docs] ranges and hold; that more is clamped is assumed"},
-              gesture(1009, "Sit", kSit, "sits"),
-              gesture(1010, "RiseSit", kRiseSit, "rises from sitting"),
-              {1015,
-               "SpeedLevel",
-               {Int("data", -1, 1)},
-               KeepSetting{"speed_level"},
-               "kept; -1 slow, 0 normal, 1 fast",
-               kDocs},
-              gesture(1016, "Hello", kHello, "waves"),
-              gesture(1017, "Stretch", kStretch, "stretches"),
+              gesture(1009, "Sit", To<goal::Sit>, "sits"),
+              gesture(1010, "RiseSit", To<goal::RiseSit>, "rises from sitting"),
+              NotPlayed(1015, "SpeedLevel", kDocs, {Int("data", -1, 1)}),
+              gesture(1016, "Hello", To<goal::Hello>, "waves"),
+              gesture(1017, "Stretch", To<goal::Stretch>, "stretches"),
               NotPlayed(1020, "Content", kSdk),
               NotPlayed(1022, "Dance1", kSdk),
               NotPlayed(1023, "Dance2", kSdk),
               {1027,
                "SwitchJoystick",
                {Flag()},
-               KeepSetting{"joystick"},
-               "kept; whether the remote's sticks move the robot",
+               Special{SwitchSticks},
+               "whether the remote's sticks move the robot",
                kDocs},
               {1028,
                "Pose",
                {Flag()},
-               AskGoal{.action = kPose, .not_now = kPostureUnfit},
+               AskGoal{.goal = To<goal::Pose>, .not_now = kPostureUnfit},
                "poses, or ends the pose",
                kPosture},
               NotPlayed(1029, "Scrape", kSdk),
@@ -99,7 +105,7 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
               {2054,
                "AutoRecoverySet",
                {Flag()},
-               AskGoal{.action = kAutoRecovery, .keep = "auto_recovery"},
+               AskGoal{.goal = To<goal::AutoRecovery>, .keep = "auto_recovery"},
                "whether a fallen robot gets up by itself",
                kDocs},
               {2055,
@@ -110,7 +116,7 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
                kDocs},
               NotPlayed(2058, "SwitchAvoidMode", kSdk),
           },
-      .settings = {{"speed_level", "0"}, {"joystick", "true"}, {"auto_recovery", "false"}},
+      .settings = {{"auto_recovery", "false"}},
       .note =
           "4201 when the present state does not allow it (assumed), 4205 for what is not "
           "played. Ids that firmware 1.1.6 removed (1011 to 1014, 1018, 1019, 1021, 1024 to "

@@ -18,6 +18,8 @@
 
 namespace understudy::motion {
 
+namespace goal = authority::goal;
+
 // config/robots/<robot>.yaml; "g1 6" is its hardware revision 6.
 config::Config HumanoidConfig(const std::string& robot);
 
@@ -34,10 +36,8 @@ class HumanoidRig {
 
   // Step by step for `seconds` of simulated time. False when the physics diverges.
   bool Run(double seconds);
-  authority::MotionVerdict Ask(authority::MotionAction action, double value = 0) {
-    return motion_->Ask({.action = action, .value = {value, 0, 0, 0}});
-  }
-  authority::MotionVerdict SetFsm(int id) { return Ask(authority::MotionAction::kSetFsm, id); }
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) { return motion_->Ask(goal); }
+  authority::MotionVerdict SetFsm(int id) { return Ask(goal::SetFsm{id}); }
   // From the crane to the ground into the state `id`, the crane gone.
   void SetDown(int id);
   void Push(const Eigen::Vector3d& impulse, double duration = 0.1);  // N·s, at the crane's hook

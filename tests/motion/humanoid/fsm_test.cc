@@ -29,12 +29,13 @@ constexpr auto kNotNow = authority::MotionVerdict::kNotNow;
 TEST(HumanoidFsmTest, KnowsEachStateByItsNumber) {
   EXPECT_EQ(StanceOf(G1(), 0), HumanoidStance::kZeroTorque);
   EXPECT_EQ(StanceOf(G1(), 1), HumanoidStance::kDamping);
-  for (const int id : {kReady, kSquat, kSit}) {
-    EXPECT_EQ(StanceOf(G1(), id), HumanoidStance::kLocked);
-  }
-  for (const int id : {kWalk, kWalkWaist, kCrouch}) {
+  EXPECT_EQ(StanceOf(G1(), kReady), HumanoidStance::kLockStand);
+  EXPECT_EQ(StanceOf(G1(), kSquat), HumanoidStance::kSquat);
+  EXPECT_EQ(StanceOf(G1(), kSit), HumanoidStance::kSit);
+  for (const int id : {kWalk, kWalkWaist}) {
     EXPECT_EQ(StanceOf(G1(), id), HumanoidStance::kBalanced);
   }
+  EXPECT_EQ(StanceOf(G1(), kCrouch), HumanoidStance::kBalancedSquat);
   EXPECT_EQ(StanceOf(G1(), kRun), HumanoidStance::kUnplayed);
   EXPECT_EQ(StanceOf(G1(), 99999), HumanoidStance::kNone);
 }

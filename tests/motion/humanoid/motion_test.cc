@@ -20,7 +20,7 @@ class HumanoidMotionTest : public test::MujocoTest {
     rig_.Run(0.5);
   }
   robot::MotionState state() { return rig_.motion().state(); }
-  authority::MotionVerdict Act(int id) { return rig_.Ask(authority::MotionAction::kArmAction, id); }
+  authority::MotionVerdict Act(int id) { return rig_.Ask(goal::ArmAction{id}); }
 
   HumanoidRig rig_{"g1"};
 };
@@ -147,49 +147,46 @@ TEST_F(HumanoidMotionTest, DampsItsFall) {
 
 TEST_F(HumanoidMotionTest, ListensToTheGoalsOfARemote) {
   rig_.Hang();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), kTaken);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kZeroTorque), kTaken);
-  rig_.Ask(authority::MotionAction::kDamp);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kBalanceStand), kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSit), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Damp{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::ZeroTorque{}), kTaken);
+  rig_.Ask(goal::Damp{});
+  EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(goal::Sit{}), kTaken);
   EXPECT_EQ(rig_.id(), 3);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), kTaken);
   EXPECT_EQ(rig_.id(), 4);
   rig_.Run(4.1);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), kTaken);
   EXPECT_EQ(rig_.id(), 2);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kUnknown);
 }
 
 TEST_F(HumanoidMotionTest, DoesNotWalk) {
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, 0.3), kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), kNotNow);
   Balance();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, 0.3), authority::MotionVerdict::kUnable);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), kTaken);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetBalanceMode, 0), kTaken);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetBalanceMode, 1),
-            authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(goal::StopMove{}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::SetBalanceMode{0}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::SetBalanceMode{1}), authority::MotionVerdict::kUnable);
 }
 
 TEST_F(HumanoidMotionTest, RefusesValuesThatAreNotFinite) {
   Balance();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, std::nan("")),
-            authority::MotionVerdict::kUnknown);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetFsm, HUGE_VAL),
-            authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::SetStandHeight{std::nan("")}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::SetFsm::From({HUGE_VAL})), authority::MotionVerdict::kUnknown);
 }
 
 TEST_F(HumanoidMotionTest, StandsLowerAndHigher) {
   Balance();
   const double high = rig_.height();
-  ASSERT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, 0), kTaken);
+  ASSERT_EQ(rig_.Ask(goal::SetStandHeight{0}), kTaken);
   rig_.Run(2.5);
   EXPECT_LT(rig_.height(), high - 0.05);
   EXPECT_NEAR(state().body_height, rig_.height(), 0.005);
-  ASSERT_EQ(rig_.Ask(authority::MotionAction::kSetStandHeight, 5), kTaken);
+  ASSERT_EQ(rig_.Ask(goal::SetStandHeight{5}), kTaken);
   rig_.Run(2.5);
   EXPECT_NEAR(rig_.height(), high, 0.005);
 }
@@ -213,7 +210,7 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
   Balance();
   Act(26);
   rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopArmAction), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StopArmAction{}), kTaken);
   rig_.Run(2);
   EXPECT_EQ(state().arm_action, 0);
   EXPECT_NEAR(rig_.q("right_shoulder_pitch_joint"), 0, 0.03);
@@ -249,7 +246,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
     const ArmAction* action = FindArmAction(id);
     if (action == nullptr) continue;
     SCOPED_TRACE(id);
-    ASSERT_EQ(rig.Ask(authority::MotionAction::kArmAction, id), kTaken);
+    ASSERT_EQ(rig.Ask(goal::ArmAction{id}), kTaken);
     double duration = 0.4;
     for (const ArmKey& key : action->keys) duration += key.duration;
     rig.Run(duration);
@@ -258,7 +255,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
       const ArmPose* right = action->keys.back().right;
       EXPECT_NEAR(rig.q("right_shoulder_pitch_joint"), (*right)[0], 0.1);
       EXPECT_NEAR(rig.q("right_elbow_joint"), (*right)[3], 0.1);
-      ASSERT_EQ(rig.Ask(authority::MotionAction::kArmAction, id), kTaken);
+      ASSERT_EQ(rig.Ask(goal::ArmAction{id}), kTaken);
       rig.Run(1.5);
     }
     ASSERT_EQ(rig.motion().state().arm_action, 0);

@@ -35,7 +35,7 @@ TEST_P(HumanoidStandTest, StandsReleasedFromTheCrane) {
   EXPECT_EQ(rig.id(), Balanced(rig));
   EXPECT_TRUE(rig.standing());
   EXPECT_LT(rig.FastestJoint(), 0.02);
-  EXPECT_NEAR(rig.Load(), rig.world().weight(), 1);
+  EXPECT_NEAR(rig.Load(), rig.world().weight(), 0.003 * rig.world().weight());
 }
 
 TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {

@@ -62,7 +62,7 @@ TEST_P(EstimatorTest, FollowsABodyThatIsPushed) {
 
 TEST_P(EstimatorTest, FollowsABodyThatGesturesOnThreeFeet) {
   const Error error = Watch([&] {
-    ASSERT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kTaken);
+    ASSERT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kTaken);
     rig_.Run(6);
   });
   EXPECT_LT(error.v, 0.02);

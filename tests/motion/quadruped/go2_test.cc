@@ -26,25 +26,25 @@ class WheeledMotionTest : public testing::TestWithParam<std::string> {
 
 TEST_P(WheeledMotionTest, LiesDownFromLockOrDampingOnly) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   for (const robot::MotorCommand& motor : rig_.command().motors) {
     EXPECT_EQ(motor.kp, 0) << "idle";
     EXPECT_EQ(motor.kd, 0);
   }
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
 }
 
 TEST_P(WheeledMotionTest, RecoversFromDampingOrLyingOnly) {
   rig_.StandUp();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kNotNow);
-  rig_.Ask(authority::MotionAction::kDamp);
+  EXPECT_EQ(rig_.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kNotNow);
+  rig_.Ask(goal::Damp{});
   rig_.Run(2);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, WheeledMotionTest, testing::ValuesIn(test::WheeledRobots()),
@@ -77,40 +77,38 @@ TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
 
 TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   rig_.StartLying();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
   const double x = rig_.world().base().p_WB.x();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kTaken);
   rig_.Run(1);
   EXPECT_NEAR(rig_.world().base().p_WB.x(), x, 0.01);
   EXPECT_EQ(rig_.state().id, kLocked);
-  rig_.Ask(authority::MotionAction::kBalanceStand);
+  rig_.Ask(goal::BalanceStand{});
   rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kMove, {0.3}), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kUnable);
 }
 
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
-  const std::array kSpecial{authority::MotionAction::kHello, authority::MotionAction::kStretch,
-                            authority::MotionAction::kSit,   authority::MotionAction::kPose,
-                            authority::MotionAction::kEuler, authority::MotionAction::kBodyHeight};
+  const authority::MotionGoal kSpecial[] = {goal::Hello{}, goal::Stretch{}, goal::Sit{},
+                                            goal::Pose{},  goal::Euler{1},  goal::BodyHeight{1}};
   rig_.StartLying();
-  for (const authority::MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow) << "lying";
+  for (const authority::MotionGoal& action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "lying";
   }
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kBalanceStand), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::BalanceStand{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
-  for (const authority::MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow) << "locked";
+  for (const authority::MotionGoal& action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "locked";
   }
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStretch), authority::MotionVerdict::kTaken);
-  for (const authority::MotionAction action : kSpecial) {
-    EXPECT_EQ(rig_.Ask(action, {1}), authority::MotionVerdict::kNotNow)
-        << "before the last has ended";
+  EXPECT_EQ(rig_.Ask(goal::Stretch{}), authority::MotionVerdict::kTaken);
+  for (const authority::MotionGoal& action : kSpecial) {
+    EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "before the last has ended";
   }
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
 }
 
 TEST_F(Go2MotionTest, FollowsAnglesThatChangeAllTheTime) {
@@ -118,7 +116,7 @@ TEST_F(Go2MotionTest, FollowsAnglesThatChangeAllTheTime) {
   double worst = 0;
   for (int i = 0; i < 400; ++i) {
     const double t = 0.01 * i;
-    rig_.Ask(authority::MotionAction::kEuler, {0, 0.3 * std::sin(2 * t), 0});
+    rig_.Ask(goal::Euler{0, 0.3 * std::sin(2 * t), 0});
     rig_.Run(0.01);
     // A critically damped follower of 8 rad/s lags a slow wave by 2/8 s.
     if (t > 1) worst = std::max(worst, std::abs(rig_.rpy()[1] - 0.3 * std::sin(2 * (t - 0.25))));
@@ -135,11 +133,9 @@ TEST_F(Go2MotionTest, CarriesALoadLevelAndAtItsHeight) {
 
 TEST_F(Go2MotionTest, StepAllocatesNothing) {
   rig_.StartLying();
-  const authority::MotionAction kWay[] = {
-      authority::MotionAction::kStandUp, authority::MotionAction::kBalanceStand,
-      authority::MotionAction::kHello, authority::MotionAction::kDamp,
-      authority::MotionAction::kRecoveryStand};
-  for (const authority::MotionAction action : kWay) {
+  const authority::MotionGoal kWay[] = {goal::StandUp{}, goal::BalanceStand{}, goal::Hello{},
+                                        goal::Damp{}, goal::RecoveryStand{}};
+  for (const authority::MotionGoal& action : kWay) {
     const std::uint64_t before = test::Allocations();
     rig_.Ask(action);
     rig_.Run(4);

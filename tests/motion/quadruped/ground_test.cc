@@ -34,7 +34,7 @@ TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
     QuadrupedRig rig(GetParam(), {}, Slope(x, y));
     rig.StandUp();
     EXPECT_GT(rig.tilt(), 4 * kDegree) << "a lock stands as the ground does";
-    rig.Ask(authority::MotionAction::kBalanceStand);
+    rig.Ask(goal::BalanceStand{});
     rig.Run(3);
     EXPECT_LT(rig.tilt(), 1.5 * kDegree) << x << " " << y;
     EXPECT_NEAR(rig.state().body_height, rig.spec().motion.quadruped.stand_height, 0.015);

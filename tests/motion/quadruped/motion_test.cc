@@ -68,7 +68,7 @@ TEST_P(QuadrupedMotionTest, HoldsAStandItStartsIn) {
 TEST_P(QuadrupedMotionTest, StandsUpWithLockedJoints) {
   rig_.StartLying();
   rig_.Run(0.5);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kLocked);
   EXPECT_EQ(rig_.state().mode, 6);
@@ -81,13 +81,13 @@ TEST_P(QuadrupedMotionTest, StandsUpWithLockedJoints) {
 
 TEST_P(QuadrupedMotionTest, LiesDownAgain) {
   rig_.StandUp();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kCrouch);
   EXPECT_EQ(rig_.state().mode, 5);
   EXPECT_NEAR(rig_.height(), rig_.spec().lying.height, 0.02);
   EXPECT_LT(rig_.tilt(), 5 * kDegree);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
   rig_.Run(4);
   EXPECT_EQ(rig_.state().id, kLocked);
   ExpectStandsLevel();
@@ -107,8 +107,7 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsAsked) {
   for (const Vector3d& rpy :
        {Vector3d(0.5, 0, 0), Vector3d(-0.5, 0, 0), Vector3d(0, 0.5, 0), Vector3d(0, -0.5, 0),
         Vector3d(0, 0, 0.4), Vector3d(0, 0, -0.4), Vector3d(0.2, -0.2, 0.2)}) {
-    EXPECT_EQ(rig_.Ask(authority::MotionAction::kEuler, {rpy[0], rpy[1], rpy[2]}),
-              authority::MotionVerdict::kTaken);
+    EXPECT_EQ(rig_.Ask(goal::Euler{rpy[0], rpy[1], rpy[2]}), authority::MotionVerdict::kTaken);
     rig_.Run(2);
     EXPECT_NEAR(rig_.rpy()[0], rpy[0], 3 * kDegree);
     EXPECT_NEAR(rig_.rpy()[1], rpy[1], 3 * kDegree);
@@ -122,9 +121,9 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
   const std::vector<double>& most = figures().euler_range;
   for (const double sign : {1.0, -1.0}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      std::array<double, 4> value{};
+      authority::goal::Numbers value{};
       value[axis] = sign * 9;  // is cut
-      rig_.Ask(authority::MotionAction::kEuler, value);
+      rig_.Ask(goal::Euler::From(value));
       rig_.Run(2.5);
       // A Go2 that bows so far would touch the ground with its chin and stops before. Yaw is that
       // over the feet, which turn a little on the ground, wheels more so.
@@ -132,7 +131,7 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
       EXPECT_NEAR(rig_.rpy()[static_cast<Eigen::Index>(axis)], sign * most[axis], tolerance);
     }
   }
-  rig_.Ask(authority::MotionAction::kEuler, {});
+  rig_.Ask(goal::Euler{});
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kBalance);
   ExpectStandsLevel();
@@ -141,31 +140,30 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
 TEST_P(QuadrupedMotionTest, ChangesItsHeight) {
   rig_.BalanceStand();
   for (const double height : figures().height_range) {
-    EXPECT_EQ(rig_.Ask(authority::MotionAction::kBodyHeight, {height}),
-              authority::MotionVerdict::kTaken);
+    EXPECT_EQ(rig_.Ask(goal::BodyHeight{height}), authority::MotionVerdict::kTaken);
     rig_.Run(2);
     EXPECT_NEAR(rig_.height(), stand() + height, 0.01);
     EXPECT_NEAR(rig_.state().body_height, stand() + height, 0.01);
     EXPECT_LT(rig_.tilt(), kDegree);
   }
-  rig_.Ask(authority::MotionAction::kBodyHeight, {1});
+  rig_.Ask(goal::BodyHeight{1});
   rig_.Run(1);
   EXPECT_LT(rig_.height(), stand() + figures().height_range[1] + 0.01) << "is cut to the range";
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StopMove{}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_NEAR(rig_.height(), stand(), 0.01);
 }
 
 TEST_P(QuadrupedMotionTest, SitsAndRises) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSit), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Sit{}), authority::MotionVerdict::kTaken);
   rig_.Run(3);
   EXPECT_EQ(rig_.state().id, kSit);
   EXPECT_EQ(rig_.state().mode, 10);
   EXPECT_NEAR(rig_.rpy()[1], figures().sit[2], 4 * kDegree) << "nose up";
   EXPECT_LT(rig_.height(), stand() - 0.05);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kRiseSit), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig_.RunUntil(kBalance, 3));
   rig_.Run(2);
   ExpectStandsLevel();
@@ -174,7 +172,7 @@ TEST_P(QuadrupedMotionTest, SitsAndRises) {
 TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
   rig_.BalanceStand();
   const int calf = rig_.world().Body("FR_calf");
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kHello), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().progress, 1);
   double highest = 0, tilt = 0;
   while (rig_.state().id == kGesture && highest < 2) {
@@ -193,7 +191,7 @@ TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
 
 TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStretch), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Stretch{}), authority::MotionVerdict::kTaken);
   double down = 0, up = 0;
   for (int i = 0; i < 70 && rig_.state().id == kGesture; ++i) {
     rig_.Run(0.1);
@@ -209,9 +207,9 @@ TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
 
 TEST_P(QuadrupedMotionTest, StopsAGestureAndStands) {
   rig_.BalanceStand();
-  rig_.Ask(authority::MotionAction::kHello);
+  rig_.Ask(goal::Hello{});
   rig_.Run(2.3);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStopMove), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::StopMove{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().id, kGesture) << "the paw comes down first";
   EXPECT_TRUE(rig_.RunUntil(kBalance, 3));
   rig_.Run(2);
@@ -220,11 +218,11 @@ TEST_P(QuadrupedMotionTest, StopsAGestureAndStands) {
 
 TEST_P(QuadrupedMotionTest, PosesAndRestores) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kPose, {1}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Pose{}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kPose);
   EXPECT_GT(rig_.tilt(), 5 * kDegree);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kPose, {0}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::EndPose{}), authority::MotionVerdict::kTaken);
   rig_.Run(2);
   EXPECT_EQ(rig_.state().id, kBalance);
   ExpectStandsLevel();
@@ -232,7 +230,7 @@ TEST_P(QuadrupedMotionTest, PosesAndRestores) {
 
 TEST_P(QuadrupedMotionTest, SinksDownWhenDamped) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
   rig_.Run(0.1);
   EXPECT_GT(rig_.height(), 0.7 * stand()) << "brakes, does not drop";
   rig_.Run(3);
@@ -256,8 +254,8 @@ TEST_P(QuadrupedMotionTest, TakesAPushFromAnySide) {
 
 TEST_P(QuadrupedMotionTest, LeavesStrangeGoalsAlone) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kEuler, {NAN}), authority::MotionVerdict::kUnknown);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kSetFsm, {1}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::Euler{NAN}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::SetFsm{1}), authority::MotionVerdict::kUnknown);
   EXPECT_EQ(rig_.state().id, kBalance);
 }
 
@@ -266,8 +264,8 @@ TEST_P(QuadrupedMotionTest, DampsItselfWhenItFalls) {
   rig_.Push(Vector3d(0, 3 * rig_.world().weight(), 0), 0.15);
   EXPECT_TRUE(rig_.RunUntil(kDamped, 2));
   EXPECT_GT(rig_.tilt(), 1);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig_.Ask(authority::MotionAction::kStandDown), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kNotNow);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedMotionTest, testing::ValuesIn(test::Quadrupeds()),

@@ -49,8 +49,7 @@ class RecoveryTest : public testing::Test {
                            const std::string& what) {
     rig->Start(pose);
     rig->Run(0.7);
-    ASSERT_EQ(rig->Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken)
-        << what;
+    ASSERT_EQ(rig->Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken) << what;
     EXPECT_TRUE(rig->RunUntil(kBalance, kPatience)) << what;
     rig->Run(1.5);
     EXPECT_EQ(rig->state().id, kBalance) << what;
@@ -110,29 +109,29 @@ INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest, testing::ValuesIn(test::Quad
 TEST_F(RecoveryTest, EndsStandingFromEveryState) {
   QuadrupedRig rig("go2");
   rig.StandUp();
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 1));
   rig.Run(1);
-  rig.Ask(authority::MotionAction::kSit);
+  rig.Ask(goal::Sit{});
   rig.Run(2);
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 3));
-  rig.Ask(authority::MotionAction::kStandUp);
+  rig.Ask(goal::StandUp{});
   rig.Run(2);
-  rig.Ask(authority::MotionAction::kStandDown);
+  rig.Ask(goal::StandDown{});
   rig.Run(0.5);
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kRecoveryStand), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kBalance, 8));
 }
 
 TEST_F(RecoveryTest, SaysThatItIsUnderWay) {
   QuadrupedRig rig("go2");
   rig.StartLying();
-  rig.Ask(authority::MotionAction::kRecoveryStand);
+  rig.Ask(goal::RecoveryStand{});
   EXPECT_EQ(rig.state().id, 2006);
   EXPECT_EQ(rig.state().mode, 8);
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kStandUp), authority::MotionVerdict::kNotNow);
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kDamp), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig.state().id, 1001);
 }
 
@@ -155,12 +154,12 @@ TEST_F(AutoRecoveryTest, LeavesAFallenRobotDampedUntilItIsSwitchedOn) {
   Topple();
   rig.Run(5);
   EXPECT_EQ(rig.state().id, kDamped);
-  EXPECT_EQ(rig.Ask(authority::MotionAction::kAutoRecovery, {1}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::AutoRecovery{true}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig.RunUntil(kRecovering, 0.1));
 }
 
 TEST_F(AutoRecoveryTest, GetsUpByItselfOnceItIsSwitchedOn) {
-  rig.Ask(authority::MotionAction::kAutoRecovery, {1});
+  rig.Ask(goal::AutoRecovery{true});
   Topple();
   EXPECT_TRUE(rig.RunUntil(kBalance, kPatience));
   rig.Run(1.5);
@@ -168,14 +167,14 @@ TEST_F(AutoRecoveryTest, GetsUpByItselfOnceItIsSwitchedOn) {
 }
 
 TEST_F(AutoRecoveryTest, StaysDownAfterDampAndAfterItIsSwitchedOff) {
-  rig.Ask(authority::MotionAction::kAutoRecovery, {1});
+  rig.Ask(goal::AutoRecovery{true});
   Topple();
-  rig.Ask(authority::MotionAction::kDamp);
+  rig.Ask(goal::Damp{});
   rig.Run(3);
   EXPECT_EQ(rig.state().id, kDamped);
-  rig.Ask(authority::MotionAction::kRecoveryStand);
+  rig.Ask(goal::RecoveryStand{});
   ASSERT_TRUE(rig.RunUntil(kBalance, kPatience));
-  rig.Ask(authority::MotionAction::kAutoRecovery, {0});
+  rig.Ask(goal::AutoRecovery{false});
   Topple();
   rig.Run(3);
   EXPECT_EQ(rig.state().id, kDamped);

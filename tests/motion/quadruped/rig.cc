@@ -46,19 +46,14 @@ void QuadrupedRig::Start(const robot::PoseSpec& pose) {
 void QuadrupedRig::StandUp() {
   StartLying();
   Run(0.2);
-  Ask(authority::MotionAction::kStandUp);
+  Ask(goal::StandUp{});
   Run(3);
 }
 
 void QuadrupedRig::BalanceStand() {
   StandUp();
-  Ask(authority::MotionAction::kBalanceStand);
+  Ask(goal::BalanceStand{});
   Run(2);
-}
-
-authority::MotionVerdict QuadrupedRig::Ask(authority::MotionAction action,
-                                           std::array<double, 4> value) {
-  return motion_->Ask({.action = action, .value = value});
 }
 
 void QuadrupedRig::Run(double seconds) {

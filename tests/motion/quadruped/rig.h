@@ -19,6 +19,8 @@
 
 namespace understudy::motion {
 
+namespace goal = authority::goal;
+
 class QuadrupedRig {
  public:
   // One of config/robots with the settings ("KEY=VALUE") given, at rest in its lying pose.
@@ -35,7 +37,7 @@ class QuadrupedRig {
   void StandUp();
   void BalanceStand();
 
-  authority::MotionVerdict Ask(authority::MotionAction action, std::array<double, 4> value = {});
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal) { return motion_->Ask(goal); }
   void Run(double seconds);
   // Runs until the service is in that state; false when it is not after `seconds`.
   bool RunUntil(int id, double seconds);

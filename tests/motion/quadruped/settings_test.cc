@@ -32,7 +32,7 @@ TEST(QuadrupedSettingsTest, FootX) {
 TEST(QuadrupedSettingsTest, HeightRange) {
   QuadrupedRig rig = Rig("height_range=[-0.05,0]");
   rig.BalanceStand();
-  rig.Ask(authority::MotionAction::kBodyHeight, {-0.18});
+  rig.Ask(goal::BodyHeight{-0.18});
   rig.Run(2);
   EXPECT_NEAR(rig.height(), 0.28, 0.01);
 }
@@ -40,7 +40,7 @@ TEST(QuadrupedSettingsTest, HeightRange) {
 TEST(QuadrupedSettingsTest, EulerRange) {
   QuadrupedRig rig = Rig("euler_range=[0.1,0.75,0.6]");
   rig.BalanceStand();
-  rig.Ask(authority::MotionAction::kEuler, {0.75});
+  rig.Ask(goal::Euler{0.75});
   rig.Run(2);
   EXPECT_NEAR(rig.rpy()[0], 0.1, 0.02);
 }
@@ -48,7 +48,7 @@ TEST(QuadrupedSettingsTest, EulerRange) {
 TEST(QuadrupedSettingsTest, Sit) {
   QuadrupedRig rig = Rig("sit=[0,-0.05,-0.3]");
   rig.BalanceStand();
-  rig.Ask(authority::MotionAction::kSit);
+  rig.Ask(goal::Sit{});
   rig.Run(2.5);
   EXPECT_NEAR(rig.rpy()[1], -0.3, 0.03);
 }

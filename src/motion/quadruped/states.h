@@ -1,0 +1,67 @@
+// The states of a quadruped's motion service, and which goal leads from which to which.
+#ifndef UNDERSTUDY_MOTION_QUADRUPED_STATES_H_
+#define UNDERSTUDY_MOTION_QUADRUPED_STATES_H_
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "motion/transitions.h"
+
+namespace understudy::motion {
+
+enum class QuadrupedState : std::uint8_t {
+  kDamped,
+  kFolding,    // joints move to the crouch, towards a locked stand
+  kRising,     // feet move down under the body, likewise
+  kLocked,     // stands, joints locked
+  kFoldingOn,  // as kFolding and kRising, towards a balanced stand
+  kRisingOn,
+  kLowering,   // feet move up to the crouch, towards lying
+  kUnfolding,  // joints move to the lying pose
+  kLying,      // joints locked
+  kBalance,
+  kHello,
+  kStretch,
+  kEndingGesture,  // puts the robot back on its feet
+  kSittingDown,
+  kSitting,
+  kRisingSit,
+  kPosing,
+  kRecovering,
+};
+
+inline constexpr StateSet<QuadrupedState> kGestureStates{
+    QuadrupedState::kHello, QuadrupedState::kStretch, QuadrupedState::kEndingGesture,
+    QuadrupedState::kRisingSit};
+// In which the stance leads the legs.
+inline constexpr StateSet<QuadrupedState> kStanceStates{
+    QuadrupedState::kBalance,     QuadrupedState::kPosing,        QuadrupedState::kHello,
+    QuadrupedState::kStretch,     QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit,
+    QuadrupedState::kSittingDown, QuadrupedState::kSitting};
+
+// What it tells of a state, and the state that follows once its behaviour is over. Ids and modes
+// are the vendor's (Go2 motion services V2.0); recovering is in neither of its lists: the crouch
+// and recoveryStand of the older firmware are assumed.
+struct QuadrupedStateRow {
+  QuadrupedState state;
+  int id, mode, progress;  // of robot::MotionState
+  QuadrupedState next;     // the same: it lasts
+};
+const QuadrupedStateRow& RowOf(QuadrupedState state);
+
+// When a row counts.
+enum class QuadrupedWhen : std::uint8_t {
+  kAlways,
+  kUpright,  // enough for the legs alone
+  kLegged,   // has no wheels
+};
+
+// By MotionGoal::index(). What is legal where is assumed where it is not the vendor's word
+// (docs/fidelity.md): the vendor's graph was not found.
+using QuadrupedTransition = Transition<std::size_t, QuadrupedState, QuadrupedWhen>;
+std::span<const QuadrupedTransition> QuadrupedTransitions();
+
+}  // namespace understudy::motion
+
+#endif  // UNDERSTUDY_MOTION_QUADRUPED_STATES_H_
