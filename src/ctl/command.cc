@@ -26,6 +26,8 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kWaitPoll{50};
+// How long nothing may happen to a robot whose events are followed.
+constexpr std::chrono::hours kQuiet{24 * 365};
 // A day: longer than any script waits, and well within what a duration holds.
 constexpr double kLongestWait = 86'400;
 
@@ -100,11 +102,10 @@ void CtlCommand::AddReading(CLI::App* ctl) {
     Show("/scene", JsonLine);
   })->footer("Example: understudy ctl scene | jq .bodies[].name");
 
-  AddAction(ctl, "refusals", "Show the newest commands that the robot refused, and why", [this] {
-    Show("/refusals", [](const ordered_json& reply) {
-      return reply.at("refusals").empty() ? "no command was refused\n" : FieldsText(reply);
-    });
-  })->footer("Example: understudy ctl refusals --json");
+  CLI::App* events =
+      AddAction(ctl, "events", "Show what happened to the robot", [this] { ShowEvents(); });
+  events->add_flag("--follow", watch_, "Then each event as it comes, until interrupted");
+  events->footer("Example: understudy ctl events --follow");
   AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
     Show("/timings", FieldsText);
   })->footer("Example: understudy ctl timings");
@@ -163,6 +164,19 @@ void CtlCommand::ShowFrames() const {
   client::ControlStream frames(client::ChosenSocket(robot_),
                                "/frames?hz=" + std::to_string(hz_) + "&" + parts, kCallTimeout);
   while (true) *out_ << frames.Next() << '\n' << std::flush;
+}
+
+void CtlCommand::ShowEvents() const {
+  if (!watch_) return Show("/events", EventsText);
+  client::ControlStream events(client::ChosenSocket(robot_), "/events", kQuiet);
+  try {
+    while (true) {
+      const std::string event = events.Next();
+      *out_ << (json_ ? event + "\n" : EventText(ordered_json::parse(event))) << std::flush;
+    }
+  } catch (const json::exception& error) {
+    throw NotOurVersion(error);
+  }
 }
 
 void CtlCommand::AwaitReady() const {

@@ -22,7 +22,8 @@ namespace understudy::ctl {
 
 // Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
 //
-//   status [--watch]   wait   list   frame [--watch]   scene   refusals   timings   metrics   panel
+//   status [--watch]   wait   list   frame [--watch]   scene   events [--follow]   timings metrics
+//   panel
 //
 // and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...;
 // Each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
@@ -55,6 +56,7 @@ class CtlCommand {
   void ShowStatus() const;
   void WatchStatus(const std::filesystem::path& socket) const;
   void ShowFrames() const;
+  void ShowEvents() const;
   void AwaitReady() const;
   void ShowRobots() const;
   // The reply to GET `path`: as it is with --json, else what `tell` makes of it.

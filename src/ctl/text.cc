@@ -125,8 +125,7 @@ std::string ReasonsText(const ordered_json& commands) {
     if (number == 0) continue;
     reasons += (reasons.empty() ? "" : ", ") + reason + " " + Count(number);
   }
-  if (reasons.empty()) return {};
-  return reasons + "; last " + commands.at("last_refusal").get<std::string>();
+  return reasons;
 }
 
 std::string StatusText(const ordered_json& status) {
@@ -184,6 +183,18 @@ std::string FieldsText(const ordered_json& object) {
   for (const auto& [key, value] : object.items()) {
     if (IsTable(value)) text += "\n" + TableText(value);
   }
+  return text;
+}
+
+std::string EventText(const ordered_json& event) {
+  std::array<char, 32> time{};
+  std::snprintf(time.data(), time.size(), "%.3f s  ", event.at("time").get<double>());
+  return time.data() + event.at("text").get<std::string>() + "\n";
+}
+
+std::string EventsText(const ordered_json& reply) {
+  std::string text;
+  for (const ordered_json& event : reply.at("events")) text += EventText(event);
   return text;
 }
 

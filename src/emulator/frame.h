@@ -11,7 +11,6 @@
 
 #include "physics/world_reading.h"
 #include "robot/command_topics.h"
-#include "robot/refusal.h"
 #include "robot/robot_values.h"
 
 namespace understudy::emulator {
@@ -31,7 +30,6 @@ enum FramePart : std::uint32_t {
   kPartRemote = 1U << 10,
   kPartWirelessRemote = 1U << 11,
   kPartCommand = 1U << 12,
-  kPartRefusals = 1U << 13,
 };
 using FrameParts = std::uint32_t;  // bits of FramePart
 
@@ -39,8 +37,7 @@ struct FramePartName {
   std::string_view name;
   FramePart part;
 };
-// The words of ?parts= and keys of the JSON, in its order. Refusals are not among them: they have a
-// route of their own.
+// The words of ?parts= and keys of the JSON, in its order.
 inline constexpr FramePartName kFrameParts[] = {
     {"qpos", kPartPositions},  {"bodies", kPartBodies}, {"contacts", kPartContacts},
     {"com", kPartCom},         {"crane", kPartCrane},   {"pushes", kPartPushes},
@@ -48,7 +45,7 @@ inline constexpr FramePartName kFrameParts[] = {
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
     {"command", kPartCommand},
 };
-inline constexpr FrameParts kAllFrameParts = kPartRefusals - 1;
+inline constexpr FrameParts kAllFrameParts = (kPartCommand << 1) - 1;
 
 struct FrameCrane {
   bool attached = false;
@@ -63,21 +60,12 @@ struct FramePush {
   std::array<double, 3> force{};  // N, world
 };
 
-// Refused commands of one topic for one reason, one after another.
-struct RefusedCommands {
-  double first = 0, last = 0;  // simulated s
-  std::size_t topic = robot::kLowCmdTopic;
-  robot::Refusal reason = robot::Refusal::kNone;
-  std::uint64_t count = 0;
-};
-
 // *Assumed*, a robot on its side among stones has about 60.
 inline constexpr std::size_t kMostFrameContacts = 256;
-inline constexpr std::size_t kMostFramePushes = 32;
-inline constexpr std::size_t kMostFrameRefusals = 256;
+inline constexpr std::size_t kMostFramePushes = 24;
 
-// Vectors have their sizes from the start (World::MakeFrame); of contacts, pushes and refusals
-// only the capacity.
+// Vectors have their sizes from the start (World::MakeFrame); of contacts and pushes only the
+// capacity.
 struct Frame {
   FrameParts parts = 0;  // what is wanted, and what of the following is filled in
   // Never change:
@@ -103,7 +91,6 @@ struct Frame {
   robot::RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
   std::vector<robot::MotorCommand> command;  // that the body's motors follow
-  std::vector<RefusedCommands> refusals;     // oldest first
 };
 
 }  // namespace understudy::emulator

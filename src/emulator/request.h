@@ -64,7 +64,7 @@ struct RequestRow {
   // which pose) is then filled in. In the tick: allocates nothing unless it refuses.
   Answer (*carry_out)(World& world, Robot& robot, Request& request, double t);
   std::string_view example;  // of the command line
-  bool noted = false;        // leaves no other trace in a Status
+  bool noted = false;        // is no other event
   From from = From::kBoth;
   // "" where the fields that are given go together, else why not; null: they always do.
   std::string_view (*check)(const Request& request) = nullptr;

@@ -18,13 +18,26 @@ robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<
   return command;
 }
 
+std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
+  std::vector<std::string> topics(robot::kCommandTopicNames.begin(),
+                                  robot::kCommandTopicNames.end());
+  if (spec.arm_sdk.slots.empty()) topics[robot::kArmSdkTopic].clear();
+  if (!spec.user_lowcmd) topics[robot::kUserLowCmdTopic].clear();
+  for (const robot::HandSpec& hand : spec.hands) topics.push_back("rt/" + hand.topic + "/cmd");
+  return topics;
+}
+
 }  // namespace
 
-Robot::Robot(const RobotParts& parts, physics::PhysicsWorld* physics)
+Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld* physics,
+             EventRing* events)
     : spec_(parts.spec),
+      index_(index),
+      topics_(CommandTopics(spec_)),
       start_pose_(parts.settings.start),
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
       physics_(physics),
+      events_(events),
       port_(parts.port),
       services_(parts.services),
       delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
@@ -44,6 +57,12 @@ Robot::Robot(const RobotParts& parts, physics::PhysicsWorld* physics)
   for (const robot::HandSpec& hand : spec_.hands) hands_.emplace_back(hand);
   state_.hands.resize(hands_.size());
   Reset(start_pose_);
+  noted_ = {.gate = router_.gate().state(),
+            .service = router_.owner().active(),
+            .motion = router_.owner().state()};
+  Note(EventKind::kMotionService, {}, noted_.service);
+  Note(EventKind::kGate, {static_cast<double>(noted_.gate)});
+  NoteChanges(0);
 }
 
 void Robot::ServeCalls(time::Clock::Time now) {
@@ -59,6 +78,7 @@ std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t a
 void Robot::Hear(std::int64_t step, double t) {
   TakeCommands(t);
   command_ = &delay_.Pass(Decide(step, t));
+  NoteChanges(t);
 }
 
 void Robot::Act(double t) {
@@ -68,6 +88,7 @@ void Robot::Act(double t) {
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     physics_->DriveHand(
         i, hands_[i].Step(router_.hand(i).Current(t), physics_->hand_q(i), physics_->hand_dq(i)));
+    NoteTimeouts(robot::kFirstHandTopic + i, router_.counts(robot::kFirstHandTopic + i));
   }
   if (crane_.attached()) {
     const physics::PointReading at = hook();
@@ -82,12 +103,15 @@ void Robot::Tell(std::int64_t step) {
 }
 
 void Robot::TakeCommands(double t) {
+  NoteChanges(t);
   router_.Obey(remote_.Read(t), t);
   for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
     robot::Refusal form = robot::Refusal::kNone;
     for (int i = 0; i < authority::Intake::kMostAtOnce && port_->Take(topic, &offered_, &form);
          ++i) {
-      refusals_.Add(topic, router_.Offer(topic, offered_, form, t), t);
+      const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
+      NoteCommand(topic, form, refusal, router_.counts(topic));
+      NoteChanges(t);
     }
   }
 }
@@ -108,16 +132,63 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
                          static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);
 }
 
+void Robot::Silence(bool on) {
+  if (on != silenced_) Note(EventKind::kSilence, {on ? 1.0 : 0.0});
+  silenced_ = on;
+}
+
+void Robot::NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
+                        const authority::GateCounts& counts) {
+  if (refusal != robot::Refusal::kNone) {
+    Note(EventKind::kRefused, {static_cast<double>(refusal)}, topics_[topic]);
+    return;
+  }
+  if (counts.accepted == 1) Note(EventKind::kFollowing, {}, topics_[topic]);
+  if (wire != robot::Refusal::kNone) {
+    Note(EventKind::kTolerated, {static_cast<double>(wire)}, topics_[topic]);
+  }
+}
+
+void Robot::NoteTimeouts(std::size_t topic, const authority::GateCounts& counts) {
+  if (counts.timeouts == noted_.timeouts[topic]) return;
+  noted_.timeouts[topic] = counts.timeouts;
+  Note(EventKind::kTimeout, {}, topics_[topic]);
+}
+
+void Robot::NoteChanges(double t) {
+  const auto note = [this](EventKind kind, auto* noted, auto now) {
+    if (*noted == now) return;
+    *noted = now;
+    Note(kind, {static_cast<double>(now)});
+  };
+  const authority::MotorOwner& owner = router_.owner();
+  if (owner.active() != noted_.service) {
+    noted_.service = owner.active();
+    Note(EventKind::kMotionService, {}, noted_.service);
+  }
+  for (const std::size_t topic : {robot::kLowCmdTopic, robot::kUserLowCmdTopic}) {
+    NoteTimeouts(topic, router_.counts(topic));
+  }
+  note(EventKind::kGate, &noted_.gate, router_.gate().state());
+  const robot::MotionState motion = owner.state();
+  if (motion.id != noted_.motion.id || motion.mode != noted_.motion.mode) {
+    noted_.motion = motion;
+    Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)});
+  }
+  note(EventKind::kRemote, &noted_.keys, remote_.Read(t).keys);
+  note(EventKind::kCrane, &noted_.on_crane, crane_.attached());
+  note(EventKind::kClamp, &noted_.clamped, physics_->clamped());
+}
+
 void Robot::Report(double t, Status* status) const {
   status->silenced = silenced_;
   status->gate = router_.gate().state();
-  Copy(router_.owner().active(), &status->motion_service);
+  CopyText(router_.owner().active(), &status->motion_service);
   status->motion = router_.owner().state();
   status->arm_weight = router_.service_on() ? router_.arm_weight(t) : 0;
   status->remote = state_.remote;
   status->stick_wish = router_.stick_wish();
   status->commands = router_.counts(robot::kLowCmdTopic);
-  status->last_refusal = status->commands.last_refusal;
   status->arm_commands = router_.counts(robot::kArmSdkTopic);
   status->user_commands = router_.counts(robot::kUserLowCmdTopic);
   status->port = port_->counts();
@@ -125,9 +196,8 @@ void Robot::Report(double t, Status* status) const {
   status->published = status->port.lowstates;
   for (std::size_t i = 0; i < hands_.size(); ++i) {
     HandStatus& hand = status->hands[i];
-    Copy(spec_.hands[i].name, &hand.name);
+    CopyText(spec_.hands[i].name, &hand.name);
     hand.commands = router_.counts(robot::kFirstHandTopic + i);
-    hand.last_refusal = hand.commands.last_refusal;
   }
   status->crane_attached = crane_.attached();
   status->crane_length = crane_.length();

@@ -2,16 +2,18 @@
 #ifndef UNDERSTUDY_EMULATOR_ROBOT_H_
 #define UNDERSTUDY_EMULATOR_ROBOT_H_
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 #include "authority/command_delay.h"
 #include "authority/command_router.h"
+#include "emulator/events.h"
 #include "emulator/hand.h"
-#include "emulator/refusal_log.h"
 #include "emulator/remote.h"
 #include "emulator/settings.h"
 #include "emulator/status.h"
@@ -40,8 +42,10 @@ struct RobotParts {
 // parts of a tick allocates, unless a service is called.
 class Robot {
  public:
-  // Puts the robot in its start pose. `physics` was made for the same spec and must outlive it.
-  Robot(const RobotParts& parts, physics::PhysicsWorld* physics);
+  // Puts the robot in its start pose. `index` is its number in the world. `physics` was made for
+  // the same spec and must outlive it, and so must `events`, which it tells what happens to it.
+  Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld* physics,
+        EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -72,7 +76,11 @@ class Robot {
   Remote& remote() { return remote_; }
 
   // Stops or resumes sending; the robot goes on moving.
-  void Silence(bool on) { silenced_ = on; }
+  void Silence(bool on);
+
+  // Tells of what has changed since it was last called: who moves the motors, what the robot hangs
+  // from, the remote controller's keys. After whatever may change them.
+  void NoteChanges(double t);
 
   const robot::RobotSpec& spec() const { return spec_; }
   const authority::MotorOwner& owner() const { return router_.owner(); }
@@ -80,7 +88,7 @@ class Robot {
   std::span<const double> torque() const { return motors_.torque(); }
   const robot::RobotCommand& command() const { return *command_; }  // that the motors followed last
   const robot::RobotState& sampled() const { return state_; }       // last; empty before the first
-  const RefusalLog& refusals() const { return refusals_; }
+  const std::vector<std::string>& topics() const { return topics_; }
 
   // Fills in what concerns this robot, at time t.
   void Report(double t, Status* status) const;
@@ -95,6 +103,16 @@ class Robot {
   };
 
   static constexpr std::int64_t kNever = -2;  // before any step's sample
+  // What events have told of so far.
+  struct Noted {
+    authority::GateState gate = authority::GateState::kStart;
+    std::string_view service;  // lives as long as the owner's services
+    robot::MotionState motion;
+    std::uint16_t keys = 0;
+    bool on_crane = false;
+    bool clamped = false;
+    std::array<std::uint64_t, robot::kMostCommandTopics> timeouts{};
+  };
 
   static std::vector<Start> StartsOf(const robot::RobotSpec& spec, double damping_kd);
   const Start& start(robot::StartPose pose) const {
@@ -103,11 +121,20 @@ class Robot {
   void TakeCommands(double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   void Sample(std::int64_t step);  // of the instant that the physics shows
+  void Note(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {
+    events_->Add(kind, index_, numbers, text);
+  }
+  void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
+                   const authority::GateCounts& counts);
+  void NoteTimeouts(std::size_t topic, const authority::GateCounts& counts);
 
   robot::RobotSpec spec_;
+  std::uint8_t index_;
+  std::vector<std::string> topics_;  // that commands come by, by number; "" where there is none
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
   physics::PhysicsWorld* physics_;
+  EventRing* events_;
   wire::RobotPort* port_;
   services::ServicePort* services_;
   authority::CommandDelay delay_;
@@ -129,7 +156,7 @@ class Robot {
   robot::RobotState state_;
   std::int64_t sampled_ = kNever;  // the step that state_ is of
   bool silenced_ = false;
-  RefusalLog refusals_;
+  Noted noted_;
 };
 
 }  // namespace understudy::emulator

@@ -5,11 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <mutex>
 #include <string_view>
 
 #include "authority/command_gate.h"
-#include "emulator/request_notes.h"
+#include "emulator/mailbox.h"
 #include "robot/command_topics.h"
 #include "robot/port_counts.h"
 #include "robot/robot_spec.h"
@@ -23,7 +22,6 @@ namespace understudy::emulator {
 struct HandStatus {
   std::array<char, 16> name{};  // "" where the robot has no such hand
   authority::GateCounts commands;
-  robot::Refusal last_refusal = robot::Refusal::kNone;
 };
 
 enum class RecordingState : std::uint8_t { kOff, kOn, kFailed };
@@ -59,7 +57,6 @@ struct Status {
   robot::RemoteReading remote;
   std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
   authority::GateCounts commands;
-  robot::Refusal last_refusal = robot::Refusal::kNone;
   authority::GateCounts arm_commands;   // of rt/arm_sdk
   authority::GateCounts user_commands;  // of rt/user_lowcmd
   std::array<HandStatus, robot::kMostHands> hands;
@@ -67,24 +64,16 @@ struct Status {
   int command_writers = 0;
   std::uint64_t published = 0;  // LowState samples
   std::uint64_t divergences = 0;
-  RequestNotes requests;        // of people, not of a script
   std::size_t script_done = 0;  // events of the script that are over
   std::size_t script_refused = 0;
-  std::array<char, 128> script_refusal{};  // the last one: where it stands and why; "" for none
-  double crane_tension = 0;                // N
-  double crane_length = 0;                 // m
+  double crane_tension = 0;  // N
+  double crane_length = 0;   // m
   bool crane_attached = false;
   bool clamped = false;
   double base_height = 0;  // m
   double tilt = 0;         // rad between the base's up and the world's
   RecordingStatus recording;
 };
-
-// Cut to what there is room for, with a zero at the end.
-template <std::size_t kRoom>
-void Copy(std::string_view text, std::array<char, kRoom>* to) {
-  *std::copy_n(text.begin(), std::min(text.size(), kRoom - 1), to->begin()) = '\0';
-}
 
 // What came by that topic.
 inline const authority::GateCounts& CommandCounts(const Status& status, std::size_t topic) {
@@ -94,23 +83,21 @@ inline const authority::GateCounts& CommandCounts(const Status& status, std::siz
   return status.hands[topic - robot::kFirstHandTopic].commands;
 }
 
-// One writer, the tick, which never waits: a post that finds the board being read is left out. Any
-// number of readers.
+// One writer, the tick; any number of readers. None waits for another.
 class StatusBoard {
  public:
   // The tick. Copies plain values only.
   void Post(const Status& status) {
-    if (const std::unique_lock lock(mutex_, std::try_to_lock); lock) status_ = status;
+    Status* slot = newest_.Claim();
+    if (slot == nullptr) return;  // more are reading at this moment than there are threads
+    *slot = status;
+    newest_.Post();
   }
   // Any thread. Default values before the first post.
-  Status Read() const {
-    const std::lock_guard lock(mutex_);
-    return status_;
-  }
+  Status Read() const { return *newest_.Newest(); }
 
  private:
-  mutable std::mutex mutex_;
-  Status status_;
+  Mailbox<Status> newest_;
 };
 
 }  // namespace understudy::emulator

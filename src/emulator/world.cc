@@ -19,8 +19,11 @@ World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
       inbox_(inbox),
       step_ns_(std::llround(physics_.timestep() * 1e9)),
       pace_{.speed = settings.speed} {
-  for (const RobotParts& parts : robots) robots_.emplace_back(parts, &physics_);
+  for (const RobotParts& parts : robots) {
+    robots_.emplace_back(parts, static_cast<std::uint8_t>(robots_.size()), &physics_, &events_);
+  }
   steppers_.reserve(kMostSteppers);
+  noted_ = {.paused = pace_.paused, .speed = pace_.speed};
 }
 
 physics::StepHealth World::Tick(time::Clock::Time now) {
@@ -38,13 +41,18 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
 
   if (health == physics::StepHealth::kDiverged) {
     ++divergences_;
+    events_.Add(EventKind::kDivergence);
     if (settings_.reset_on_divergence) {
-      for (Robot& robot : robots_) Reset(&robot, robot.start_pose());
+      for (Robot& robot : robots_) {
+        Reset(&robot, robot.start_pose());
+        robot.NoteChanges(t);
+      }
     }
   } else {
     for (Robot& robot : robots_) robot.Tell(step_);
   }
   ++step_;
+  events_.SetStep(step_, time());
   if (pace_.steps_left > 0) --pace_.steps_left;
   return health;
 }
@@ -52,7 +60,10 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
 void World::Attend(time::Clock::Time now) {
   now_ = now;
   TakeRequests();
-  for (Robot& robot : robots_) robot.ServeCalls(now);
+  for (Robot& robot : robots_) {
+    robot.ServeCalls(now);
+    robot.NoteChanges(time());
+  }
 }
 
 void World::Reset(Robot* robot, robot::StartPose pose) {
@@ -69,10 +80,8 @@ Status World::status() const {
   status.paused = pace_.paused;
   status.steps_left = pace_.steps_left;
   status.divergences = divergences_;
-  status.requests = requests_;
   status.script_done = script_next_;
   status.script_refused = script_refused_;
-  Copy(script_refusal_, &status.script_refusal);
   robot().Report(time(), &status);
   return status;
 }

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "emulator/events.h"
 #include "emulator/frame.h"
 #include "emulator/inbox.h"
 #include "emulator/robot.h"
@@ -54,6 +55,11 @@ class World {
   // Everything of Status but what only the run loop knows: ready and its punctuality.
   Status status() const;
 
+  // What happened so far, for readers in any thread. Whoever calls Tick may add what only it knows,
+  // such as late ticks.
+  EventRing& events() { return events_; }
+  const EventRing& events() const { return events_; }
+
   Robot& robot(std::size_t index = 0) { return robots_[index]; }
   const Robot& robot(std::size_t index = 0) const { return robots_[index]; }
   const physics::PhysicsWorld& physics() const { return physics_; }  // changed by the calls above
@@ -81,8 +87,16 @@ class World {
   Answer CheckBody(const Request& request) const;
   void AnswerSteppers();
   void Reset(Robot* robot, robot::StartPose pose);
+  Answer CarryOut(Request* request, double t);
+
+  // What events have told of so far.
+  struct Noted {
+    bool paused = false;
+    double speed = 1;
+  };
 
   WorldSettings settings_;
+  EventRing events_;
   physics::PhysicsWorld physics_;
   std::deque<Robot> robots_;
   Inbox* inbox_;
@@ -93,13 +107,12 @@ class World {
   std::vector<ScriptEvent> script_;
   std::size_t script_next_ = 0;
   std::size_t script_refused_ = 0;
-  std::string script_refusal_;
   time::Pace pace_;
   physics::Pushes pushes_;
   physics::Drags drags_;
-  RequestNotes requests_;
   std::vector<Stepper> steppers_;
   std::uint64_t divergences_ = 0;
+  Noted noted_;
 };
 
 }  // namespace understudy::emulator

@@ -6,6 +6,9 @@
 namespace understudy::emulator {
 namespace {
 
+static_assert(kMostFramePushes >= physics::Pushes::kMost + physics::Drags::kMost,
+              "a frame with all of them would allocate");
+
 bool Has(const Frame& frame, FramePart part) { return (frame.parts & part) != 0; }
 
 std::array<double, 3> Array(const Eigen::Vector3d& vector) {
@@ -20,11 +23,8 @@ Frame World::MakeFrame() const {
   frame.positions.resize(physics::PositionCount(physics_));
   frame.body_names = physics::BodyNames(physics_);
   for (const robot::MotorSpec& motor : spec.motors) frame.motor_names.push_back(motor.joint);
-  frame.command_topics.assign(robot::kCommandTopicNames.begin(), robot::kCommandTopicNames.end());
-  if (spec.arm_sdk.slots.empty()) frame.command_topics[robot::kArmSdkTopic].clear();
-  if (!spec.user_lowcmd) frame.command_topics[robot::kUserLowCmdTopic].clear();
+  frame.command_topics = robot().topics();
   for (const robot::HandSpec& hand : spec.hands) {
-    frame.command_topics.push_back("rt/" + hand.topic + "/cmd");
     for (const robot::MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
   }
   frame.bodies.resize(frame.body_names.size());
@@ -34,7 +34,6 @@ Frame World::MakeFrame() const {
   frame.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
   frame.feet.resize(spec.feet.size());
   frame.command.resize(spec.motors.size());
-  frame.refusals.reserve(kMostFrameRefusals);
   return frame;
 }
 
@@ -85,7 +84,6 @@ void World::Show(Frame* frame) const {
               frame->feet.begin());
   frame->remote = state.remote;
   if (Has(*frame, kPartCommand)) frame->command = robot.command().motors;
-  if (Has(*frame, kPartRefusals)) robot.refusals().CopyTo(&frame->refusals);
 }
 
 }  // namespace understudy::emulator

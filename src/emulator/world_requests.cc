@@ -20,10 +20,11 @@ void World::FollowScript(double t) {
   const double now = t + 0.5 * physics_.timestep();
   for (; script_next_ < script_.size() && script_[script_next_].at <= now; ++script_next_) {
     ScriptEvent& event = script_[script_next_];
-    const Answer answer = event.request.row->carry_out(*this, robot(), event.request, t);
+    events_.Add(EventKind::kScript, 0, {static_cast<double>(script_next_)}, event.where);
+    const Answer answer = CarryOut(&event.request, t);
     if (answer) continue;
     ++script_refused_;
-    script_refusal_ = event.where + ": " + answer.why();
+    events_.Add(EventKind::kScriptRefused, 0, {}, event.where + ": " + answer.why());
   }
 }
 
@@ -31,17 +32,31 @@ void World::TakeRequests() {
   AnswerSteppers();
   inbox_->Drain([this](Request* request, Reply* reply) -> std::optional<Answer> {
     const std::size_t dragged = drags_.size();
-    Answer answer = request->row->carry_out(*this, robot(), *request, time());
+    Answer answer = CarryOut(request, time());
     if (!answer) return answer;
     // Who drags says so many times a second; the first time counts.
     const bool renews = request->row->name == "drag" && drags_.size() == dragged;
-    if (request->row->noted && !renews) requests_.Add({.time = time(), .request = *request});
+    if (request->row->noted && !renews) {
+      events_.Append(
+          {.step = step_, .time = time(), .kind = EventKind::kRequest, .request = *request});
+    }
     if (request->row->name == "step" && request->on("wait")) {
       steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
       return std::nullopt;
     }
     return answer;
   });
+}
+
+Answer World::CarryOut(Request* request, double t) {
+  Answer answer = request->row->carry_out(*this, robot(), *request, t);
+  if (pace_.paused != noted_.paused) {
+    events_.Add(EventKind::kPause, 0, {pace_.paused ? 1.0 : 0.0});
+  }
+  if (pace_.speed != noted_.speed) events_.Add(EventKind::kSpeed, 0, {pace_.speed});
+  noted_ = {.paused = pace_.paused, .speed = pace_.speed};
+  robot().NoteChanges(t);
+  return answer;
 }
 
 // A pause forgets the steps that are left.

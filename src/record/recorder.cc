@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <nlohmann/json.hpp>
+
 #include "idl/type_table.h"
 #include "record/ros2msg.h"
 #include "version.h"
@@ -39,7 +41,8 @@ std::int64_t SinceEpoch() {
 }  // namespace
 
 Recorder::Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
-                   const Moment& moment, std::chrono::nanoseconds timestep, Say say)
+                   const emulator::EventRing* events, const Moment& moment,
+                   std::chrono::nanoseconds timestep, Say say)
     : participant_(participant),
       ours_(participant.key()),
       watch_(participant),
@@ -47,7 +50,7 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       start_(static_cast<std::uint64_t>(SinceEpoch())),
       say_(std::move(say)),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
-      events_(head.script),
+      events_(events),
       moments_(kMoments, moment),
       marks_(kMarks),
       last_take_(SinceEpoch()),
@@ -118,7 +121,7 @@ void Recorder::Run(const std::stop_token& stop) {
     }
     Take();
     Merge(std::numeric_limits<Nanoseconds>::max(), true);
-    for (const Event& event : events_.Rest(marked_ + 1)) WriteEvent(event);
+    WriteHeldBack(digest_.Rest(), marked_ + 1);
     writer_.Finish();
     messages_ = writer_.messages();
     bytes_ = writer_.bytes();
@@ -196,6 +199,7 @@ void Recorder::Merge(Nanoseconds now, bool all) {
   for (const StepMark* mark = marks_.Front(); mark != nullptr && mark->wall <= now;
        mark = marks_.Front()) {
     WriteMoments(mark->step, now);
+    WriteEvents(mark->step);
     for (; next != waiting_.end() && next->when <= mark->epoch; ++next) {
       WriteSample(*next, mark->step);
     }
@@ -203,6 +207,7 @@ void Recorder::Merge(Nanoseconds now, bool all) {
     marks_.Pop();
   }
   WriteMoments(std::numeric_limits<std::int64_t>::max(), now);
+  WriteEvents(marked_ + 1);
   for (; next != waiting_.end() && (all || now - next->taken > kPatience); ++next) {
     WriteSample(*next, marked_ + 1);
   }
@@ -213,19 +218,41 @@ void Recorder::WriteMoments(std::int64_t up_to_step, Nanoseconds up_to) {
   for (const Moment* moment = moments_.Front();
        moment != nullptr && moment->truth.step <= up_to_step && moment->wall <= up_to;
        moment = moments_.Front()) {
-    WriteMoment(*moment);
+    WriteTruth(moment->truth);
     moments_.Pop();
   }
 }
 
-void Recorder::WriteMoment(const Moment& moment) {
-  const std::int64_t step = moment.truth.step;
-  EncodeTruth(moment.truth, &message_);
-  writer_.Write(truth_channel_, LogTime(step), LogTime(step), message_.span());
-  for (const Event& event : events_.Compare(moment.status, step)) WriteEvent(event);
+void Recorder::WriteTruth(const Truth& truth) {
+  EncodeTruth(truth, &message_);
+  writer_.Write(truth_channel_, LogTime(truth.step), LogTime(truth.step), message_.span());
 }
 
-void Recorder::WriteEvent(const Event& event) {
+void Recorder::WriteEvents(std::int64_t up_to_step) {
+  while (has_event_ || events_.Next(&event_)) {
+    has_event_ = event_.step > up_to_step;
+    if (has_event_) break;
+    if (const auto told = digest_.Take(event_, event_.time)) WriteEvent(*told);
+  }
+  WriteHeldBack(digest_.Due(TimeOf(up_to_step)), up_to_step);
+}
+
+// Messages are in order of time: it belongs to the step in which it is told.
+void Recorder::WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step) {
+  for (emulator::ToldEvent told : held) {
+    told.event.step = step;
+    told.event.time = TimeOf(step);
+    WriteEvent(told);
+  }
+}
+
+void Recorder::WriteEvent(const emulator::ToldEvent& told) {
+  using nlohmann::json;
+  const Event event{.step = told.event.step,
+                    .time = told.event.time,
+                    .kind = std::string(told.kind()),
+                    .text = told.text(),
+                    .detail = told.detail().dump(-1, ' ', false, json::error_handler_t::replace)};
   EncodeEvent(event, &message_);
   writer_.Write(event_channel_, LogTime(event.step), LogTime(event.step), message_.span());
 }
@@ -250,6 +277,10 @@ std::uint16_t Recorder::ChannelOf(Topic* topic, bool ours) {
                                 {"dds_type", topic->name.type},
                                 {"offered_qos_profiles", kQos}});
   return *channel;
+}
+
+double Recorder::TimeOf(std::int64_t step) const {
+  return 1e-9 * static_cast<double>(step * timestep_);
 }
 
 std::uint64_t Recorder::LogTime(std::int64_t step) const {

@@ -22,8 +22,8 @@
 #include "base/spsc_ring.h"
 #include "bus/cdr_reader.h"
 #include "bus/endpoint_watch.h"
+#include "emulator/event_table.h"
 #include "emulator/status.h"
-#include "record/event_log.h"
 #include "record/mcap_writer.h"
 #include "record/truth.h"
 
@@ -34,15 +34,16 @@ struct RecordingHead {
   StringMap about;     // metadata "understudy"
   std::string config;  // attachment config.yaml
   std::string model;   // attachment model.mjb
-  std::vector<std::string> script;
 };
 
 // A robot between two steps, as the loop offers it.
 struct Moment {
   std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC, of the offer
   Truth truth;
-  emulator::Status status;
 };
+
+// Of a burst of events each cause is told once in this simulated time [s]; *assumed*.
+inline constexpr double kEventEvery = 0.1;
 
 // One thread of its own takes, as bytes, what anybody writes to the topics of the bus (those that
 // our participant has, and others as they are discovered), and merges it with what the loop offers
@@ -56,10 +57,11 @@ class Recorder {
   using Say = std::function<void(const std::string& line, bool error)>;
 
   // Writes the file's beginning and starts the thread. Topics that `participant` has by now are
-  // recorded from their first message on. `moment` has vectors of the sizes that will be offered.
-  // Throws RecordError and BusError.
+  // recorded from their first message on. `events` outlives the recorder. `moment` has vectors of
+  // the sizes that will be offered. Throws RecordError and BusError.
   Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
-           const Moment& moment, std::chrono::nanoseconds timestep, Say say);
+           const emulator::EventRing* events, const Moment& moment,
+           std::chrono::nanoseconds timestep, Say say);
   // Takes what is left and finishes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -107,10 +109,13 @@ class Recorder {
   void Take();
   void Merge(Nanoseconds now, bool all);
   void WriteMoments(std::int64_t up_to_step, Nanoseconds up_to);
-  void WriteMoment(const Moment& moment);
-  void WriteEvent(const Event& event);
+  void WriteTruth(const Truth& truth);
+  void WriteEvents(std::int64_t up_to_step);
+  void WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step);
+  void WriteEvent(const emulator::ToldEvent& told);
   void WriteSample(const Waiting& waiting, std::int64_t step);
   std::uint16_t ChannelOf(Topic* topic, bool ours);
+  double TimeOf(std::int64_t step) const;  // simulated s
   std::uint64_t LogTime(std::int64_t step) const;
 
   const bus::Participant& participant_;
@@ -124,7 +129,10 @@ class Recorder {
   McapWriter writer_;
   std::uint16_t truth_channel_ = 0, event_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
-  EventLog events_;
+  emulator::EventRing::Reader events_;
+  emulator::EventDigest digest_{kEventEvery - 1e-6};  // 0.3 - 0.2 is less than 0.1
+  emulator::Event event_;                             // the next, where there is one
+  bool has_event_ = false;
   SpscRing<Moment> moments_;
   SpscRing<StepMark> marks_;
   std::vector<Waiting> waiting_;

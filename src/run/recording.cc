@@ -34,8 +34,7 @@ std::string DrawnText(const robot::Draws& draws) {
   return drawn.dump();
 }
 
-record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws,
-                             const std::vector<emulator::ScriptEvent>& script) {
+record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws) {
   std::string motors, slots;
   for (const robot::MotorSpec& motor : config.robot.motors) {
     const char* space = motors.empty() ? "" : " ";
@@ -56,24 +55,21 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
                 {"draws", DrawnText(draws)}};
   head.config = config::PrintConfig(config, false);
   head.model = mjcf::ModelBytes(*MakeSightModel(config));
-  for (const emulator::ScriptEvent& event : script) head.script.push_back(event.where);
   return head;
 }
 
 // What of a robot's truth is offered; sizes do not change during a run.
-void Fill(const emulator::World& world, const time::Pacer& pacer, record::Moment* moment) {
+void Fill(const emulator::World& world, record::Truth* truth) {
   const mjModel& model = world.physics().model();
   const mjData& data = world.physics().data();
-  record::Truth& truth = moment->truth;
-  truth.step = world.step();
-  truth.time = world.time();
-  truth.qpos.assign(data.qpos, data.qpos + model.nq);
-  truth.qvel.assign(data.qvel, data.qvel + model.nv);
-  truth.tau.assign(world.robot().torque().begin(), world.robot().torque().end());
-  world.physics().FootForces(truth.foot_force);
-  moment->status = world.status();
-  moment->status.pace = pacer.reading();
-  truth.crane_tension = moment->status.crane_attached ? moment->status.crane_tension : 0;
+  const physics::Crane& crane = world.robot().crane();
+  truth->step = world.step();
+  truth->time = world.time();
+  truth->qpos.assign(data.qpos, data.qpos + model.nq);
+  truth->qvel.assign(data.qvel, data.qvel + model.nv);
+  truth->tau.assign(world.robot().torque().begin(), world.robot().torque().end());
+  world.physics().FootForces(truth->foot_force);
+  truth->crane_tension = crane.attached() ? crane.tension() : 0;
 }
 
 record::Moment Prototype(const config::Config& config, const emulator::World& world) {
@@ -84,8 +80,7 @@ record::Moment Prototype(const config::Config& config, const emulator::World& wo
   return {.truth = {.qpos = zeros(model.nq),
                     .qvel = zeros(model.nv),
                     .tau = zeros(config.robot.motors.size()),
-                    .foot_force = zeros(config.robot.feet.size())},
-          .status = {}};
+                    .foot_force = zeros(config.robot.feet.size())}};
 }
 
 void Log(const std::string& line, bool error) {
@@ -96,13 +91,13 @@ void Log(const std::string& line, bool error) {
 
 Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
                      const config::Config& config, const robot::Draws& draws,
-                     const std::vector<emulator::ScriptEvent>& script, const emulator::World& world)
+                     const emulator::World& world)
     : every_(std::max<std::int64_t>(
           1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))) {
   if (options.file.empty()) return;
   recorder_ = std::make_unique<record::Recorder>(
-      participant, record::OutputFile(options.file, options.overwrite),
-      HeadOf(config, draws, script), Prototype(config, world),
+      participant, record::OutputFile(options.file, options.overwrite), HeadOf(config, draws),
+      &world.events(), Prototype(config, world),
       std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log);
   spdlog::info("recording to {}", options.file.string());
 }
@@ -112,7 +107,7 @@ void Recording::Offer(const emulator::World& world, const time::Pacer& pacer) {
   recorder_->Mark(world.step() - 1);
   if (world.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
-      Fill(world, pacer, moment);
+      Fill(world, &moment->truth);
       recorder_->Commit();
     }
   }

@@ -4,11 +4,9 @@
 
 #include <filesystem>
 #include <memory>
-#include <vector>
 
 #include "bus/participant.h"
 #include "config/config.h"
-#include "emulator/request.h"
 #include "emulator/world.h"
 #include "record/recorder.h"
 #include "robot/randomization.h"
@@ -25,10 +23,9 @@ struct RecordingOptions {
 class Recording {
  public:
   // After ports and services have opened their topics. `config` is that of the run, `world` has
-  // made no step yet. Throws RecordError and BusError.
+  // made no step yet and outlives the recording. Throws RecordError and BusError.
   Recording(const RecordingOptions& options, const bus::Participant& participant,
-            const config::Config& config, const robot::Draws& draws,
-            const std::vector<emulator::ScriptEvent>& script, const emulator::World& world);
+            const config::Config& config, const robot::Draws& draws, const emulator::World& world);
 
   // After every tick and what belongs to it. Waits for nothing and allocates nothing, but for a run
   // that goes as fast as possible: that goes no faster than it can be recorded.

@@ -45,11 +45,11 @@ constexpr milliseconds kGlance(2);
 class Housekeeper {
  public:
   Housekeeper(const config::Config& config, bool status_line, wire::StrangerWatch watch,
-              const emulator::StatusBoard* board)
+              const emulator::StatusBoard* board, const emulator::EventRing* events)
       : action_(config.guard.on_stranger),
         watch_(std::move(watch)),
         board_(board),
-        reporter_(config.robot.rates.lowstate_hz, status_line),
+        reporter_(events, config.robot.rates.lowstate_hz, status_line),
         thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
   // Another robot speaks, and this is the configured answer.
@@ -65,7 +65,6 @@ class Housekeeper {
       if (const auto warning = physics::TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
       clock.SleepUntil(clock.Now() + kHousekeeping);
     }
-    reporter_.Update(board_->Read(), clock.Now());
   }
 
   void Watch() {
@@ -96,13 +95,55 @@ class Housekeeper {
   std::jthread thread_;  // last: it uses all of the above
 };
 
-// Fills in the frame that somebody asks for, if somebody does.
-void ShowFrame(const emulator::World& world, emulator::FrameBoard* frames) {
+// Tells of what only the loop notices: late ticks, and what the port went on in spite of.
+class LoopNotes {
+ public:
+  explicit LoopNotes(emulator::EventRing* events) : events_(events) {}
+
+  // After every tick.
+  void Late(const time::PaceReading& pace) {
+    if (pace.overruns != overruns_) events_->Add(emulator::EventKind::kOverrun, 0, {pace.lateness});
+    if (pace.shifts != shifts_) {
+      events_->Add(emulator::EventKind::kStall, 0, {pace.shifted - shifted_});
+    }
+    overruns_ = pace.overruns;
+    shifts_ = pace.shifts;
+    shifted_ = pace.shifted;
+  }
+  // Now and then.
+  void Port(const robot::PortCounts& counts, int writers) {
+    using emulator::EventKind;
+    if (counts.write_failures != counts_.write_failures) {
+      events_->Add(EventKind::kWriteFailure, 0,
+                   {static_cast<double>(counts.write_failures - counts_.write_failures)});
+    }
+    if (counts.unused_slots != 0 && counts_.unused_slots == 0) {
+      events_->Add(EventKind::kUnusedSlot);
+    }
+    if (counts.unset_heads != 0 && counts_.unset_heads == 0) events_->Add(EventKind::kUnsetHead);
+    if (writers > 1 && writers != writers_) {
+      events_->Add(EventKind::kWriters, 0, {static_cast<double>(writers)});
+    }
+    counts_ = counts;
+    writers_ = writers;
+  }
+
+ private:
+  emulator::EventRing* events_;
+  std::uint64_t overruns_ = 0;
+  std::uint64_t shifts_ = 0;
+  double shifted_ = 0;  // s
+  robot::PortCounts counts_;
+  int writers_ = 0;
+};
+
+// Fills in the snapshot that somebody asks for, if somebody does.
+void ShowFrame(const emulator::World& world, emulator::SnapshotMailbox* frames) {
   emulator::Frame* frame = frames->Wanted();
   if (frame == nullptr) return;
   world.Show(frame);
   frame->wireless_remote = wire::EncodeRemote(frame->remote);
-  frames->Show();
+  frames->Post();
 }
 
 }  // namespace
@@ -137,8 +178,8 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                           .services = &host}},
                         &inbox);
   world.Play(options.script);
-  Recording recording(options.recording, participant, config, made.draws, options.script, world);
-  emulator::FrameBoard frames(world.MakeFrame());
+  Recording recording(options.recording, participant, config, made.draws, world);
+  emulator::SnapshotMailbox frames(world.MakeFrame());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
   const server::ControlServer control(
       options.control_socket,
@@ -146,11 +187,13 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
        .board = &board,
        .inbox = &inbox,
        .frames = &frames,
+       .events = server::EventHistory(&world.events()),
        .scene = server::SceneFiles(&scene, &config.robot),
        .files = server::StaticFiles(config::PanelDir()),
        .openapi = config::OpenApiFile()},
       server::ServerLimits{}, options.panel);
-  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board);
+  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board,
+                                &world.events());
 
   if (config.time.realtime && config.time.speed > 0)
     spdlog::info("{}", time::RequestRealtime().text);
@@ -160,11 +203,13 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   ExitCode code = ExitCode::kOk;
   bool ready = false;
   time::Histogram ticks;
+  LoopNotes notes(&world.events());
   while (true) {
     physics::StepHealth health = physics::StepHealth::kFine;
     const bool due = pacer.Follow(world.pace(), world.step(), kGlance);
     if (due) {
       health = world.Tick(pacer.reached());
+      notes.Late(pacer.reading());
       ticks.Add(std::chrono::duration<double>(clock.Now() - pacer.reached()).count());
     } else {
       world.Attend(clock.Now());
@@ -192,6 +237,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     status.pace = pacer.reading();
     status.ticks = ticks;
     status.recording = recording.status();
+    notes.Port(status.port, status.command_writers);
     board.Post(status);
     world.robot().Silence(housekeeper.must_silence());
     if (diverged) {

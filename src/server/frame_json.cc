@@ -195,8 +195,6 @@ void PutPart(const emulator::Frame& frame, emulator::FramePart part, Writer* to)
           frame.wireless_remote, [](std::uint8_t b, Writer* w) { w->Integer(b); }, to);
     case emulator::kPartCommand:
       return PutAll(frame.command, PutCommand, to);
-    case emulator::kPartRefusals:  // has a route of its own
-      return;
   }
 }
 

@@ -5,13 +5,6 @@
 #include "server/frame_json.h"
 
 namespace understudy::server {
-namespace {
-
-// How often the board is looked at while a frame is awaited: about as often as the tick comes by.
-constexpr std::chrono::milliseconds kLook{1};
-
-}  // namespace
-
 std::shared_ptr<const std::string> ShownFrame::Json(emulator::FrameParts parts) {
   for (const auto& [made_of, text] : texts_) {
     if (made_of == parts) return text;
@@ -19,6 +12,9 @@ std::shared_ptr<const std::string> ShownFrame::Json(emulator::FrameParts parts) 
   return texts_.emplace_back(parts, std::make_shared<const std::string>(FrameJson(frame_, parts)))
       .second;
 }
+
+FramePump::FramePump(boost::asio::io_context* io, emulator::SnapshotMailbox* mailbox)
+    : mailbox_(mailbox), observer_(mailbox->Join()), rung_(*io, observer_->bell().fd()) {}
 
 void FramePump::Ask(emulator::FrameParts parts, const std::shared_ptr<FrameTaker>& taker) {
   std::erase_if(waiting_, [&](const Waiting& waiting) {
@@ -31,19 +27,18 @@ void FramePump::Ask(emulator::FrameParts parts, const std::shared_ptr<FrameTaker
 void FramePump::Request() {
   emulator::FrameParts parts = 0;
   for (const Waiting& waiting : waiting_) parts |= waiting.parts;
-  board_->Ask(parts);
+  observer_->Ask(parts);
   asked_ = true;
   Wait();
 }
 
 void FramePump::Wait() {
-  timer_.expires_after(kLook);
-  timer_.async_wait([this](const boost::system::error_code& error) {
-    if (error) return;
-    const emulator::Frame* frame = board_->Shown();
-    if (frame == nullptr) return Wait();
-    Deliver(*frame);
-  });
+  rung_.async_wait(boost::asio::posix::stream_descriptor::wait_read,
+                   [this](const boost::system::error_code& error) {
+                     if (error) return;
+                     if (!observer_->bell().Answer()) return Wait();
+                     Deliver(*mailbox_->Newest());
+                   });
 }
 
 // Who came later and wants more than this frame has waits for the next.
@@ -57,7 +52,6 @@ void FramePump::Deliver(const emulator::Frame& frame) {
   for (const Waiting& waiting : now) {
     if (const auto taker = waiting.taker.lock()) taker->OnFrame(&shown);
   }
-  board_->Leave();
   asked_ = false;
   if (!waiting_.empty()) Request();
 }

@@ -9,9 +9,9 @@
 #include <vector>
 
 #include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
+#include <boost/asio/posix/stream_descriptor.hpp>
 
-#include "emulator/frame_board.h"
+#include "emulator/snapshot_mailbox.h"
 
 namespace understudy::server {
 
@@ -42,8 +42,8 @@ class FrameTaker {
 // However many ask, the tick fills in one frame at a time. Of the server's thread.
 class FramePump {
  public:
-  FramePump(boost::asio::io_context* io, emulator::FrameBoard* board)
-      : board_(board), timer_(*io) {}
+  FramePump(boost::asio::io_context* io, emulator::SnapshotMailbox* mailbox);
+  ~FramePump() { rung_.release(); }  // the bell's own
 
   // OnFrame is called once, unless the taker goes before. One that asks again before that waits for
   // one frame still.
@@ -59,8 +59,9 @@ class FramePump {
   void Wait();
   void Deliver(const emulator::Frame& frame);
 
-  emulator::FrameBoard* board_;
-  boost::asio::steady_timer timer_;
+  emulator::SnapshotMailbox* mailbox_;
+  emulator::SnapshotMailbox::Observer* observer_;
+  boost::asio::posix::stream_descriptor rung_;
   std::vector<Waiting> waiting_;
   bool asked_ = false;
 };

@@ -3,6 +3,7 @@
 #ifndef UNDERSTUDY_SERVER_GUEST_H_
 #define UNDERSTUDY_SERVER_GUEST_H_
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <string>
@@ -51,6 +52,9 @@ class Door {
   std::size_t most_;
   std::unordered_map<Guest*, std::shared_ptr<Guest>> connections_;
 };
+
+// How often the server looks what has happened; *assumed*, as quick as an eye.
+inline constexpr std::chrono::milliseconds kEventsEvery{50};
 
 // What all connections of a server share. Outlives them.
 struct Shared {

@@ -155,13 +155,18 @@ void AddBattery(const robot::BatteryReading& battery, Page* page) {
 }  // namespace
 
 std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
-                        const emulator::Frame& frame) {
+                        const emulator::Frame& frame,
+                        std::span<const std::uint64_t, emulator::kEventKinds> events) {
   Page page;
   page.Family("info", "gauge", "Which robot this is; always 1.");
   page.Add(std::uint64_t{1},
            Label("robot", identity.robot) + "," + Label("version", identity.version));
   AddPace(status, &page);
   AddCommands(status, frame, &page);
+  page.Family("events_total", "counter", "Events by kind.");
+  for (const emulator::EventRow& row : emulator::EventTable()) {
+    page.Add(events[static_cast<std::size_t>(row.kind)], Label("kind", row.name));
+  }
   AddMotors(frame, &page);
   AddBattery(frame.battery, &page);
   return page.Take();

@@ -2,8 +2,11 @@
 #ifndef UNDERSTUDY_SERVER_METRICS_H_
 #define UNDERSTUDY_SERVER_METRICS_H_
 
+#include <cstdint>
+#include <span>
 #include <string>
 
+#include "emulator/event_table.h"
 #include "emulator/frame.h"
 #include "emulator/status.h"
 #include "server/status_json.h"
@@ -14,9 +17,10 @@ inline constexpr char kMetricsType[] = "text/plain; version=0.0.4; charset=utf-8
 inline constexpr emulator::FrameParts kMetricsParts =
     emulator::kPartMotors | emulator::kPartBattery;
 
-// `frame` has kMetricsParts.
+// `frame` has kMetricsParts, `events` counts them by kind.
 std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
-                        const emulator::Frame& frame);
+                        const emulator::Frame& frame,
+                        std::span<const std::uint64_t, emulator::kEventKinds> events);
 
 }  // namespace understudy::server
 

@@ -6,9 +6,10 @@
 #include <optional>
 #include <string>
 
-#include "emulator/frame_board.h"
 #include "emulator/inbox.h"
+#include "emulator/snapshot_mailbox.h"
 #include "emulator/status.h"
+#include "server/event_history.h"
 #include "server/scene_files.h"
 #include "server/static_files.h"
 #include "server/status_json.h"
@@ -20,11 +21,12 @@ struct Plane {
   RobotIdentity identity;
   const emulator::StatusBoard* board = nullptr;
   emulator::Inbox* inbox = nullptr;
-  emulator::FrameBoard* frames = nullptr;  // null: nothing is to be seen
-  std::optional<SceneFiles> scene{};       // likewise
-  StaticFiles files{""};                   // the panel's
-  std::filesystem::path openapi{};         // the document of the routes
-  std::string url{};                       // of the panel, with the token; "" without a TCP door
+  emulator::SnapshotMailbox* frames = nullptr;  // null: nothing is to be seen
+  EventHistory events{};
+  std::optional<SceneFiles> scene{};  // likewise
+  StaticFiles files{""};              // the panel's
+  std::filesystem::path openapi{};    // the document of the routes
+  std::string url{};                  // of the panel, with the token; "" without a TCP door
 };
 
 }  // namespace understudy::server

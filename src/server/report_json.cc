@@ -2,8 +2,6 @@
 
 #include <numeric>
 
-#include "robot/refusal_text.h"
-
 namespace understudy::server {
 namespace {
 
@@ -37,21 +35,6 @@ ordered_json TimingsJson(const emulator::Status& status) {
           {"shifted", status.pace.shifted},
           {"tick", HistogramJson(status.ticks)},
           {"late", HistogramJson(status.pace.latenesses)}};
-}
-
-ordered_json RefusalsJson(const emulator::Frame& frame) {
-  ordered_json refusals = ordered_json::array();
-  for (const emulator::RefusedCommands& refused : frame.refusals) {
-    const bool hand = refused.topic >= robot::kFirstHandTopic;
-    refusals.push_back(
-        {{"time", refused.last},
-         {"since", refused.first},
-         {"count", refused.count},
-         {"topic", frame.command_topics[refused.topic]},
-         {"reason", robot::Name(refused.reason)},
-         {"text", hand ? robot::ExplainForHand(refused.reason) : robot::Explain(refused.reason)}});
-  }
-  return {{"refusals", refusals}};
 }
 
 }  // namespace understudy::server

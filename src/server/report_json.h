@@ -1,10 +1,9 @@
-// What GET /timings and GET /refusals answer.
+// What GET /timings answers.
 #ifndef UNDERSTUDY_SERVER_REPORT_JSON_H_
 #define UNDERSTUDY_SERVER_REPORT_JSON_H_
 
 #include <nlohmann/json.hpp>
 
-#include "emulator/frame.h"
 #include "emulator/status.h"
 
 namespace understudy::server {
@@ -12,9 +11,6 @@ namespace understudy::server {
 // How long ticks took and how late they began, in s of wall time. `buckets` of a histogram are not
 // added up; the last has no `le`.
 nlohmann::ordered_json TimingsJson(const emulator::Status& status);
-
-// {"refusals": [...]}, oldest first.
-nlohmann::ordered_json RefusalsJson(const emulator::Frame& frame);
 
 }  // namespace understudy::server
 

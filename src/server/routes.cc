@@ -79,13 +79,6 @@ Routed GetFrame(const HttpRequest& request, std::string_view, Plane&) {
                    }};
 }
 
-Routed GetRefusals(const HttpRequest&, std::string_view, Plane&) {
-  return FromFrame{.parts = emulator::kPartRefusals,
-                   .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane&) {
-                     return HttpReply{.body = Text(RefusalsJson(frame))};
-                   }};
-}
-
 Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
   return FromFrame{.parts = kMetricsParts,
                    .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane& plane) {
@@ -120,6 +113,11 @@ Routed GetFrames(const HttpRequest& request, std::string_view, Plane&) {
   if (!hz) return ErrorReply(400, hz.why());
   if (!request.upgrade) return UpgradeRequired("/frames");
   return WatchFrames{.parts = *parts, .hz = *hz};
+}
+
+Routed GetEvents(const HttpRequest& request, std::string_view, Plane& plane) {
+  if (request.upgrade) return WatchEvents{};
+  return HttpReply{.body = Text(EventsJson(plane.events))};
 }
 
 Routed GetRequests(const HttpRequest& request, std::string_view, Plane&) {
@@ -168,7 +166,7 @@ constexpr Row kRoutes[] = {
     {"/requests", "GET", GetRequests},
     {"/frame", "GET", GetFrame},
     {"/frames", "GET", GetFrames},
-    {"/refusals", "GET", GetRefusals},
+    {"/events", "GET", GetEvents},
     {"/timings", "GET", GetTimings},
     {"/metrics", "GET", GetMetrics},
     {"/scene", "GET", GetScene},

@@ -26,11 +26,15 @@ struct WatchFrames {
   double hz = 60;
 };
 
+// A WebSocket on which events are sent.
+struct WatchEvents {};
+
 // A WebSocket on which requests come.
 struct TakeRequests {};
 
 // A reply at once, a request that has to be carried out before one is known, or another beginning.
-using Routed = std::variant<HttpReply, emulator::Request, FromFrame, WatchFrames, TakeRequests>;
+using Routed =
+    std::variant<HttpReply, emulator::Request, FromFrame, WatchFrames, WatchEvents, TakeRequests>;
 
 // What a request came to: {"ok": true}, or 409 with the reason.
 HttpReply AnswerReply(const emulator::Answer& answer);

@@ -104,6 +104,7 @@ class ControlServer::Loop {
       tcp_.emplace(&io_, panel->fd(), panel->family(), &access_, &shared_);
     }
     url_ = shared_.plane.url;
+    ReadEvents();
     thread_ = StartWithoutSignals([this] { io_.run(); });
   }
 
@@ -119,11 +120,20 @@ class ControlServer::Loop {
   const std::string& url() const { return url_; }
 
  private:
+  void ReadEvents() {
+    shared_.plane.events.Update(std::chrono::steady_clock::now().time_since_epoch());
+    events_timer_.expires_after(kEventsEvery);
+    events_timer_.async_wait([this](const error_code& error) {
+      if (!error) ReadEvents();
+    });
+  }
+
   Shared shared_;
   Access access_;
   std::string url_;
   client::ListeningSocket listening_;
   asio::io_context io_{1};
+  asio::steady_timer events_timer_{io_};
   std::optional<FramePump> pump_;
   std::optional<RequestDesk> desk_;
   std::optional<Porter> unix_;

@@ -3,6 +3,7 @@
 #include <exception>
 #include <utility>
 
+#include "server/event_watch.h"
 #include "server/frame_watch.h"
 #include "server/request_desk.h"
 #include "server/request_line.h"
@@ -139,6 +140,9 @@ void Session::Upgrade(const Routed& routed) {
   if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
     door_->Admit(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch, door_,
                                               shared_));
+  } else if (std::holds_alternative<WatchEvents>(routed)) {
+    door_->Admit(
+        std::make_shared<EventWatch>(std::move(stream_), parser_->release(), door_, shared_));
   } else {
     door_->Admit(
         std::make_shared<RequestLine>(std::move(stream_), parser_->release(), door_, shared_));

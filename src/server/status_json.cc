@@ -38,22 +38,9 @@ nlohmann::ordered_json HandsJson(const emulator::Status& status) {
     hands.push_back({{"name", hand.name.data()},
                      {"accepted", hand.commands.accepted},
                      {"timeouts", hand.commands.timeouts},
-                     {"refused", RefusedJson(hand.commands)},
-                     {"last_refusal", robot::Name(hand.last_refusal)}});
+                     {"refused", RefusedJson(hand.commands)}});
   }
   return hands;
-}
-
-nlohmann::ordered_json RequestNotesJson(const emulator::RequestNotes& notes) {
-  nlohmann::ordered_json newest = nlohmann::ordered_json::array();
-  for (std::uint64_t number = notes.oldest(); number < notes.count; ++number) {
-    const emulator::RequestNote& note = notes[number];
-    newest.push_back({{"number", number},
-                      {"time", note.time},
-                      {"kind", note.request.row->name},
-                      {"text", emulator::Describe(note.request)}});
-  }
-  return newest;
 }
 
 }  // namespace
@@ -82,7 +69,6 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator:
         {"accepted", status.commands.accepted},
         {"timeouts", status.commands.timeouts},
         {"refused", RefusedJson(status.commands)},
-        {"last_refusal", robot::Name(status.last_refusal)},
         {"unused_slots", status.port.unused_slots},
         {"unset_heads", status.port.unset_heads},
         {"writers", status.command_writers}}},
@@ -106,11 +92,7 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator:
         {"rx", status.remote.rx},
         {"ry", status.remote.ry},
         {"wish", status.stick_wish}}},
-      {"requests", RequestNotesJson(status.requests)},
-      {"script",
-       {{"done", status.script_done},
-        {"refused", status.script_refused},
-        {"refusal", status.script_refusal.data()}}},
+      {"script", {{"done", status.script_done}, {"refused", status.script_refused}}},
       {"published", status.published},
       {"write_failures", status.port.write_failures},
       {"divergences", status.divergences},

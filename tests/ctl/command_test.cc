@@ -15,6 +15,7 @@ namespace understudy::ctl {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::EndsWith;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 using ::testing::ThrowsMessage;
@@ -102,7 +103,7 @@ TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
   const FakeRobot robot(Socket("one"));
   EXPECT_THAT(Run("ctl frame --parts com"), StartsWith("{\"step\":"));
   EXPECT_THAT(Run("ctl metrics"), HasSubstr("\nunderstudy_steps_total "));
-  EXPECT_EQ(Run("ctl refusals"), "no command was refused\n");
+  EXPECT_THAT(Run("ctl events"), EndsWith(" s  clamped\n"));
 }
 
 TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {

@@ -20,10 +20,11 @@ class FakeRobot {
                    return answer;
                  }),
         showing_(&frames_),
-        server_(
-            socket,
-            {.identity = {.robot = "g1"}, .board = &board_, .inbox = &inbox_, .frames = &frames_}) {
-  }
+        server_(socket, {.identity = {.robot = "g1"},
+                         .board = &board_,
+                         .inbox = &inbox_,
+                         .frames = &frames_,
+                         .events = server::EventHistory(&events_)}) {}
 
   emulator::StatusBoard* board() { return &board_; }
   // Frames so far.
@@ -32,10 +33,16 @@ class FakeRobot {
   const emulator::Request& last() const { return last_; }
 
  private:
+  // Something has happened before anybody asks.
+  struct Events : emulator::EventRing {
+    Events() { Add(emulator::EventKind::kClamp, 0, {1}); }
+  };
+
+  Events events_;
   emulator::Request last_;
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;
-  emulator::FrameBoard frames_{emulator::Frame{}};
+  emulator::SnapshotMailbox frames_{emulator::Frame{}};
   test::Ticking ticking_;
   test::Showing showing_;
   server::ControlServer server_;

@@ -54,8 +54,7 @@ randomized         no
 TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
   emulator::Status status;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
-  status.last_refusal = robot::Refusal::kGain;
-  EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1; last gain)\n"));
+  EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1)\n"));
 }
 
 TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {

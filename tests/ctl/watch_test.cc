@@ -22,7 +22,6 @@ emulator::Status Running() {
   status.steps = 12'500;
   status.pace.real_time_factor = 0.75;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
-  status.last_refusal = robot::Refusal::kGain;
   return status;
 }
 
@@ -36,7 +35,7 @@ TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
   status.commands.refused[1] += 50;
   EXPECT_THAT(dut.Text(Json(status), milliseconds(1500)),
               AllOf(HasSubstr("steps              750         12875"),
-                    HasSubstr("commands refused   100         53     crc 52, gain 1; last gain")));
+                    HasSubstr("commands refused   100         53     crc 52, gain 1")));
 }
 
 TEST(WatchTest, SaysThatTheRobotIsPaused) {

@@ -228,12 +228,12 @@ TEST_F(AllocationTest, DoesNotHappenForAFrame) {
   port_.SendEveryTick(command);
   CountIn(10);
   Frame frame = world_->MakeFrame();
-  frame.parts = kAllFrameParts | kPartRefusals;
+  frame.parts = kAllFrameParts;
   const std::int64_t before = allocations;
   for (int i = 0; i < 10; ++i) world_->Show(&frame);
   EXPECT_EQ(allocations - before, 0);
   EXPECT_FALSE(frame.contacts.empty());
-  EXPECT_FALSE(frame.refusals.empty());
+  EXPECT_FALSE(Told(EventKind::kRefused).empty());
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include <limits>
 
+#include <gmock/gmock.h>
+
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
@@ -142,7 +144,9 @@ TEST_F(CommandsTest, ChangeNothingWhenRefused) {
   }
   EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)],
             300U);
-  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kCrc);
+  EXPECT_EQ(Told(EventKind::kRefused).size(), 300U);
+  EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (crc)"));
+  EXPECT_EQ(Told(EventKind::kTimeout).size(), 1U);
   EXPECT_EQ(world_->status().gate, authority::GateState::kDamping);
 }
 
@@ -159,7 +163,7 @@ TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
     ASSERT_EQ(quiet->Tick({}), physics::StepHealth::kFine);
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
-  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kNotFinite);
+  EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (not_finite)"));
   EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
 }
 

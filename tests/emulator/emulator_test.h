@@ -3,8 +3,11 @@
 #define UNDERSTUDY_TESTS_EMULATOR_EMULATOR_TEST_H_
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "config/settings.h"
+#include "emulator/event_table.h"
 #include "emulator/world.h"
 #include "tests/support/fake_port.h"
 #include "tests/support/fake_services.h"
@@ -56,6 +59,16 @@ class EmulatorTest : public test::MujocoTest {
     auto answer = inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
     Tick();
     return answer->get().why();
+  }
+
+  // What has been told so far of that kind, oldest first.
+  std::vector<std::string> Told(EventKind kind) const {
+    std::vector<std::string> told;
+    EventRing::Reader reader(&world_->events());
+    for (Event event; reader.Next(&event);) {
+      if (event.kind == kind) told.push_back(ToldEvent{.event = event}.text());
+    }
+    return told;
   }
 
   double Height() const { return world_->physics().base().p_WB.z(); }

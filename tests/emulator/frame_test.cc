@@ -92,28 +92,14 @@ TEST_F(FrameTest, TellsThatItIsPaused) {
   EXPECT_TRUE(Shown(0).paused);
 }
 
-TEST_F(FrameTest, KeepsWhatWasRefused) {
-  StartAs("standing");
-  robot::RobotCommand bad = Torque(NAN);
-  port_.SendEveryTick(bad);
-  Tick(3);
-  const Frame frame = Shown(kPartRefusals);
-  ASSERT_EQ(frame.refusals.size(), 1u);
-  EXPECT_EQ(frame.refusals[0].reason, robot::Refusal::kNotFinite);
-  EXPECT_EQ(frame.refusals[0].count, 3u);
-}
-
-TEST_F(FrameTest, KeepsWhatTheArmsAndTheUserWereRefused) {
+TEST_F(FrameTest, NamesTheTopicsThatTheRobotHas) {
   config_.robot.arm_sdk.slots = {6, 7};
   StartAs("standing");  // without a motion service
   port_.SendArms(Torque(1), 1);
   port_.SendUser(Torque(1));
   Tick();
-  const Frame frame = Shown(kPartRefusals);
-  ASSERT_EQ(frame.refusals.size(), 2u);
-  EXPECT_EQ(frame.refusals[0].topic, robot::kArmSdkTopic);
-  EXPECT_EQ(frame.refusals[0].reason, robot::Refusal::kNoMotionService);
-  EXPECT_EQ(frame.refusals[1].topic, robot::kUserLowCmdTopic);
+  EXPECT_EQ(Told(EventKind::kRefused).size(), 2U);
+  const Frame frame = Shown(0);
   ASSERT_EQ(frame.command_topics.size(), robot::kFirstHandTopic);
   EXPECT_EQ(frame.command_topics[robot::kArmSdkTopic], "rt/arm_sdk");
   EXPECT_EQ(frame.command_topics[robot::kUserLowCmdTopic], "");  // it has none

@@ -132,8 +132,9 @@ TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
        {robot::Refusal::kNotFinite, robot::Refusal::kMotorMode, robot::Refusal::kMotorCount}) {
     EXPECT_EQ(hand.commands.refused[static_cast<std::size_t>(refusal)], 1U) << robot::Name(refusal);
   }
-  EXPECT_EQ(hand.last_refusal, robot::Refusal::kMotorCount);
-  EXPECT_EQ(status.last_refusal, robot::Refusal::kNone);
+  const std::vector<std::string> told = Told(EventKind::kRefused);
+  ASSERT_EQ(told.size(), 3U);
+  EXPECT_THAT(told[2], testing::HasSubstr("/cmd (motor_count)"));
   EXPECT_THAT(status.commands.refused, testing::Each(0U));
   EXPECT_EQ(status.hands[1].name[0], '\0');
 }

@@ -1,4 +1,6 @@
 // Who moves the motors, in whole ticks.
+#include <gmock/gmock.h>
+
 #include "tests/emulator/emulator_test.h"
 #include "tests/emulator/state_bytes.h"
 
@@ -49,7 +51,7 @@ TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
     ASSERT_EQ(Bytes(port_.last().state), Bytes(quiet_port.last().state)) << i;
   }
   EXPECT_EQ(Refused(), 100U);
-  EXPECT_EQ(world_->status().last_refusal, robot::Refusal::kMotionService);
+  EXPECT_THAT(Told(EventKind::kRefused).back(), testing::HasSubstr("LowCmd (motion_service)"));
   EXPECT_EQ(world_->status().commands.accepted, 0U);
 }
 

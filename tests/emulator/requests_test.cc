@@ -246,22 +246,36 @@ TEST_F(RequestsTest, ADragEndsWithAReset) {
   EXPECT_TRUE(world_->drags().empty());
 }
 
-TEST_F(RequestsTest, AreNotedWhenAStatusWouldNotShowThem) {
+TEST_F(RequestsTest, AreEventsWhenTheyAreCarriedOut) {
   StartAs("clamped");
   Tick();
   Answered("push", {{"force", {0, 5, 0}}, {"for", 0.01}});
-  Answered("push", {{"body", "tail"}, {"force", {0, 5, 0}}});                           // refused
-  Answered("speed", 2);                                                                 // shown
+  Answered("push", {{"body", "tail"}, {"force", {0, 5, 0}}});  // refused
+  Answered("speed", 2);                                        // another event
   for (int i = 0; i < 3; ++i) Answered("drag", {{"body", "base"}, {"to", {0, 0, 0}}});  // renewed
   Answered("let_go");
   Answered("reset");
-  const RequestNotes notes = world_->status().requests;
-  ASSERT_EQ(notes.count, 4u);
-  EXPECT_EQ(Describe(notes[0].request), "push base 0 5 0 N for 0.01 s");
-  EXPECT_EQ(notes[0].time, 0.001);
-  EXPECT_EQ(notes[1].request.row->name, "drag");
-  EXPECT_EQ(notes[2].request.row->name, "let_go");
-  EXPECT_EQ(Describe(notes[3].request), "reset clamped");
+  EXPECT_THAT(Told(EventKind::kRequest),
+              testing::ElementsAre("push base 0 5 0 N for 0.01 s",
+                                   testing::StartsWith("drag base "), "let_go", "reset clamped"));
+  EXPECT_THAT(Told(EventKind::kSpeed), testing::ElementsAre("speed 2"));
+}
+
+TEST_F(RequestsTest, AreEventsOfTheStepInWhichTheyAct) {
+  StartAs("hanging");
+  Tick(3);
+  Answered("crane.release");
+  Answered("pause");
+  EventRing::Reader reader(&world_->events());
+  std::vector<std::int64_t> steps;
+  for (Event event; reader.Next(&event);) {
+    if (event.kind == EventKind::kCrane || event.kind == EventKind::kPause) {
+      steps.push_back(event.step);
+    }
+  }
+  EXPECT_THAT(steps, testing::ElementsAre(0, 3, 4));
+  EXPECT_THAT(Told(EventKind::kCrane),
+              testing::ElementsAre("hangs from the crane", "off the crane"));
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include "base/errors.h"
 #include "tests/emulator/emulator_test.h"
 
@@ -44,8 +46,9 @@ TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {
   world_->Play({{.at = 0, .request = test::RequestOf("crane.lower", 1), .where = "s.yaml:3"}});
   Tick();
   EXPECT_EQ(world_->status().script_refused, 1U);
-  EXPECT_STREQ(world_->status().script_refusal.data(),
-               "s.yaml:3: the robot does not hang from the crane");
+  EXPECT_THAT(Told(EventKind::kScriptRefused),
+              testing::ElementsAre("script: s.yaml:3: the robot does not hang from the crane"));
+  EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s.yaml:3"));
 }
 
 TEST_F(ScriptTest, RefusesABodyThatTheModelDoesNotHave) {

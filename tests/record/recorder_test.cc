@@ -29,10 +29,9 @@ class RecorderTest : public McapFilesTest {
  protected:
   std::unique_ptr<Recorder> Start(const bus::Participant& participant,
                                   const std::filesystem::path& file) {
-    const RecordingHead head{
-        .about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}, .script = {}};
-    const Moment moment{.truth = {.qpos = {0, 0}}, .status = {}};
-    return std::make_unique<Recorder>(participant, OutputFile(file, true), head, moment,
+    const RecordingHead head{.about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}};
+    const Moment moment{.truth = {.qpos = {0, 0}}};
+    return std::make_unique<Recorder>(participant, OutputFile(file, true), head, &ring_, moment,
                                       std::chrono::milliseconds(1),
                                       [this](const std::string& line, bool) {
                                         const std::lock_guard lock(mutex_);
@@ -51,7 +50,6 @@ class RecorderTest : public McapFilesTest {
     if (Moment* moment = recorder->Claim(); moment != nullptr) {
       moment->truth.step = step + 1;
       moment->truth.time = static_cast<double>(step + 1) * 1e-3;
-      moment->status.time = moment->truth.time;
       recorder->Commit();
     }
   }
@@ -71,7 +69,26 @@ class RecorderTest : public McapFilesTest {
     return id;
   }
 
+  // A refused command of a step.
+  void Refuse(std::int64_t step) {
+    emulator::Event event{.step = step,
+                          .time = static_cast<double>(step) * 1e-3,
+                          .kind = emulator::EventKind::kRefused,
+                          .numbers = {static_cast<double>(robot::Refusal::kCrc)}};
+    emulator::CopyText("rt/lowcmd", &event.text);
+    ring_.Append(event);
+  }
+  static std::vector<Event> EventsOf(const McapReader& reader) {
+    std::vector<Event> events;
+    reader.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
+      if (channel.topic == kEventTopic) events.push_back(DecodeEvent(message.data));
+      return true;
+    });
+    return events;
+  }
+
  private:
+  emulator::EventRing ring_;
   std::mutex mutex_;
   std::vector<std::string> said_;
 };
@@ -106,13 +123,36 @@ TEST_F(RecorderTest, IsInOrderOfTime) {
   const bus::Participant ours("lo", test::NewDomain());
   bus::Writer<bus::Hello> writer(ours, kHello);
   auto recorder = Start(ours, File());
-  for (std::int64_t step = 0; step < 2000; ++step) Tick(recorder.get(), &writer, step);
+  for (std::int64_t step = 0; step < 2000; ++step) {
+    Refuse(step);
+    Tick(recorder.get(), &writer, step);
+  }
   recorder.reset();
   std::uint64_t last = 0;
   for (const Kept& message : MessagesOf(McapReader(File()))) {
     EXPECT_GE(message.log_time, last);
     last = message.log_time;
   }
+}
+
+TEST_F(RecorderTest, TellsOfABurstOfEventsByItsCountAndOfItsEnd) {
+  const bus::Participant ours("lo", 218);
+  bus::Writer<bus::Hello> writer(ours, kHello);
+  auto recorder = Start(ours, File());
+  for (std::int64_t step = 0; step < 150; ++step) {
+    Refuse(step);
+    Tick(recorder.get(), &writer, step);
+  }
+  Refuse(150);
+  recorder.reset();
+  const std::vector<Event> events = EventsOf(McapReader(File()));
+  ASSERT_THAT(events, SizeIs(3));
+  EXPECT_EQ(events[0].step, 0);
+  EXPECT_EQ(events[0].kind, "refused");
+  EXPECT_EQ(events[0].detail, R"({"count":1,"reason":"crc","topic":"rt/lowcmd"})");
+  EXPECT_EQ(events[1].step, 100);
+  EXPECT_EQ(events[1].detail, R"({"count":100,"reason":"crc","topic":"rt/lowcmd"})");
+  EXPECT_EQ(events[2].detail, R"({"count":50,"reason":"crc","topic":"rt/lowcmd"})");
 }
 
 TEST_F(RecorderTest, TellsClientsFromTheRobot) {

@@ -65,7 +65,7 @@ class DoorsTest : public ::testing::Test {
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;
-  emulator::FrameBoard frames_{emulator::Frame{}};
+  emulator::SnapshotMailbox frames_{emulator::Frame{}};
   const PanelSocket panel_{"127.0.0.1", 0};
   std::optional<ControlServer> dut_;
 };

@@ -21,12 +21,18 @@ class MetricsTest : public ::testing::Test {
     frame_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
   }
   std::string Dut() const {
-    return MetricsText({.robot = "g1", .version = "0.1"}, status_, frame_);
+    return MetricsText({.robot = "g1", .version = "0.1"}, status_, frame_, events_);
   }
 
   emulator::Status status_;
   emulator::Frame frame_;
+  std::array<std::uint64_t, emulator::kEventKinds> events_{};
 };
+
+TEST_F(MetricsTest, CountsEventsByKind) {
+  events_[static_cast<std::size_t>(emulator::EventKind::kRequest)] = 7;
+  EXPECT_THAT(Dut(), testing::HasSubstr("\nunderstudy_events_total{kind=\"request\"} 7\n"));
+}
 
 TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {
   status_.commands.accepted = 7;

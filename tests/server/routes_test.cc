@@ -20,7 +20,7 @@ class RoutesTest : public ::testing::Test {
   }
 
   emulator::StatusBoard board_;
-  emulator::FrameBoard frames_{emulator::Frame{}};
+  emulator::SnapshotMailbox frames_{emulator::Frame{}};
   Plane plane_{.identity = {.robot = "g1"}, .board = &board_, .frames = &frames_};
 };
 
@@ -129,11 +129,17 @@ TEST_F(RoutesTest, WhatIsNotThereIs404) {
   EXPECT_EQ(ReplyTo("GET", "/panel").status, 404u);
   EXPECT_EQ(ReplyTo("GET", "/").status, 404u);
   plane_.frames = nullptr;
-  for (const char* target : {"/frame", "/refusals", "/metrics"}) {
+  for (const char* target : {"/frame", "/metrics"}) {
     EXPECT_EQ(ReplyTo("GET", target).status, 404u) << target;
   }
   const auto frames = Route({.method = "GET", .target = "/frames", .upgrade = true}, plane_);
   EXPECT_EQ(std::get<HttpReply>(frames).status, 404u);
+}
+
+TEST_F(RoutesTest, TellsWhatHappenedOrSendsItAsItComes) {
+  EXPECT_EQ(ReplyTo("GET", "/events").body, "{\"events\":[]}\n");
+  const auto events = Route({.method = "GET", .target = "/events", .upgrade = true}, plane_);
+  EXPECT_TRUE(std::holds_alternative<WatchEvents>(events));
 }
 
 TEST_F(RoutesTest, TellsTheAddressOfThePanel) {

@@ -32,11 +32,8 @@ emulator::Status EveryFieldSet() {
   status.commands.refused = {0, 11, 12, 13, 14, 15, 19, 16, 17, 18, 0, 0};
   status.arm_commands.accepted = 41;
   status.user_commands.timeouts = 42;
-  status.requests.Add({.time = 1.5, .request = test::RequestOf("reset", "lying")});
   status.hands[0].name = {'l', 'e', 'f', 't'};
   status.hands[0].commands = {.accepted = 21, .refused = {0, 0, 0, 0, 0, 22}, .timeouts = 23};
-  status.hands[0].last_refusal = robot::Refusal::kMotorMode;
-  status.last_refusal = robot::Refusal::kModePr;
   status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
   status.command_writers = 1;
   status.motion_service = {'m', 'c', 'f'};
@@ -46,7 +43,6 @@ emulator::Status EveryFieldSet() {
   status.stick_wish = {1, 2, 3};
   status.script_done = 3;
   status.script_refused = 1;
-  status.script_refusal = {'n', 'o'};
   status.published = 12499;
   status.divergences = 4;
   status.crane_attached = true;
@@ -72,7 +68,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
       R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18,)"
-      R"("no_motion_service":0,"not_handed_over":0},"last_refusal":"mode_pr","unused_slots":6,)"
+      R"("no_motion_service":0,"not_handed_over":0},"unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},)"
       R"("arm_sdk":{"accepted":41,"refused":)" +
@@ -80,11 +76,10 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"(},)"
           R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
           R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
-          R"("no_motion_service":0,"not_handed_over":0},)"
-          R"("last_refusal":"motor_mode"}],"motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
+          R"("no_motion_service":0,"not_handed_over":0}}],)"
+          R"("motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
-          R"("requests":[{"number":0,"time":1.5,"kind":"reset","text":"reset lying"}],)"
-          R"("script":{"done":3,"refused":1,"refusal":"no"},)"
+          R"("script":{"done":3,"refused":1},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
           R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
           R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
@@ -107,7 +102,6 @@ TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
 TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {
   const auto json = StatusJson(kG1, emulator::StatusBoard{}.Read());
   EXPECT_EQ(json["ready"], false);
-  EXPECT_EQ(json["commands"]["last_refusal"], "none");
   EXPECT_EQ(json["commands"]["refused"]["crc"], 0);
 }
 

@@ -22,8 +22,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
-#include "emulator/frame_board.h"
 #include "emulator/inbox.h"
+#include "emulator/snapshot_mailbox.h"
 
 namespace understudy::test {
 
@@ -181,13 +181,13 @@ class Ticking {
 // Shows the frame that is wanted about every millisecond, as a robot does.
 class Showing {
  public:
-  explicit Showing(emulator::FrameBoard* frames)
+  explicit Showing(emulator::SnapshotMailbox* frames)
       : thread_([this, frames] {
           for (; !stop_; std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
             emulator::Frame* frame = frames->Wanted();
             if (frame == nullptr) continue;
             frame->step = ++shown_;
-            frames->Show();
+            frames->Post();
           }
         }) {}
   ~Showing() {

@@ -105,7 +105,7 @@ def test_a_gamepad_reaches_wireless_remote(page):
 
 
 def test_a_refused_command_is_an_event_with_its_reason(page):
-    said = "document.getElementById('event-list').textContent.includes('rt/lowcmd (crc): its crc')"
+    said = "document.getElementById('event-list').textContent.includes('LowCmd (crc): its crc')"
 
     with speaker("rt/lowcmd", GoLowCmd, DOMAIN) as program:
         program.speak_until(lambda: page.evaluate(said), go_command())

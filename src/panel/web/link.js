@@ -1,4 +1,4 @@
-// The line to the robot: what it is, its frames and status as they come, requests to it.
+// The line to the robot: what it is, its frames, status and events as they come, requests to it.
 const RETRIES = [500, 1000, 2000, 4000]; // ms between attempts to reach it
 const STATUS_EVERY = 250; // ms
 const SILENCE = 2000; // ms without a frame after which one says so
@@ -26,7 +26,7 @@ export function takeToken() {
 
 export class Link {
   // `on` has a function for each kind of news: scene(description), frame(frame), status(status),
-  // line(state, why) with state live | silent | lost, token(state) with state ok | none | stale.
+  // event(event), line(state, why) with state live | silent | lost, token(state) with state ok | none | stale.
   constructor(token, on) {
     this.token = token;
     this.on = on;
@@ -92,6 +92,8 @@ export class Link {
   // Passes frames and status on until the line breaks.
   async follow() {
     this.openRequests();
+    const events = new WebSocket(this.socketUrl("/events"));
+    events.onmessage = ({ data }) => this.on.event(JSON.parse(data));
     let live = true;
     const watch = async () => {
       while (live) {
@@ -110,6 +112,7 @@ export class Link {
       while (await this.stream());
     } finally {
       live = false;
+      events.close();
     }
   }
 

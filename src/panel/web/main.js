@@ -28,6 +28,7 @@ let signalsKnown = false;
 let tableShown = 0;
 
 const link = new Link(takeToken(), { scene: setScene, frame: showFrame, status: showStatus,
+                                     event: (event) => events.show(event),
                                      line: showLine, token: showToken });
 
 function makeView() {
@@ -52,7 +53,7 @@ const bar = new Bar(request);
 const rig = new Rig(request);
 const speed = () => bar.speed;
 const remote = new Remote(request, speed);
-const events = new Events(() => link.json("/refusals"));
+const events = new Events();
 const table = new MotorTable(plotMotor);
 const sensors = new SensorTable((names) => plots.showFirst(names));
 const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
@@ -126,7 +127,7 @@ function showReadings(frame) {
 function showStatus(status) {
   bar.showStatus(status);
   rig.show(status);
-  events.show(status);
+  events.showStatus(status);
 }
 
 function showLine(state, why) {

@@ -1,0 +1,36 @@
+// Wakes a thread that waits for a file descriptor.
+#ifndef UNDERSTUDY_BASE_BELL_H_
+#define UNDERSTUDY_BASE_BELL_H_
+
+#include <cstdint>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include "base/unique_fd.h"
+
+namespace understudy {
+
+// Any thread may ring it; none ever waits for it here.
+class Bell {
+ public:
+  Bell() : fd_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
+
+  void Ring() const {
+    const std::uint64_t one = 1;
+    [[maybe_unused]] const ssize_t written = ::write(fd_.get(), &one, sizeof one);
+  }
+  // True when it has been rung since it was last answered.
+  bool Answer() const {
+    std::uint64_t rings = 0;
+    return ::read(fd_.get(), &rings, sizeof rings) == sizeof rings;
+  }
+  int fd() const { return fd_.get(); }  // readable once it has been rung
+
+ private:
+  UniqueFd fd_;
+};
+
+}  // namespace understudy
+
+#endif  // UNDERSTUDY_BASE_BELL_H_

@@ -1,0 +1,398 @@
+#include "emulator/event_table.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+#include "authority/command_gate.h"
+#include "robot/command_topics.h"
+#include "robot/refusal_text.h"
+#include "robot/remote_keys.h"
+
+namespace understudy::emulator {
+namespace {
+
+using nlohmann::json;
+using enum EventFieldType;
+
+// Late ticks in one burst that are worth a warning; *assumed*: a few are made up for unnoticed.
+constexpr std::uint64_t kManyOverruns = 50;
+
+std::string Text(const char* format, double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), format, number);
+  return digits.data();
+}
+
+std::string What(const Event& event) { return event.text.data(); }
+
+bool On(const Event& event) { return event.numbers[0] != 0; }
+
+std::string Plural(double count, const std::string& what) {
+  return std::to_string(static_cast<std::int64_t>(count)) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string Times(std::uint64_t count) {
+  return count == 1 ? "" : " (" + std::to_string(count) + " times)";
+}
+
+std::string Keys(double bits) { return robot::RemoteKeyNames(static_cast<std::uint16_t>(bits)); }
+
+robot::Refusal ReasonOf(const Event& event) {
+  return static_cast<robot::Refusal>(event.numbers[0]);
+}
+
+bool IsOfHand(const Event& event) {
+  return std::ranges::find(robot::kCommandTopicNames, What(event)) ==
+         robot::kCommandTopicNames.end();
+}
+
+// What brings the commands of the topic that `text` names.
+std::string MessageOf(const Event& event) {
+  if (What(event) == robot::kCommandTopicNames[robot::kLowCmdTopic]) return "LowCmd";
+  return (IsOfHand(event) ? "HandCmd of " : "LowCmd of ") + What(event);
+}
+
+std::string SayRefusal(const std::string& verb, const Event& event, std::uint64_t count) {
+  const robot::Refusal reason = ReasonOf(event);
+  return verb + " " + std::to_string(count) + " " + MessageOf(event) + " (" +
+         std::string(robot::Name(reason)) + "): " +
+         std::string(IsOfHand(event) ? robot::ExplainForHand(reason) : robot::Explain(reason));
+}
+
+std::string SayTimeout(const Event& event, std::uint64_t count) {
+  return MessageOf(event) +
+         (IsOfHand(event) ? " stopped: watched motors lock until mode's bit 7 is 0"
+                          : " stopped: motors are damping until the next one") +
+         Times(count);
+}
+
+constexpr EventLevel kSilent = EventLevel::kSilent, kInfo = EventLevel::kInfo,
+                     kWarning = EventLevel::kWarning, kError = EventLevel::kError;
+
+constexpr std::array<EventRow, kEventKinds> kRows = {{
+    {EventKind::kRefused,
+     "refused",
+     kWarning,
+     true,
+     {{{"reason", kReason}, {"topic", kText}}},
+     [](const Event& e, std::uint64_t n) { return SayRefusal("refused", e, n); },
+     "a command is refused"},
+    {EventKind::kTolerated,
+     "tolerated",
+     kInfo,
+     true,
+     {{{"reason", kReason}, {"topic", kText}}},
+     [](const Event& e, std::uint64_t n) { return SayRefusal("took", e, n); },
+     "a lenient gate takes a command whose form is wrong"},
+    {EventKind::kTimeout,
+     "timeout",
+     kWarning,
+     true,
+     {{{"topic", kText}}},
+     SayTimeout,
+     "commands stop"},
+    {EventKind::kFollowing,
+     "following",
+     kInfo,
+     false,
+     {{{"topic", kText}}},
+     [](const Event& e, std::uint64_t) { return "following " + MessageOf(e); },
+     "the first command of a topic is taken"},
+    {EventKind::kGate,
+     "gate",
+     kSilent,
+     false,
+     {{{"state", kGate}}},
+     [](const Event& e, std::uint64_t) {
+       return "gate: " +
+              std::string(authority::Name(static_cast<authority::GateState>(e.numbers[0])));
+     },
+     "the gate of rt/lowcmd changes its state, and at the start"},
+    {EventKind::kMotionService,
+     "motion_service",
+     kInfo,
+     false,
+     {{{"service", kText}}},
+     [](const Event& e, std::uint64_t) {
+       return e.text[0] == '\0' ? "no motion service is on: motors follow rt/lowcmd"
+                                : "motion service " + What(e) + " moves the motors";
+     },
+     "another motion service is on, or none, and at the start"},
+    {EventKind::kMotion,
+     "motion",
+     kSilent,
+     false,
+     {{{"state", kInteger}, {"mode", kInteger}}},
+     [](const Event& e, std::uint64_t) { return "motion " + Text("%.0f", e.numbers[0]); },
+     "the motion service changes its state"},
+    {EventKind::kRemote,
+     "remote",
+     kSilent,
+     false,
+     {{{"keys", kKeys}}},
+     [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys let go"; },
+     "keys of the remote controller go down or up"},
+    {EventKind::kRequest,
+     "request",
+     kSilent,
+     false,
+     {},
+     [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
+     "people ask for something that is no other event; told under the name of "
+     "[the request](control.md), as `push`"},
+    {EventKind::kCrane,
+     "crane",
+     kSilent,
+     false,
+     {{{"attached", kBool}}},
+     [](const Event& e, std::uint64_t) -> std::string {
+       return On(e) ? "hangs from the crane" : "off the crane";
+     },
+     "the robot is attached to the crane or released"},
+    {EventKind::kClamp,
+     "clamp",
+     kSilent,
+     false,
+     {{{"on", kBool}}},
+     [](const Event& e, std::uint64_t) -> std::string { return On(e) ? "clamped" : "unclamped"; },
+     "the clamp closes or opens"},
+    {EventKind::kPause,
+     "pause",
+     kInfo,
+     false,
+     {{{"on", kBool}}},
+     [](const Event& e, std::uint64_t) {
+       return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";
+     },
+     "the robot is paused or resumed"},
+    {EventKind::kSpeed,
+     "speed",
+     kInfo,
+     false,
+     {{{"speed", kNumber}}},
+     [](const Event& e, std::uint64_t) {
+       return "speed " + (On(e) ? Text("%g", e.numbers[0]) : "as fast as possible");
+     },
+     "another speed is wanted"},
+    {EventKind::kScript,
+     "script",
+     kSilent,
+     false,
+     {{{"event", kInteger}, {"where", kText}}},
+     [](const Event& e, std::uint64_t) { return What(e); },
+     "a script's order is given"},
+    {EventKind::kScriptRefused,
+     "script_refused",
+     kWarning,
+     true,
+     {{{"why", kText}}},
+     [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
+     "a script's order is refused"},
+    {EventKind::kDivergence,
+     "divergence",
+     kError,
+     true,
+     {},
+     [](const Event& e, std::uint64_t n) {
+       return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
+     },
+     "the physics diverges"},
+    {EventKind::kSilence,
+     "silence",
+     kWarning,
+     false,
+     {{{"on", kBool}}},
+     [](const Event& e, std::uint64_t) -> std::string {
+       return On(e) ? "silenced: another robot speaks" : "speaks again";
+     },
+     "the robot falls silent beside another robot, or speaks again"},
+    {EventKind::kWriters,
+     "writers",
+     kWarning,
+     true,
+     {{{"writers", kInteger}}},
+     [](const Event& e, std::uint64_t) {
+       return Text("%.0f", e.numbers[0]) +
+              " programs write rt/lowcmd; the robot follows whichever wrote last";
+     },
+     "two programs or more write rt/lowcmd"},
+    {EventKind::kUnusedSlot,
+     "unused_slot",
+     kWarning,
+     false,
+     {},
+     [](const Event&, std::uint64_t) -> std::string {
+       return "a LowCmd sets gains or torque in a slot without a motor; the robot ignores it. Is "
+              "the program's motor order this robot's?";
+     },
+     "a LowCmd sets gains or torque in a slot without a motor, the first time"},
+    {EventKind::kUnsetHead,
+     "unset_head",
+     kInfo,
+     false,
+     {},
+     [](const Event&, std::uint64_t) -> std::string {
+       return "LowCmd comes without head and level_flag; it is taken, though nobody has shown that "
+              "a real robot does";
+     },
+     "a LowCmd comes without head and level_flag, the first time"},
+    {EventKind::kWriteFailure,
+     "write_failure",
+     kError,
+     true,
+     {{{"messages", kSum}}},
+     [](const Event& e, std::uint64_t) { return Plural(e.numbers[0], "message") + " not sent"; },
+     "the bus does not take messages"},
+    {EventKind::kOverrun,
+     "overrun",
+     kInfo,
+     true,
+     {{{"worst", kWorst}}},
+     [](const Event& e, std::uint64_t n) {
+       return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
+              Text("%.1f", e.numbers[0] * 1e3) + " ms";
+     },
+     "a tick begins more than one period late"},
+    {EventKind::kStall,
+     "stall",
+     kWarning,
+     true,
+     {{{"seconds", kSum}}},
+     [](const Event& e, std::uint64_t) {
+       return Text("%.1f", e.numbers[0]) +
+              " s behind wall time, which is not made up for: simulated time goes on late";
+     },
+     "a tick begins so late that it is not made up for"},
+    {EventKind::kLost,
+     "lost",
+     kWarning,
+     true,
+     {{{"events", kSum}}},
+     [](const Event& e, std::uint64_t) {
+       return Plural(e.numbers[0], "event") + " came too fast to be told";
+     },
+     "whoever tells of events was too slow"},
+}};
+
+static_assert([] {
+  for (std::size_t i = 0; i < kEventKinds; ++i) {
+    if (kRows[i].kind != static_cast<EventKind>(i)) return false;
+  }
+  return true;
+}());
+
+json Value(const Event& event, EventFieldType type, std::size_t number) {
+  switch (type) {
+    case kText:
+      return What(event);
+    case kBool:
+      return event.numbers[number] != 0;
+    case kInteger:
+      return static_cast<std::int64_t>(event.numbers[number]);
+    case kReason:
+      return robot::Name(static_cast<robot::Refusal>(event.numbers[number]));
+    case kGate:
+      return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
+    case kKeys:
+      return Keys(event.numbers[number]);
+    case kNumber:
+    case kWorst:
+    case kSum:
+      break;
+  }
+  return event.numbers[number];
+}
+
+// Calls do_one(field, index of its first number) for each field of the row.
+template <class DoOne>
+void ForEachField(const EventRow& row, DoOne do_one) {
+  std::size_t number = 0;
+  for (const EventField& field : row.fields) {
+    if (field.name.empty()) return;
+    do_one(field, number);
+    if (field.type != kText) ++number;
+  }
+}
+
+bool SameCause(const Event& a, const Event& b) {
+  if (a.kind != b.kind || a.robot != b.robot || a.text != b.text) return false;
+  bool same = true;
+  ForEachField(RowOf(a.kind), [&](const EventField& field, std::size_t i) {
+    if (field.type == kReason) same = same && a.numbers[i] == b.numbers[i];
+  });
+  return same;
+}
+
+// `held`, with one event more.
+void Add(const Event& event, ToldEvent* held) {
+  Event both = event;
+  if (held->count > 0) {
+    ForEachField(RowOf(event.kind), [&](const EventField& field, std::size_t i) {
+      const double before = held->event.numbers[i];
+      if (field.type == kWorst) both.numbers[i] = std::max(before, event.numbers[i]);
+      if (field.type == kSum) both.numbers[i] = before + event.numbers[i];
+    });
+  }
+  *held = {.event = both, .count = held->count + 1};
+}
+
+}  // namespace
+
+std::span<const EventRow, kEventKinds> EventTable() { return kRows; }
+
+const EventRow& RowOf(EventKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
+
+std::string_view ToldEvent::kind() const {
+  return event.kind == EventKind::kRequest ? event.request.row->name : RowOf(event.kind).name;
+}
+
+json ToldEvent::detail() const {
+  if (event.kind == EventKind::kRequest) return ValuesOf(event.request);
+  json detail = json::object();
+  const EventRow& row = RowOf(event.kind);
+  ForEachField(row, [&](const EventField& field, std::size_t number) {
+    detail[std::string(field.name)] = Value(event, field.type, number);
+  });
+  if (row.bursts) detail["count"] = count;
+  return detail;
+}
+
+EventLevel ToldEvent::level() const {
+  const bool too_slow = event.kind == EventKind::kOverrun && count > kManyOverruns;
+  return too_slow ? EventLevel::kWarning : RowOf(event.kind).level;
+}
+
+std::optional<ToldEvent> EventDigest::Take(const Event& event, double now) {
+  if (!RowOf(event.kind).bursts) return ToldEvent{.event = event};
+  auto cause = std::ranges::find_if(
+      causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
+  if (cause == causes_.end()) {
+    causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now});
+    return ToldEvent{.event = event};
+  }
+  Add(event, &cause->held);
+  if (now < cause->told_at + period_) return std::nullopt;
+  const ToldEvent told = cause->held;
+  cause->held.count = 0;
+  cause->told_at = now;
+  return told;
+}
+
+std::vector<ToldEvent> EventDigest::Due(double now) {
+  std::vector<ToldEvent> due;
+  for (Cause& cause : causes_) {
+    if (cause.held.count == 0 || now < cause.told_at + period_) continue;
+    due.push_back(cause.held);
+    cause.held.count = 0;
+    cause.told_at = now;
+  }
+  return due;
+}
+
+std::vector<ToldEvent> EventDigest::Rest() { return Due(std::numeric_limits<double>::infinity()); }
+
+}  // namespace understudy::emulator

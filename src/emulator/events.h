@@ -1,0 +1,164 @@
+// What happens to a robot, as values: appended once, by the thread that ticks, and read by any
+// number of other threads.
+#ifndef UNDERSTUDY_EMULATOR_EVENTS_H_
+#define UNDERSTUDY_EMULATOR_EVENTS_H_
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "emulator/request.h"
+
+namespace understudy::emulator {
+
+// Each has a row in the table of event_table.cc, in this order.
+enum class EventKind : std::uint8_t {
+  kRefused,
+  kTolerated,
+  kTimeout,
+  kFollowing,
+  kGate,
+  kMotionService,
+  kMotion,
+  kRemote,
+  kRequest,
+  kCrane,
+  kClamp,
+  kPause,
+  kSpeed,
+  kScript,
+  kScriptRefused,
+  kDivergence,
+  kSilence,
+  kWriters,
+  kUnusedSlot,
+  kUnsetHead,
+  kWriteFailure,
+  kOverrun,
+  kStall,
+  kLost,
+  kCount,
+};
+
+inline constexpr std::size_t kEventKinds = static_cast<std::size_t>(EventKind::kCount);
+
+// Numbers and text mean what the kind's row says; the request is that of a kRequest.
+struct Event {
+  std::int64_t step = 0;  // that was being made, or comes next
+  double time = 0;        // simulated s, of that step
+  EventKind kind = EventKind::kCount;
+  std::uint8_t robot = 0;  // its number in the world
+  std::array<double, 4> numbers{};
+  std::array<char, 120> text{};  // cut to fit, with a zero at its end
+  Request request{};
+};
+
+// What `text` of an event becomes.
+template <std::size_t kRoom>
+void CopyText(std::string_view text, std::array<char, kRoom>* to) {
+  *to = {};
+  text.copy(to->data(), kRoom - 1);
+}
+
+// One writer, which never waits; any number of readers, which do not hold it up: the oldest events
+// are written over, and a reader that was too slow learns how many it has lost.
+class EventRing {
+ public:
+  static constexpr std::size_t kCapacity = 2048;  // *assumed*: seconds of one refusal per tick
+
+  EventRing() : slots_(kCapacity) {}
+
+  // The writer. What is added from now on is of this step.
+  void SetStep(std::int64_t step, double time) {
+    step_ = step;
+    time_ = time;
+  }
+  // The writer. `robot` is its number in the world. Allocates nothing.
+  void Add(EventKind kind, std::uint8_t robot = 0, const std::array<double, 4>& numbers = {},
+           std::string_view text = {}) {
+    Event event{.step = step_, .time = time_, .kind = kind, .robot = robot, .numbers = numbers};
+    CopyText(text, &event.text);
+    Append(event);
+  }
+  void Append(const Event& event) {
+    const std::uint64_t number = written_.load(std::memory_order_relaxed);
+    begun_.store(number + 1, std::memory_order_relaxed);
+    // Whoever reads one of these words sees that its slot is being written over.
+    Slot& slot = slots_[number % kCapacity];
+    Words words;
+    std::memcpy(words.data(), &event, sizeof event);
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      slot[i].store(words[i], std::memory_order_release);
+    }
+    written_.store(number + 1, std::memory_order_release);
+  }
+
+  // Events appended since the start. Any thread.
+  std::uint64_t count() const { return written_.load(std::memory_order_acquire); }
+
+  // One reader's place. The ring must outlive it.
+  class Reader {
+   public:
+    // From the oldest event that is kept.
+    explicit Reader(const EventRing* ring) : ring_(ring) {}
+
+    // The next event; false when there is none yet. What was lost is told by an event kLost.
+    bool Next(Event* event) {
+      while (true) {
+        const std::uint64_t written = ring_->count();
+        if (next_ == written) return false;
+        const std::uint64_t oldest = written < kCapacity ? 0 : written - kCapacity;
+        if (next_ < oldest) lost_ += oldest - next_;
+        next_ = next_ < oldest ? oldest : next_;
+        if (!ring_->Copy(next_, event)) continue;
+        if (lost_ == 0) {
+          ++next_;
+          return true;
+        }
+        *event = {.step = event->step,
+                  .time = event->time,
+                  .kind = EventKind::kLost,
+                  .robot = event->robot,
+                  .numbers = {static_cast<double>(lost_)}};
+        lost_ = 0;
+        return true;
+      }
+    }
+
+   private:
+    const EventRing* ring_;
+    std::uint64_t next_ = 0;
+    std::uint64_t lost_ = 0;
+  };
+
+ private:
+  using Words = std::array<std::uint64_t, sizeof(Event) / sizeof(std::uint64_t)>;
+  static_assert(sizeof(Words) == sizeof(Event) && std::is_trivially_copyable_v<Event>);
+  using Slot = std::array<std::atomic<std::uint64_t>, std::tuple_size_v<Words>>;
+
+  // False when the event was written over meanwhile.
+  bool Copy(std::uint64_t number, Event* event) const {
+    const Slot& slot = slots_[number % kCapacity];
+    Words words;
+    for (std::size_t i = 0; i < words.size(); ++i) {
+      words[i] = slot[i].load(std::memory_order_acquire);
+    }
+    if (begun_.load(std::memory_order_relaxed) > number + kCapacity) return false;
+    std::memcpy(static_cast<void*>(event), words.data(), sizeof *event);
+    return true;
+  }
+
+  std::int64_t step_ = 0;
+  double time_ = 0;
+  std::vector<Slot> slots_;
+  std::atomic<std::uint64_t> begun_{0};
+  std::atomic<std::uint64_t> written_{0};
+};
+}  // namespace understudy::emulator
+
+#endif  // UNDERSTUDY_EMULATOR_EVENTS_H_

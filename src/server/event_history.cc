@@ -1,0 +1,38 @@
+#include "server/event_history.h"
+
+#include <nlohmann/json.hpp>
+
+namespace understudy::server {
+
+using nlohmann::ordered_json;
+
+void EventHistory::Update(std::chrono::nanoseconds now) {
+  if (!reader_) return;
+  const double seconds = std::chrono::duration<double>(now).count();
+  for (emulator::Event event; reader_->Next(&event);) {
+    ++counts_[static_cast<std::size_t>(event.kind)];
+    if (const auto told = digest_.Take(event, seconds)) Add(*told);
+  }
+  for (const emulator::ToldEvent& told : digest_.Due(seconds)) Add(told);
+}
+
+void EventHistory::Add(const emulator::ToldEvent& told) {
+  if (newest_.size() == kMost) newest_.pop_front();
+  newest_.push_back({.number = next_++, .told = told});
+}
+
+ordered_json EventJson(const KnownEvent& event) {
+  const emulator::ToldEvent& told = event.told;
+  return {{"number", event.number},  {"step", told.event.step},
+          {"time", told.event.time}, {"robot", told.event.robot},
+          {"kind", told.kind()},     {"level", emulator::Name(told.level())},
+          {"text", told.text()},     {"detail", told.detail()}};
+}
+
+ordered_json EventsJson(const EventHistory& history) {
+  ordered_json events = ordered_json::array();
+  for (const KnownEvent& event : history.newest()) events.push_back(EventJson(event));
+  return {{"events", events}};
+}
+
+}  // namespace understudy::server
