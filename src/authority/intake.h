@@ -16,7 +16,6 @@ struct GateCounts {
   std::uint64_t accepted = 0;
   std::array<std::uint64_t, robot::kRefusals> refused{};  // by Refusal; kNone stays 0
   std::uint64_t timeouts = 0;                             // times that commands stopped
-  robot::Refusal last_refusal = robot::Refusal::kNone;
 };
 
 // Strict, it refuses what is wrong in form (crc, head, mode_machine, mode_pr, motor mode). Lenient,
@@ -35,15 +34,11 @@ class Intake {
   robot::Refusal Judge(robot::Refusal form, Offer&& offer) {
     if (form != robot::Refusal::kNone) ++refused(form);
     if (form != robot::Refusal::kNone && (!lenient_ || form == robot::Refusal::kMotorCount)) {
-      return counts_.last_refusal = form;
+      return form;
     }
     const robot::Refusal refusal = std::forward<Offer>(offer)();
-    if (refusal == robot::Refusal::kNone) {
-      ++counts_.accepted;
-      return refusal;
-    }
-    ++refused(refusal);
-    return counts_.last_refusal = refusal;
+    ++(refusal == robot::Refusal::kNone ? counts_.accepted : refused(refusal));
+    return refusal;
   }
 
   // `timeouts` is 0: gates know it.

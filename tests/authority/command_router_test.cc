@@ -180,10 +180,9 @@ TEST_F(CommandRouterTest, CountsEveryTopicApart) {
   EXPECT_EQ(Offer(), robot::Refusal::kNone);
   EXPECT_EQ(router_->hand(1).Current(input_.time).motors[1].tau, 1);
   EXPECT_EQ(router_->counts(right).accepted, 1U);
-  EXPECT_EQ(router_->counts(right).last_refusal, robot::Refusal::kMotorMode);
   EXPECT_EQ(Refused(right, robot::Refusal::kMotorMode), 1U);
   EXPECT_EQ(Refused(robot::kFirstHandTopic, robot::Refusal::kMotorCount), 1U);
-  EXPECT_EQ(router_->counts(robot::kLowCmdTopic).last_refusal, robot::Refusal::kNone);
+  EXPECT_EQ(Refused(robot::kLowCmdTopic, robot::Refusal::kMotorMode), 0U);
   router_->Current(input_, false, 0.002);
   input_.time += 1;
   router_->Current(input_, false, 0.002);
