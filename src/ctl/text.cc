@@ -1,6 +1,7 @@
 #include "ctl/text.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>

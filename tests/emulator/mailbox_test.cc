@@ -94,7 +94,9 @@ TEST(StatusBoardTest, KeepsTheLastPostHoweverOftenItIsRead) {
     while (!over) dut.Read();
   });
   for (std::int64_t steps = 1; steps <= 2000; ++steps) {
-    dut.Post({.steps = steps});
+    Status status;
+    status.steps = steps;
+    dut.Post(status);
     ASSERT_EQ(dut.Read().steps, steps);
   }
   over = true;
