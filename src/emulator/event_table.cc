@@ -267,6 +267,17 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
               " s behind wall time, which is not made up for: simulated time goes on late";
      },
      "a tick begins so late that it is not made up for"},
+    {EventKind::kCall,
+     "call",
+     kSilent,
+     true,
+     {{{"api", kCause}, {"code", kCause}, {"service", kText}}},
+     [](const Event& e, std::uint64_t n) {
+       const auto api = static_cast<std::int64_t>(e.numbers[0]);
+       const auto code = static_cast<std::int64_t>(e.numbers[1]);
+       return What(e) + " " + std::to_string(api) + " answers " + std::to_string(code) + Times(n);
+     },
+     "a service is called, leases left aside"},
     {EventKind::kLost,
      "lost",
      kWarning,
@@ -292,6 +303,7 @@ json Value(const Event& event, EventFieldType type, std::size_t number) {
     case kBool:
       return event.numbers[number] != 0;
     case kInteger:
+    case kCause:
       return static_cast<std::int64_t>(event.numbers[number]);
     case kReason:
       return robot::Name(static_cast<robot::Refusal>(event.numbers[number]));
@@ -322,7 +334,7 @@ bool SameCause(const Event& a, const Event& b) {
   if (a.kind != b.kind || a.robot != b.robot || a.text != b.text) return false;
   bool same = true;
   ForEachField(RowOf(a.kind), [&](const EventField& field, std::size_t i) {
-    if (field.type == kReason) same = same && a.numbers[i] == b.numbers[i];
+    if (field.type == kReason || field.type == kCause) same = same && a.numbers[i] == b.numbers[i];
   });
   return same;
 }

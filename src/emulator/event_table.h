@@ -31,6 +31,7 @@ enum class EventFieldType : std::uint8_t {
   kBool,
   kText,
   kReason,  // a robot::Refusal
+  kCause,   // a whole number; with another one the event has another cause
   kGate,    // an authority::GateState
   kKeys,    // of the remote controller, as bits
   kWorst,   // a number; of a burst the largest

@@ -41,6 +41,7 @@ enum class EventKind : std::uint8_t {
   kWriteFailure,
   kOverrun,
   kStall,
+  kCall,
   kLost,
   kCount,
 };

@@ -66,13 +66,21 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld*
 }
 
 void Robot::ServeCalls(time::Clock::Time now) {
-  if (services_ != nullptr) services_->Poll(&router_.owner(), now);
+  if (services_ == nullptr) return;
+  for (const services::Call& call : services_->Poll(&router_.owner(), now)) NoteCall(call);
 }
 
 std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t api_id,
                                         std::string_view parameter, time::Clock::Time now) {
   if (services_ == nullptr) return std::nullopt;
-  return services_->Answer(service, api_id, parameter, &router_.owner(), now);
+  const auto code = services_->Answer(service, api_id, parameter, &router_.owner(), now);
+  if (code) NoteCall({.service = service, .api_id = api_id, .code = *code});
+  return code;
+}
+
+void Robot::NoteCall(const services::Call& call) {
+  Note(EventKind::kCall, {static_cast<double>(call.api_id), static_cast<double>(call.code)},
+       call.service);
 }
 
 void Robot::Hear(std::int64_t step, double t) {

@@ -126,6 +126,7 @@ class Robot {
   }
   void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                    const authority::GateCounts& counts);
+  void NoteCall(const services::Call& call);
   void NoteTimeouts(std::size_t topic, const authority::GateCounts& counts);
 
   robot::RobotSpec spec_;

@@ -68,6 +68,17 @@ TEST_F(OwnerTest, LowCmdIsFollowedAfterRelease) {
   EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
 }
 
+TEST_F(OwnerTest, CallsOfServicesAreEvents) {
+  Start();
+  Tick(10);
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
+  Tick();
+  Tick();
+  EXPECT_EQ(Told(EventKind::kCall), std::vector<std::string>{"fake 1 answers 0"});
+  EXPECT_EQ(Answered("service.call", {{"service", "release"}, {"api", 1003}}), "");
+  EXPECT_EQ(Told(EventKind::kCall).back(), "release 1003 answers 0");
+}
+
 TEST_F(OwnerTest, ASelectedServiceTakesTheMotorsBack) {
   Start();
   services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
