@@ -109,7 +109,7 @@ TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
 TEST_F(CtlCommandTest, AnArgumentThatIsNoTextReachesTheRobot) {
   const FakeRobot robot(Socket("one"));
   Run("ctl push \xff\xfe 1 0 0");
-  EXPECT_EQ(robot.last().body(), "\xef\xbf\xbd\xef\xbf\xbd");
+  EXPECT_EQ(robot.last().name(), "\xef\xbf\xbd\xef\xbf\xbd");
 }
 
 TEST_F(CtlCommandTest, AsksForWhatTheVerbSays) {
