@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "authority/command_gate.h"
+#include "authority/intake.h"
 #include "emulator/mailbox.h"
 #include "robot/command_topics.h"
 #include "robot/port_counts.h"

@@ -82,9 +82,9 @@ Routed GetFrame(const HttpRequest& request, std::string_view, Plane&) {
 Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
   return FromFrame{.parts = kMetricsParts,
                    .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane& plane) {
-                     return HttpReply{
-                         .body = MetricsText(plane.identity, plane.board->Read(), frame),
-                         .type = kMetricsType};
+                     return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(),
+                                                          frame, plane.events.counts()),
+                                      .type = kMetricsType};
                    }};
 }
 
