@@ -12,6 +12,7 @@
 #include "config/load.h"
 #include "config/model_files.h"
 #include "config/robot_file.h"
+#include "mjcf/compile.h"
 #include "physics/world_model.h"
 #include "script/script.h"
 #include "services/robot_services.h"
@@ -40,8 +41,8 @@ void CheckFits(const config::Config& config, const config::SceneFile& scene,
                physics::LoadNotes* notes) {
   const robot::RobotSpec& robot = config.robot;
   try {
-    physics::LoadWorldModel(robot, config::ModelFile(robot), scene.path(), config.physics.timestep,
-                            notes);
+    physics::LoadWorldModel({{robot, config::ModelFile(robot)}}, scene.path(),
+                            config.physics.timestep, notes);
   } catch (const ModelError& error) {
     if (robot.revision.empty()) throw;
     throw ModelError("revision " + robot.revision + ": " + error.what());
@@ -54,8 +55,7 @@ std::string CheckFile(const std::filesystem::path& file, physics::LoadNotes* not
   const std::string extension = file.extension();
   if (extension == ".xml") {
     const mjcf::ModelHandle model = physics::LoadModelFile(file, notes);
-    return "MJCF, " + std::to_string(model->nbody - 1) + " bodies, " + std::to_string(model->njnt) +
-           " joints, " + std::to_string(model->nu) + " actuators";
+    return "MJCF, " + mjcf::CountsText(*model);
   }
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
@@ -104,7 +104,7 @@ void Print(const std::string& file, const std::string& text, bool ok,
   std::string line = (ok ? "ok   " : "FAIL ") + (names_file ? "" : file + ": ") + text;
   if (!notes.rewrites.empty()) {
     line += "; " + std::to_string(notes.rewrites.size()) + " places rewritten for MuJoCo " +
-            mj_versionString();
+            mjcf::MujocoVersion();
   }
   std::printf("%s\n", line.c_str());
   for (const mjcf::Rewrite& rewrite : notes.rewrites)
@@ -162,10 +162,10 @@ int ServicesCommand() {
 
 int VersionCommand(bool as_json) {
   if (as_json) {
-    const json object = {{"understudy", kVersion}, {"mujoco", mj_versionString()}};
+    const json object = {{"understudy", kVersion}, {"mujoco", mjcf::MujocoVersion()}};
     std::printf("%s\n", object.dump().c_str());
   } else {
-    std::printf("understudy %s (MuJoCo %s)\n", kVersion, mj_versionString());
+    std::printf("understudy %s (MuJoCo %s)\n", kVersion, mjcf::MujocoVersion());
   }
   return 0;
 }

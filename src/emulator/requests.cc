@@ -10,13 +10,13 @@
 namespace understudy::emulator {
 namespace {
 
-Error NoBody(const physics::PhysicsWorld& world, std::string_view name) {
+Error NoBody(const physics::World& world, std::string_view name) {
   const std::string nearest = NearestWord(name, physics::BodyNames(world));
   const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
   return {"the model has no body '" + std::string(name) + "'" + hint};
 }
 
-Result<int> FindBody(const physics::PhysicsWorld& world, std::string_view name) {
+Result<int> FindBody(const physics::World& world, std::string_view name) {
   const int body = world.FindBody(std::string(name));
   if (body < 0) return NoBody(world, name);
   if (body == 0) return Error{"'" + std::string(name) + "' does not move"};
@@ -151,7 +151,7 @@ struct RequestActs {
   }
 
   static Answer Clamp(World& world, Robot&, Request& request, double) {
-    world.physics_.Clamp(request.on("on"));
+    world.physics_.robot().Clamp(request.on("on"));
     return {};
   }
 

@@ -29,7 +29,7 @@ std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
 
 }  // namespace
 
-Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld* physics,
+Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
              EventRing* events)
     : spec_(parts.spec),
       index_(index),
@@ -37,6 +37,7 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld*
       start_pose_(parts.settings.start),
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
       physics_(physics),
+      body_(&physics->robot(index)),
       events_(events),
       port_(parts.port),
       services_(parts.services),
@@ -47,8 +48,8 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld*
       sensors_(parts.settings.sensors, spec_),
       crane_(parts.settings.crane),
       router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
-              motion::MakeMotion(spec_, *physics_, parts.settings.gate.damping_kd)),
-      crane_body_(physics_->Body(spec_.crane_body)),
+              motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
+      crane_body_(body_->Body(spec_.crane_body)),
       crane_point_(spec_.crane_point),
       step_ns_(std::llround(physics_->timestep() * 1e9)),
       service_rate_(spec_.rates.service_hz, physics_->timestep()),
@@ -91,11 +92,12 @@ void Robot::Hear(std::int64_t step, double t) {
 
 void Robot::Act(double t) {
   const double dt = physics_->timestep();
-  motors_.Step(*command_, physics_->q(), physics_->dq(), dt);
-  battery_.Step(motors_.torque(), physics_->dq(), dt);
+  motors_.Step(*command_, body_->q(), body_->dq(), dt);
+  body_->Drive(motors_.torque());
+  battery_.Step(motors_.torque(), body_->dq(), dt);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
-    physics_->DriveHand(
-        i, hands_[i].Step(router_.hand(i).Current(t), physics_->hand_q(i), physics_->hand_dq(i)));
+    body_->DriveHand(
+        i, hands_[i].Step(router_.hand(i).Current(t), body_->hand_q(i), body_->hand_dq(i)));
     NoteTimeouts(robot::kFirstHandTopic + i, router_.counts(robot::kFirstHandTopic + i));
   }
   if (crane_.attached()) {
@@ -185,7 +187,7 @@ void Robot::NoteChanges(double t) {
   }
   note(EventKind::kRemote, &noted_.keys, remote_.Read(t).keys);
   note(EventKind::kCrane, &noted_.on_crane, crane_.attached());
-  note(EventKind::kClamp, &noted_.clamped, physics_->clamped());
+  note(EventKind::kClamp, &noted_.clamped, body_->clamped());
 }
 
 void Robot::Report(double t, Status* status) const {
@@ -210,9 +212,9 @@ void Robot::Report(double t, Status* status) const {
   status->crane_attached = crane_.attached();
   status->crane_length = crane_.length();
   status->crane_tension = crane_.tension();
-  status->clamped = physics_->clamped();
-  status->base_height = physics_->base().p_WB.z();
-  status->tilt = physics_->tilt();
+  status->clamped = body_->clamped();
+  status->base_height = body_->base().p_WB.z();
+  status->tilt = body_->tilt();
 }
 
 std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double damping_kd) {
@@ -227,20 +229,20 @@ void Robot::Reset(robot::StartPose pose) {
   const Start& begin = start(pose);
   router_.Restart(begin.command);
   delay_.Restart(begin.command);
-  physics_->Reset(begin.pose);
+  body_->Reset(begin.pose);
   crane_.Release();
   if (begin.on_crane) AttachCrane();
-  physics_->Clamp(begin.clamped);
+  body_->Clamp(begin.clamped);
   sampled_ = kNever;
 }
 
-void Robot::AttachCrane() { crane_.Attach(hook().p_WP, physics_->weight()); }
+void Robot::AttachCrane() { crane_.Attach(hook().p_WP, body_->weight()); }
 
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
-  sensors_.Sample(*physics_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
+  sensors_.Sample(*body_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
   for (std::size_t i = 0; i < hands_.size(); ++i) {
-    hands_[i].Sample(router_.hand(i), physics_->hand_q(i), physics_->hand_dq(i), &state_.hands[i]);
+    hands_[i].Sample(router_.hand(i), body_->hand_q(i), body_->hand_dq(i), &state_.hands[i]);
   }
   state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();

@@ -44,8 +44,7 @@ class Robot {
  public:
   // Puts the robot in its start pose. `index` is its number in the world. `physics` was made for
   // the same spec and must outlive it, and so must `events`, which it tells what happens to it.
-  Robot(const RobotParts& parts, std::uint8_t index, physics::PhysicsWorld* physics,
-        EventRing* events);
+  Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics, EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
@@ -134,7 +133,8 @@ class Robot {
   std::vector<std::string> topics_;  // that commands come by, by number; "" where there is none
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
-  physics::PhysicsWorld* physics_;
+  physics::World* physics_;
+  physics::RobotBody* body_;  // of this robot, in it
   EventRing* events_;
   wire::RobotPort* port_;
   services::ServicePort* services_;

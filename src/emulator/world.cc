@@ -12,7 +12,7 @@ constexpr std::size_t kMostSteppers = 2 * Inbox::kCapacity;
 
 }  // namespace
 
-World::World(physics::PhysicsWorld physics, const WorldSettings& settings,
+World::World(physics::World physics, const WorldSettings& settings,
              const std::vector<RobotParts>& robots, Inbox* inbox)
     : settings_(settings),
       physics_(std::move(physics)),
@@ -37,12 +37,13 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
   pushes_.Act(t, &physics_);
   drags_.Act(t, &physics_);
   for (Robot& robot : robots_) robot.Act(t);
-  const physics::StepHealth health = physics_.EndStep(robot().torque());
+  const physics::StepHealth health = physics_.EndStep();
 
   if (health == physics::StepHealth::kDiverged) {
     ++divergences_;
     events_.Add(EventKind::kDivergence);
     if (settings_.reset_on_divergence) {
+      physics_.Reset();
       for (Robot& robot : robots_) {
         Reset(&robot, robot.start_pose());
         robot.NoteChanges(t);
@@ -69,6 +70,7 @@ void World::Attend(time::Clock::Time now) {
 void World::Reset(Robot* robot, robot::StartPose pose) {
   pushes_.Clear();
   drags_.Clear();
+  if (robots_.size() == 1) physics_.Reset();  // what lies about in the scene goes back as well
   robot->Reset(pose);
 }
 

@@ -29,7 +29,7 @@ namespace understudy::emulator {
 class World {
  public:
   // `physics` was made for the robots' specs; `inbox` and the robots' ports must outlive the world.
-  World(physics::PhysicsWorld physics, const WorldSettings& settings,
+  World(physics::World physics, const WorldSettings& settings,
         const std::vector<RobotParts>& robots, Inbox* inbox);
   World(const World&) = delete;
   World& operator=(const World&) = delete;
@@ -62,7 +62,7 @@ class World {
 
   Robot& robot(std::size_t index = 0) { return robots_[index]; }
   const Robot& robot(std::size_t index = 0) const { return robots_[index]; }
-  const physics::PhysicsWorld& physics() const { return physics_; }  // changed by the calls above
+  const physics::World& physics() const { return physics_; }  // changed by the calls above
   // Of the last step.
   std::span<const physics::AppliedForce> pushes() const { return pushes_.forces(); }
   std::span<const physics::AppliedForce> drags() const { return drags_.forces(); }
@@ -97,7 +97,7 @@ class World {
 
   WorldSettings settings_;
   EventRing events_;
-  physics::PhysicsWorld physics_;
+  physics::World physics_;
   std::deque<Robot> robots_;
   Inbox* inbox_;
   std::int64_t step_ns_;

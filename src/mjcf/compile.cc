@@ -5,6 +5,8 @@
 #include <cstring>
 #include <regex>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 
 namespace understudy::mjcf {
@@ -78,15 +80,24 @@ bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& n
 
 }  // namespace
 
-ModelHandle CompileMjcf(const MjcfElement& root) {
+ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning) {
   constexpr char kName[] = "understudy_world.xml";
   const MjcfText text = WriteMjcf(root);
   const MemoryFile file(kName, text.xml);
   std::array<char, 1000> error{};
   ModelHandle model(mj_loadXML(kName, file.get(), error.data(), static_cast<int>(error.size())));
-  if (!model) throw ModelError(InTermsOfFiles(error.data(), text));
+  const std::string message = error[0] == '\0' ? "" : InTermsOfFiles(error.data(), text);
+  if (!model) throw ModelError(message);
+  if (warning != nullptr) *warning = message;
   return model;
 }
+
+std::string CountsText(const mjModel& model) {
+  return std::to_string(model.nbody - 1) + " bodies, " + std::to_string(model.njnt) + " joints, " +
+         std::to_string(model.nu) + " actuators";
+}
+
+const char* MujocoVersion() { return mj_versionString(); }
 
 std::vector<std::string> UnknownWords(MjcfElement root) {
   // place: XML Error: Schema violation: unrecognized attribute: 'x' Element 'y' (unknown ...)

@@ -10,13 +10,20 @@
 
 namespace understudy::mjcf {
 
-// Throws ModelError with MuJoCo's message and the file and line of the element it is about, or only
-// the root's file where MuJoCo names no line.
-ModelHandle CompileMjcf(const MjcfElement& root);
+// `warning`, which may be null, becomes what MuJoCo warns of, "" where it does not. Throws
+// ModelError with MuJoCo's message. Both begin with file and line of the element they are about, or
+// with the root's file only where MuJoCo names no line.
+ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning = nullptr);
 
 // Every element and attribute that this MuJoCo does not know, one line each with file and line, in
 // the order in which it refuses them. Empty where only something else is wrong, or nothing.
 std::vector<std::string> UnknownWords(MjcfElement root);
+
+// "13 bodies, 13 joints, 12 actuators", without the body of the world.
+std::string CountsText(const mjModel& model);
+
+// Version of the library that this program runs with, such as "2.2.2".
+const char* MujocoVersion();
 
 }  // namespace understudy::mjcf
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include <mujoco/mujoco.h>
+
 #include "robot/drop_motor.h"
 
 namespace understudy::mjcf {

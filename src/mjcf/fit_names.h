@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <mujoco/mujoco.h>
-
+#include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::mjcf {

@@ -3,6 +3,7 @@
 #include <fstream>
 #include <iterator>
 
+#include <mujoco/mujoco.h>
 #include <sys/mman.h>
 #include <unistd.h>
 

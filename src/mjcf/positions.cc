@@ -1,6 +1,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 #include "mjcf/actuators.h"
 #include "mjcf/compile.h"

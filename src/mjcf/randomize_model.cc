@@ -4,6 +4,8 @@
 #include <numbers>
 #include <string>
 
+#include <mujoco/mujoco.h>
+
 #include "mjcf/mujoco_handles.h"
 
 namespace understudy::mjcf {

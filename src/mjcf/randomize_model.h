@@ -2,8 +2,7 @@
 #ifndef UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
 #define UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
 
-#include <mujoco/mujoco.h>
-
+#include "mjcf/mujoco_handles.h"
 #include "robot/randomization.h"
 
 namespace understudy::mjcf {

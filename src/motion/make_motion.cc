@@ -17,11 +17,10 @@ const robot::MotionState kHumanoidLimp{.id = 0};
 }  // namespace
 
 std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
-                                              const physics::PhysicsWorld& world,
-                                              double damping_kd) {
+                                              const physics::RobotBody& body, double damping_kd) {
   try {
-    if (spec.kind == robot::RobotKind::kHumanoid) return MakeHumanoidMotion(spec, world);
-    if (robot::IsQuadruped(spec.kind)) return MakeQuadrupedMotion(spec, world);
+    if (spec.kind == robot::RobotKind::kHumanoid) return MakeHumanoidMotion(spec, body);
+    if (robot::IsQuadruped(spec.kind)) return MakeQuadrupedMotion(spec, body);
   } catch (const ModelError&) {
     // Somebody else's model, in which the feet are not to be found: it can only damp.
   }

@@ -5,16 +5,15 @@
 #include <memory>
 
 #include "authority/motion.h"
-#include "physics/world.h"
+#include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
 
-// Never null. `spec` and the world's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
+// Never null. `spec` and the body's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
 // that can only damp: those without a controller, and a model in which its feet are not found.
 std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
-                                              const physics::PhysicsWorld& world,
-                                              double damping_kd);
+                                              const physics::RobotBody& body, double damping_kd);
 
 }  // namespace understudy::motion
 

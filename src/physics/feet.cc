@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include <mujoco/mujoco.h>
+
 #include "physics/geom_extent.h"
 
 namespace understudy::physics {

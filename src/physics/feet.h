@@ -4,8 +4,7 @@
 
 #include <vector>
 
-#include <mujoco/mujoco.h>
-
+#include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::physics {

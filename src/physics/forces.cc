@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <mujoco/mujoco.h>
+
 namespace understudy::physics {
 namespace {
 
@@ -9,7 +11,7 @@ constexpr double kStiffness = 100;  // 1/s², mjModel.vis.map.stiffness unless a
 constexpr double kDamping = 20;     // 1/s, twice the root of it: critical; *assumed*
 constexpr double kHardest = 50;     // m/s², of the mass that is dragged; *assumed*
 
-void AddAll(std::span<const AppliedForce> forces, PhysicsWorld* world) {
+void AddAll(std::span<const AppliedForce> forces, World* world) {
   for (const AppliedForce& force : forces) world->AddForce(force.body, force.p_WP, force.force_W);
 }
 
@@ -31,7 +33,7 @@ void Pushes::Clear() {
   forces_.clear();
 }
 
-void Pushes::Act(double t, PhysicsWorld* world) {
+void Pushes::Act(double t, World* world) {
   // Half a step of grace: a push of 0.1 s is one of 100 steps whatever either rounds to.
   const double now = t + 0.5 * world->timestep();
   std::erase_if(pushes_, [now](const Push& push) { return now >= push.until; });
@@ -69,7 +71,7 @@ void Drags::Clear() {
   forces_.clear();
 }
 
-void Drags::Act(double t, PhysicsWorld* world) {
+void Drags::Act(double t, World* world) {
   const double now = t + 0.5 * world->timestep();
   std::erase_if(drags_, [now](const Drag& drag) { return now >= drag.until; });
   forces_.clear();

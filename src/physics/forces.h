@@ -29,7 +29,7 @@ class Pushes {
   void Clear();
 
   // Adds the forces to the step that begins at t [s].
-  void Act(double t, PhysicsWorld* world);
+  void Act(double t, World* world);
   // Those of the last step.
   std::span<const AppliedForce> forces() const { return forces_; }
 
@@ -66,7 +66,7 @@ class Drags {
   void Clear();
 
   // As for pushes.
-  void Act(double t, PhysicsWorld* world);
+  void Act(double t, World* world);
   std::span<const AppliedForce> forces() const { return forces_; }
 
  private:

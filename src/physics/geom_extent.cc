@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <mujoco/mujoco.h>
+
 namespace understudy::physics {
 
 bool Collides(const mjModel& model, int geom) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <mujoco/mujoco.h>
+
 #include "mjcf/mujoco_handles.h"
 
 namespace understudy::physics {

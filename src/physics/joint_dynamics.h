@@ -2,8 +2,7 @@
 #ifndef UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
 #define UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
 
-#include <mujoco/mujoco.h>
-
+#include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::physics {

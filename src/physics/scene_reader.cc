@@ -5,7 +5,9 @@
 #include <cstring>
 
 #include <malloc.h>
+#include <mujoco/mujoco.h>
 
+#include "mjcf/compile.h"
 #include "mjcf/model_bytes.h"
 
 namespace understudy::physics {
@@ -100,7 +102,7 @@ const mjModel& SceneReader::model() {
 }
 
 Scene SceneReader::DescribeScene(const mjModel& model) {
-  Scene scene{.mujoco = mj_versionString(),
+  Scene scene{.mujoco = mjcf::MujocoVersion(),
               .timestep = model.opt.timestep,
               .gravity = Array<3>(model.opt.gravity)};
   for (int i = 0; i < model.nbody; ++i) {
@@ -135,6 +137,9 @@ Scene SceneReader::DescribeScene(const mjModel& model) {
   }
   return scene;
 }
+
+int SceneReader::meshes() { return model().nmesh; }
+int SceneReader::hfields() { return model().nhfield; }
 
 std::string SceneReader::Mesh(int mesh) {
   const mjModel& from = model();

@@ -84,8 +84,8 @@ class SceneReader {
   explicit SceneReader(MakeModel make) : make_(std::move(make)) {}
 
   Scene Describe() { return DescribeScene(model()); }
-  int meshes() { return model().nmesh; }
-  int hfields() { return model().nhfield; }
+  int meshes();
+  int hfields();
   // Little endian: u32 vertices, u32 faces, then x, y, z of each vertex [m] as float32, then three
   // u32 indices of each face. `mesh` < meshes().
   std::string Mesh(int mesh);

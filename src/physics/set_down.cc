@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include <mujoco/mujoco.h>
+
 #include "physics/geom_extent.h"
 
 namespace understudy::physics {

@@ -1,8 +1,7 @@
 // Putting a robot on ground that is not where it was thought to be.
 #ifndef UNDERSTUDY_PHYSICS_SET_DOWN_H_
 #define UNDERSTUDY_PHYSICS_SET_DOWN_H_
-
-#include <mujoco/mujoco.h>
+#include "mjcf/mujoco_handles.h"
 
 namespace understudy::physics {
 

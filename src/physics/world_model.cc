@@ -1,18 +1,19 @@
 #include "physics/world_model.h"
 
 #include <algorithm>
-#include <array>
-#include <cstring>
 #include <iterator>
-#include <mutex>
 #include <utility>
+
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "mjcf/assets.h"
 #include "mjcf/compile.h"
 #include "mjcf/fit_names.h"
+#include "mjcf/join.h"
 #include "mjcf/looks.h"
+#include "mjcf/mujoco_hooks.h"
 #include "mjcf/revise.h"
 #include "physics/feet.h"
 #include "physics/geom_extent.h"
@@ -21,18 +22,12 @@
 namespace understudy::physics {
 namespace {
 
-// MuJoCo's hooks are plain C globals, so what they note is one too.
-std::mutex warning_mutex;
-std::array<char, 512> last_warning{};
-
-// mju_error must not return. Throwing is safe here: MuJoCo's C code holds nothing but its own arena
-// at these points, and the model it was working on is abandoned.
-void OnMujocoError(const char* message) { throw ModelError(std::string("MuJoCo: ") + message); }
-
-void OnMujocoWarning(const char* message) {
-  const std::lock_guard lock(warning_mutex);
-  std::strncpy(last_warning.data(), message, last_warning.size() - 1);
-}
+// The robot's tree and what it compiles to by itself, which makes every message name the right
+// file.
+struct LoadedRobot {
+  mjcf::MjcfElement tree;
+  mjcf::ModelHandle model;
+};
 
 mjcf::MjcfElement Element(const std::string& name,
                           std::vector<std::pair<std::string, std::string>> attributes) {
@@ -65,14 +60,18 @@ void AddOurs(const robot::RobotSpec& spec, bool has_free_base, mjcf::MjcfElement
 
 // Room for contacts. MuJoCo 2 makes it once, before it knows what will touch; MuJoCo 3 when it is
 // needed. The most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
-void MakeRoom(const mjModel& robot, mjcf::MjcfElement* root) {
+void MakeRoom(const std::vector<LoadedRobot>& robots, mjcf::MjcfElement* root) {
 #if mjVERSION_HEADER < 300
   constexpr int kContacts = 300, kRows = 1200;
+  int contacts = 0, rows = 0;
+  for (const LoadedRobot& robot : robots) {
+    contacts += std::max(robot.model->nconmax, kContacts);
+    rows += std::max(robot.model->njmax, kRows);
+  }
   root->children.push_back(
-      Element("size", {{"nconmax", std::to_string(std::max(robot.nconmax, kContacts))},
-                       {"njmax", std::to_string(std::max(robot.njmax, kRows))}}));
+      Element("size", {{"nconmax", std::to_string(contacts)}, {"njmax", std::to_string(rows)}}));
 #else
-  (void)robot;
+  (void)robots;
   (void)root;
 #endif
 }
@@ -230,55 +229,83 @@ mjcf::MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks
   return root;
 }
 
-// The robot's tree and what it compiles to by itself, which makes every message name the right
-// file.
-struct LoadedRobot {
-  mjcf::MjcfElement tree;
-  mjcf::ModelHandle model;
-};
-
-LoadedRobot LoadRobot(const robot::RobotSpec& spec, const std::filesystem::path& file, Looks looks,
-                      LoadNotes* notes) {
-  InstallMujocoHooks();
-  mjcf::MjcfElement tree = Read(file, looks, notes);
-  mjcf::Revise(spec, &tree);
+LoadedRobot LoadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
+  mjcf::InstallMujocoHooks();
+  mjcf::MjcfElement tree = Read(robot.file, looks, notes);
+  mjcf::Revise(robot.spec, &tree);
   mjcf::ModelHandle model = mjcf::CompileMjcf(tree);
   return {std::move(tree), std::move(model)};
 }
 
-mjcf::ModelHandle Compose(LoadedRobot robot, const robot::RobotSpec& spec,
-                          const std::filesystem::path& robot_file,
+// Checks the robot against its description, adds what is ours, and moves it to its place.
+void Prepare(const PlacedRobot& placed, LoadedRobot* robot) {
+  const robot::RobotSpec& spec = placed.spec;
+  RequireWhatSpecNames(*robot->model, spec, NameCheck(*robot->model, placed.file));
+  const int base = mj_name2id(robot->model.get(), mjOBJ_BODY, spec.base_body.c_str());
+  robot->tree.Set("model", spec.name);
+  AddOurs(spec, HasFreeBase(*robot->model, base), &robot->tree);
+  mjcf::MoveBodies(placed.x, placed.y, &robot->tree);
+}
+
+// One tree of all robots. A single one keeps its names.
+mjcf::MjcfElement JoinRobots(const std::vector<PlacedRobot>& placed,
+                             std::vector<LoadedRobot>* robots, LoadNotes* notes) {
+  mjcf::MjcfElement world = std::move(robots->front().tree);
+  if (robots->size() == 1) return world;
+  LoadNotes unread;
+  if (notes == nullptr) notes = &unread;
+  mjcf::AddPrefix(placed.front().prefix, &world);
+  for (std::size_t i = 1; i < robots->size(); ++i) {
+    mjcf::MjcfElement& tree = (*robots)[i].tree;
+    mjcf::AddPrefix(placed[i].prefix, &tree);
+    mjcf::Join(std::move(tree), &world, &notes->warnings);
+  }
+  return world;
+}
+
+// Compiles, and notes what MuJoCo warns of.
+mjcf::ModelHandle Compile(const mjcf::MjcfElement& root, LoadNotes* notes) {
+  std::string warning;
+  mjcf::ModelHandle model = mjcf::CompileMjcf(root, &warning);
+  if (notes != nullptr && !warning.empty()) notes->warnings.push_back(warning);
+  return model;
+}
+
+mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<LoadedRobot> robots,
                           const std::filesystem::path& scene_file, double timestep, Looks looks,
                           LoadNotes* notes) {
-  RequireWhatSpecNames(*robot.model, spec, NameCheck(*robot.model, robot_file));
-  mjcf::MjcfElement& world = robot.tree;
-  const int base = mj_name2id(robot.model.get(), mjOBJ_BODY, spec.base_body.c_str());
-  world.Set("model", spec.name);
-  AddOurs(spec, HasFreeBase(*robot.model, base), &world);
-
-  std::string place = robot_file.string();
-  if (HasGround(*robot.model)) {
-    if (notes != nullptr) {
-      notes->warnings.push_back(place + " brings its own ground; the run's scene is left out");
-    }
-  } else {
+  std::string place;
+  bool has_ground = false;
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    Prepare(placed[i], &robots[i]);
+    place += (i == 0 ? "" : ", ") + placed[i].file.string();
+    if (!HasGround(*robots[i].model)) continue;
+    has_ground = true;
+    if (notes == nullptr) continue;
+    notes->warnings.push_back(placed[i].file.string() +
+                              " brings its own ground; the run's scene is left out");
+  }
+  mjcf::MjcfElement world = JoinRobots(placed, &robots, notes);
+  if (!has_ground) {
     mjcf::MjcfElement scene = Read(scene_file, looks, notes);
     mjcf::CompileMjcf(scene);
     std::move(scene.children.begin(), scene.children.end(), std::back_inserter(world.children));
     place += " in " + scene_file.string();
   }
-  MakeRoom(*robot.model, &world);
+  MakeRoom(robots, &world);
   mjcf::ModelHandle model;
   try {
-    model = mjcf::CompileMjcf(world);
+    model = Compile(world, notes);
   } catch (const ModelError& error) {
     throw ModelError(place + ": " + error.what());
   }
-  if (model->opt.integrator == mjINT_RK4) {  // either file may ask for it
+  if (model->opt.integrator == mjINT_RK4) {  // any of the files may ask for it
     throw ModelError(
         place + ": integrator RK4 cannot be split around the motor law; use Euler or implicit");
   }
-  UseFittedDynamics(spec, model.get());
+  for (const PlacedRobot& robot : placed) {
+    UseFittedDynamics(mjcf::WithPrefix(robot.prefix, robot.spec), model.get());
+  }
   model->opt.timestep = timestep;
   model->opt.disableflags |= mjDSBL_ACTUATION;
   return model;
@@ -286,45 +313,34 @@ mjcf::ModelHandle Compose(LoadedRobot robot, const robot::RobotSpec& spec,
 
 }  // namespace
 
-void InstallMujocoHooks() {
-  mju_user_error = OnMujocoError;
-  mju_user_warning = OnMujocoWarning;
-}
-
-std::optional<std::string> TakeMujocoWarning() {
-  const std::lock_guard lock(warning_mutex);
-  if (last_warning[0] == '\0') return std::nullopt;
-  std::string text(last_warning.data());
-  last_warning.fill('\0');
-  return text;
-}
-
 mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes) {
-  InstallMujocoHooks();
+  mjcf::InstallMujocoHooks();
   const mjcf::MjcfElement root = Read(file, Looks::kLeftOut, notes);
   try {
-    return mjcf::CompileMjcf(root);
+    return Compile(root, notes);
   } catch (const ModelError&) {
     if (notes != nullptr) notes->unknown = mjcf::UnknownWords(root);
     throw;
   }
 }
 
-mjcf::ModelHandle LoadWorldModel(const robot::RobotSpec& spec,
-                                 const std::filesystem::path& robot_file,
+mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep,
                                  LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
-  RequireFeet(spec, NameCheck(*robot.model, robot_file));
-  return Compose(std::move(robot), spec, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
+  std::vector<LoadedRobot> loaded;
+  for (const PlacedRobot& robot : robots) {
+    loaded.push_back(LoadRobot(robot, Looks::kLeftOut, notes));
+    RequireFeet(robot.spec, NameCheck(*loaded.back().model, robot.file));
+  }
+  return Compose(robots, std::move(loaded), scene_file, timestep, Looks::kLeftOut, notes);
 }
 
-mjcf::ModelHandle LoadSightModel(const robot::RobotSpec& spec,
-                                 const std::filesystem::path& robot_file,
+mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep) {
   const auto load = [&](Looks looks) {
-    return Compose(LoadRobot(spec, robot_file, looks, nullptr), spec, robot_file, scene_file,
-                   timestep, looks, nullptr);
+    std::vector<LoadedRobot> loaded;
+    for (const PlacedRobot& robot : robots) loaded.push_back(LoadRobot(robot, looks, nullptr));
+    return Compose(robots, std::move(loaded), scene_file, timestep, looks, nullptr);
   };
   try {
     return load(Looks::kKept);
@@ -333,15 +349,17 @@ mjcf::ModelHandle LoadSightModel(const robot::RobotSpec& spec,
   }
 }
 
-FittedModel LoadFittedModel(const robot::RobotSpec& spec, const std::filesystem::path& robot_file,
-                            const std::filesystem::path& scene_file, double timestep,
-                            LoadNotes* notes) {
-  LoadedRobot robot = LoadRobot(spec, robot_file, Looks::kLeftOut, notes);
-  robot::RobotSpec fitted = mjcf::FitNames(spec, *robot.model, &notes->warnings);
-  NoteFeet(*robot.model, fitted, notes);
+FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::path& scene_file,
+                            double timestep, LoadNotes* notes) {
+  std::vector<LoadedRobot> loaded;
+  loaded.push_back(LoadRobot(robot, Looks::kLeftOut, notes));
+  const mjModel& own = *loaded.front().model;
+  PlacedRobot fitted = robot;
+  fitted.spec = mjcf::FitNames(robot.spec, own, &notes->warnings);
+  NoteFeet(own, fitted.spec, notes);
   mjcf::ModelHandle model =
-      Compose(std::move(robot), fitted, robot_file, scene_file, timestep, Looks::kLeftOut, notes);
-  return {std::move(fitted), std::move(model)};
+      Compose({fitted}, std::move(loaded), scene_file, timestep, Looks::kLeftOut, notes);
+  return {std::move(fitted.spec), std::move(model)};
 }
 
 }  // namespace understudy::physics

@@ -1,16 +1,15 @@
-// From files to a compiled world: the robot's MJCF, the scene's MJCF and what the emulator needs of
+// Compiles a world from files: the robots' MJCF, the scene's MJCF and what the emulator needs of
 // both.
 #ifndef UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
 #define UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
 
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
 #include "mjcf/rewrite.h"
-#include "robot/robot_spec.h"
+#include "physics/robot_body.h"
 
 namespace understudy::physics {
 
@@ -24,35 +23,37 @@ inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 // What a user should hear about a model.
 struct LoadNotes {
   std::vector<mjcf::Rewrite> rewrites;  // what was said otherwise for this MuJoCo, file by file
-  std::vector<std::string> warnings;    // what the run does without or takes instead, one line each
-  std::vector<std::string> looks;       // what nobody sees and was left out, one line per file
-  std::vector<std::string> unknown;     // from LoadModelFile that throws: see UnknownWords
+  // What the run does without or takes instead, and what MuJoCo warns of, one line each.
+  std::vector<std::string> warnings;
+  std::vector<std::string> looks;  // visual-only elements that were not compiled, one line per file
+  std::vector<std::string> unknown;  // from LoadModelFile that throws: see UnknownWords
 };
 
-// Compiles the robot in the scene at the given time step [s], where the spec differs from the file
-// as the spec has it (mjcf/revise.h), with gyro and accelerometer at the sites the spec
-// names and, where the base has a free joint, an inactive weld of the base to the world. Joints
-// have the figures that spec.dynamics asks for (physics/joint_dynamics.h). MuJoCo's own actuators
-// are switched off: the motors are ours. A robot file that brings ground of its own (a plane or
-// height field of the world) is compiled without the scene, which is noted. Before MuJoCo 3 a file
-// written for MuJoCo 3 is rewritten first (mjcf/rewrite.h), and what is only to be looked
-// at is left out (mjcf/looks.h). `notes` may be null.
+// Compiles the robots in the scene at the given time step [s]: each where its `x` and `y` say,
+// where its description differs from its file as the description has it (mjcf/revise.h), with gyro
+// and accelerometer at the sites that the description names and, where the base has a free joint,
+// an inactive weld of the base to the world. Joints have the figures that the description's
+// `dynamics` ask for (physics/joint_dynamics.h). MuJoCo's own actuators are switched off: the
+// motors are ours. Several robots have their prefixes before their names, and the options of the
+// first (mjcf/join.h). When a robot's file brings ground of its own (a plane or height field of the
+// world), the scene is left out, which is noted. Before MuJoCo 3 a file written for MuJoCo 3 is
+// rewritten first (mjcf/rewrite.h), and visual-only elements are left out (mjcf/looks.h). `notes`
+// may be null.
 //
 // Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
 // cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the
 // model (with the nearest name that is and the key that names it), when a motor's joint is not a
-// hinge or slide, when the base is neither free nor fixed to the world, or when the integrator is
-// RK4, which cannot be split around the motor law.
-mjcf::ModelHandle LoadWorldModel(const robot::RobotSpec& spec,
-                                 const std::filesystem::path& robot_file,
+// hinge or slide, when the base is neither free nor fixed to the world, when files of several
+// robots cannot be joined, or when the integrator is RK4, which cannot be split around the motor
+// law.
+mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep,
                                  LoadNotes* notes = nullptr);
 
 // The same world for whoever looks on: with what is only to be looked at, where all of that can be
-// read. Bodies, joints and positions are those of the world, geoms are not. `spec` is the one that
-// the world was loaded with, or fitted to. Throws as above.
-mjcf::ModelHandle LoadSightModel(const robot::RobotSpec& spec,
-                                 const std::filesystem::path& robot_file,
+// read. Bodies, joints and positions are those of the world, geoms are not. The descriptions are
+// those that the world was loaded with, or fitted to. Throws as above.
+mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep);
 
 struct FittedModel {
@@ -60,24 +61,15 @@ struct FittedModel {
   mjcf::ModelHandle model;
 };
 
-// The same for a model that another hand has written of the robot: the spec takes its names where
-// it lacks the spec's own (mjcf/fit_names.h), and feet are looked for (physics/feet.h), each
-// with a warning in `notes`. Throws as above for what is not found.
-FittedModel LoadFittedModel(const robot::RobotSpec& spec, const std::filesystem::path& robot_file,
-                            const std::filesystem::path& scene_file, double timestep,
-                            LoadNotes* notes);
+// The same for a third-party model of one robot: the description takes the model's names where the
+// model lacks its own (mjcf/fit_names.h), and feet are searched for (physics/feet.h), each with a
+// warning in `notes`. Throws as above for what is not found.
+FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::path& scene_file,
+                            double timestep, LoadNotes* notes);
 
 // Compiles one MJCF file, rewritten as above where this MuJoCo needs that. `notes` may be null.
 // Throws ModelError with MuJoCo's message and the file and line it is about.
 mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
-
-// Sends MuJoCo's errors and warnings to us: an error becomes a ModelError, the last warning is kept
-// for TakeMujocoWarning(). Without it the library waits for Enter on the terminal and writes
-// MUJOCO_LOG.TXT. Idempotent; every function of this header calls it.
-void InstallMujocoHooks();
-
-// The last warning since the last call, if any.
-std::optional<std::string> TakeMujocoWarning();
 
 }  // namespace understudy::physics
 

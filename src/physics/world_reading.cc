@@ -2,19 +2,17 @@
 
 #include <algorithm>
 
+#include <mujoco/mujoco.h>
+
+#include "mjcf/eigen_views.h"
+
 namespace understudy::physics {
 
-namespace {
+std::size_t PositionCount(const World& world) { return static_cast<std::size_t>(world.model().nq); }
 
-using Rotation = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
+std::size_t RateCount(const World& world) { return static_cast<std::size_t>(world.model().nv); }
 
-}  // namespace
-
-std::size_t PositionCount(const PhysicsWorld& world) {
-  return static_cast<std::size_t>(world.model().nq);
-}
-
-std::vector<std::string> BodyNames(const PhysicsWorld& world) {
+std::vector<std::string> BodyNames(const World& world) {
   std::vector<std::string> names;
   for (int i = 0; i < world.model().nbody; ++i) {
     const char* name = mj_id2name(&world.model(), mjOBJ_BODY, i);
@@ -23,11 +21,15 @@ std::vector<std::string> BodyNames(const PhysicsWorld& world) {
   return names;
 }
 
-void ReadPositions(const PhysicsWorld& world, std::span<double> to) {
+void ReadPositions(const World& world, std::span<double> to) {
   std::copy_n(world.data().qpos, std::min(to.size(), PositionCount(world)), to.begin());
 }
 
-void ReadBodies(const PhysicsWorld& world, std::span<BodyPose> to) {
+void ReadRates(const World& world, std::span<double> to) {
+  std::copy_n(world.data().qvel, std::min(to.size(), RateCount(world)), to.begin());
+}
+
+void ReadBodies(const World& world, std::span<BodyPose> to) {
   const mjData& data = world.data();
   const std::size_t count = std::min(to.size(), static_cast<std::size_t>(world.model().nbody));
   for (std::size_t i = 0; i < count; ++i) {
@@ -36,7 +38,7 @@ void ReadBodies(const PhysicsWorld& world, std::span<BodyPose> to) {
   }
 }
 
-std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to) {
+std::size_t ReadContacts(const World& world, std::span<ContactReading> to) {
   const mjData& data = world.data();
   std::size_t count = 0;
   for (int i = 0; i < data.ncon && count < to.size(); ++i) {
@@ -46,7 +48,7 @@ std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to
     mj_contactForce(&world.model(), &data, i, wrench);
     ContactReading& reading = to[count++];
     std::copy_n(contact.pos, 3, reading.at.begin());
-    const Rotation axes(contact.frame);  // in rows
+    const mjcf::RotationView axes(contact.frame);  // in rows
     const Eigen::Vector3d force_W = axes.transpose() * Eigen::Map<Eigen::Vector3d>(wrench);
     reading.force = {force_W.x(), force_W.y(), force_W.z()};
     reading.geoms = {contact.geom1, contact.geom2};
@@ -56,7 +58,7 @@ std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to
   return count;
 }
 
-std::array<double, 3> SubtreeCenterOfMass(const PhysicsWorld& world, int body) {
+std::array<double, 3> SubtreeCenterOfMass(const World& world, int body) {
   std::array<double, 3> com{};
   std::copy_n(world.data().subtree_com + 3 * body, 3, com.begin());
   return com;

@@ -1,4 +1,4 @@
-// What a viewer reads of the state of a world, as plain values.
+// Reads the state of a world as plain values, for observers.
 #ifndef UNDERSTUDY_PHYSICS_WORLD_READING_H_
 #define UNDERSTUDY_PHYSICS_WORLD_READING_H_
 
@@ -22,18 +22,20 @@ struct ContactReading {
   std::array<int, 2> bodies{};  // that those belong to
 };
 
-std::size_t PositionCount(const PhysicsWorld& world);  // of qpos
+std::size_t PositionCount(const World& world);  // of qpos
+std::size_t RateCount(const World& world);      // of qvel
 // Of all bodies, by MuJoCo's id; the first is the world's own.
-std::vector<std::string> BodyNames(const PhysicsWorld& world);
+std::vector<std::string> BodyNames(const World& world);
 
-// Each fills as much as `to` holds and allocates nothing. Positions are those of the step to come;
-// the rest belongs to the instant t as PhysicsWorld says.
-void ReadPositions(const PhysicsWorld& world, std::span<double> to);
-void ReadBodies(const PhysicsWorld& world, std::span<BodyPose> to);
+// Each fills as much as `to` holds and allocates nothing. Positions and rates are those of the
+// step to come; the rest belongs to the instant t as World says.
+void ReadPositions(const World& world, std::span<double> to);
+void ReadRates(const World& world, std::span<double> to);
+void ReadBodies(const World& world, std::span<BodyPose> to);
 // Returns how many it filled: the contacts that press.
-std::size_t ReadContacts(const PhysicsWorld& world, std::span<ContactReading> to);
+std::size_t ReadContacts(const World& world, std::span<ContactReading> to);
 // Of all that is below `body`, itself included [m].
-std::array<double, 3> SubtreeCenterOfMass(const PhysicsWorld& world, int body);
+std::array<double, 3> SubtreeCenterOfMass(const World& world, int body);
 
 }  // namespace understudy::physics
 

@@ -59,10 +59,10 @@ mjcf::ModelHandle LoadModel(config::Config* config) {
   physics::LoadNotes notes;
   mjcf::ModelHandle model;
   if (std::filesystem::path(config->robot.model).is_relative()) {
-    model = physics::LoadWorldModel(config->robot, file, scene.path(), timestep, &notes);
+    model = physics::LoadWorldModel({{config->robot, file}}, scene.path(), timestep, &notes);
   } else {
     physics::FittedModel fitted =
-        physics::LoadFittedModel(config->robot, file, scene.path(), timestep, &notes);
+        physics::LoadFittedModel({config->robot, file}, scene.path(), timestep, &notes);
     config->robot = std::move(fitted.spec);
     model = std::move(fitted.model);
   }
@@ -74,7 +74,8 @@ mjcf::ModelHandle LoadModel(config::Config* config) {
 
 MadeWorld MakeWorld(config::Config* config) {
   robot::RandomizationSpec& ranges = config->randomization;
-  if (!config::IsRandom(ranges)) return {.world = {LoadModel(config), config->robot}, .draws = {}};
+  if (!config::IsRandom(ranges))
+    return {.world = {LoadModel(config), {{config->robot}}}, .draws = {}};
   ranges.seed = SeedOf(ranges);
   robot::Dice dice(ranges.seed);
   if (!ranges.timestep.empty()) {
@@ -85,12 +86,12 @@ MadeWorld MakeWorld(config::Config* config) {
   robot::RandomizeMotors(ranges, &dice, &config->robot);
   mjcf::RandomizeModel(ranges, config->robot, &dice, model.get());
   Tell(dice.draws());
-  return {.world = {std::move(model), config->robot}, .draws = dice.draws()};
+  return {.world = {std::move(model), {{config->robot}}}, .draws = dice.draws()};
 }
 
 mjcf::ModelHandle MakeSightModel(const config::Config& config) {
   const config::SceneFile scene(config.scene, config.terrain);
-  return physics::LoadSightModel(config.robot, config::ModelFile(config.robot), scene.path(),
+  return physics::LoadSightModel({{config.robot, config::ModelFile(config.robot)}}, scene.path(),
                                  config.physics.timestep);
 }
 

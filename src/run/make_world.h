@@ -10,7 +10,7 @@
 namespace understudy::run {
 
 struct MadeWorld {
-  physics::PhysicsWorld world;
+  physics::World world;
   robot::Draws draws;  // what config->randomization asked for
 };
 

@@ -10,7 +10,9 @@
 #include <spdlog/spdlog.h>
 
 #include "config/load.h"
+#include "mjcf/compile.h"
 #include "mjcf/model_bytes.h"
+#include "physics/world_reading.h"
 #include "run/make_world.h"
 #include "version.h"
 
@@ -48,7 +50,7 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
                 {"motors", motors},
                 {"slots", slots},
                 {"version", kVersion},
-                {"mujoco", mj_versionString()},
+                {"mujoco", mjcf::MujocoVersion()},
                 {"started", Now()},
                 {"speed", std::to_string(config.time.speed)},
                 {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
@@ -60,25 +62,20 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
 
 // What of a robot's truth is offered; sizes do not change during a run.
 void Fill(const emulator::World& world, record::Truth* truth) {
-  const mjModel& model = world.physics().model();
-  const mjData& data = world.physics().data();
   const physics::Crane& crane = world.robot().crane();
   truth->step = world.step();
   truth->time = world.time();
-  truth->qpos.assign(data.qpos, data.qpos + model.nq);
-  truth->qvel.assign(data.qvel, data.qvel + model.nv);
+  physics::ReadPositions(world.physics(), truth->qpos);
+  physics::ReadRates(world.physics(), truth->qvel);
   truth->tau.assign(world.robot().torque().begin(), world.robot().torque().end());
-  world.physics().FootForces(truth->foot_force);
+  world.physics().robot().FootForces(truth->foot_force);
   truth->crane_tension = crane.attached() ? crane.tension() : 0;
 }
 
 record::Moment Prototype(const config::Config& config, const emulator::World& world) {
-  const mjModel& model = world.physics().model();
-  const auto zeros = [](auto count) {
-    return std::vector<double>(static_cast<std::size_t>(count));
-  };
-  return {.truth = {.qpos = zeros(model.nq),
-                    .qvel = zeros(model.nv),
+  const auto zeros = [](std::size_t count) { return std::vector<double>(count); };
+  return {.truth = {.qpos = zeros(physics::PositionCount(world.physics())),
+                    .qvel = zeros(physics::RateCount(world.physics())),
                     .tau = zeros(config.robot.motors.size()),
                     .foot_force = zeros(config.robot.feet.size())}};
 }

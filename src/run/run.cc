@@ -5,18 +5,20 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 #include <vector>
 
 #include <spdlog/spdlog.h>
 
+#include "base/spsc_ring.h"
 #include "bus/participant.h"
 #include "config/data_dir.h"
 #include "config/settings.h"
 #include "emulator/world.h"
+#include "mjcf/mujoco_hooks.h"
 #include "physics/scene_reader.h"
-#include "physics/world_model.h"
 #include "run/alone.h"
 #include "run/make_world.h"
 #include "run/reporter.h"
@@ -56,13 +58,23 @@ class Housekeeper {
   bool must_silence() const { return must_silence_; }
   bool must_stop() const { return must_stop_; }
 
+  // Has the log say what MuJoCo warns of in a tick, if it does: never waits.
+  void Warn(std::string_view text) {
+    std::string* const slot = text.empty() ? nullptr : warnings_.Claim();
+    if (slot == nullptr) return;
+    slot->assign(text);
+    warnings_.Commit();
+  }
+
  private:
   void Run(const std::stop_token& stop) {
     time::SteadyClock clock;
     while (!stop.stop_requested()) {
       Watch();
       reporter_.Update(board_->Read(), clock.Now());
-      if (const auto warning = physics::TakeMujocoWarning()) spdlog::warn("MuJoCo: {}", *warning);
+      for (; const std::string* text = warnings_.Front(); warnings_.Pop()) {
+        spdlog::warn("MuJoCo: {}", *text);
+      }
       clock.SleepUntil(clock.Now() + kHousekeeping);
     }
   }
@@ -92,7 +104,8 @@ class Housekeeper {
   bool speaks_ = false;
   std::atomic<bool> must_silence_{false};
   std::atomic<bool> must_stop_{false};
-  std::jthread thread_;  // last: it uses all of the above
+  SpscRing<std::string> warnings_{4, std::string(511, ' ')};  // with room for any warning
+  std::jthread thread_;                                       // last: it uses all of the above
 };
 
 // Tells of what only the loop notices: late ticks, and what the port went on in spite of.
@@ -192,8 +205,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
        .files = server::StaticFiles(config::PanelDir()),
        .openapi = config::OpenApiFile()},
       server::ServerLimits{}, options.panel);
-  const Housekeeper housekeeper(config, options.status_line, std::move(watch), &board,
-                                &world.events());
+  Housekeeper housekeeper(config, options.status_line, std::move(watch), &board, &world.events());
 
   if (config.time.realtime && config.time.speed > 0)
     spdlog::info("{}", time::RequestRealtime().text);
@@ -209,6 +221,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     const bool due = pacer.Follow(world.pace(), world.step(), kGlance);
     if (due) {
       health = world.Tick(pacer.reached());
+      housekeeper.Warn(mjcf::TakeMujocoWarning());
       notes.Late(pacer.reading());
       ticks.Add(std::chrono::duration<double>(clock.Now() - pacer.reached()).count());
     } else {

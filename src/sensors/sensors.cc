@@ -17,7 +17,7 @@ constexpr double kSumDeviation = 37837.22;
 Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec)
     : config_(config), spec_(spec), random_(static_cast<std::uint64_t>(config.seed)) {}
 
-void Sensors::Sample(const physics::PhysicsWorld& world, const robot::MotorBank& motors,
+void Sensors::Sample(const physics::RobotBody& robot, const robot::MotorBank& motors,
                      const robot::RobotCommand& command, const robot::Battery& battery,
                      std::int64_t tick_ms, robot::RobotState* state) {
   state->tick_ms = tick_ms;
@@ -28,19 +28,19 @@ void Sensors::Sample(const physics::PhysicsWorld& world, const robot::MotorBank&
     const robot::MotorSpec& motor = spec_.motors[i];
     robot::MotorReading& reading = state->motors[i];
     reading.enabled = command.motors[i].enabled;
-    reading.q = Measure(world.q()[i], noise.q_steps * motor.q_step, motor.q_step);
-    reading.dq = Measure(world.dq()[i], noise.dq_steps * motor.dq_step, motor.dq_step);
+    reading.q = Measure(robot.q()[i], noise.q_steps * motor.q_step, motor.q_step);
+    reading.dq = Measure(robot.dq()[i], noise.dq_steps * motor.dq_step, motor.dq_step);
     reading.tau = Measure(motors.torque()[i], noise.tau_steps * motor.tau_step, motor.tau_step);
     reading.winding_c = motors.winding_c()[i];
     reading.casing_c =
         spec_.thermal.ambient_c + kCasingShare * (reading.winding_c - spec_.thermal.ambient_c);
   }
-  state->imu = Measure(world.Imu());
-  if (!spec_.imu.secondary_site.empty()) state->secondary_imu = Measure(world.SecondaryImu());
+  state->imu = Measure(robot.Imu());
+  if (!spec_.imu.secondary_site.empty()) state->secondary_imu = Measure(robot.SecondaryImu());
   state->foot_force.resize(spec_.feet.size());
-  world.FootForces(state->foot_force);
+  robot.FootForces(state->foot_force);
   state->battery = battery.reading();
-  state->base = world.base();
+  state->base = robot.base();
 }
 
 double Sensors::Bell() {

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <random>
 
-#include "physics/world.h"
+#include "physics/robot_body.h"
 #include "robot/battery.h"
 #include "robot/motor.h"
 #include "robot/robot_spec.h"
@@ -19,7 +19,7 @@ struct SensorConfig {
   int seed = 1;          // of that noise
 };
 
-// Samples one instant: call after PhysicsWorld::EndStep, when every reading of world, motors and
+// Samples one instant: call after World::EndStep, when every reading of robot, motors and
 // battery is of the same t. With noise and quantisation off the sample is the truth. Two samplers
 // with the same seed and the same worlds give the same states, bit for bit.
 class Sensors {
@@ -29,7 +29,7 @@ class Sensors {
 
   // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
   // state->remote and state->motion.
-  void Sample(const physics::PhysicsWorld& world, const robot::MotorBank& motors,
+  void Sample(const physics::RobotBody& robot, const robot::MotorBank& motors,
               const robot::RobotCommand& command, const robot::Battery& battery,
               std::int64_t tick_ms, robot::RobotState* state);
 

@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "mjcf/compile.h"
 #include "robot/start_pose.h"
 
 namespace understudy::server {
@@ -76,7 +77,7 @@ HttpReply SceneFiles::HeightField(std::string_view index) {
 
 HttpReply SceneFiles::Model() {
   return {.type = kBytes,
-          .fields = {{"X-Mujoco-Version", mj_versionString()}},
+          .fields = {{"X-Mujoco-Version", mjcf::MujocoVersion()}},
           .shared = Make("model", [this] { return reader_->Model(); })};
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <mujoco/mujoco.h>
+
 namespace understudy::viewer {
 namespace {
 

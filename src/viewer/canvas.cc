@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 
 namespace understudy::viewer {

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include <mujoco/mujoco.h>
+
 namespace understudy::viewer {
 namespace {
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include <GLFW/glfw3.h>
+#include <mujoco/mujoco.h>
 
 namespace understudy::viewer {
 namespace {

@@ -7,10 +7,12 @@
 #include <utility>
 #include <vector>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "mjcf/mujoco_hooks.h"
 #include "physics/geom_extent.h"
-#include "physics/world_model.h"
 
 namespace understudy::viewer {
 namespace {
@@ -79,12 +81,13 @@ mjModel* Load(std::string_view bytes) {
 }  // namespace
 
 mjcf::ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
-  physics::InstallMujocoHooks();
+  mjcf::InstallMujocoHooks();
   std::string why = "it is empty";
   if (!bytes.empty()) {
     try {
       if (mjcf::ModelHandle model{Load(bytes)}) return model;
-      why = physics::TakeMujocoWarning().value_or("no reason given");
+      const std::string_view warning = mjcf::TakeMujocoWarning();
+      why = warning.empty() ? "no reason given" : warning;
     } catch (const ModelError& error) {
       why = error.what();
     }

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include <mujoco/mujoco.h>
+
 #include "mjcf/mujoco_handles.h"
 #include "viewer/arguments.h"
 #include "viewer/scene_state.h"

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <GLFW/glfw3.h>
+#include <mujoco/mujoco.h>
 
 #include "robot/remote_keys.h"
 

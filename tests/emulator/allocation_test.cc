@@ -201,9 +201,9 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   port_.SendHandsEveryTick(
       {.motors = std::vector<robot::MotorCommand>(7, {.enabled = true, .kp = 1, .kd = 0.1})});
   world_ =
-      MakeIn({physics::LoadWorldModel(config_.robot, root / "models" / config_.robot.model,
+      MakeIn({physics::LoadWorldModel({{config_.robot, root / "models" / config_.robot.model}},
                                       root / "models/scene/flat.xml", config_.physics.timestep),
-              config_.robot},
+              {{config_.robot}}},
              &port_, &inbox_);
   CountIn(10);
   EXPECT_EQ(CountIn(500), 0);

@@ -16,7 +16,7 @@ class EmulatorDivergenceTest : public EmulatorTest {
     Tick(100);
     port_.Send(Torque(1e30));
     EXPECT_EQ(world_->Tick({}), physics::StepHealth::kDiverged);
-    EXPECT_TRUE(physics::TakeMujocoWarning().has_value());
+    EXPECT_NE(mjcf::TakeMujocoWarning(), "");
   }
 };
 

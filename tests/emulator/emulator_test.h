@@ -32,7 +32,7 @@ class EmulatorTest : public test::MujocoTest {
     return MakeIn(test::FixtureWorld(config_.robot, config_.physics.timestep), port, inbox,
                   services);
   }
-  std::unique_ptr<World> MakeIn(physics::PhysicsWorld physics, wire::RobotPort* port, Inbox* inbox,
+  std::unique_ptr<World> MakeIn(physics::World physics, wire::RobotPort* port, Inbox* inbox,
                                 services::ServicePort* services = nullptr) const {
     return std::make_unique<World>(
         std::move(physics), config::WorldSettingsOf(config_),
@@ -71,7 +71,7 @@ class EmulatorTest : public test::MujocoTest {
     return told;
   }
 
-  double Height() const { return world_->physics().base().p_WB.z(); }
+  double Height() const { return world_->physics().robot().base().p_WB.z(); }
 
   // The same torque for every motor.
   static robot::RobotCommand Torque(double tau) {

@@ -56,10 +56,10 @@ TEST_F(FrameTest, HasTheCentreOfMassOfTheRobotAlone) {
       <body name="rock" pos="5 0 0.5"><geom type="box" size="0.5 0.5 0.5" mass="1000"/></body>
       </worldbody></mujoco>)");
   config_.start.pose = "standing";
-  world_ = MakeIn(
-      {physics::LoadWorldModel(config_.robot, config_.robot.model, scene, config_.physics.timestep),
-       config_.robot},
-      &port_, &inbox_);
+  world_ = MakeIn({physics::LoadWorldModel({{config_.robot, config_.robot.model}}, scene,
+                                           config_.physics.timestep),
+                   config_.robot},
+                  &port_, &inbox_);
   Tick();
   EXPECT_NEAR(Shown().com[0], 0, 0.1);
 }

@@ -1,5 +1,6 @@
 // Hands in whole ticks: of the fixture robot's neck a hand is made.
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "tests/emulator/emulator_test.h"
 

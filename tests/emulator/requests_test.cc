@@ -79,7 +79,7 @@ TEST_F(RequestsTest, ClampTheBaseWhereItIs) {
   Ask("clamp", true);
   Tick(1000);
   EXPECT_NEAR(Height(), 0.8, 0.02);
-  EXPECT_NEAR(world_->physics().base().v_WB_W.norm(), 0, 1e-3);
+  EXPECT_NEAR(world_->physics().robot().base().v_WB_W.norm(), 0, 1e-3);
   Ask("clamp", false);
   Tick(200);
   EXPECT_LT(Height(), 0.7);

@@ -86,7 +86,7 @@ class PushTest : public EmulatorTest {
     Ask("crane.release");
     Ask("push", {{"force", {0, 0, 60}}, {"for", seconds}});
     Tick(ticks);
-    return world_->physics().base().v_WB_W.z();
+    return world_->physics().robot().base().v_WB_W.z();
   }
 };
 
@@ -105,7 +105,7 @@ TEST_F(PushTest, ByAnImpulseIsTheSameEvenlyOverItsTime) {
   Ask("crane.release");
   Ask("push", {{"impulse", {0, 0, 6}}, {"for", 0.1}});
   Tick(150);
-  EXPECT_NEAR(world_->physics().base().v_WB_W.z(), by_force, 1e-9);
+  EXPECT_NEAR(world_->physics().robot().base().v_WB_W.z(), by_force, 1e-9);
 }
 
 TEST_F(PushTest, OfABodyThatIsNotThereIsRefused) {
@@ -121,7 +121,7 @@ TEST_F(PushTest, EndsWithAReset) {
   Ask("reset");
   Ask("clamp", false);
   Tick(100);
-  EXPECT_NEAR(world_->physics().base().v_WB_W.x(), 0, 1e-6);
+  EXPECT_NEAR(world_->physics().robot().base().v_WB_W.x(), 0, 1e-6);
 }
 
 }  // namespace

@@ -17,10 +17,10 @@ class SensedTest : public EmulatorTest {
   }
 
   void Run(int ticks) {
-    physics::PhysicsWorld world(
-        physics::LoadWorldModel(config_.robot, kRoot / "models" / config_.robot.model,
+    physics::World world(
+        physics::LoadWorldModel({{config_.robot, kRoot / "models" / config_.robot.model}},
                                 kRoot / "models/scene/flat.xml", config_.physics.timestep),
-        config_.robot);
+        {{config_.robot}});
     test::FakePort port;
     const auto go2 = MakeIn(std::move(world), &port, &inbox_);
     for (int i = 0; i < ticks; ++i) ASSERT_EQ(go2->Tick({}), physics::StepHealth::kFine);

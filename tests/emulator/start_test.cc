@@ -14,7 +14,7 @@ TEST_F(StartTest, DampedLiesWhereItIsPut) {
   EXPECT_EQ(world_->status().gate, authority::GateState::kStart);
   EXPECT_NEAR(Height(), 0.05, 0.01);  // on its trunk
   EXPECT_LT(world_->status().tilt, 0.05);
-  for (const double rate : world_->physics().dq()) EXPECT_NEAR(rate, 0, 0.01);
+  for (const double rate : world_->physics().robot().dq()) EXPECT_NEAR(rate, 0, 0.01);
   for (const robot::MotorReading& motor : port_.last().state.motors) EXPECT_TRUE(motor.enabled);
 }
 
@@ -25,7 +25,7 @@ TEST_F(StartTest, StandingHoldsItsPose) {
     ASSERT_NEAR(Height(), 0.3, 0.005) << i;
     ASSERT_LT(world_->status().tilt, 0.02) << i;
   }
-  for (const double q : world_->physics().q()) EXPECT_NEAR(q, 0, 0.01);
+  for (const double q : world_->physics().robot().q()) EXPECT_NEAR(q, 0, 0.01);
   const auto& force = port_.last().state.foot_force;
   EXPECT_NEAR(std::accumulate(force.begin(), force.end(), 0.0), 60, 0.5);
   EXPECT_EQ(world_->status().gate, authority::GateState::kStart);

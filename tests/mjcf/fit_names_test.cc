@@ -1,6 +1,7 @@
 #include "mjcf/fit_names.h"
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "physics/feet.h"
 #include "physics/world_model.h"

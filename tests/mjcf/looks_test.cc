@@ -1,6 +1,7 @@
 #include "mjcf/looks.h"
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "mjcf/assets.h"

@@ -4,6 +4,7 @@
 #include <map>
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "physics/world.h"
 #include "physics/world_model.h"
@@ -20,7 +21,7 @@ using testing::SizeIs;
 class RandomizeModelTest : public test::MujocoTest {
  protected:
   ModelHandle Load() const {
-    return physics::LoadWorldModel(spec_, spec_.model, test::FixtureFile("fixture_ground.xml"),
+    return physics::LoadWorldModel({{spec_, spec_.model}}, test::FixtureFile("fixture_ground.xml"),
                                    0.001);
   }
 
@@ -98,8 +99,8 @@ TEST_F(RandomizeModelTest, GivesEachBodyAMassOfItsOwnAndInertiaWithIt) {
     sum += mass;
   }
   EXPECT_EQ(drawn_.at("mass/base") == drawn_.at("mass/head"), false);
-  EXPECT_NEAR(physics::PhysicsWorld(Randomized({.mass = {0.5, 1.5}}), spec_).weight(), 10 * sum,
-              1e-9);
+  EXPECT_NEAR(physics::World(Randomized({.mass = {0.5, 1.5}}), {{spec_}}).robot().weight(),
+              10 * sum, 1e-9);
 }
 
 TEST_F(RandomizeModelTest, GivesEachBodyAnInertiaOfItsOwnAndLeavesItsMass) {
@@ -117,17 +118,17 @@ TEST_F(RandomizeModelTest, GivesEachBodyAnInertiaOfItsOwnAndLeavesItsMass) {
 // With 5 of 6 kg where they were, the centre of mass of all moves by a sixth of what the base's
 // does.
 TEST_F(RandomizeModelTest, MovesTheBasesCentreOfMassAndNothingThatIsFixedToTheBase) {
-  physics::PhysicsWorld before(Load(), spec_);
-  physics::PhysicsWorld after(Randomized({.base_com = {0.02, 0.05}}), spec_);
+  physics::World before(Load(), {{spec_}});
+  physics::World after(Randomized({.base_com = {0.02, 0.05}}), {{spec_}});
   const Eigen::Vector3d offset(drawn_.at("base_com/x"), drawn_.at("base_com/y"),
                                drawn_.at("base_com/z"));
   EXPECT_GE(offset.minCoeff(), 0.02);
   EXPECT_LE(offset.maxCoeff(), 0.05);
-  for (physics::PhysicsWorld* world : {&before, &after}) {
-    world->Reset(spec_.standing);
+  for (physics::World* world : {&before, &after}) {
+    world->robot().Reset(spec_.standing);
     world->BeginStep();
   }
-  const int base = before.Body("base");
+  const int base = before.robot().Body("base");
   EXPECT_LT((after.CenterOfMass(base) - before.CenterOfMass(base) - offset).norm(), 1e-12);
   for (int geom = 0; geom < plain_->ngeom; ++geom) {
     for (int i = 0; i < 3; ++i) {
@@ -160,7 +161,7 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
   spec.dynamics.use = robot::DynamicsSource::kFitted;
   spec.dynamics.fitted = {{.slots = {0, 1, 3, 4, 6, 7}, .armature = 0.5, .frictionloss = 2}};
   ModelHandle model =
-      physics::LoadWorldModel(spec, spec.model, test::FixtureFile("fixture_ground.xml"), 0.001);
+      physics::LoadWorldModel({{spec, spec.model}}, test::FixtureFile("fixture_ground.xml"), 0.001);
   const double weight_before = model->dof_invweight0[Dof("FR_joint")];
   robot::Dice dice(1);
   RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, spec, &dice, model.get());
@@ -176,27 +177,29 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
 }
 
 TEST_F(RandomizeModelTest, TurnsEachImuFromItsPlaceByTheRotationDrawn) {
-  physics::PhysicsWorld world(Randomized({.imu_mounting = {0.1, 0.2}}), spec_);
+  physics::World world(Randomized({.imu_mounting = {0.1, 0.2}}), {{spec_}});
   EXPECT_THAT(drawn_, SizeIs(6));
-  world.Reset(spec_.standing);
+  world.robot().Reset(spec_.standing);
   const auto rotation = [this](const std::string& site) {
     const Eigen::Vector3d r(drawn_.at("imu_mounting/" + site + " x"),
                             drawn_.at("imu_mounting/" + site + " y"),
                             drawn_.at("imu_mounting/" + site + " z"));
     return Eigen::Quaterniond(Eigen::AngleAxisd(r.norm(), r.normalized()));
   };
-  EXPECT_LT(world.Imu().R_WI.angularDistance(rotation("imu")), 1e-9);
+  EXPECT_LT(world.robot().Imu().R_WI.angularDistance(rotation("imu")), 1e-9);
   const Eigen::Quaterniond upside_down(0, 1, 0, 0);
-  EXPECT_LT(world.SecondaryImu().R_WI.angularDistance(upside_down * rotation("head_imu")), 1e-9);
+  EXPECT_LT(world.robot().SecondaryImu().R_WI.angularDistance(upside_down * rotation("head_imu")),
+            1e-9);
   // The unit at rest feels the world's up where it is now.
-  world.Clamp(true);
+  world.robot().Clamp(true);
   for (int i = 0; i < 500; ++i) {
     world.BeginStep();
-    ASSERT_EQ(world.EndStep(std::vector<double>(6, 0.0)), physics::StepHealth::kFine);
+    world.robot().Drive(std::vector<double>(6, 0.0));
+    ASSERT_EQ(world.EndStep(), physics::StepHealth::kFine);
   }
   const Eigen::Vector3d up = rotation("imu").conjugate() * Eigen::Vector3d(0, 0, 10);
-  EXPECT_LT((world.Imu().f_WI_I - up).norm(), 0.5);
-  EXPECT_GT((world.Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 1);
+  EXPECT_LT((world.robot().Imu().f_WI_I - up).norm(), 0.5);
+  EXPECT_GT((world.robot().Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 1);
 }
 
 TEST_F(RandomizeModelTest, TiltsGravityByTheAngleDrawnToTheSideDrawn) {
@@ -223,15 +226,17 @@ TEST_F(RandomizeModelTest, LetsContactsGiveWayAsFarAsDrawn) {
 
 TEST_F(RandomizeModelTest, LetsARobotSinkDeeperIntoSoftGround) {
   const auto height = [this](const robot::RandomizationSpec& ranges) {
-    physics::PhysicsWorld world(Randomized(ranges), spec_);
-    world.Reset(spec_.standing);
+    physics::World world(Randomized(ranges), {{spec_}});
+    world.robot().Reset(spec_.standing);
     for (int i = 0; i < 1000; ++i) {
       world.BeginStep();
       std::vector<double> tau;
-      for (std::size_t m = 0; m < 6; ++m) tau.push_back(-200 * world.q()[m] - 5 * world.dq()[m]);
-      EXPECT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
+      for (std::size_t m = 0; m < 6; ++m)
+        tau.push_back(-200 * world.robot().q()[m] - 5 * world.robot().dq()[m]);
+      world.robot().Drive(tau);
+      EXPECT_EQ(world.EndStep(), physics::StepHealth::kFine);
     }
-    return world.base().p_WB.z();
+    return world.robot().base().p_WB.z();
   };
   EXPECT_LT(height({.floor_softness = {4, 4}}), height({}) - 1e-4);
 }

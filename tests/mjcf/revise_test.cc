@@ -1,6 +1,7 @@
 #include "mjcf/revise.h"
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "mjcf/compile.h"

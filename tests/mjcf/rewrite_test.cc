@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "mjcf/compile.h"

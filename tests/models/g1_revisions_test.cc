@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include "config/load.h"
 #include "config/robot_file.h"
@@ -69,7 +70,8 @@ class G1RevisionTest : public ModelTest, public testing::WithParamInterface<std:
       config::LoadConfig({.robot = robot_, .files = {}, .sets = {"robot.revision=" + GetParam()}},
                          kData)
           .robot;
-  mjcf::ModelHandle model_ = physics::LoadWorldModel(spec_, kModels + spec_.model, kFlat, 0.001);
+  mjcf::ModelHandle model_ =
+      physics::LoadWorldModel({{spec_, kModels + spec_.model}}, kFlat, 0.001);
 };
 
 void ExpectNumbers(const mjtNum* got, const json& figure, double scale, const std::string& what) {

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <mujoco/mujoco.h>
+
 #include "tests/support/robots.h"
 
 namespace understudy::models {

@@ -11,22 +11,23 @@ namespace {
 class CraneWorldTest : public test::MujocoTest {
  protected:
   CraneWorldTest() {
-    world_.Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
-    crane_.Attach(Hook().p_WP, world_.weight());
+    world_.robot().Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
+    crane_.Attach(Hook().p_WP, world_.robot().weight());
   }
 
-  PointReading Hook() const { return world_.Point(world_.Body("base"), {0, 0, 0.1}); }
+  PointReading Hook() const { return world_.Point(world_.robot().Body("base"), {0, 0, 0.1}); }
 
   void Step() {
     world_.BeginStep();
     const PointReading hook = Hook();
-    world_.AddForce(world_.Body("base"), hook.p_WP, crane_.Step(hook, world_.timestep()));
-    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.hanging.q)), StepHealth::kFine);
+    world_.AddForce(world_.robot().Body("base"), hook.p_WP, crane_.Step(hook, world_.timestep()));
+    world_.robot().Drive(test::Hold(world_.robot(), spec_.hanging.q));
+    ASSERT_EQ(world_.EndStep(), StepHealth::kFine);
   }
-  double Height() const { return world_.base().p_WB.z(); }
+  double Height() const { return world_.robot().base().p_WB.z(); }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  PhysicsWorld world_ = test::FixtureWorld(spec_);
+  World world_ = test::FixtureWorld(spec_);
   Crane crane_{CraneConfig{}};
 };
 
@@ -40,13 +41,13 @@ TEST_F(CraneWorldTest, HangsInEquilibriumFromTheFirstStep) {
 
 TEST_F(CraneWorldTest, FeelsTheTetherAsItFeelsTheGround) {
   Step();
-  EXPECT_LT((world_.Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 1e-6);
+  EXPECT_LT((world_.robot().Imu().f_WI_I - Eigen::Vector3d(0, 0, 10)).norm(), 1e-6);
 }
 
 TEST_F(CraneWorldTest, FollowsTheWinchDown) {
   crane_.Lower(0.3);
   for (int i = 0; i < 1000; ++i) Step();
-  EXPECT_NEAR(world_.base().v_WB_W.z(), -0.1, 0.01);
+  EXPECT_NEAR(world_.robot().base().v_WB_W.z(), -0.1, 0.01);
   EXPECT_NEAR(Height(), 0.9, 0.01);
   for (int i = 0; i < 4000; ++i) Step();
   EXPECT_NEAR(Height(), 0.7, 0.001);
@@ -57,7 +58,7 @@ TEST_F(CraneWorldTest, StandsWithASlackTetherWhenItIsLoweredFarEnough) {
   for (int i = 0; i < 12'000; ++i) Step();
   EXPECT_NEAR(Height(), 0.3, 0.01);
   EXPECT_EQ(crane_.tension(), 0);
-  EXPECT_LT(world_.tilt(), 0.01);
+  EXPECT_LT(world_.robot().tilt(), 0.01);
 }
 
 TEST_F(CraneWorldTest, FallsWhenItIsReleased) {

@@ -9,7 +9,7 @@ namespace {
 // The fixture, 6 kg, in the air and let go.
 class ForcesTest : public test::MujocoTest {
  protected:
-  ForcesTest() { world_.Reset(spec_.hanging); }
+  ForcesTest() { world_.robot().Reset(spec_.hanging); }
 
   // Steps with `forces`, from where the last ones ended.
   template <class Forces>
@@ -17,15 +17,16 @@ class ForcesTest : public test::MujocoTest {
     for (int i = 0; i < times; ++i) {
       world_.BeginStep();
       forces->Act(static_cast<double>(step_++) * world_.timestep(), &world_);
-      ASSERT_EQ(world_.EndStep(std::vector<double>(spec_.motors.size())), StepHealth::kFine);
+      world_.robot().Drive(std::vector<double>(spec_.motors.size()));
+      ASSERT_EQ(world_.EndStep(), StepHealth::kFine);
     }
     world_.BeginStep();  // so that readings are of now
   }
   Eigen::Vector3d Base() const { return world_.Point(base_, {0, 0, 0}).p_WP; }
 
   robot::RobotSpec spec_ = test::FixtureRobot();
-  PhysicsWorld world_ = test::FixtureWorld(spec_, 0.001);
-  int base_ = world_.Body("base");
+  World world_ = test::FixtureWorld(spec_, 0.001);
+  int base_ = world_.robot().Body("base");
   std::int64_t step_ = 0;
 };
 
@@ -72,7 +73,7 @@ TEST_F(ForcesTest, ADragNeverPullsHarderThanFiveTimesTheWeight) {
 
 TEST_F(ForcesTest, ADragOfALimbHasTheMassOfTheLimb) {
   Drags dut;
-  const int leg = world_.Body("FR_leg");
+  const int leg = world_.robot().Body("FR_leg");
   ASSERT_TRUE(dut.Pull(leg, {0, 0, 0}, {1e6, 0, 0}, 10));
   Step(&dut, 1);
   EXPECT_LT(world_.SubtreeMass(leg), world_.SubtreeMass(base_) / 2);
@@ -98,7 +99,7 @@ TEST_F(ForcesTest, ADragEndsUnlessItIsRenewedOrWhenItIsReleased) {
 TEST_F(ForcesTest, TwoBodiesAreDraggedEachItsOwnWay) {
   Drags dut;
   ASSERT_TRUE(dut.Pull(base_, {0, 0, 0}, {1e3, 0, 1}, 1));
-  ASSERT_TRUE(dut.Pull(world_.Body("FR_leg"), {0, 0, 0}, {-1e3, 0, 1}, 1));
+  ASSERT_TRUE(dut.Pull(world_.robot().Body("FR_leg"), {0, 0, 0}, {-1e3, 0, 1}, 1));
   Step(&dut, 1);
   ASSERT_EQ(dut.forces().size(), 2U);
   EXPECT_GT(dut.forces()[0].force_W.x(), 0);

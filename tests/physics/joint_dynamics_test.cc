@@ -1,6 +1,7 @@
 #include "physics/joint_dynamics.h"
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "config/load.h"
 #include "physics/world_model.h"
@@ -38,8 +39,8 @@ class JointDynamicsTest : public test::MujocoTest {
 
   static mjcf::ModelHandle LoadWith(const config::Layers& layers) {
     const robot::RobotSpec spec = config::LoadConfig(layers, kSource).robot;
-    return LoadWorldModel(spec, kSource / "models" / spec.model, kSource / "models/scene/flat.xml",
-                          0.001);
+    return LoadWorldModel({{spec, kSource / "models" / spec.model}},
+                          kSource / "models/scene/flat.xml", 0.001);
   }
 };
 
@@ -115,8 +116,8 @@ TEST_F(JointDynamicsTest, IsTheSameAsAFileWithTheseFigures) {
   const auto plain = folder.Write("plain.xml", Robot(R"(name="knee_joint")"));
   const auto written = folder.Write(
       "written.xml", Robot(R"(name="knee_joint" armature=".3" damping="2" frictionloss=".7")"));
-  const mjcf::ModelHandle fitted = LoadWorldModel(FittedSpec(), plain, ground, 0.001);
-  const mjcf::ModelHandle model = LoadWorldModel(Spec(), written, ground, 0.001);
+  const mjcf::ModelHandle fitted = LoadWorldModel({{FittedSpec(), plain}}, ground, 0.001);
+  const mjcf::ModelHandle model = LoadWorldModel({{Spec(), written}}, ground, 0.001);
   EXPECT_EQ(JointOf(*fitted, "knee_joint"), (Joint{0.3, 2, 0.7}));
   ASSERT_EQ(fitted->nv, model->nv);
   for (int dof = 0; dof < model->nv; ++dof) {  // what contacts and friction are scaled by
@@ -130,7 +131,7 @@ TEST_F(JointDynamicsTest, GoesBySlotAndSoFindsAJointThatIsCalledOtherwise) {
   const auto ground = folder.Write("ground.xml", kGround);
   const auto other = folder.Write("other.xml", Robot(R"(name="knee" armature=".1")"));
   LoadNotes notes;
-  const FittedModel fitted = LoadFittedModel(FittedSpec(), other, ground, 0.001, &notes);
+  const FittedModel fitted = LoadFittedModel({FittedSpec(), other}, ground, 0.001, &notes);
   EXPECT_EQ(JointOf(*fitted.model, "knee"), (Joint{0.3, 2, 0.7}));
 }
 

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
@@ -31,48 +32,51 @@ class MotorOrderTest : public test::MujocoTest {
   }
 
   const robot::RobotSpec spec_ = test::FixtureRobot();
-  PhysicsWorld world_ = test::FixtureWorld(spec_);
+  World world_ = test::FixtureWorld(spec_);
 };
 
 TEST_F(MotorOrderTest, ResetSetsEachJointByName) {
   const std::vector<double> q = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6};
-  world_.Reset({.q = q, .height = 5});
+  world_.robot().Reset({.q = q, .height = 5});
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(Q(i), q[i]) << spec_.motors[i].joint;
-    EXPECT_EQ(world_.q()[i], q[i]);
+    EXPECT_EQ(world_.robot().q()[i], q[i]);
   }
 }
 
 TEST_F(MotorOrderTest, TorqueTurnsTheJointOfItsMotorAndIsReadThere) {
   for (std::size_t driven = 0; driven < 6; ++driven) {
-    world_.Reset({.q = spec_.hanging.q, .height = 5});
+    world_.robot().Reset({.q = spec_.hanging.q, .height = 5});
     std::vector<double> tau(6, 0.0);
     tau[driven] = 1;
     world_.BeginStep();
-    ASSERT_EQ(world_.EndStep(tau), StepHealth::kFine);
+    world_.robot().Drive(tau);
+    ASSERT_EQ(world_.EndStep(), StepHealth::kFine);
     world_.BeginStep();
     for (std::size_t i = 0; i < 6; ++i) {
-      EXPECT_EQ(world_.dq()[i], Rate(i));
+      EXPECT_EQ(world_.robot().dq()[i], Rate(i));
       // The others only feel the recoil of the trunk.
       if (i != driven) {
-        EXPECT_GT(world_.dq()[driven], 2 * world_.dq()[i]) << spec_.motors[i].joint;
+        EXPECT_GT(world_.robot().dq()[driven], 2 * world_.robot().dq()[i]) << spec_.motors[i].joint;
       }
     }
-    EXPECT_EQ(world_.EndStep(tau), StepHealth::kFine);
+    world_.robot().Drive(tau);
+    EXPECT_EQ(world_.EndStep(), StepHealth::kFine);
   }
 }
 
 TEST_F(MotorOrderTest, FeetAreInSpecOrder) {
   // Pushed down at its front right corner, it leans on that foot most.
-  world_.Reset({.q = spec_.standing.q, .height = spec_.standing.height});
-  const int base = world_.Body("base");
+  world_.robot().Reset({.q = spec_.standing.q, .height = spec_.standing.height});
+  const int base = world_.robot().Body("base");
   for (int i = 0; i < 500; ++i) {
     world_.BeginStep();
     world_.AddForce(base, world_.Point(base, {0.2, -0.1, 0}).p_WP, {0, 0, -40});
-    ASSERT_EQ(world_.EndStep(test::Hold(world_, spec_.standing.q)), StepHealth::kFine);
+    world_.robot().Drive(test::Hold(world_.robot(), spec_.standing.q));
+    ASSERT_EQ(world_.EndStep(), StepHealth::kFine);
   }
   std::vector<double> force(4);
-  world_.FootForces(force);
+  world_.robot().FootForces(force);
   ASSERT_EQ(spec_.feet[0].name, "FR");
   for (std::size_t i = 1; i < 4; ++i) EXPECT_GT(force[0], force[i] + 10) << spec_.feet[i].name;
 }

@@ -26,7 +26,7 @@ constexpr char kBall[] = R"(
   </worldbody>
 </mujoco>)";
 
-PhysicsWorld Ball(const std::string& gravity) {
+World Ball(const std::string& gravity) {
   const test::TemporaryFolder folder;
   std::string text = kBall;
   text.replace(text.find("%s"), 2, gravity);
@@ -35,11 +35,10 @@ PhysicsWorld Ball(const std::string& gravity) {
   spec.crane_body = "ball";
   spec.imu.site = "imu";
   spec.imu.secondary_site = "back";
-  PhysicsWorld world(
-      LoadWorldModel(spec, folder.Write("ball.xml", text),
-                     folder.Write("space.xml", "<mujoco><worldbody/></mujoco>"), 0.001),
-      spec);
-  world.Reset({.q = {}, .height = 10});
+  World world(LoadWorldModel({{spec, folder.Write("ball.xml", text)}},
+                             folder.Write("space.xml", "<mujoco><worldbody/></mujoco>"), 0.001),
+              {{spec}});
+  world.robot().Reset({.q = {}, .height = 10});
   return world;
 }
 
@@ -51,70 +50,71 @@ void ExpectNear(const Eigen::Vector3d& actual, const Eigen::Vector3d& expected,
 
 class BallTest : public test::MujocoTest {
  protected:
-  void Step(PhysicsWorld* world) {
+  void Step(World* world) {
     world->BeginStep();
-    EXPECT_EQ(world->EndStep({}), StepHealth::kFine);
+    EXPECT_EQ(world->EndStep(), StepHealth::kFine);
   }
   // One step under a force on the point p_WP.
-  void Push(PhysicsWorld* world, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
+  void Push(World* world, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W) {
     world->BeginStep();
-    world->AddForce(world->Body("ball"), p_WP, force_W);
-    EXPECT_EQ(world->EndStep({}), StepHealth::kFine);
+    world->AddForce(world->robot().Body("ball"), p_WP, force_W);
+    EXPECT_EQ(world->EndStep(), StepHealth::kFine);
   }
 };
 
 TEST_F(BallTest, FeelsNothingWhileItFalls) {
-  PhysicsWorld world = Ball("-10");
+  World world = Ball("-10");
   for (int i = 0; i < 100; ++i) Step(&world);
-  ExpectNear(world.Imu().f_WI_I, {0, 0, 0});
-  ExpectNear(world.base().v_WB_W, {0, 0, -0.99});  // of the instant before the last step's end
+  ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 0});
+  ExpectNear(world.robot().base().v_WB_W,
+             {0, 0, -0.99});  // of the instant before the last step's end
 }
 
 TEST_F(BallTest, FeelsWhatCarriesIt) {
-  PhysicsWorld world = Ball("-10");
+  World world = Ball("-10");
   Push(&world, {0, 0, 10}, {0, 0, 10});
-  ExpectNear(world.Imu().f_WI_I, {0, 0, 10});
-  ExpectNear(world.SecondaryImu().f_WI_I, {0, 0, -10});  // its own z points down
+  ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 10});
+  ExpectNear(world.robot().SecondaryImu().f_WI_I, {0, 0, -10});  // its own z points down
 }
 
 // Position, rate and acceleration of one t: at rest at 10 m with 2 m/s² in the step of the force,
 // 0.002 m/s without any in the next.
 TEST_F(BallTest, ReadsPositionRateAndAccelerationOfOneInstant) {
-  PhysicsWorld world = Ball("0");
+  World world = Ball("0");
   Push(&world, {0, 0, 10}, {2, 0, 0});
-  ExpectNear(world.base().p_WB, {0, 0, 10});
-  ExpectNear(world.base().v_WB_W, {0, 0, 0});
-  ExpectNear(world.Imu().f_WI_I, {2, 0, 0});
+  ExpectNear(world.robot().base().p_WB, {0, 0, 10});
+  ExpectNear(world.robot().base().v_WB_W, {0, 0, 0});
+  ExpectNear(world.robot().Imu().f_WI_I, {2, 0, 0});
   Step(&world);
-  ExpectNear(world.base().p_WB, {2e-6, 0, 10});
-  ExpectNear(world.base().v_WB_W, {0.002, 0, 0});
-  ExpectNear(world.Imu().f_WI_I, {0, 0, 0});
+  ExpectNear(world.robot().base().p_WB, {2e-6, 0, 10});
+  ExpectNear(world.robot().base().v_WB_W, {0.002, 0, 0});
+  ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 0});
 }
 
 TEST_F(BallTest, MovesByForceOverMassForOneStepOnly) {
-  PhysicsWorld world = Ball("0");
+  World world = Ball("0");
   Push(&world, {0, 0, 10}, {0, 3, 0});
   for (int i = 0; i < 5; ++i) {
     Step(&world);
-    ExpectNear(world.base().v_WB_W, {0, 0.003, 0});
+    ExpectNear(world.robot().base().v_WB_W, {0, 0.003, 0});
   }
 }
 
 TEST_F(BallTest, AddsUpForces) {
-  PhysicsWorld world = Ball("0");
+  World world = Ball("0");
   world.BeginStep();
-  world.AddForce(world.Body("ball"), {0, 0, 10}, {1, 0, 0});
-  world.AddForce(world.Body("ball"), {0, 0, 10}, {2, 5, 0});
-  ASSERT_EQ(world.EndStep({}), StepHealth::kFine);
-  ExpectNear(world.Imu().f_WI_I, {3, 5, 0});
+  world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {1, 0, 0});
+  world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {2, 5, 0});
+  ASSERT_EQ(world.EndStep(), StepHealth::kFine);
+  ExpectNear(world.robot().Imu().f_WI_I, {3, 5, 0});
 }
 
 TEST_F(BallTest, ForgetsAForceOnReset) {
-  PhysicsWorld world = Ball("0");
-  world.AddForce(world.Body("ball"), {0, 0, 10}, {1, 0, 0});
-  world.Reset({.q = {}, .height = 10});
+  World world = Ball("0");
+  world.AddForce(world.robot().Body("ball"), {0, 0, 10}, {1, 0, 0});
+  world.robot().Reset({.q = {}, .height = 10});
   Step(&world);
-  ExpectNear(world.Imu().f_WI_I, {0, 0, 0});
+  ExpectNear(world.robot().Imu().f_WI_I, {0, 0, 0});
 }
 
 struct Spin {
@@ -128,28 +128,29 @@ TEST_F(BallTest, GyroFollowsTheRightHandRule) {
                         {{0, 0, 1}, {1, 0, 0}, {0, 1, 0}},
                         {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   for (const Spin& spin : spins) {
-    PhysicsWorld world = Ball("0");
+    World world = Ball("0");
     Push(&world, Eigen::Vector3d(0, 0, 10) + spin.arm, spin.force);
     Step(&world);
-    ExpectNear(world.Imu().w_WI_I, 0.001 * spin.axis);
-    ExpectNear(world.SecondaryImu().w_WI_I,
+    ExpectNear(world.robot().Imu().w_WI_I, 0.001 * spin.axis);
+    ExpectNear(world.robot().SecondaryImu().w_WI_I,
                0.001 * Eigen::Vector3d(spin.axis.x(), -spin.axis.y(), -spin.axis.z()));
   }
 }
 
 TEST_F(BallTest, KnowsHowItsUnitsAreTurned) {
-  PhysicsWorld world = Ball("0");
-  EXPECT_NEAR(world.Imu().R_WI.angularDistance(Eigen::Quaterniond::Identity()), 0, 1e-9);
-  EXPECT_NEAR(world.SecondaryImu().R_WI.angularDistance(Eigen::Quaterniond(0, 1, 0, 0)), 0, 1e-9);
+  World world = Ball("0");
+  EXPECT_NEAR(world.robot().Imu().R_WI.angularDistance(Eigen::Quaterniond::Identity()), 0, 1e-9);
+  EXPECT_NEAR(world.robot().SecondaryImu().R_WI.angularDistance(Eigen::Quaterniond(0, 1, 0, 0)), 0,
+              1e-9);
 }
 
 // 1 N along y at 1 m along x for 1 ms: the centre moves with 1 mm/s and the ball turns with 1
 // mrad/s.
 TEST_F(BallTest, PointVelocityIsThatOfItsPlaceOnTheBody) {
-  PhysicsWorld world = Ball("0");
+  World world = Ball("0");
   Push(&world, {1, 0, 10}, {0, 1, 0});
   world.BeginStep();
-  const int ball = world.Body("ball");
+  const int ball = world.robot().Body("ball");
   ExpectNear(world.Point(ball, {0, 0, 0}).v_WP_W, {0, 0.001, 0});
   ExpectNear(world.Point(ball, {1, 0, 0}).v_WP_W, {0, 0.002, 0}, 1e-8);
   ExpectNear(world.Point(ball, {-1, 0, 0}).v_WP_W, {0, 0, 0}, 1e-8);
@@ -157,22 +158,22 @@ TEST_F(BallTest, PointVelocityIsThatOfItsPlaceOnTheBody) {
 }
 
 TEST_F(BallTest, TiltIsTheAngleToTheVertical) {
-  PhysicsWorld world = Ball("0");
-  EXPECT_EQ(world.tilt(), 0);
+  World world = Ball("0");
+  EXPECT_EQ(world.robot().tilt(), 0);
   // A quarter turn about y in 1 s: 1571 N·m for 1 ms, and a second to wait.
   Push(&world, {0, 0, 11}, {1000 * std::numbers::pi / 2, 0, 0});
   for (int i = 0; i < 1001; ++i) Step(&world);
-  EXPECT_NEAR(world.tilt(), std::numbers::pi / 2, 0.01);
+  EXPECT_NEAR(world.robot().tilt(), std::numbers::pi / 2, 0.01);
 }
 
 TEST_F(BallTest, WeighsMassTimesGravity) {
-  EXPECT_NEAR(Ball("-10").weight(), 10, 1e-12);
-  EXPECT_EQ(Ball("0").weight(), 0);
+  EXPECT_NEAR(Ball("-10").robot().weight(), 10, 1e-12);
+  EXPECT_EQ(Ball("0").robot().weight(), 0);
 }
 
 TEST_F(BallTest, HasNoBodyOfAnotherName) {
-  const PhysicsWorld world = Ball("0");
-  EXPECT_THROW(world.Body("cube"), SetupError);
+  const World world = Ball("0");
+  EXPECT_THROW(world.robot().Body("cube"), SetupError);
 }
 
 }  // namespace

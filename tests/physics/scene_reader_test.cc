@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <cstring>
 
+#include <mujoco/mujoco.h>
+
 #include "gtest/gtest.h"
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "physics/world.h"
+#include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 
@@ -27,16 +28,16 @@ class SetDownTest : public test::MujocoTest {
 
   // Height of the base when it is put at `height` over such ground.
   double Base(const std::string& ground, double height) {
-    PhysicsWorld world(LoadWorldModel(spec_, folder_.Write("robot.xml", kRobot),
-                                      folder_.Write("ground.xml", "<mujoco><worldbody>" + ground +
-                                                                      "</worldbody></mujoco>"),
-                                      0.001),
-                       spec_);
+    World world(LoadWorldModel({{spec_, folder_.Write("robot.xml", kRobot)}},
+                               folder_.Write("ground.xml", "<mujoco><worldbody>" + ground +
+                                                               "</worldbody></mujoco>"),
+                               0.001),
+                {{spec_}});
     robot::PoseSpec pose;
     pose.q = {0};
     pose.height = height;
-    world.Reset(pose);
-    return world.base().p_WB.z();
+    world.robot().Reset(pose);
+    return world.robot().base().p_WB.z();
   }
 
   static std::string Box(const std::string& pos, const std::string& size = "1 1 .1") {

@@ -2,6 +2,7 @@
 #include <cstring>
 
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include "physics/world_model.h"
 #include "tests/support/fixture_robot.h"
@@ -22,8 +23,8 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
       folder.Write("ground.xml", std::string(R"(<mujoco><option integrator=")") + GetParam() +
                                      R"("/><worldbody><geom type="plane" size="0 0 1"
                                          contype="0" conaffinity="1"/></worldbody></mujoco>)");
-  PhysicsWorld world(LoadWorldModel(spec, spec.model, scene, 0.001), spec);
-  world.Reset({.q = spec.standing.q, .height = 0.35});
+  World world(LoadWorldModel({{spec, spec.model}}, scene, 0.001), {{spec}});
+  world.robot().Reset({.q = spec.standing.q, .height = 0.35});
 
   const mjcf::ModelHandle model(mj_copyModel(nullptr, &world.model()));
   const mjcf::DataHandle whole(mj_copyData(nullptr, model.get(), &world.data()));
@@ -37,7 +38,8 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
     }
     mj_step(model.get(), whole.get());
     world.BeginStep();
-    ASSERT_EQ(world.EndStep(tau), StepHealth::kFine);
+    world.robot().Drive(tau);
+    ASSERT_EQ(world.EndStep(), StepHealth::kFine);
     const auto size = [](auto n) { return sizeof(mjtNum) * static_cast<std::size_t>(n); };
     ASSERT_EQ(std::memcmp(whole->qpos, world.data().qpos, size(model->nq)), 0) << step;
     ASSERT_EQ(std::memcmp(whole->qvel, world.data().qvel, size(model->nv)), 0) << step;

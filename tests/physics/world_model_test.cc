@@ -1,6 +1,7 @@
 #include "physics/world_model.h"
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "physics/world.h"
@@ -40,10 +41,10 @@ class WorldModelTest : public test::MujocoTest {
   void UseRobot(const std::string& text) { robot_ = folder_.Write("robot.xml", text); }
   void UseScene(const std::string& text) { scene_ = folder_.Write("ground.xml", text); }
 
-  mjcf::ModelHandle Load() const { return LoadWorldModel(spec_, robot_, scene_, 0.002); }
+  mjcf::ModelHandle Load() const { return LoadWorldModel({{spec_, robot_}}, scene_, 0.002); }
 
   FittedModel LoadFitted(LoadNotes* notes) const {
-    return LoadFittedModel(spec_, robot_, scene_, 0.002, notes);
+    return LoadFittedModel({spec_, robot_}, scene_, 0.002, notes);
   }
 
   // What the refusal says; "" when the model loads.
@@ -76,7 +77,7 @@ constexpr char kDecal[] =
 TEST_F(WorldModelTest, KeepsForTheEyeWhatIsOnlyLookedAt) {
   UseRobot(Robot(kDecal));
   const mjcf::ModelHandle world = Load();
-  const mjcf::ModelHandle sight = LoadSightModel(spec_, robot_, scene_, 0.002);
+  const mjcf::ModelHandle sight = LoadSightModel({{spec_, robot_}}, scene_, 0.002);
   EXPECT_EQ(sight->ngeom, 4);
   EXPECT_EQ(sight->nq, world->nq);
   EXPECT_EQ(sight->nbody, world->nbody);
@@ -87,9 +88,9 @@ TEST_F(WorldModelTest, ShowsAWorldWhoseLooksAreMissingWithoutThem) {
                     <geom type="mesh" mesh="shell" mass="0" contype="0" conaffinity="0"/>)",
                  R"(<asset><mesh name="shell" file="lost.stl"/></asset>)"));
 #if mjVERSION_HEADER < 300
-  EXPECT_EQ(LoadSightModel(spec_, robot_, scene_, 0.002)->ngeom, 3);
+  EXPECT_EQ(LoadSightModel({{spec_, robot_}}, scene_, 0.002)->ngeom, 3);
 #else
-  EXPECT_THROW(LoadSightModel(spec_, robot_, scene_, 0.002), ModelError);
+  EXPECT_THROW(LoadSightModel({{spec_, robot_}}, scene_, 0.002), ModelError);
 #endif
 }
 
@@ -114,7 +115,7 @@ TEST_F(WorldModelTest, AddsTheInertialUnit) {
 TEST_F(WorldModelTest, AddsAClampThatIsOff) {
   mjcf::ModelHandle model = Load();
   EXPECT_GE(mj_name2id(model.get(), mjOBJ_EQUALITY, kClampName), 0);
-  EXPECT_FALSE(PhysicsWorld(std::move(model), spec_).clamped());
+  EXPECT_FALSE(World(std::move(model), {{spec_}}).robot().clamped());
 }
 
 TEST_F(WorldModelTest, SwitchesTheModelsOwnActuatorsOff) {
@@ -235,19 +236,19 @@ TEST_F(WorldModelTest, TakesAnotherHandsNamesForWhatIsFittedAndSaysSo) {
   EXPECT_EQ(fitted.spec.crane_body, "pelvis");
   EXPECT_EQ(fitted.spec.motors[0].joint, "knee_joint");
   EXPECT_EQ(notes.warnings.size(), 2u);
-  EXPECT_EQ(PhysicsWorld(std::move(fitted.model), fitted.spec).q().size(), 1u);
+  EXPECT_EQ(World(std::move(fitted.model), {{fitted.spec}}).robot().q().size(), 1u);
 }
 
 TEST_F(WorldModelTest, GoesWithoutFeetThatAreNotFoundAndSaysSo) {
   spec_.feet = {{.name = "left", .geoms = {"sole"}}, {.name = "right", .geoms = {"sohle"}}};
   LoadNotes notes;
   FittedModel fitted = LoadFitted(&notes);
-  PhysicsWorld world(std::move(fitted.model), fitted.spec);
+  World world(std::move(fitted.model), {{fitted.spec}});
   ASSERT_EQ(notes.warnings.size(), 1u);
   EXPECT_THAT(notes.warnings[0],
               AllOf(HasSubstr("foot right"), HasSubstr("none"), HasSubstr("robot.feet.1.geoms")));
   std::vector<double> force(2);
-  world.FootForces(force);
+  world.robot().FootForces(force);
 }
 
 TEST_F(WorldModelTest, LeavesTheSceneOutWhereTheRobotsFileHasGroundAndSaysSo) {
@@ -327,23 +328,13 @@ TEST_F(WorldModelTest, TakesASlideAsAMotor) {
   EXPECT_EQ(Refusal(), "");
 }
 
-TEST(MujocoHooksTest, KeepTheLastWarningUntilItIsTaken) {
-  InstallMujocoHooks();
-  mju_warning("first, and longer than the other one");
-  mju_warning("second");
-  EXPECT_EQ(TakeMujocoWarning(), "second");
-  EXPECT_EQ(TakeMujocoWarning(), std::nullopt);
-}
-
-TEST(MujocoHooksTest, CutAWarningThatIsTooLong) {
-  InstallMujocoHooks();
-  mju_user_warning(std::string(10'000, 'x').c_str());
-  EXPECT_EQ(TakeMujocoWarning(), std::string(511, 'x'));
-}
-
-TEST(MujocoHooksTest, TurnAnErrorIntoAModelError) {
-  InstallMujocoHooks();
-  EXPECT_THROW(mju_error("no way"), ModelError);
+TEST_F(WorldModelTest, TellsWhatMujocoWarnsOfWhileItCompiles) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<option gravity="0 0 -1e20"/>)"));
+  LoadNotes notes;
+  (void)LoadModelFile(robot_, &notes);
+  ASSERT_EQ(notes.warnings.size(), 1u);
+  EXPECT_THAT(notes.warnings[0], HasSubstr("robot.xml: "));
+  EXPECT_EQ(mjcf::TakeMujocoWarning(), "");
 }
 
 }  // namespace

@@ -21,12 +21,13 @@ class SensorsTest : public test::MujocoTest {
     spec_.imu.gyro_noise = 0.01;
     spec_.imu.accel_noise = 0.05;
     // In motion, so that no reading is 0.
-    world_.Reset({.q = spec_.standing.q, .height = 0.4});
+    world_.robot().Reset({.q = spec_.standing.q, .height = 0.4});
     for (int i = 0; i < 200; ++i) {
       world_.BeginStep();
-      motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
-      battery_.Step(motors_.torque(), world_.dq(), world_.timestep());
-      EXPECT_EQ(world_.EndStep(motors_.torque()), physics::StepHealth::kFine);
+      motors_.Step(command_, world_.robot().q(), world_.robot().dq(), world_.timestep());
+      battery_.Step(motors_.torque(), world_.robot().dq(), world_.timestep());
+      world_.robot().Drive(motors_.torque());
+      EXPECT_EQ(world_.EndStep(), physics::StepHealth::kFine);
     }
   }
 
@@ -40,7 +41,7 @@ class SensorsTest : public test::MujocoTest {
 
   robot::RobotState Sample(Sensors* sensors) {
     robot::RobotState state;
-    sensors->Sample(world_, motors_, command_, battery_, 200, &state);
+    sensors->Sample(world_.robot(), motors_, command_, battery_, 200, &state);
     return state;
   }
   robot::RobotState Sample(const SensorConfig& config) {
@@ -50,7 +51,7 @@ class SensorsTest : public test::MujocoTest {
 
   robot::RobotSpec spec_ = test::FixtureRobot();
   robot::RobotCommand command_ = Moving();
-  physics::PhysicsWorld world_ = test::FixtureWorld(spec_);
+  physics::World world_ = test::FixtureWorld(spec_);
   robot::MotorBank motors_{spec_};
   robot::Battery battery_{spec_.battery};
 };
@@ -64,21 +65,21 @@ TEST_F(SensorsTest, TellTheTruthWhenBothAreOff) {
   const robot::RobotState state = Sample(kTruth);
   ASSERT_EQ(state.motors.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_EQ(state.motors[i].q, world_.q()[i]);
-    EXPECT_EQ(state.motors[i].dq, world_.dq()[i]);
+    EXPECT_EQ(state.motors[i].q, world_.robot().q()[i]);
+    EXPECT_EQ(state.motors[i].dq, world_.robot().dq()[i]);
     EXPECT_EQ(state.motors[i].tau, motors_.torque()[i]);
     EXPECT_EQ(state.motors[i].winding_c, motors_.winding_c()[i]);
     EXPECT_EQ(state.motors[i].enabled, i != 2);
   }
-  EXPECT_EQ(state.imu.w_WI_I, world_.Imu().w_WI_I);
-  EXPECT_EQ(state.imu.f_WI_I, world_.Imu().f_WI_I);
-  EXPECT_EQ(state.imu.R_WI.coeffs(), world_.Imu().R_WI.coeffs());
-  EXPECT_EQ(state.secondary_imu.f_WI_I, world_.SecondaryImu().f_WI_I);
-  EXPECT_EQ(state.base.p_WB, world_.base().p_WB);
-  EXPECT_EQ(state.base.v_WB_W, world_.base().v_WB_W);
+  EXPECT_EQ(state.imu.w_WI_I, world_.robot().Imu().w_WI_I);
+  EXPECT_EQ(state.imu.f_WI_I, world_.robot().Imu().f_WI_I);
+  EXPECT_EQ(state.imu.R_WI.coeffs(), world_.robot().Imu().R_WI.coeffs());
+  EXPECT_EQ(state.secondary_imu.f_WI_I, world_.robot().SecondaryImu().f_WI_I);
+  EXPECT_EQ(state.base.p_WB, world_.robot().base().p_WB);
+  EXPECT_EQ(state.base.v_WB_W, world_.robot().base().v_WB_W);
   EXPECT_EQ(state.battery.voltage, battery_.reading().voltage);
   std::vector<double> force(4);
-  world_.FootForces(force);
+  world_.robot().FootForces(force);
   EXPECT_EQ(state.foot_force, force);
   EXPECT_EQ(state.tick_ms, 200);
 }
@@ -101,17 +102,17 @@ TEST_F(SensorsTest, RoundToTheLatticeToTheLastBit) {
 TEST_F(SensorsTest, RoundToTheNearestPointOfTheLattice) {
   const robot::RobotState state = Sample(kLattice);
   for (std::size_t i = 0; i < 6; ++i) {
-    EXPECT_LE(std::abs(state.motors[i].q - world_.q()[i]), 0.5 / 4096);
-    EXPECT_LE(std::abs(state.motors[i].dq - world_.dq()[i]), 0.5 / 64);
+    EXPECT_LE(std::abs(state.motors[i].q - world_.robot().q()[i]), 0.5 / 4096);
+    EXPECT_LE(std::abs(state.motors[i].dq - world_.robot().dq()[i]), 0.5 / 64);
     EXPECT_LE(std::abs(state.motors[i].tau - motors_.torque()[i]), 0.5 / 32);
   }
-  EXPECT_LE((state.imu.f_WI_I - world_.Imu().f_WI_I).cwiseAbs().maxCoeff(), 0.5 / 256);
+  EXPECT_LE((state.imu.f_WI_I - world_.robot().Imu().f_WI_I).cwiseAbs().maxCoeff(), 0.5 / 256);
 }
 
 TEST_F(SensorsTest, LeaveAReadingWithoutALatticeAlone) {
   for (robot::MotorSpec& motor : spec_.motors) motor.q_step = 0;
   const robot::RobotState state = Sample(kLattice);
-  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(state.motors[i].q, world_.q()[i]);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(state.motors[i].q, world_.robot().q()[i]);
 }
 
 TEST_F(SensorsTest, GiveTheSameNoiseForTheSameSeed) {
@@ -146,13 +147,15 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
     std::function<double(const robot::RobotState&)> value;
   };
   const Reading readings[] = {
-      {"q", 2.0 / 4096, world_.q()[1], [](const robot::RobotState& s) { return s.motors[1].q; }},
-      {"dq", 3.0 / 64, world_.dq()[3], [](const robot::RobotState& s) { return s.motors[3].dq; }},
+      {"q", 2.0 / 4096, world_.robot().q()[1],
+       [](const robot::RobotState& s) { return s.motors[1].q; }},
+      {"dq", 3.0 / 64, world_.robot().dq()[3],
+       [](const robot::RobotState& s) { return s.motors[3].dq; }},
       {"tau", 4.0 / 32, motors_.torque()[0],
        [](const robot::RobotState& s) { return s.motors[0].tau; }},
-      {"gyro", 0.01, world_.Imu().w_WI_I.y(),
+      {"gyro", 0.01, world_.robot().Imu().w_WI_I.y(),
        [](const robot::RobotState& s) { return s.imu.w_WI_I.y(); }},
-      {"accel", 0.05, world_.SecondaryImu().f_WI_I.z(),
+      {"accel", 0.05, world_.robot().SecondaryImu().f_WI_I.z(),
        [](const robot::RobotState& s) { return s.secondary_imu.f_WI_I.z(); }},
   };
   constexpr int kSamples = 20'000;
@@ -161,7 +164,7 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
   Sensors sensors(kNoise, spec_);
   robot::RobotState state;
   for (int i = 0; i < kSamples; ++i) {
-    sensors.Sample(world_, motors_, command_, battery_, 0, &state);
+    sensors.Sample(world_.robot(), motors_, command_, battery_, 0, &state);
     for (std::size_t r = 0; r < std::size(readings); ++r) {
       const double error = readings[r].value(state) - readings[r].truth;
       sum[r] += error;
@@ -192,7 +195,7 @@ TEST_F(SensorsTest, LeaveTheRemoteAlone) {
   Sensors sensors(kTruth, spec_);
   robot::RobotState state;
   state.remote.keys = 42;
-  sensors.Sample(world_, motors_, command_, battery_, 0, &state);
+  sensors.Sample(world_.robot(), motors_, command_, battery_, 0, &state);
   EXPECT_EQ(state.remote.keys, 42);
 }
 

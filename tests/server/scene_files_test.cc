@@ -1,5 +1,6 @@
 #include "server/scene_files.h"
 
+#include <mujoco/mujoco.h>
 #include <nlohmann/json.hpp>
 
 #include "gmock/gmock.h"

@@ -1,5 +1,7 @@
 #include "tests/support/fixture_robot.h"
 
+#include <mujoco/mujoco.h>
+
 #include "physics/world_model.h"
 
 namespace understudy::test {
@@ -59,9 +61,10 @@ config::Config FixtureConfig() {
   return config;
 }
 
-physics::PhysicsWorld FixtureWorld(const robot::RobotSpec& spec, double timestep) {
-  return {physics::LoadWorldModel(spec, spec.model, FixtureFile("fixture_ground.xml"), timestep),
-          spec};
+physics::World FixtureWorld(const robot::RobotSpec& spec, double timestep) {
+  return {
+      physics::LoadWorldModel({{spec, spec.model}}, FixtureFile("fixture_ground.xml"), timestep),
+      {{spec}}};
 }
 
 std::filesystem::path FixtureFile(const std::string& name) {
@@ -91,10 +94,10 @@ std::vector<std::string> ActuatorOrder(const mjModel& model) {
   return names;
 }
 
-std::vector<double> Hold(const physics::PhysicsWorld& world, const std::vector<double>& q) {
+std::vector<double> Hold(const physics::RobotBody& robot, const std::vector<double>& q) {
   std::vector<double> tau;
   for (std::size_t i = 0; i < q.size(); ++i) {
-    tau.push_back(200 * (q[i] - world.q()[i]) - 5 * world.dq()[i]);
+    tau.push_back(200 * (q[i] - robot.q()[i]) - 5 * robot.dq()[i]);
   }
   return tau;
 }

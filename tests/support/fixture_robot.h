@@ -21,8 +21,7 @@ robot::RobotSpec FixtureRobot();
 config::Config FixtureConfig();
 
 // The fixture robot, or another one with the same model, on its ground.
-physics::PhysicsWorld FixtureWorld(const robot::RobotSpec& spec = FixtureRobot(),
-                                   double timestep = 0.001);
+physics::World FixtureWorld(const robot::RobotSpec& spec = FixtureRobot(), double timestep = 0.001);
 
 std::filesystem::path FixtureFile(const std::string& name);  // in tests/data
 
@@ -32,7 +31,7 @@ std::vector<std::string> JointOrder(const mjModel& model);
 std::vector<std::string> ActuatorOrder(const mjModel& model);
 
 // Joint torques [N·m] of a stiff spring and damper that hold `q` [rad], both in motor order.
-std::vector<double> Hold(const physics::PhysicsWorld& world, const std::vector<double>& q);
+std::vector<double> Hold(const physics::RobotBody& robot, const std::vector<double>& q);
 
 }  // namespace understudy::test
 

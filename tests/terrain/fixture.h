@@ -9,6 +9,7 @@
 #include <type_traits>
 
 #include <gmock/gmock.h>
+#include <mujoco/mujoco.h>
 
 #include "base/errors.h"
 #include "physics/world_model.h"

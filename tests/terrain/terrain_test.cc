@@ -7,6 +7,8 @@
 #include <sstream>
 #include <vector>
 
+#include <mujoco/mujoco.h>
+
 #include "tests/terrain/fixture.h"
 
 namespace understudy::terrain {

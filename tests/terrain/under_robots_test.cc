@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include <mujoco/mujoco.h>
+
 #include "config/load.h"
 #include "physics/world.h"
 #include "tests/terrain/fixture.h"
@@ -20,16 +22,16 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
     if (GetParam().kind == "image") UseImage();
   }
 
-  physics::PhysicsWorld World() {
+  physics::World World() {
     const robot::RobotSpec& spec = config_.robot;
-    return {physics::LoadWorldModel(spec, data_dir_ / "models" / spec.model,
+    return {physics::LoadWorldModel({{spec, data_dir_ / "models" / spec.model}},
                                     Write(GetParam().kind) / "scene.xml", 0.001),
-            spec};
+            {{spec}}};
   }
 
   // How far [m] the robot is out of the ground, negative for inside, when it is `lowered` [m] by
   // that from where it is; 1 where nothing touches.
-  static double Clearance(const physics::PhysicsWorld& world, double lowered) {
+  static double Clearance(const physics::World& world, double lowered) {
     const mjModel& model = world.model();
     const mjcf::DataHandle data(mj_copyData(nullptr, &model, &world.data()));
     data->qpos[2] -= lowered;
@@ -57,21 +59,22 @@ class TerrainOfKindTest : public TerrainTest, public testing::WithParamInterface
 
 TEST_P(TerrainOfKindTest, CarriesTheRobotWithoutAWarning) {
   spec_.difficulty = 1;
-  physics::PhysicsWorld world = World();
-  world.Reset(config_.robot.lying);
-  const std::vector<double> tau(world.q().size());
+  physics::World world = World();
+  world.robot().Reset(config_.robot.lying);
+  const std::vector<double> tau(world.robot().q().size());
   for (int i = 0; i < 200; ++i) {
     world.BeginStep();
-    ASSERT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
+    world.robot().Drive(tau);
+    ASSERT_EQ(world.EndStep(), physics::StepHealth::kFine);
   }
   EXPECT_GT(world.data().ncon, 0);
 }
 
 TEST_P(TerrainOfKindTest, HasTheRobotOnThePlatformAtTheStart) {
-  physics::PhysicsWorld world = World();
+  physics::World world = World();
   for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
-    world.Reset(*pose);
-    EXPECT_EQ(world.base().p_WB.z(), pose->height);
+    world.robot().Reset(*pose);
+    EXPECT_EQ(world.robot().base().p_WB.z(), pose->height);
     EXPECT_GT(Clearance(world, 0), -0.01);
     EXPECT_LT(Clearance(world, Drop(*pose)), 0);
   }
@@ -81,14 +84,14 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
   spec_.difficulty = 0.7;
   for (const double start : {3.0, 5.5, 7.3}) {  // m along the patch; the ground is moved, not it
     mjcf::ModelHandle model =
-        physics::LoadWorldModel(config_.robot, data_dir_ / "models" / config_.robot.model,
+        physics::LoadWorldModel({{config_.robot, data_dir_ / "models" / config_.robot.model}},
                                 Write(GetParam().kind) / "scene.xml", 0.001);
     for (int body = 1; body < model->nbody; ++body) {
       if (model->body_weldid[body] == 0) model->body_pos[3 * body] -= start;
     }
-    physics::PhysicsWorld world(std::move(model), config_.robot);
+    physics::World world(std::move(model), {{config_.robot}});
     for (const robot::PoseSpec* pose : {&config_.robot.standing, &config_.robot.lying}) {
-      world.Reset(*pose);
+      world.robot().Reset(*pose);
       EXPECT_GT(Clearance(world, 0), -0.01) << "at " << start;
       EXPECT_LT(Clearance(world, Drop(*pose)), 0) << "at " << start;
     }
@@ -97,9 +100,9 @@ TEST_P(TerrainOfKindTest, HasTheRobotOnTheGroundWhereverItStarts) {
 
 TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
   spec_.friction = 0.3;  // less than any robot's own
-  physics::PhysicsWorld world = World();
-  world.Reset(config_.robot.standing);
-  const std::vector<double> tau(world.q().size());
+  physics::World world = World();
+  world.robot().Reset(config_.robot.standing);
+  const std::vector<double> tau(world.robot().q().size());
   int touching = 0;
   for (int i = 0; i < 300; ++i) {
     world.BeginStep();
@@ -111,7 +114,8 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
       ++touching;
       ASSERT_EQ(contact.friction[0], 0.3);
     }
-    ASSERT_EQ(world.EndStep(tau), physics::StepHealth::kFine);
+    world.robot().Drive(tau);
+    ASSERT_EQ(world.EndStep(), physics::StepHealth::kFine);
   }
   EXPECT_GT(touching, 0);
 }
@@ -119,7 +123,7 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
 TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {
   const auto save = [&](const std::filesystem::path& folder) {
     const mjcf::ModelHandle model = physics::LoadWorldModel(
-        config_.robot, data_dir_ / "models" / config_.robot.model, folder / "scene.xml", 0.001);
+        {{config_.robot, data_dir_ / "models" / config_.robot.model}}, folder / "scene.xml", 0.001);
     std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');
     mj_saveModel(model.get(), nullptr, bytes.data(), static_cast<int>(bytes.size()));
     return bytes;

@@ -1,6 +1,8 @@
 // Draws with whatever OpenGL this machine has; on most that test it is Mesa's software.
 #include "viewer/canvas.h"
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 #include "gmock/gmock.h"
 #include "viewer/camera_operator.h"

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 #include "gmock/gmock.h"
 #include "viewer_test.h"
@@ -100,7 +102,7 @@ TEST_F(StageTest, RefusesWhatIsNoModel) {
        {std::string(), std::string("no model"), std::string(50'000, 'x')}) {
     EXPECT_THAT([&] { ReadBinaryModel(bytes, "run.mcap, model.mjb"); },
                 ThrowsMessage<ModelError>(HasSubstr("run.mcap, model.mjb")));
-    physics::TakeMujocoWarning();
+    mjcf::TakeMujocoWarning();
   }
 }
 
@@ -108,7 +110,7 @@ TEST_F(StageTest, RefusesHalfAModel) {
   const std::string whole = BinaryModel(kBallWorld);
   EXPECT_THROW(ReadBinaryModel(std::string_view(whole).substr(0, whole.size() / 4), "x"),
                ModelError);
-  physics::TakeMujocoWarning();
+  mjcf::TakeMujocoWarning();
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ inline constexpr char kBallWorld[] = R"(
 
 // As mj_saveModel writes it.
 inline std::string BinaryModel(const std::string& text) {
-  physics::InstallMujocoHooks();
+  mjcf::InstallMujocoHooks();
   const test::TemporaryFolder folder;
   const mjcf::ModelHandle model = physics::LoadModelFile(folder.Write("model.xml", text));
   std::string bytes(static_cast<std::size_t>(mj_sizeModel(model.get())), '\0');

@@ -5,18 +5,20 @@
 #include <limits>
 #include <string>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
+#include "mjcf/eigen_views.h"
 
 namespace understudy::motion {
-namespace {
 
-using Rotation = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>;
+using mjcf::Vector;
+
+namespace {
 
 // How far over its lowest point a foot still counts as sole, m: the vendor's meshes are flat to 4
 // mm (robots/README.md, "sole_4mm").
 constexpr double kSoleThickness = 0.004;
-
-Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
 // The lowest points of what touches the ground.
 class SoleExtent {
@@ -43,7 +45,7 @@ class SoleExtent {
 
 void AddGeom(const mjModel& model, const mjData& data, int geom, SoleExtent* sole) {
   const Eigen::Vector3d centre = Vector(data.geom_xpos + 3 * geom);
-  const Rotation R(data.geom_xmat + 9 * geom);
+  const mjcf::RotationView R(data.geom_xmat + 9 * geom);
   const Eigen::Vector3d size = Vector(model.geom_size + 3 * geom);
   switch (model.geom_type[geom]) {
     case mjGEOM_MESH: {
@@ -107,9 +109,9 @@ BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
   FindInertia();
   const std::vector<double> zero(spec.motors.size());
   robot::ImuReading upright;
-  upright.R_WI =
-      Eigen::Quaterniond(Eigen::Matrix3d(Rotation(data_->xmat + 9 * base_body_).transpose() *
-                                         Rotation(data_->site_xmat + 9 * imu_site_)));
+  upright.R_WI = Eigen::Quaterniond(
+      Eigen::Matrix3d(mjcf::RotationView(data_->xmat + 9 * base_body_).transpose() *
+                      mjcf::RotationView(data_->site_xmat + 9 * imu_site_)));
   Update(zero, zero, upright);
 }
 
@@ -125,7 +127,7 @@ void BodyModel::FindSole(const robot::RobotSpec& spec, std::size_t foot) {
   if (extent.empty()) {
     throw ModelError(spec.name + ": foot '" + spec.feet[foot].name + "' has no geoms in the model");
   }
-  const Rotation R(data_->xmat + 9 * f.body);
+  const mjcf::RotationView R(data_->xmat + 9 * f.body);
   f.centre = R.transpose() * (extent.centre() - Vector(data_->xpos + 3 * f.body));
   f.forward = R.transpose() * Eigen::Vector3d::UnitX();
   f.up = R.transpose() * Eigen::Vector3d::UnitZ();
@@ -157,7 +159,8 @@ bool BodyModel::IsBelow(int body, int ancestor) const {
 
 void BodyModel::ReadPlaces() {
   const Eigen::Vector3d p_WB = Vector(data_->xpos + 3 * base_body_);
-  const Rotation R_WB(data_->xmat + 9 * base_body_);  // of the private data, not of the robot
+  const mjcf::RotationView R_WB(data_->xmat +
+                                9 * base_body_);  // of the private data, not of the robot
   const auto in_base = [&](const mjtNum* p) -> Eigen::Vector3d {
     return R_WB.transpose() * (Vector(p) - p_WB);
   };
@@ -178,7 +181,7 @@ void BodyModel::ReadPlaces() {
   }
   for (std::size_t i = 0; i < feet_.size(); ++i) {
     Foot& foot = feet_[i];
-    const Rotation R_WF(data_->xmat + 9 * foot.body);
+    const mjcf::RotationView R_WF(data_->xmat + 9 * foot.body);
     foot.p_BS = in_base(data_->xpos + 3 * foot.body) + R_WB.transpose() * (R_WF * foot.centre);
     const Eigen::Matrix3d R = R_WB_ * R_WB.transpose() * R_WF;
     soles_[i].forward = R * foot.forward;
@@ -190,8 +193,9 @@ void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
                        const robot::ImuReading& imu) {
   for (std::size_t i = 0; i < joints_.size(); ++i) data_->qpos[joints_[i].q_address] = q[i];
   mj_kinematics(&model_, data_.get());
-  const Rotation R_WB(data_->xmat + 9 * base_body_);
-  const Eigen::Matrix3d R_BI = R_WB.transpose() * Rotation(data_->site_xmat + 9 * imu_site_);
+  const mjcf::RotationView R_WB(data_->xmat + 9 * base_body_);
+  const Eigen::Matrix3d R_BI =
+      R_WB.transpose() * mjcf::RotationView(data_->site_xmat + 9 * imu_site_);
   R_WB_ = imu.R_WI.toRotationMatrix() * R_BI.transpose();
   ReadPlaces();
 
@@ -221,6 +225,8 @@ void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
   v_OB_ = R_WB_ * (-v_BO - w_WB_B.cross(p_BO));
   for (std::size_t i = 0; i < feet_.size(); ++i) soles_[i].p_OS = R_WB_ * (feet_[i].p_BS - p_BO);
 }
+
+double BodyModel::motor_period() const { return model_.opt.timestep; }
 
 double BodyModel::CarriedMass(std::size_t motor) const {
   return carried_mass_[static_cast<std::size_t>(joints_[motor].body)];

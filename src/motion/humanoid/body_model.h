@@ -36,7 +36,7 @@ class BodyModel {
   // Everything below is of that instant; before the first call, of joint angles 0 and upright.
   void Update(std::span<const double> q, std::span<const double> dq, const robot::ImuReading& imu);
 
-  double motor_period() const { return model_.opt.timestep; }     // s, of the motor law
+  double motor_period() const;                                    // s, of the motor law
   double mass() const { return mass_; }                           // kg
   double gravity() const { return gravity_; }                     // m/s²
   const Eigen::Vector3d& com() const { return p_OC_; }            // m, from O

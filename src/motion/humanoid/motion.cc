@@ -36,10 +36,10 @@ constexpr double kFallenTilt = 1;  // rad
 
 }  // namespace
 
-HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const mjModel& model)
+HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const physics::RobotBody& body)
     : spec_(spec),
       ids_(spec.motion.humanoid),
-      body_(model, spec),
+      body_(body.model(), body.spec()),
       arms_(spec, body_),
       bears_(spec.motors.size()),
       kp_(spec.motors.size()),
@@ -332,8 +332,8 @@ void HumanoidMotion::HoldPosture(robot::RobotCommand* command) const {
 }
 
 std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,
-                                                      const physics::PhysicsWorld& world) {
-  return std::make_unique<HumanoidMotion>(spec, world.model());
+                                                      const physics::RobotBody& body) {
+  return std::make_unique<HumanoidMotion>(spec, body);
 }
 
 }  // namespace understudy::motion

@@ -13,7 +13,7 @@
 #include "motion/humanoid/fsm.h"
 #include "motion/humanoid/stand_balance.h"
 #include "motion/joint_move.h"
-#include "physics/world.h"
+#include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
@@ -26,9 +26,10 @@ namespace understudy::motion {
 // LowState's unit and foot loads.
 class HumanoidMotion final : public authority::Motion {
  public:
-  // `spec` and `model` must outlive it. `model` is LoadWorldModel's for the same spec. Throws
-  // ModelError when the robot has other than two feet or one has no geoms in the model.
-  HumanoidMotion(const robot::RobotSpec& spec, const mjModel& model);
+  // `spec` and the body's model must outlive it; the body, of the same robot, is not read
+  // otherwise. Throws ModelError when the robot has other than two feet or one has no geoms in the
+  // model.
+  HumanoidMotion(const robot::RobotSpec& spec, const physics::RobotBody& body);
 
   // Zero torque; lock stand where the robot stands in its standing pose (*assumed*).
   void Start(const authority::MotionInput& input) override;
@@ -85,10 +86,9 @@ class HumanoidMotion final : public authority::Motion {
   std::vector<double> tau_;     // N·m, of the last Sense
 };
 
-// `world`, which may move to another place meanwhile, must outlive the service; it lends its model
-// and is not looked at otherwise.
+// The service as HumanoidMotion's constructor makes it.
 std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,
-                                                      const physics::PhysicsWorld& world);
+                                                      const physics::RobotBody& body);
 
 }  // namespace understudy::motion
 

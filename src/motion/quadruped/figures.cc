@@ -4,17 +4,20 @@
 #include <limits>
 #include <string>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
+#include "mjcf/eigen_views.h"
 
 namespace understudy::motion {
+
+using mjcf::Quaternion;
+using mjcf::Vector;
+
 namespace {
 
 constexpr std::size_t kLegs = 4;
 constexpr std::size_t kLegMotors = 12;
-
-Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
-
-Eigen::Quaterniond Quaternion(const mjtNum* q) { return {q[0], q[1], q[2], q[3]}; }
 
 // A point of a body, or of one that hangs on it, in the frame of `ancestor` with all joints at
 // zero.
@@ -147,14 +150,15 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
 
 }  // namespace
 
-QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::RobotSpec& spec) {
+QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
+  const robot::RobotSpec& spec = robot.spec();
   const bool wheeled = spec.kind == robot::RobotKind::kWheeled;
   if (spec.motors.size() < kLegMotors + (wheeled ? kLegs : 0) || spec.feet.size() != kLegs) {
     throw ModelError("robot '" + spec.name +
                      "' is no quadruped: it needs 12 motors, 4 for wheels, and 4 feet");
   }
-  const mjModel& model = world.model();
-  const int base = world.Body(spec.base_body);
+  const mjModel& model = robot.model();
+  const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
   QuadrupedFigures figures;
   std::array<int, kLegs> hips{};
   for (std::size_t leg = 0; leg < kLegs; ++leg) {

@@ -9,7 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
-#include "physics/world.h"
+#include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
@@ -48,10 +48,10 @@ struct QuadrupedFigures {
   double gravity = 9.81;          // m/s²
 };
 
-// The first twelve motors of `spec` must be the legs' FR FL RR RL, each hip, thigh, calf, and
-// `spec.feet` the feet. Throws ModelError, naming the joint, where the model's legs are of another
-// kind.
-QuadrupedFigures ReadQuadruped(const physics::PhysicsWorld& world, const robot::RobotSpec& spec);
+// Reads a robot from its model. The first twelve motors must be the legs' FR FL RR RL, each hip,
+// thigh, calf, and the description's feet the feet. Throws ModelError, naming the joint, where the
+// model's legs are of another kind.
+QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot);
 
 }  // namespace understudy::motion
 

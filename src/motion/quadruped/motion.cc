@@ -276,8 +276,8 @@ StancePose QuadrupedMotion::Default() const {
 bool QuadrupedMotion::upright() const { return reading_.up.z() > kUprightCosine; }
 
 std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
-                                                       const physics::PhysicsWorld& world) {
-  return std::make_unique<QuadrupedMotion>(spec, ReadQuadruped(world, spec));
+                                                       const physics::RobotBody& body) {
+  return std::make_unique<QuadrupedMotion>(spec, ReadQuadruped(body));
 }
 
 }  // namespace understudy::motion

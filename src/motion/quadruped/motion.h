@@ -13,7 +13,7 @@
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
 #include "motion/quadruped/states.h"
-#include "physics/world.h"
+#include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
@@ -80,7 +80,7 @@ class QuadrupedMotion : public authority::Motion {
 // The motion service of that robot. `spec` must outlive it. Throws ModelError when the model's legs
 // are not those of a quadruped.
 std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& spec,
-                                                       const physics::PhysicsWorld& world);
+                                                       const physics::RobotBody& body);
 
 }  // namespace understudy::motion
 

@@ -4,6 +4,8 @@
 #include <filesystem>
 #include <random>
 
+#include <mujoco/mujoco.h>
+
 #include "base/errors.h"
 #include "config/load.h"
 #include "physics/world.h"
@@ -20,10 +22,10 @@ robot::RobotSpec SpecOf(const std::string& robot) {
   return config::LoadConfig({.robot = robot}, kData).robot;
 }
 
-physics::PhysicsWorld WorldOf(const robot::RobotSpec& spec) {
-  return {physics::LoadWorldModel(spec, kData / "models" / spec.model,
+physics::World WorldOf(const robot::RobotSpec& spec) {
+  return {physics::LoadWorldModel({{spec, kData / "models" / spec.model}},
                                   kData / "models/scene/flat.xml", 0.001),
-          spec};
+          {{spec}}};
 }
 
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
@@ -72,10 +74,12 @@ class BodyModelTest : public test::MujocoTest, public testing::WithParamInterfac
     }
     return middle;
   }
-  const mjtNum* OfBase(const mjtNum* all) const { return all + 3 * world_.Body(spec_.base_body); }
+  const mjtNum* OfBase(const mjtNum* all) const {
+    return all + 3 * world_.robot().Body(spec_.base_body);
+  }
 
   robot::RobotSpec spec_ = SpecOf(GetParam());
-  physics::PhysicsWorld world_ = WorldOf(spec_);
+  physics::World world_ = WorldOf(spec_);
   mjcf::DataHandle data_{mj_makeData(&world_.model())};
   BodyModel body_{world_.model(), spec_};
   std::vector<int> dof_;
@@ -88,16 +92,16 @@ constexpr double kSphere = 0.03;  // m
 
 TEST_P(BodyModelTest, FindsTheAttitudeOfTheBaseWhereverTheUnitIs) {
   const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(
-      data_->xmat + 9 * world_.Body(spec_.base_body));
+      data_->xmat + 9 * world_.robot().Body(spec_.base_body));
   EXPECT_LT((body_.attitude() - R_WB).norm(), 1e-9);
   mjtNum velocity[6];
-  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.Body(spec_.base_body),
+  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.robot().Body(spec_.base_body),
                     velocity, 0);
   EXPECT_LT((body_.base_rate() - Vector(velocity)).norm(), 1e-9);
 }
 
 TEST_P(BodyModelTest, FindsTheCentreOfMassFromTheSoles) {
-  EXPECT_NEAR(body_.mass() * body_.gravity(), world_.weight(), 1e-9);
+  EXPECT_NEAR(body_.mass() * body_.gravity(), world_.robot().weight(), 1e-9);
   const Eigen::Vector3d truth = Vector(OfBase(data_->subtree_com)) - Soles().p_WP;
   EXPECT_LT((body_.com() - truth).norm(), kSphere) << (body_.com() - truth).transpose();
   const Eigen::Vector3d between = body_.com() - body_.base();
@@ -109,7 +113,7 @@ TEST_P(BodyModelTest, FindsHowFastTheCentreOfMassPassesTheSoles) {
   const Eigen::Vector3d truth = Vector(OfBase(data_->subtree_linvel)) - Soles().v_WP_W;
   EXPECT_LT((body_.com_velocity() - truth).norm(), kSphere);
   mjtNum velocity[6];
-  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.Body(spec_.base_body),
+  mj_objectVelocity(&world_.model(), data_.get(), mjOBJ_XBODY, world_.robot().Body(spec_.base_body),
                     velocity, 0);
   const Eigen::Vector3d between = body_.com_velocity() - body_.base_velocity();
   const Eigen::Vector3d exactly = Vector(OfBase(data_->subtree_linvel)) - Vector(velocity + 3);
@@ -175,7 +179,7 @@ using BodyModelMisuseTest = test::MujocoTest;
 
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
   robot::RobotSpec spec = SpecOf("g1");
-  const physics::PhysicsWorld world = WorldOf(spec);
+  const physics::World world = WorldOf(spec);
   spec.feet[1].geoms = {"none"};
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
   spec.feet.clear();

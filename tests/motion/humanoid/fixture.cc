@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <numeric>
 
+#include <mujoco/mujoco.h>
+
 #include "config/load.h"
 #include "physics/world_model.h"
 
@@ -13,12 +15,12 @@ namespace {
 
 const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
 
-physics::PhysicsWorld MakeWorld(const robot::RobotSpec& spec,
-                                const std::function<void(mjModel&)>& change, double timestep) {
-  mjcf::ModelHandle model = physics::LoadWorldModel(spec, kData / "models" / spec.model,
+physics::World MakeWorld(const robot::RobotSpec& spec, const std::function<void(mjModel&)>& change,
+                         double timestep) {
+  mjcf::ModelHandle model = physics::LoadWorldModel({{spec, kData / "models" / spec.model}},
                                                     kData / "models/scene/flat.xml", timestep);
   if (change) change(*model);
-  return {std::move(model), spec};
+  return {std::move(model), {{spec}}};
 }
 
 }  // namespace
@@ -39,29 +41,29 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(sensors::SensorConfig{}, config_.robot),
-      motion_(MakeHumanoidMotion(config_.robot, world_)),
-      hook_body_(world_.Body(config_.robot.crane_body)),
+      motion_(MakeHumanoidMotion(config_.robot, world_.robot())),
+      hook_body_(world_.robot().Body(config_.robot.crane_body)),
       hook_(config_.robot.crane_point.data()),
       command_{.motors = std::vector<robot::MotorCommand>(spec().motors.size())},
       torque_(spec().motors.size()) {}
 
 void HumanoidRig::Stand() {
-  world_.Reset(spec().standing);
+  world_.robot().Reset(spec().standing);
   crane_.Release();
   Sense();
   motion_->Start(input_);
 }
 
 void HumanoidRig::Hang() {
-  world_.Reset(spec().hanging);
-  crane_.Attach(world_.Point(hook_body_, hook_).p_WP, world_.weight());
+  world_.robot().Reset(spec().hanging);
+  crane_.Attach(world_.Point(hook_body_, hook_).p_WP, world_.robot().weight());
   Sense();
   motion_->Start(input_);
 }
 
 void HumanoidRig::Sense() {
   // As in the tick, all of the step before. Forces are not to be had between BeginStep and EndStep.
-  sensors_.Sample(world_, motors_, command_, battery_, 0, &state_);
+  sensors_.Sample(world_.robot(), motors_, command_, battery_, 0, &state_);
   input_ = {
       .time = time_, .motors = state_.motors, .imu = state_.imu, .foot_force = state_.foot_force};
 }
@@ -73,7 +75,7 @@ bool HumanoidRig::Run(double seconds) {
     motion_->Step(input_, world_.timestep(), &command_);
     if (change_command) change_command(command_);
     world_.BeginStep();
-    motors_.Step(command_, world_.q(), world_.dq(), world_.timestep());
+    motors_.Step(command_, world_.robot().q(), world_.robot().dq(), world_.timestep());
     for (std::size_t m = 0; m < torque_.size(); ++m) {
       torque_change = std::max(torque_change, std::abs(motors_.torque()[m] - torque_[m]));
       torque_[m] = motors_.torque()[m];
@@ -84,7 +86,8 @@ bool HumanoidRig::Run(double seconds) {
       world_.AddForce(hook_body_, hook.p_WP, push_);
       push_left_ -= world_.timestep();
     }
-    if (world_.EndStep(motors_.torque()) != physics::StepHealth::kFine) return false;
+    world_.robot().Drive(motors_.torque());
+    if (world_.EndStep() != physics::StepHealth::kFine) return false;
     time_ += world_.timestep();
     if (watch) watch();
   }
@@ -127,14 +130,14 @@ double HumanoidRig::DeepestSelfContact() const {
 
 double HumanoidRig::FastestJoint() const {
   double fastest = 0;
-  for (const double dq : world_.dq()) fastest = std::max(fastest, std::abs(dq));
+  for (const double dq : world_.robot().dq()) fastest = std::max(fastest, std::abs(dq));
   return fastest;
 }
 
 double HumanoidRig::q(const std::string& joint) const {
   const auto found = std::find_if(spec().motors.begin(), spec().motors.end(),
                                   [&](const robot::MotorSpec& m) { return m.joint == joint; });
-  return world_.q()[static_cast<std::size_t>(found - spec().motors.begin())];
+  return world_.robot().q()[static_cast<std::size_t>(found - spec().motors.begin())];
 }
 
 }  // namespace understudy::motion

@@ -42,15 +42,17 @@ class HumanoidRig {
   void SetDown(int id);
   void Push(const Eigen::Vector3d& impulse, double duration = 0.1);  // N·s, at the crane's hook
 
-  bool standing() const { return world_.tilt() < 0.4 && height() > 0.75 * spec().standing.height; }
-  double height() const { return world_.base().p_WB.z(); }
+  bool standing() const {
+    return world_.robot().tilt() < 0.4 && height() > 0.75 * spec().standing.height;
+  }
+  double height() const { return world_.robot().base().p_WB.z(); }
   double Load() const;                // N on the feet
   double DeepestSelfContact() const;  // m, 0 when it does not touch itself
   double FastestJoint() const;        // rad/s
   double q(const std::string& joint) const;
 
   const robot::RobotSpec& spec() const { return config_.robot; }
-  const physics::PhysicsWorld& world() const { return world_; }
+  const physics::World& world() const { return world_; }
   physics::Crane& crane() { return crane_; }
   authority::Motion& motion() { return *motion_; }
   int id() const { return motion_->state().id; }
@@ -63,7 +65,7 @@ class HumanoidRig {
   void Sense();
 
   config::Config config_;
-  physics::PhysicsWorld world_;
+  physics::World world_;
   robot::MotorBank motors_;
   robot::Battery battery_;
   sensors::Sensors sensors_;

@@ -72,7 +72,7 @@ TEST_F(HumanoidMotionTest, ReachesLockStandInTheAirWithinFiveSecondsCalmly) {
   EXPECT_EQ(state().mode, 0);
   EXPECT_LT(fastest, 0.7);
   for (std::size_t i = 0; i < rig_.spec().motors.size(); ++i) {
-    EXPECT_NEAR(rig_.world().q()[i], rig_.spec().standing.q[i], 0.02) << i;
+    EXPECT_NEAR(rig_.world().robot().q()[i], rig_.spec().standing.q[i], 0.02) << i;
   }
   fastest = 0;
   rig_.Run(1);
@@ -86,7 +86,7 @@ TEST_F(HumanoidMotionTest, SquatsAndRisesWithLockedJoints) {
   rig_.Run(5);
   EXPECT_EQ(state().mode, 0);
   EXPECT_LT(rig_.height(), 0.55);
-  EXPECT_LT(rig_.world().tilt(), 0.4);
+  EXPECT_LT(rig_.world().robot().tilt(), 0.4);
   ASSERT_EQ(rig_.SetFsm(4), kTaken);
   rig_.Run(5);
   EXPECT_TRUE(rig_.standing());
@@ -240,7 +240,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
   double deepest = 0, tilt = 0;
   rig.watch = [&] {
     deepest = std::max(deepest, rig.DeepestSelfContact());
-    tilt = std::max(tilt, rig.world().tilt());
+    tilt = std::max(tilt, rig.world().robot().tilt());
   };
   for (int id = 11; id <= 33; ++id) {
     const ArmAction* action = FindArmAction(id);

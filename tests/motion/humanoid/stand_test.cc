@@ -4,15 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include <mujoco/mujoco.h>
+
 #include "tests/motion/humanoid/fixture.h"
 #include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
 
-int Balanced(const HumanoidRig& rig) {
-  return rig.spec().motion.humanoid.balance.front();
-}
+int Balanced(const HumanoidRig& rig) { return rig.spec().motion.humanoid.balance.front(); }
 
 class HumanoidStandTest : public test::MujocoTest,
                           public testing::WithParamInterface<std::string> {};
@@ -24,7 +24,7 @@ void SurvivesPushes(HumanoidRig* rig, double impulse) {
     rig->Push(impulse * direction);
     ASSERT_TRUE(rig->Run(3));
     ASSERT_TRUE(rig->standing()) << direction.transpose();
-    EXPECT_LT(rig->world().tilt(), 0.03) << direction.transpose();
+    EXPECT_LT(rig->world().robot().tilt(), 0.03) << direction.transpose();
   }
 }
 
@@ -35,7 +35,7 @@ TEST_P(HumanoidStandTest, StandsReleasedFromTheCrane) {
   EXPECT_EQ(rig.id(), Balanced(rig));
   EXPECT_TRUE(rig.standing());
   EXPECT_LT(rig.FastestJoint(), 0.02);
-  EXPECT_NEAR(rig.Load(), rig.world().weight(), 0.003 * rig.world().weight());
+  EXPECT_NEAR(rig.Load(), rig.world().robot().weight(), 0.003 * rig.world().robot().weight());
 }
 
 TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {
@@ -66,7 +66,7 @@ TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
   ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
   rig.Run(4);
   EXPECT_LT(rig.height(), 0.7 * rig.spec().standing.height);
-  EXPECT_LT(rig.world().tilt(), 0.4);
+  EXPECT_LT(rig.world().robot().tilt(), 0.4);
   ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
   rig.Run(4);
   EXPECT_EQ(rig.id(), Balanced(rig));
@@ -101,10 +101,10 @@ TEST_P(HumanoidLastsTest, StandsForAMinute) {
   rig.Run(1);
   rig.SetFsm(Balanced(rig));
   rig.Run(5);
-  const Eigen::Vector3d start = rig.world().base().p_WB;
+  const Eigen::Vector3d start = rig.world().robot().base().p_WB;
   ASSERT_TRUE(rig.Run(60));
   EXPECT_TRUE(rig.standing());
-  EXPECT_LT((rig.world().base().p_WB - start).norm(), 0.01);
+  EXPECT_LT((rig.world().robot().base().p_WB - start).norm(), 0.01);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HumanoidLastsTest, testing::Values("g1", "h1"),

@@ -27,7 +27,7 @@ class EstimatorTest : public testing::TestWithParam<const char*> {
     double v = 0, height = 0;
     int steps = 0;
     rig_.watch = [&] {
-      const robot::BaseReading& truth = rig_.world().base();
+      const robot::BaseReading& truth = rig_.world().robot().base();
       const robot::MotionState said = rig_.state();
       v += (said.v_WB_W - truth.v_WB_W).squaredNorm();
       height += std::pow(said.body_height - truth.p_WB.z(), 2);
@@ -38,7 +38,7 @@ class EstimatorTest : public testing::TestWithParam<const char*> {
     return {std::sqrt(v / steps), std::sqrt(height / steps)};
   }
 
-  double mass() { return rig_.world().weight() / 9.81; }
+  double mass() { return rig_.world().robot().weight() / 9.81; }
 
   QuadrupedRig rig_{GetParam()};
 };

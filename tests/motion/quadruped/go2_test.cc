@@ -69,9 +69,9 @@ TEST_F(Go2MotionTest, SaysAllByAnglesAsTheRealOneDoes) {
 TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
   rig_.StandUp();
   for (std::size_t i = 0; i < 12; i += 3) {
-    EXPECT_NEAR(rig_.world().q()[i], 0, 0.06);
-    EXPECT_NEAR(rig_.world().q()[i + 1], 0.80, 0.08);
-    EXPECT_NEAR(rig_.world().q()[i + 2], -1.455, 0.1) << "0.33 m is a little lower";
+    EXPECT_NEAR(rig_.world().robot().q()[i], 0, 0.06);
+    EXPECT_NEAR(rig_.world().robot().q()[i + 1], 0.80, 0.08);
+    EXPECT_NEAR(rig_.world().robot().q()[i + 2], -1.455, 0.1) << "0.33 m is a little lower";
   }
 }
 
@@ -79,10 +79,10 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   rig_.StartLying();
   EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
-  const double x = rig_.world().base().p_WB.x();
+  const double x = rig_.world().robot().base().p_WB.x();
   EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kTaken);
   rig_.Run(1);
-  EXPECT_NEAR(rig_.world().base().p_WB.x(), x, 0.01);
+  EXPECT_NEAR(rig_.world().robot().base().p_WB.x(), x, 0.01);
   EXPECT_EQ(rig_.state().id, kLocked);
   rig_.Ask(goal::BalanceStand{});
   rig_.Run(1);
@@ -147,9 +147,9 @@ TEST(Go2LongStandTest, StandsAMinuteLockedAndBalanced) {
   QuadrupedRig rig("go2", {"physics.timestep=0.002"});
   for (const bool balanced : {false, true}) {
     balanced ? rig.BalanceStand() : rig.StandUp();
-    const Vector3d before = rig.world().base().p_WB;
+    const Vector3d before = rig.world().robot().base().p_WB;
     rig.Run(30);
-    EXPECT_LT((rig.world().base().p_WB - before).norm(), 0.02);
+    EXPECT_LT((rig.world().robot().base().p_WB - before).norm(), 0.02);
     EXPECT_LT(rig.tilt(), 2 * kDegree);
     EXPECT_LT(rig.longest_saturation(), 0.05);
   }

@@ -38,9 +38,9 @@ TEST_P(QuadrupedGroundTest, HoldsTheBodyLevelOnASlope) {
     rig.Run(3);
     EXPECT_LT(rig.tilt(), 1.5 * kDegree) << x << " " << y;
     EXPECT_NEAR(rig.state().body_height, rig.spec().motion.quadruped.stand_height, 0.015);
-    const Eigen::Vector3d before = rig.world().base().p_WB;
+    const Eigen::Vector3d before = rig.world().robot().base().p_WB;
     rig.Run(2);
-    EXPECT_LT((rig.world().base().p_WB - before).norm(), 0.03) << "stays in its place";
+    EXPECT_LT((rig.world().robot().base().p_WB - before).norm(), 0.03) << "stays in its place";
   }
 }
 

@@ -171,7 +171,7 @@ TEST_P(QuadrupedMotionTest, SitsAndRises) {
 
 TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
   rig_.BalanceStand();
-  const int calf = rig_.world().Body("FR_calf");
+  const int calf = rig_.world().robot().Body("FR_calf");
   EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().progress, 1);
   double highest = 0, tilt = 0;
@@ -242,7 +242,7 @@ TEST_P(QuadrupedMotionTest, SinksDownWhenDamped) {
 // 0.33 m/s: 5 N·s on a Go2 of 15 kg.
 TEST_P(QuadrupedMotionTest, TakesAPushFromAnySide) {
   rig_.BalanceStand();
-  const double force = 0.33 * rig_.world().weight() / 9.81 / 0.1;
+  const double force = 0.33 * rig_.world().robot().weight() / 9.81 / 0.1;
   for (const Vector3d& side : {Vector3d(1, 0, 0), Vector3d(-1, 0, 0), Vector3d(0, 1, 0),
                                Vector3d(0, -1, 0), Vector3d(0, 0, -2)}) {
     rig_.Push(force * side, 0.1);
@@ -261,7 +261,7 @@ TEST_P(QuadrupedMotionTest, LeavesStrangeGoalsAlone) {
 
 TEST_P(QuadrupedMotionTest, DampsItselfWhenItFalls) {
   rig_.BalanceStand();
-  rig_.Push(Vector3d(0, 3 * rig_.world().weight(), 0), 0.15);
+  rig_.Push(Vector3d(0, 3 * rig_.world().robot().weight(), 0), 0.15);
   EXPECT_TRUE(rig_.RunUntil(kDamped, 2));
   EXPECT_GT(rig_.tilt(), 1);
   EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);

@@ -24,7 +24,7 @@ robot::PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
   const auto between = [random](double low, double high) {
     return low + (high - low) * static_cast<double>((*random)()) / 4294967295.0;
   };
-  const QuadrupedFigures figures = ReadQuadruped(rig.world(), rig.spec());
+  const QuadrupedFigures figures = ReadQuadruped(rig.world().robot());
   robot::PoseSpec pose = rig.spec().lying;
   for (std::size_t i = 0; i < 12; ++i) {
     const LegFigures& leg = figures.legs[i / 3];

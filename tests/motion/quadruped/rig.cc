@@ -11,10 +11,10 @@ namespace {
 
 const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
 
-physics::PhysicsWorld MakeWorld(const config::Config& config, const std::filesystem::path& scene) {
-  return {physics::LoadWorldModel(config.robot, kRoot / "models" / config.robot.model, scene,
+physics::World MakeWorld(const config::Config& config, const std::filesystem::path& scene) {
+  return {physics::LoadWorldModel({{config.robot, kRoot / "models" / config.robot.model}}, scene,
                                   config.physics.timestep),
-          config.robot};
+          {{config.robot}}};
 }
 
 }  // namespace
@@ -28,18 +28,18 @@ QuadrupedRig::QuadrupedRig(const std::string& robot, const std::vector<std::stri
       motors_(config_.robot),
       battery_(config_.robot.battery),
       sensors_(config_.sensors, config_.robot),
-      motion_(MakeQuadrupedMotion(spec(), world_)),
+      motion_(MakeQuadrupedMotion(spec(), world_.robot())),
       saturated_(spec().motors.size()) {
   command_.motors.resize(spec().motors.size());
   StartLying();
 }
 
 void QuadrupedRig::Start(const robot::PoseSpec& pose) {
-  world_.Reset(pose);
+  world_.robot().Reset(pose);
   std::fill(command_.motors.begin(), command_.motors.end(), robot::MotorCommand{});
   std::fill(saturated_.begin(), saturated_.end(), 0.0);
   longest_ = 0;
-  sensors_.Sample(world_, motors_, command_, battery_, 0, &sensed_);
+  sensors_.Sample(world_.robot(), motors_, command_, battery_, 0, &sensed_);
   motion_->Start(Input());
 }
 
@@ -74,14 +74,14 @@ void QuadrupedRig::Push(const Eigen::Vector3d& force, double seconds) {
 }
 
 Eigen::Vector3d QuadrupedRig::rpy() const {
-  const Eigen::Matrix3d R = world_.Imu().R_WI.toRotationMatrix();
+  const Eigen::Matrix3d R = world_.robot().Imu().R_WI.toRotationMatrix();
   return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
           std::atan2(R(1, 0), R(0, 0))};
 }
 
 double QuadrupedRig::fastest() const {
   double speed = 0;
-  for (const double dq : world_.dq()) speed = std::max(speed, std::abs(dq));
+  for (const double dq : world_.robot().dq()) speed = std::max(speed, std::abs(dq));
   return speed;
 }
 
@@ -98,12 +98,14 @@ void QuadrupedRig::Tick() {
   motion_->Step(Input(), dt, &command_);
   if (watch) watch();
   world_.BeginStep();
-  const std::span<const double> tau = motors_.Step(command_, world_.q(), world_.dq(), dt);
+  const std::span<const double> tau =
+      motors_.Step(command_, world_.robot().q(), world_.robot().dq(), dt);
   if (!push_.isZero()) {
-    world_.AddForce(world_.Body(spec().base_body), world_.base().p_WB, push_);
+    world_.AddForce(world_.robot().Body(spec().base_body), world_.robot().base().p_WB, push_);
   }
-  (void)world_.EndStep(tau);
-  sensors_.Sample(world_, motors_, command_, battery_, 0, &sensed_);
+  world_.robot().Drive(tau);
+  (void)world_.EndStep();
+  sensors_.Sample(world_.robot(), motors_, command_, battery_, 0, &sensed_);
   time_ += dt;
   for (std::size_t i = 0; i < saturated_.size(); ++i) {
     const bool full = std::abs(tau[i]) >= 0.999 * spec().motors[i].torque_limit;

@@ -44,17 +44,17 @@ class QuadrupedRig {
   // A force [N] on the base's origin, in the world, for a time [s].
   void Push(const Eigen::Vector3d& force, double seconds);
 
-  double height() const { return world_.base().p_WB.z(); }
+  double height() const { return world_.robot().base().p_WB.z(); }
   // Of the base in the world, rad. Yaw counts from the start.
   Eigen::Vector3d rpy() const;
-  double tilt() const { return world_.tilt(); }
+  double tilt() const { return world_.robot().tilt(); }
   double fastest() const;  // rad/s, over all joints
   robot::MotionState state() const { return motion_->state(); }
   // Seconds, of any one motor, that it gave all it has without a break: the longest since Start.
   double longest_saturation() const { return longest_; }
 
   const robot::RobotSpec& spec() const { return config_.robot; }
-  physics::PhysicsWorld& world() { return world_; }
+  physics::World& world() { return world_; }
   const robot::RobotCommand& command() const { return command_; }
   authority::Motion& motion() { return *motion_; }
 
@@ -66,7 +66,7 @@ class QuadrupedRig {
   authority::MotionInput Input();
 
   config::Config config_;
-  physics::PhysicsWorld world_;
+  physics::World world_;
   robot::MotorBank motors_;
   robot::Battery battery_;
   sensors::Sensors sensors_;

@@ -26,7 +26,7 @@ TEST(QuadrupedSettingsTest, FootX) {
   rig.StandUp();
   QuadrupedRig usual("go2");
   usual.StandUp();
-  EXPECT_LT(rig.world().q()[1], usual.world().q()[1] - 0.1) << "thigh";
+  EXPECT_LT(rig.world().robot().q()[1], usual.world().robot().q()[1] - 0.1) << "thigh";
 }
 
 TEST(QuadrupedSettingsTest, HeightRange) {

@@ -1,0 +1,20 @@
+// Catches MuJoCo's errors and warnings.
+#ifndef UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_
+#define UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_
+
+#include <string_view>
+
+namespace understudy::mjcf {
+
+// From the first call on an error of MuJoCo throws ModelError, and each thread keeps the last
+// warning of its own calls. Without it the library waits for Enter on the terminal and writes
+// MUJOCO_LOG.TXT. Whatever loads a model calls it.
+void InstallMujocoHooks();
+
+// The last warning in this thread since the last call, at most 511 characters; "" where there was
+// none. Valid until MuJoCo next warns in this thread. Takes no lock and allocates nothing.
+std::string_view TakeMujocoWarning();
+
+}  // namespace understudy::mjcf
+
+#endif  // UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_

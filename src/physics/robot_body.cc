@@ -1,0 +1,205 @@
+#include "physics/robot_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <mujoco/mujoco.h>
+
+#include "base/errors.h"
+#include "mjcf/eigen_views.h"
+#include "mjcf/join.h"
+#include "physics/feet.h"
+#include "physics/set_down.h"
+#include "physics/world_model.h"
+
+namespace understudy::physics {
+
+using mjcf::Vector;
+
+namespace {
+
+// Whether an equality constraint acts: part of the state since MuJoCo 3.
+#if mjVERSION_HEADER < 300
+auto* Active(mjModel* model, mjData*) { return model->eq_active; }
+#else
+auto* Active(mjModel*, mjData* data) { return data->eq_active; }
+#endif
+
+// How many numbers a joint has in qpos.
+int Positions(int joint_type) {
+  if (joint_type == mjJNT_FREE) return 7;
+  return joint_type == mjJNT_BALL ? 4 : 1;
+}
+
+}  // namespace
+
+RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot)
+    : model_(model),
+      data_(data),
+      prefix_(robot.prefix),
+      spec_(mjcf::WithPrefix(robot.prefix, robot.spec)),
+      x_(robot.x),
+      y_(robot.y),
+      motors_(spec_.motors.size()),
+      hand_begin_{motors_} {
+  FindJoints(spec_.motors);
+  for (const robot::HandSpec& hand : spec_.hands) {
+    FindJoints(hand.motors);
+    hand_begin_.push_back(q_address_.size());
+  }
+  q_.resize(q_address_.size());
+  dq_.resize(dq_address_.size());
+  for (const robot::FootSpec& foot : spec_.feet) foot_axis_.push_back(foot.axis);
+  foot_of_geom_ = FindFeet(*model_, *data_, spec_);
+  base_body_ = Body(robot.spec.base_body);
+  clamp_ = mj_name2id(model_, mjOBJ_EQUALITY, (prefix_ + kClampName).c_str());
+  if (!has_fixed_base()) {
+    const int joint = model_->body_jntadr[base_body_];
+    base_q_ = model_->jnt_qposadr[joint];
+    base_dq_ = model_->jnt_dofadr[joint];
+  }
+  imu_ = FindImu(spec_.imu.site, kImuGyroName, kImuAccelName);
+  secondary_imu_ = FindImu(spec_.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
+}
+
+void RobotBody::Reset(const robot::PoseSpec& pose) {
+  Forget();
+  Clamp(false);
+  if (!has_fixed_base()) {
+    mjtNum* base = data_->qpos + base_q_;
+    const mjtNum position[3] = {x_, y_, pose.height};
+    mju_copy3(base, position);
+    mju_copy4(base + 3, pose.quat.data());
+    mju_normalize4(base + 3);
+  }
+  for (std::size_t i = 0; i < motors_; ++i) data_->qpos[q_address_[i]] = pose.q[i];
+  if (!has_fixed_base()) {
+    data_->qpos[base_q_ + 2] += LiftOntoGround(*model_, data_, base_body_, base_q_);
+  }
+  mj_forward(model_, data_);
+  ReadKinematics();
+}
+
+// Gives all that hangs together with the base the state of mj_resetData.
+void RobotBody::Forget() {
+  const int root = model_->body_rootid[base_body_];
+  const auto is_own = [&](int body) { return model_->body_rootid[body] == root; };
+  for (int joint = 0; joint < model_->njnt; ++joint) {
+    if (!is_own(model_->jnt_bodyid[joint])) continue;
+    const int q = model_->jnt_qposadr[joint];
+    mju_copy(data_->qpos + q, model_->qpos0 + q, Positions(model_->jnt_type[joint]));
+  }
+  for (int dof = 0; dof < model_->nv; ++dof) {
+    if (!is_own(model_->dof_bodyid[dof])) continue;
+    for (mjtNum* of : {data_->qvel, data_->qacc_warmstart, data_->qfrc_applied}) of[dof] = 0;
+  }
+  for (int body = 0; body < model_->nbody; ++body) {
+    if (is_own(body)) mju_zero(data_->xfrc_applied + 6 * body, 6);
+  }
+}
+
+void RobotBody::Drive(std::span<const double> tau) {
+  for (std::size_t i = 0; i < motors_; ++i) data_->qfrc_applied[dq_address_[i]] = tau[i];
+}
+
+void RobotBody::DriveHand(std::size_t hand, std::span<const double> tau) {
+  const std::span<const int> address = OfHand(hand, dq_address_);
+  for (std::size_t i = 0; i < address.size(); ++i) data_->qfrc_applied[address[i]] = tau[i];
+}
+
+void RobotBody::Clamp(bool on) {
+  if (has_fixed_base()) return;
+  Active(model_, data_)[clamp_] = on;
+  if (!on) return;
+  // eq_data of a weld: anchor in the second body (the world), the same point in the first (the
+  // base), attitude of the second in the first, scale. The point is the base's own origin: one far
+  // away would turn the little that the attitude gives way into metres of lever.
+  mjtNum* pose = model_->eq_data + mjNEQDATA * clamp_;
+  mju_copy3(pose, data_->qpos + base_q_);
+  mju_zero3(pose + 3);
+  mju_negQuat(pose + 6, data_->qpos + base_q_ + 3);
+}
+
+bool RobotBody::clamped() const { return has_fixed_base() || Active(model_, data_)[clamp_] != 0; }
+
+int RobotBody::FindBody(const std::string& name) const {
+  return mj_name2id(model_, mjOBJ_BODY, (prefix_ + name).c_str());
+}
+
+int RobotBody::Body(const std::string& name) const {
+  const int body = FindBody(name);
+  if (body < 0) throw ModelError("the model has no body '" + name + "'");
+  return body;
+}
+
+double RobotBody::tilt() const {
+  return std::acos(std::clamp(data_->xmat[9 * base_body_ + 8], -1.0, 1.0));
+}
+
+void RobotBody::FootForces(std::span<double> force) const {
+  std::fill(force.begin(), force.end(), 0.0);
+  for (int i = 0; i < data_->ncon; ++i) {
+    const mjContact& contact = data_->contact[i];
+    for (const int geom : {contact.geom1, contact.geom2}) {
+      const int foot = foot_of_geom_[static_cast<std::size_t>(geom)];
+      if (foot < 0) continue;
+      mjtNum wrench[6];  // in the contact's frame, whose first axis is the normal
+      mj_contactForce(model_, data_, i, wrench);
+      const Eigen::Vector3d& axis = foot_axis_[static_cast<std::size_t>(foot)];
+      const mjcf::RotationView R_WB(data_->xmat + 9 * model_->geom_bodyid[geom]);
+      const double share = axis.isZero() ? 1 : std::abs(Vector(contact.frame).dot(R_WB * axis));
+      force[static_cast<std::size_t>(foot)] += share * wrench[0];
+    }
+  }
+}
+
+double RobotBody::weight() const {
+  return model_->body_subtreemass[base_body_] * mju_norm3(model_->opt.gravity);
+}
+
+RobotBody::ImuAddress RobotBody::FindImu(const std::string& site, const char* gyro,
+                                         const char* accel) const {
+  if (site.empty()) return {};
+  const auto address = [this](const char* name) {
+    return model_->sensor_adr[mj_name2id(model_, mjOBJ_SENSOR, (prefix_ + name).c_str())];
+  };
+  return {mj_name2id(model_, mjOBJ_SITE, site.c_str()), address(gyro), address(accel)};
+}
+
+robot::ImuReading RobotBody::Read(const ImuAddress& address) const {
+  robot::ImuReading imu;
+  if (address.site < 0) return imu;
+  mjtNum quat[4];
+  mju_mat2Quat(quat, data_->site_xmat + 9 * address.site);
+  imu.R_WI = Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]);
+  imu.w_WI_I = Vector(data_->sensordata + address.gyro);
+  imu.f_WI_I = Vector(data_->sensordata + address.accel);
+  // MuJoCo 3 has the accelerometer of a body that cannot move at 0.
+  if (model_->body_weldid[model_->site_bodyid[address.site]] == 0) {
+    imu.f_WI_I = imu.R_WI.conjugate() * -Vector(model_->opt.gravity);
+  }
+  return imu;
+}
+
+void RobotBody::FindJoints(const std::vector<robot::MotorSpec>& motors) {
+  for (const robot::MotorSpec& motor : motors) {
+    const int joint = mj_name2id(model_, mjOBJ_JOINT, motor.joint.c_str());
+    q_address_.push_back(model_->jnt_qposadr[joint]);
+    dq_address_.push_back(model_->jnt_dofadr[joint]);
+  }
+}
+
+void RobotBody::ReadKinematics() {
+  for (std::size_t i = 0; i < q_.size(); ++i) {
+    q_[i] = data_->qpos[q_address_[i]];
+    dq_[i] = data_->qvel[dq_address_[i]];
+  }
+  if (has_fixed_base()) {
+    base_.p_WB = Vector(data_->xpos + 3 * base_body_);
+    return;
+  }
+  base_.p_WB = Vector(data_->qpos + base_q_);
+  base_.v_WB_W = Vector(data_->qvel + base_dq_);
+}
+
+}  // namespace understudy::physics
