@@ -1,4 +1,4 @@
-// From MJCF in memory to a compiled model.
+// Compiles MJCF from memory.
 #ifndef UNDERSTUDY_MJCF_COMPILE_H_
 #define UNDERSTUDY_MJCF_COMPILE_H_
 

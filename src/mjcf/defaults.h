@@ -1,4 +1,4 @@
-// What an element of a model has when its default classes are counted in.
+// Finds what an element of a model has, its default classes included.
 #ifndef UNDERSTUDY_MJCF_DEFAULTS_H_
 #define UNDERSTUDY_MJCF_DEFAULTS_H_
 

@@ -1,4 +1,4 @@
-// A robot's description over a model that another hand has written.
+// Fits a robot's description to a third-party model.
 #ifndef UNDERSTUDY_MJCF_FIT_NAMES_H_
 #define UNDERSTUDY_MJCF_FIT_NAMES_H_
 

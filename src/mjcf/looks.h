@@ -11,7 +11,8 @@ namespace understudy::mjcf {
 
 struct LeftOutLooks {
   int geoms = 0, meshes = 0, textures = 0;
-  std::vector<std::string> missing;  // files that nobody misses: "go2.xml:49: <mesh> file: no file"
+  // Missing files that only visual elements name: "go2.xml:49: <mesh> file: no file".
+  std::vector<std::string> missing;
 
   // "34 geoms, 17 meshes and 2 textures that are only looked at were left out"; "" where no geom or
   // mesh was.

@@ -1,4 +1,4 @@
-// A compiled model as bytes.
+// Writes a compiled model as bytes.
 #ifndef UNDERSTUDY_MJCF_MODEL_BYTES_H_
 #define UNDERSTUDY_MJCF_MODEL_BYTES_H_
 

@@ -1,4 +1,4 @@
-// Chance in a compiled model.
+// Randomizes a compiled model.
 #ifndef UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
 #define UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
 

@@ -1,4 +1,4 @@
-// What a robot's description says otherwise than its model file.
+// Changes a model where the robot's description differs from its file.
 #ifndef UNDERSTUDY_MJCF_REVISE_H_
 #define UNDERSTUDY_MJCF_REVISE_H_
 

@@ -1,4 +1,4 @@
-// Models written for MuJoCo 3, told in the words of MuJoCo 2.2.2.
+// Rewrites models that were written for MuJoCo 3 so that MuJoCo 2.2.2 reads them.
 //
 // What is carried over (docs/own_robot.md has the table):
 //   joint actuatorfrcrange      forcerange of the joint's actuator, divided by its gear
@@ -7,7 +7,7 @@
 //   position inheritrange       ctrlrange from the joint's range
 //   autolimits, on by default   autolimits="true"
 //   content_type, looks, solver settings that change no equation    left out
-// What has no words in 2.2.2 is refused by name.
+// What 2.2.2 cannot express is refused by name.
 #ifndef UNDERSTUDY_MJCF_REWRITE_H_
 #define UNDERSTUDY_MJCF_REWRITE_H_
 

@@ -1,4 +1,4 @@
-// Which geoms are feet.
+// Finds the geoms that are feet.
 #ifndef UNDERSTUDY_PHYSICS_FEET_H_
 #define UNDERSTUDY_PHYSICS_FEET_H_
 
@@ -10,9 +10,10 @@
 namespace understudy::physics {
 
 // For each geom of the model the index of its foot in spec.feet, or -1. A foot has the geoms that
-// it names. One none of whose geoms is in the model is looked for, with the joints at zero: of what
-// the motors move whose joints begin as the foot does (FR, left), the colliding geoms of the lowest
-// body that reach as low as any, within 1 cm. `data` has the kinematics of joints at zero.
+// it names. When none of them is in the model, the foot is searched for with the joints at zero: it
+// has the colliding geoms of the lowest body moved by motors whose joints begin as the foot does
+// (FR, left), as far as they reach within 1 cm of the lowest. `data` has the kinematics of joints
+// at zero.
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec);
 
 }  // namespace understudy::physics

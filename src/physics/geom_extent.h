@@ -1,4 +1,4 @@
-// How far geoms reach.
+// Measures how far geoms reach.
 #ifndef UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_
 #define UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_
 

@@ -1,4 +1,4 @@
-// Friction, damping and armature of joints, put into a compiled model.
+// Puts friction, damping and armature of joints into a compiled model.
 #ifndef UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
 #define UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
 

@@ -1,4 +1,4 @@
-// What a viewer reads once of a compiled world: what it is made of and looks like.
+// Describes a compiled world once for a viewer: bodies, shapes, colours, meshes.
 #ifndef UNDERSTUDY_PHYSICS_SCENE_READER_H_
 #define UNDERSTUDY_PHYSICS_SCENE_READER_H_
 

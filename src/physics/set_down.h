@@ -1,4 +1,4 @@
-// Putting a robot on ground that is not where it was thought to be.
+// Sets a robot on ground that is not at height 0.
 #ifndef UNDERSTUDY_PHYSICS_SET_DOWN_H_
 #define UNDERSTUDY_PHYSICS_SET_DOWN_H_
 #include "mjcf/mujoco_handles.h"

@@ -176,7 +176,7 @@ void RequireWhatSpecNames(const mjModel& model, const robot::RobotSpec& spec,
   check.Require(mjOBJ_BODY, "crane body", spec.crane_body, "robot.crane_body");
 }
 
-// Says of each foot of another hand's model what stands for it.
+// Notes which geoms serve as each foot of a third-party model.
 void NoteFeet(const mjModel& model, const robot::RobotSpec& spec, LoadNotes* notes) {
   const mjcf::DataHandle data(mj_makeData(&model));
   mj_kinematics(&model, data.get());

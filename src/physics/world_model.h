@@ -50,9 +50,9 @@ mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep,
                                  LoadNotes* notes = nullptr);
 
-// The same world for whoever looks on: with what is only to be looked at, where all of that can be
-// read. Bodies, joints and positions are those of the world, geoms are not. The descriptions are
-// those that the world was loaded with, or fitted to. Throws as above.
+// The same world for viewers: with its visual-only elements, where all of them can be read. Bodies,
+// joints and positions are those of the world, geoms are not. The descriptions are those that the
+// world was loaded with, or fitted to. Throws as above.
 mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep);
 

@@ -1,4 +1,4 @@
-// A terrain's pieces as files.
+// Writes a terrain's pieces to files.
 #ifndef UNDERSTUDY_TERRAIN_FILE_H_
 #define UNDERSTUDY_TERRAIN_FILE_H_
 

@@ -1,4 +1,4 @@
-// Pictures as heights.
+// Reads and writes grey pictures, which are heights.
 #ifndef UNDERSTUDY_TERRAIN_IMAGE_H_
 #define UNDERSTUDY_TERRAIN_IMAGE_H_
 

@@ -1,4 +1,4 @@
-// How each kind of ground is built.
+// Builds each kind of ground.
 #ifndef UNDERSTUDY_TERRAIN_KINDS_H_
 #define UNDERSTUDY_TERRAIN_KINDS_H_
 
@@ -41,7 +41,7 @@ struct Stretch {
 // Each adds its ground and returns the height [m] at which it ends. docs/terrain.md has the figures
 // and where they come from.
 
-// Blocks (terrain_blocks.cc)
+// Blocks (blocks.cc)
 double AddFlat(const Stretch& s, TerrainPieces* pieces);
 double AddSlopes(const Stretch& s, TerrainPieces* pieces);
 double AddStairsUp(const Stretch& s, TerrainPieces* pieces);
@@ -49,12 +49,12 @@ double AddStairsDown(const Stretch& s, TerrainPieces* pieces);
 double AddFloatingStairs(const Stretch& s, TerrainPieces* pieces);
 double AddGaps(const Stretch& s, TerrainPieces* pieces);
 
-// Scattered blocks (terrain_scatter.cc)
+// Scattered blocks (scatter.cc)
 double AddSteppingStones(const Stretch& s, TerrainPieces* pieces);
 double AddBoxes(const Stretch& s, TerrainPieces* pieces);
 double AddObstacles(const Stretch& s, TerrainPieces* pieces);
 
-// Height fields (terrain_heights.cc)
+// Height fields (heights.cc)
 double AddRough(const Stretch& s, TerrainPieces* pieces);
 double AddWaves(const Stretch& s, TerrainPieces* pieces);
 // Throws ModelError when the image cannot be read.

@@ -1,4 +1,4 @@
-// What a terrain is made of, before it is written.
+// The pieces of a terrain, before they are written.
 #ifndef UNDERSTUDY_TERRAIN_PIECES_H_
 #define UNDERSTUDY_TERRAIN_PIECES_H_
 

@@ -1,4 +1,4 @@
-// Ground that is made from a few numbers: what a run's `scene` and `terrain` keys describe.
+// Makes ground from a few numbers: those of a run's `scene` and `terrain` keys.
 #ifndef UNDERSTUDY_TERRAIN_TERRAIN_H_
 #define UNDERSTUDY_TERRAIN_TERRAIN_H_
 
