@@ -14,8 +14,8 @@ namespace understudy::authority {
 // locked, as they are when a command says so: they brake with spec.lock_kd. After that each motor
 // follows its last taken command for as long as nobody sends another, unless that command had it
 // watched: then it locks once spec.timeout has passed without a taken command, and stays locked
-// until a command that does not have it watched ("must be cleared with 0": Dex3-1 page,
-// hardware_contract 1.5). That a motor which has timed out locks rather than goes limp is
+// until a command that does not have it watched ("must be cleared with 0": [docs] G1
+// dexterous hand). That a motor which has timed out locks rather than goes limp is
 // *assumed*.
 //
 // No motion service holds a hand: commands count at any time.

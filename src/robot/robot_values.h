@@ -11,7 +11,7 @@
 
 namespace understudy::robot {
 
-// The vendor's "no position" and "no velocity" marks (sdk_surface: PosStopF, VelStopF). A command
+// The vendor's "no position" and "no velocity" marks (docs/sources.md#motor-law). A command
 // that carries one leaves out that term of the motor law, whatever the gain beside it says.
 inline constexpr double kNoPosition = 2.146e9;
 inline constexpr double kNoVelocity = 16000.0;

@@ -1,4 +1,4 @@
-// The topics of a robot's low level, as the vendor names them (hardware_contract: basic services).
+// The topics of a robot's low level, as the vendor names them (docs/sources.md#topics).
 #ifndef UNDERSTUDY_WIRE_TOPICS_H_
 #define UNDERSTUDY_WIRE_TOPICS_H_
 

@@ -78,7 +78,7 @@ TEST_F(ValidateTest, AKindNeedsWhatItsControllerCannotDoWithout) {
 
 TEST_F(ValidateTest, NamesApisThatThereAre) {
   EXPECT_THAT(SetError("robot.apis=[config, sport_g]"),
-              testing::HasSubstr("robot.apis.1: no api 'sport_g'; did you mean 'sport_go2'?"));
+              testing::HasSubstr("robot.apis.1: no api 'sport_g'; did you mean 'sport_g1'?"));
   EXPECT_EQ(Load({}, {"robot.apis=[]"}).robot.apis.size(), 0U);
 }
 
@@ -138,8 +138,10 @@ TEST_F(HandsTest, HaveTopicsThatDdsTakes) {
 }
 
 TEST_F(HandsTest, HaveTaxelsInPlacesThatThereAre) {
-  EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [1.5]}]")),
-              testing::HasSubstr("robot.hands.0.pads.0.taxels.0: expected a whole number from 0 to 11, got 1.5"));
+  EXPECT_THAT(
+      HandsError(Hand("left", kThumb, ", pads: [{taxels: [1.5]}]")),
+      testing::HasSubstr(
+          "robot.hands.0.pads.0.taxels.0: expected a whole number from 0 to 11, got '1.5'"));
   EXPECT_THAT(HandsError(Hand("left", kThumb, ", pads: [{taxels: [12]}]")),
               testing::HasSubstr("robot.hands.0.pads.0.taxels"));
 }
@@ -153,8 +155,8 @@ TEST_F(HandsTest, AreToldAtARateThatDividesLowstates) {
 
 TEST_F(ValidateTest, RefusesStatesThatAreNotWholeNumbers) {
   EXPECT_EQ(SetError("robot.motion.humanoid.balance=[1.5]"),
-            "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance: expected "
-            "whole numbers, got 1.5");
+            "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance.0: expected "
+            "a whole number from -1 to 1000, got '1.5'");
 }
 
 TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {

@@ -33,7 +33,7 @@ QUADRUPED = {
     "RecoveryStand": plain(OK),
     "BalanceStand": plain(POSTURE),
     "Move": NO_REPLY,
-    "SpeedLevel": taking(OK),
+    "SpeedLevel": taking(NOT_PLAYED),
     "AutoRecoverySet": taking(OK),
 }
 GO2_SPORT = QUADRUPED | {
@@ -65,6 +65,7 @@ A2_SPORT = {name: code for name, code in QUADRUPED.items() if name != "AutoRecov
     "Euler": taking(POSTURE),
     "BodyHeight": taking(POSTURE),
     "SetAutoRecovery": taking(OK),
+    "SpeedLevel": taking(OK),  # read by GetState
     "GetState": plain(OK),
     **{name: plain(NOT_PLAYED) for name in ("FrontFlip", "BackFlip", "ResetEstimator")},
     **{name: taking(NOT_PLAYED) for name in (

@@ -20,6 +20,7 @@ QuadrupedBody::QuadrupedBody(const QuadrupedFigures& figures)
       trunk_shapes_(figures.trunk_shapes),
       R_BI_(figures.R_BI),
       p_BI_(figures.p_BI),
+      wheeled_(figures.wheeled),
       mass_(figures.mass),
       gravity_(figures.gravity) {}
 
@@ -35,7 +36,7 @@ QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const 
     reading.places[leg] = legs_[leg].Place(reading.q[leg]);
     reading.feet[leg] = reading.places[leg].foot;
     const Vector3d& dq = reading.dq[leg];
-    const double wheel = input.motors.size() > 12 ? input.motors[12 + leg].dq : 0;
+    const double wheel = wheeled_ ? input.motors[12 + leg].dq : 0;
     reading.turn[leg] =
         dq[0] * Vector3d::UnitX() + (dq[1] + dq[2] + wheel) * reading.places[leg].R_hip.col(1);
     reading.foot_force[leg] = input.foot_force[leg];

@@ -71,6 +71,7 @@ class QuadrupedBody {
   std::vector<TrunkShape> trunk_shapes_;
   Eigen::Quaterniond R_BI_;
   Eigen::Vector3d p_BI_;
+  bool wheeled_;
   double mass_;
   double gravity_;
 };

@@ -168,6 +168,7 @@ QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
   }
   figures.trunk = Lump(model, base, hips);
   figures.trunk_shapes = TrunkShapes(model, base, hips);
+  figures.wheeled = wheeled;
   figures.mass = model.body_subtreemass[base];
   figures.gravity = -model.opt.gravity[2];
   const int site = mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str());

@@ -44,6 +44,7 @@ struct QuadrupedFigures {
   std::array<LegFigures, 4> legs;        // FR FL RR RL
   Eigen::Quaterniond R_BI{1, 0, 0, 0};
   Eigen::Vector3d p_BI{0, 0, 0};  // m, the inertial unit in the base
+  bool wheeled = false;           // motors 12 to 15 turn wheels FR FL RR RL
   double mass = 0;                // kg, of everything
   double gravity = 9.81;          // m/s²
 };

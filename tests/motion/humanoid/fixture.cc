@@ -43,7 +43,7 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       sensors_(sensors::SensorConfig{}, config_.robot),
       motion_(MakeHumanoidMotion(config_.robot, world_.robot())),
       hook_body_(world_.robot().Body(config_.robot.crane_body)),
-      hook_(config_.robot.crane_point.data()),
+      hook_(config_.robot.crane_point),
       command_{.motors = std::vector<robot::MotorCommand>(spec().motors.size())},
       torque_(spec().motors.size()) {}
 

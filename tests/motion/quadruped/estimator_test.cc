@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -15,7 +16,7 @@ struct Error {
   double v = 0, height = 0;  // m/s, m
 };
 
-class EstimatorTest : public testing::TestWithParam<const char*> {
+class EstimatorTest : public testing::TestWithParam<std::string> {
  protected:
   EstimatorTest() {
     rig_.foot_noise = 0.2;
@@ -92,8 +93,8 @@ TEST_P(EstimatorTest, FollowsABodyThatFliesWhicheverWayItFaces) {
   EXPECT_LT(error.height, 0.02);
 }
 
-INSTANTIATE_TEST_SUITE_P(Robots, EstimatorTest, testing::Values("go2", "b2", "a2", "go2w", "b2w"),
-                         [](const auto& test) { return std::string(test.param); });
+INSTANTIATE_TEST_SUITE_P(Robots, EstimatorTest, testing::ValuesIn(test::Quadrupeds()),
+                         [](const auto& test) { return test.param; });
 
 }  // namespace
 }  // namespace understudy::motion

@@ -118,7 +118,7 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsAsked) {
 
 TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
   rig_.BalanceStand();
-  const std::vector<double>& most = figures().euler_range;
+  const Eigen::Vector3d& most = figures().euler_range;
   for (const double sign : {1.0, -1.0}) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       authority::goal::Numbers value{};
@@ -128,7 +128,8 @@ TEST_P(QuadrupedMotionTest, TurnsTheBodyAsFarAsTheVendorAllows) {
       // A Go2 that bows so far would touch the ground with its chin and stops before. Yaw is that
       // over the feet, which turn a little on the ground, wheels more so.
       const double tolerance = (axis == 2 ? 15 : 7) * kDegree;
-      EXPECT_NEAR(rig_.rpy()[static_cast<Eigen::Index>(axis)], sign * most[axis], tolerance);
+      EXPECT_NEAR(rig_.rpy()[static_cast<Eigen::Index>(axis)],
+                  sign * most[static_cast<Eigen::Index>(axis)], tolerance);
     }
   }
   rig_.Ask(goal::Euler{});

@@ -10,7 +10,7 @@
 
 #include <gtest/gtest.h>
 
-namespace understudy::config {
+namespace understudy::docs {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,7 +58,7 @@ std::set<std::string> Anchors(const std::string& page) {
 }
 
 // A README is a source's own where ours has no such place.
-TEST(SourcesDocTest, EveryPageThatIsCitedIsHere) {
+TEST(SourcesTest, EveryPageThatIsCitedIsHere) {
   const std::regex page("([\\w./-]*\\w\\.md)(#([\\w-]+))?");
   const std::set<std::string> sources = Anchors(Text(kRoot / "docs/sources.md"));
   for (const fs::path& file : Files({"src", "tests", "config", "docs", "models", "examples"})) {
@@ -76,7 +76,7 @@ TEST(SourcesDocTest, EveryPageThatIsCitedIsHere) {
   }
 }
 
-TEST(SourcesDocTest, EverySourceOfARobotsFiguresIsDescribed) {
+TEST(SourcesTest, EverySourceOfARobotsFiguresIsDescribed) {
   const std::string sources = Text(kRoot / "docs/sources.md");
   for (const fs::path& file : Files({"config/robots"})) {
     const std::string text = Text(file);
@@ -90,7 +90,7 @@ TEST(SourcesDocTest, EverySourceOfARobotsFiguresIsDescribed) {
   }
 }
 
-TEST(SourcesDocTest, EverySourceOfAServiceIsDescribed) {
+TEST(SourcesTest, EverySourceOfAServiceIsDescribed) {
   const std::string sources = Text(kRoot / "docs/sources.md"),
                     services = Text(kRoot / "docs/services.md");
   for (const std::smatch& word : Matches(services, std::regex("\\| (\\[[a-z]+\\])"))) {
@@ -99,4 +99,4 @@ TEST(SourcesDocTest, EverySourceOfAServiceIsDescribed) {
 }
 
 }  // namespace
-}  // namespace understudy::config
+}  // namespace understudy::docs
