@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"
@@ -11,7 +12,7 @@ namespace understudy::wire {
 namespace {
 
 TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
-  const bus::Participant participant("lo", 152);
+  const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = GoRobot();
   Port port(participant, spec, kTimestep);
   bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
@@ -28,7 +29,7 @@ TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
 }
 
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
-  const bus::Participant participant("lo", 153);
+  const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = GoRobot();
   Port port(participant, spec, kTimestep);
   bus::Reader<unitree_go_msg_dds__LowState_> lowstate(participant, kGoLowState);

@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "tests/support/allocations.h"
+#include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
@@ -38,8 +39,10 @@ robot::RobotSpec Handy() {
 
 // A robot on the wire, in a domain of its own, and what was taken from one of its hands.
 struct Played {
-  explicit Played(int domain, robot::RobotSpec robot = Handy())
-      : participant("lo", domain), spec(std::move(robot)), port(participant, spec, kTimestep) {}
+  explicit Played(robot::RobotSpec robot = Handy())
+      : participant("lo", test::NewDomain()),
+        spec(std::move(robot)),
+        port(participant, spec, kTimestep) {}
   bool Take(std::size_t hand) { return port.Take(robot::kFirstHandTopic + hand, &command, &wire); }
 
   bus::Participant participant;
@@ -77,13 +80,13 @@ std::pair<float, std::uint32_t> Heard(bus::Reader<HandState>* reader) {
 }
 
 TEST(HandPortTest, HasNoCommandBeforeTheFirst) {
-  Played robot(190);
+  Played robot;
   EXPECT_FALSE(robot.Take(0));
   EXPECT_FALSE(robot.Take(1));
 }
 
 TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
-  Played robot(191);
+  Played robot;
   bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
   bus::Writer<HandCmd> right(robot.participant, kRightCmd);
   ASSERT_TRUE(test::Eventually(
@@ -100,7 +103,7 @@ TEST(HandPortTest, TakesTheCommandsOfEachHandOldestFirst) {
 }
 
 TEST(HandPortTest, TellsACommandForAnotherNumberOfMotors) {
-  Played robot(192);
+  Played robot;
   bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
   ASSERT_TRUE(test::Eventually([&] { return left.matched_readers() == 1; }));
   for (const std::uint32_t length : {0U, 1U, 3U}) {
@@ -111,7 +114,7 @@ TEST(HandPortTest, TellsACommandForAnotherNumberOfMotors) {
 }
 
 TEST(HandPortTest, PublishesEachHandFastAndSlow) {
-  Played robot(193);
+  Played robot;
   bus::Reader<HandState> left(robot.participant, State("rt/dex/left/state"));
   bus::Reader<HandState> right(robot.participant, State("rt/dex/right/state"));
   bus::Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
@@ -133,7 +136,7 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
 }
 
 TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
-  Played robot(194, HgRobot());
+  Played robot(HgRobot());
   bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(
       robot.participant, {"rt/lowstate", &unitree_hg_msg_dds__LowState__desc});
@@ -143,7 +146,7 @@ TEST(HandPortTest, HasNoTopicsWhereTheRobotHasNoHands) {
 
 // Cyclone makes and frees a sequence's memory for each sample in its own C, which is not counted.
 TEST(HandPortTest, AllocatesNothingInATick) {
-  Played robot(195);
+  Played robot;
   bus::Writer<HandCmd> left(robot.participant, kLeftCmd);
   ASSERT_TRUE(test::Eventually([&] { return left.matched_readers() == 1; }));
   const robot::RobotState state = StateOf(robot.spec);
@@ -158,7 +161,7 @@ TEST(HandPortTest, AllocatesNothingInATick) {
 }
 
 TEST(HandPortTest, RefusesAHandThatDoesNotFit) {
-  const bus::Participant participant("lo", 196);
+  const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = Handy();
   spec.hands[0].motors.resize(17);
   EXPECT_THROW(Port(participant, spec, kTimestep), ModelError);

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/message_crc.h"
@@ -10,7 +11,7 @@ namespace understudy::wire {
 namespace {
 
 TEST(HgPortTest, PublishesTheFastMessages) {
-  const bus::Participant participant("lo", 162);
+  const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = HgRobot();
   Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLowState);
@@ -31,7 +32,7 @@ TEST(HgPortTest, PublishesTheFastMessages) {
 }
 
 TEST(HgPortTest, PublishesTheSlowMessages) {
-  const bus::Participant participant("lo", 163);
+  const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = HgRobot();
   Port port(participant, spec, kTimestep);
   bus::Reader<unitree_hg_msg_dds__LowState_> lowstate(participant, kHgLfLowState);
@@ -53,7 +54,7 @@ TEST(HgPortTest, PublishesTheSlowMessages) {
 }
 
 TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
-  const bus::Participant participant("lo", 164);
+  const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = HgRobot();
   spec.imu.secondary_site.clear();
   Port port(participant, spec, kTimestep);
@@ -64,7 +65,7 @@ TEST(HgPortTest, HasNoSecondaryImuWhereTheRobotHasNone) {
 }
 
 TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
-  const bus::Participant participant("lo", 181);
+  const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = HgRobot();
   spec.arm_sdk.slots = {7};
   spec.arm_sdk.weight_slot = 29;
@@ -96,7 +97,7 @@ TEST(HgPortTest, TakesArmsAndUserCommandsWithoutCrcAndModes) {
 }
 
 TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
-  const bus::Participant participant("lo", 182);
+  const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = HgRobot();
   spec.firmware = "1.5.3";
   spec.state_id_since = "1.5.1";

@@ -5,6 +5,7 @@
 
 #include "base/errors.h"
 #include "tests/support/allocations.h"
+#include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
 #include "tests/wire/go_command.h"
 #include "tests/wire/robots.h"
@@ -17,7 +18,6 @@ namespace {
 struct Go {
   using LowCmd = unitree_go_msg_dds__LowCmd_;
   static constexpr auto& kLowCmd = kGoLowCmd;
-  static constexpr int kFirstDomain = 156;
   static constexpr int kSlots = 20;
   static robot::RobotSpec Robot() { return GoRobot(); }
   // Sets one motor, the one with index 1.
@@ -32,7 +32,6 @@ struct Go {
 struct Hg {
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
   static constexpr auto& kLowCmd = kHgLowCmd;
-  static constexpr int kFirstDomain = 167;
   static constexpr int kSlots = 35;
   static robot::RobotSpec Robot() { return HgRobot(); }
   static LowCmd Command(float q) {
@@ -48,9 +47,6 @@ struct Hg {
 template <typename Family>
 class PortTest : public testing::Test {
  protected:
-  // Tests run side by side: each has a domain of its own.
-  static bus::Participant Join(int test) { return {"lo", Family::kFirstDomain + test}; }
-
   robot::RobotSpec spec_ = Family::Robot();
   robot::RobotCommand command_ = CommandOf(spec_);
   robot::Refusal wire_ = robot::Refusal::kNone;
@@ -60,14 +56,14 @@ using Families = testing::Types<Go, Hg>;
 TYPED_TEST_SUITE(PortTest, Families);
 
 TYPED_TEST(PortTest, HasNoCommandBeforeTheFirst) {
-  const bus::Participant participant = TestFixture::Join(0);
+  const bus::Participant participant("lo", test::NewDomain());
   Port port(participant, this->spec_, kTimestep);
   EXPECT_EQ(port.command_writers(), 0);
   EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
 }
 
 TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
-  const bus::Participant participant = TestFixture::Join(1);
+  const bus::Participant participant("lo", test::NewDomain());
   Port port(participant, this->spec_, kTimestep);
   bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
@@ -86,7 +82,7 @@ TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
 }
 
 TYPED_TEST(PortTest, AllocatesNothingInATick) {
-  const bus::Participant participant = TestFixture::Join(2);
+  const bus::Participant participant("lo", test::NewDomain());
   Port port(participant, this->spec_, kTimestep);
   bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
   ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
@@ -102,7 +98,7 @@ TYPED_TEST(PortTest, AllocatesNothingInATick) {
 }
 
 TYPED_TEST(PortTest, RefusesARobotThatDoesNotFit) {
-  const bus::Participant participant = TestFixture::Join(3);
+  const bus::Participant participant("lo", test::NewDomain());
   this->spec_.motors.back().slot = TypeParam::kSlots;
   EXPECT_THROW(Port(participant, this->spec_, kTimestep), ModelError);
 }

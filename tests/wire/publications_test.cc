@@ -11,6 +11,7 @@
 #include "config/robot_file.h"
 #include "robot/firmware.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
 
@@ -63,7 +64,7 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobot) {
     SCOPED_TRACE(name);
     const config::Config config = config::LoadConfig({.robot = name}, root);
     const robot::RobotSpec& spec = config.robot;
-    const bus::Participant participant("lo", 197);
+    const bus::Participant participant("lo", test::NewDomain());
     Port port(participant, spec, config.physics.timestep);
     const std::vector<Row> rows = spec.family == robot::WireFamily::kGo ? GoRows() : HgRows(spec);
     std::deque<bus::CdrReader> readers;
@@ -92,7 +93,7 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobot) {
 }
 
 TEST(PublicationsTest, KeepToStepsOfOtherLengths) {
-  const bus::Participant participant("lo", 198);
+  const bus::Participant participant("lo", test::NewDomain());
   robot::RobotSpec spec = GoRobot();
   spec.rates = {.lowstate_hz = 500, .motion_hz = 250, .lf_hz = 20};
   for (const double timestep : {0.0005, 0.002, 0.0001}) {

@@ -7,6 +7,7 @@
 
 #include "bus/writer.h"
 #include "tests/support/eventually.h"
+#include "tests/support/new_domain.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -67,7 +68,8 @@ std::vector<bus::Neighbour> AwaitSpeech(StrangerWatch* watch, const Stranger& st
 }
 
 TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
-  const bus::Participant ours("lo", 171);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   bus::Writer<unitree_go_msg_dds__LowState_> writer(ours, kGoLowState);
   StrangerWatch watch(ours);
   ASSERT_TRUE(writer.Write(kGoState));
@@ -79,9 +81,10 @@ TEST(StrangerWatchTest, KnowsNobodyOnAnEmptyBusNorItself) {
 }
 
 TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
-  const bus::Participant ours("lo", 172);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   StrangerWatch watch(ours);
-  const Stranger stranger(172, kGoLowState.descriptor);
+  const Stranger stranger(domain, kGoLowState.descriptor);
   AwaitStrangers(&watch, 1);
   EXPECT_THAT(watch.Poll().appeared, IsEmpty());
   EXPECT_THAT(watch.silent(), SizeIs(1));
@@ -89,10 +92,11 @@ TEST(StrangerWatchTest, AStrangerAppearsOnceAndIsSilentUntilItSpeaks) {
 }
 
 TEST(StrangerWatchTest, NamesTheOneThatSpeaksAmongSeveral) {
-  const bus::Participant ours("lo", 173);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   StrangerWatch watch(ours);
-  const Stranger first(173, kGoLowState.descriptor), second(173, kHgLowState.descriptor),
-      third(173, kGoLowState.descriptor);
+  const Stranger first(domain, kGoLowState.descriptor), second(domain, kHgLowState.descriptor),
+      third(domain, kGoLowState.descriptor);
   AwaitStrangers(&watch, 3);
 
   const std::vector<bus::Neighbour> spoke = AwaitSpeech(&watch, second, kHgState);
@@ -105,9 +109,10 @@ TEST(StrangerWatchTest, NamesTheOneThatSpeaksAmongSeveral) {
 }
 
 TEST(StrangerWatchTest, TellsOfASecondSpeakerWhileTheFirstGoesOn) {
-  const bus::Participant ours("lo", 174);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   StrangerWatch watch(ours);
-  const Stranger first(174, kGoLowState.descriptor), second(174, kGoLowState.descriptor);
+  const Stranger first(domain, kGoLowState.descriptor), second(domain, kGoLowState.descriptor);
   AwaitStrangers(&watch, 2);
   ASSERT_THAT(AwaitSpeech(&watch, first, kGoState), SizeIs(1));
   for (int i = 0; i < 10; ++i) first.Say(kGoState);
@@ -120,10 +125,11 @@ TEST(StrangerWatchTest, TellsOfASecondSpeakerWhileTheFirstGoesOn) {
 }
 
 TEST(StrangerWatchTest, ForgetsASpeakerThatHasGone) {
-  const bus::Participant ours("lo", 175);
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain);
   StrangerWatch watch(ours);
   std::optional<Stranger> stranger;
-  stranger.emplace(175, kGoLowState.descriptor);
+  stranger.emplace(domain, kGoLowState.descriptor);
   AwaitStrangers(&watch, 1);
   ASSERT_THAT(AwaitSpeech(&watch, *stranger, kGoState), SizeIs(1));
   stranger.reset();
