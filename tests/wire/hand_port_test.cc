@@ -11,6 +11,7 @@
 #include "tests/wire/client.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
+#include "wire/topics.h"
 
 namespace understudy::wire {
 namespace {

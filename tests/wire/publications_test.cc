@@ -1,7 +1,6 @@
 // What the robots that we ship say by themselves, and how often.
 #include <cmath>
 #include <deque>
-#include <map>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -14,6 +13,7 @@
 #include "tests/support/new_domain.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
+#include "wire/topics.h"
 
 namespace understudy::wire {
 namespace {
