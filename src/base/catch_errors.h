@@ -1,4 +1,4 @@
-// Errors -> one line and an exit code, for every program here.
+// Turns exceptions into one line on stderr and an exit code, for every program here.
 #ifndef UNDERSTUDY_BASE_CATCH_ERRORS_H_
 #define UNDERSTUDY_BASE_CATCH_ERRORS_H_
 

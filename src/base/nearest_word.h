@@ -1,4 +1,4 @@
-// "Did you mean": the word a user most likely meant.
+// Finds the known word closest to a misspelt one, for "did you mean".
 #ifndef UNDERSTUDY_BASE_NEAREST_WORD_H_
 #define UNDERSTUDY_BASE_NEAREST_WORD_H_
 

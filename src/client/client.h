@@ -18,9 +18,9 @@ struct RunningRobot {
   pid_t pid = 0;  // 0 when it is out of sight (another process namespace) or too busy to tell
 };
 
-// The robots whose sockets are in the control folder, by name; none when there is no such folder.
-// Sockets of dead processes are removed on the way. Throws SocketError for a folder that is not
-// this user's alone.
+// Lists the robots whose sockets are in the control folder, by name; none when there is no such
+// folder. Removes the sockets of dead processes. Throws SocketError for a folder that is not this
+// user's alone.
 std::vector<RunningRobot> FindRobots();
 
 struct ControlReply {
@@ -28,8 +28,8 @@ struct ControlReply {
   std::string body;
 };
 
-// A connection to a robot for requests one after another. A robot hangs up on who asks nothing for
-// ServerLimits::idle.
+// A connection to a robot that carries one request after another. The robot closes it when no
+// request comes for ServerLimits::idle.
 class Connection {
  public:
   // Throws ControlError when nobody listens at `socket`.
@@ -38,8 +38,9 @@ class Connection {
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  // A reply of any status is a reply. Throws ControlError when no HTTP comes back within `timeout`;
-  // the connection is of no use any more then, nor after `last`, which tells the robot so.
+  // Sends a request and returns the reply, whatever its status. Throws ControlError when no HTTP
+  // comes back within `timeout`. After that, or after `last`, which tells the robot so, the
+  // connection cannot be used.
   ControlReply Ask(const std::string& method, const std::string& path, const std::string& body,
                    std::chrono::milliseconds timeout, bool last = false);
 
@@ -49,7 +50,7 @@ class Connection {
   std::unique_ptr<Stream> stream_;
 };
 
-// One request on a connection of its own, connecting and asking within `timeout` each.
+// Sends one request on a connection of its own, connecting and asking within `timeout` each.
 ControlReply Call(const std::filesystem::path& socket, const std::string& method,
                   const std::string& path, const std::string& body,
                   std::chrono::milliseconds timeout);

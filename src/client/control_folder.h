@@ -1,4 +1,4 @@
-// Where the control sockets of this user's robots are, and how they are named.
+// Finds the folder of this user's control sockets and names their files.
 #ifndef UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
 #define UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
 
@@ -7,8 +7,8 @@
 
 namespace understudy::client {
 
-// The first of these: $UNDERSTUDY_RUNTIME_DIR; understudy/ in $XDG_RUNTIME_DIR if that is a folder;
-// understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
+// Returns the first of these: $UNDERSTUDY_RUNTIME_DIR; understudy/ in $XDG_RUNTIME_DIR if that is a
+// folder; understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
 std::filesystem::path ControlFolder();
 
 // Throws SocketError unless `folder` is a folder, not a link, of this user and nobody else may
@@ -18,11 +18,11 @@ void CheckControlFolder(const std::filesystem::path& folder);
 // Creates `folder`, mode 0700, if it is missing, then checks it as above.
 void MakeControlFolder(const std::filesystem::path& folder);
 
-// `<name>.sock` in the control folder. A name is 1 to 64 of A-Z a-z 0-9 . _ -, the first not a dot;
-// anything else throws SocketError.
+// Returns `<name>.sock` in the control folder. A name is 1 to 64 of A-Z a-z 0-9 . _ -, the first
+// not a dot; anything else throws SocketError.
 std::filesystem::path ControlSocket(const std::string& name);
 
-// `<robot>-<pid of this process>`: what a robot is called that was given no name.
+// Returns `<robot>-<pid of this process>`, the name of a robot that was given none.
 std::string DefaultName(const std::string& robot);
 
 // Throws SocketError if `socket` has more bytes than the address of a Unix socket holds (107).

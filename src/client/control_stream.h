@@ -1,4 +1,4 @@
-// The WebSockets of a running robot, from a client's side.
+// Opens a WebSocket to a running robot.
 #ifndef UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
 #define UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
 
@@ -9,19 +9,20 @@
 
 namespace understudy::client {
 
-// One WebSocket, of one thread.
+// One WebSocket, used by one thread.
 class ControlStream {
  public:
   // `target`: "/frames?hz=60&parts=qpos,contacts" or "/orders". Throws ControlError when nobody
-  // listens at `socket` or it is refused, with the reason, or nothing comes within `timeout`, which
-  // holds for all that follows too.
+  // listens at `socket` or it is refused (with the reason) or nothing comes within `timeout`, which
+  // also limits every later call.
   ControlStream(const std::filesystem::path& socket, const std::string& target,
                 std::chrono::milliseconds timeout);
   ~ControlStream();
   ControlStream(ControlStream&& other) noexcept;
   ControlStream& operator=(ControlStream&& other) noexcept;
 
-  // The next message. Throws ControlError when the robot has gone or none comes in time.
+  // Waits for the next message and returns it. Throws ControlError when the robot has gone or none
+  // comes in time.
   std::string Next();
   void Send(const std::string& message);
 

@@ -1,4 +1,5 @@
-// The socket file of a running robot: claimed by one process, cleaned up after a dead one.
+// Listens on the socket file of a running robot. One process claims a name; files of dead ones are
+// removed.
 #ifndef UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_
 #define UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_
 

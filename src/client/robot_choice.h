@@ -1,4 +1,4 @@
-// Which running robot a command line means.
+// Picks the running robot that a command line names.
 #ifndef UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_
 #define UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_
 
@@ -24,23 +24,22 @@ struct RobotChoice {
 // Adds the two options. `choice` must outlive the parsing.
 void AddRobotChoice(CLI::App* command, RobotChoice* choice);
 
-// Where that robot is, or why there is none yet.
+// The socket of that robot, or why it cannot be told yet.
 struct RobotPlace {
   std::optional<std::filesystem::path> socket;
   std::string why;
 };
 
-// Asks on `out` which of them is meant and reads the answer, a number or a name, from `in`; again
-// where it is neither. nullopt when there is no answer.
+// Asks on `out` which of them is meant and reads the answer, a number or a name, from `in`. Repeats
+// the question when it is neither. nullopt at the end of `in`.
 std::optional<std::string> AskWhich(const std::vector<std::string>& names, std::istream& in,
                                     std::ostream& out);
 
-// Where several run and none was chosen asks which, if a person sits at the terminal. Throws
-// ControlError when nobody does, SocketError for what can be no name.
+// When several run and none was chosen, asks which one if stdin is a terminal. Throws ControlError
+// when it is not, SocketError for a name that is not allowed.
 RobotPlace FindRobot(const RobotChoice& choice);
 
-// The same where there has to be one: throws ControlError, with the nearest name, when there is
-// not.
+// As above, but throws ControlError, with the nearest name, when no robot runs by that name.
 std::filesystem::path ChosenSocket(const RobotChoice& choice);
 
 }  // namespace understudy::client

@@ -1,4 +1,4 @@
-// Programs of their own behind some commands: what they link the daemon does without.
+// Runs the companion programs behind some commands: they link libraries that the daemon does not.
 #ifndef UNDERSTUDY_COMMANDS_COMPANION_H_
 #define UNDERSTUDY_COMMANDS_COMPANION_H_
 
@@ -17,11 +17,11 @@ struct Companion {
   const char* missing;      // what to do where it is not there
 };
 
-// The file of that program, whether it is there or not.
+// Returns the path of that program, whether it exists or not.
 std::filesystem::path CompanionFile(const std::string& program);
 
-// Becomes the companion, which reads the same command line: its first argument is the command's
-// name. Throws SetupError when it is not there or cannot be run.
+// Replaces this process by the companion, which reads the same command line: its first argument is
+// the command's name. Throws SetupError when it is not there or cannot be run.
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
 
 }  // namespace understudy::commands

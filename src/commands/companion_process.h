@@ -1,4 +1,5 @@
-// A companion beside a run: the window of `run --view`, the gamepad of `run --gamepad`.
+// Runs a companion program beside a run: the window of `run --view`, the gamepad of `run
+// --gamepad`.
 #ifndef UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
 #define UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
 
@@ -10,17 +11,18 @@
 
 namespace understudy::commands {
 
-// Whatever becomes of it, the robot goes on.
+// The robot goes on whatever happens to the companion.
 class CompanionProcess {
  public:
-  // Before any thread exists; it starts at Release(). `what`: how the log calls it, "the window".
-  // `words`: of its command line after the program; `missing`: what to do where that is not there.
+  // Call it before any thread exists; the companion starts at Release(). `what`: how the log calls
+  // it, "the window". `words`: of its command line after the program; `missing`: what to do where
+  // that is not there.
   CompanionProcess(std::string what, const char* program, const char* missing,
                    const std::vector<std::string>& words);
 
-  // Once the robot answers. Warns where it cannot be had.
+  // Call it once the robot answers. Warns when the companion cannot be started.
   void Release();
-  // Says once that it has ended.
+  // Logs once that the companion has ended.
   void Watch();
 
  private:

@@ -1,4 +1,4 @@
-// Shell completions, made from the command line's own description.
+// Writes shell completions from the command line's own description.
 #ifndef UNDERSTUDY_COMMANDS_COMPLETIONS_H_
 #define UNDERSTUDY_COMMANDS_COMPLETIONS_H_
 
@@ -8,8 +8,8 @@
 
 namespace understudy::commands {
 
-// A script for `bash`, `zsh` or `fish` that completes subcommands, options and, where a robot is
-// wanted, `robots`. Throws std::invalid_argument for another shell.
+// Returns a script for `bash`, `zsh` or `fish` that completes subcommands, options and, where a
+// robot's name is expected, `robots`. Throws std::invalid_argument for another shell.
 std::string Completions(const CLI::App& app, const std::string& shell,
                         const std::vector<std::string>& robots);
 

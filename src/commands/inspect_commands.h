@@ -1,5 +1,4 @@
-// `understudy robots`, `check`, `services` and `version`: what can be said without running
-// anything.
+// `understudy robots`, `check`, `services` and `version`: what needs no running robot.
 #ifndef UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
 #define UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
 
@@ -14,8 +13,8 @@ int RobotsCommand(bool json);
 int VersionCommand(bool json);
 int ServicesCommand();  // as Markdown
 
-// Loads each file as what it is: a robot's YAML with its model, a configuration file, an MJCF. Says
-// for each whether it is fit to use; the exit code is that of the first that is not.
+// Loads each file by its kind: a robot's YAML with its model, a configuration file, an MJCF. Prints
+// for each whether it can be used; the exit code is that of the first that cannot.
 int CheckCommand(const std::vector<std::string>& files, bool json);
 
 }  // namespace understudy::commands

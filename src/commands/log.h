@@ -1,4 +1,4 @@
-// How a run logs.
+// Sets up the log of a run.
 #ifndef UNDERSTUDY_COMMANDS_LOG_H_
 #define UNDERSTUDY_COMMANDS_LOG_H_
 
@@ -12,8 +12,8 @@ struct LogOptions {
   bool status_line = false;    // a line is being redrawn on the same terminal
 };
 
-// Log lines go to standard error through a queue and a thread of their own, so that a stuck
-// terminal stops nobody: when the queue is full the oldest lines are lost.
+// Log lines go to standard error through a queue and a thread of their own, so a stuck
+// terminal blocks no caller: when the queue is full the oldest lines are lost.
 void StartLog(const LogOptions& options);
 
 // Writes what is queued and ends the thread.

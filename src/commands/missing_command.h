@@ -1,4 +1,4 @@
-// A command line that stops short of a command, or has a word that is none.
+// Refuses a command line with no command, or with an unknown one.
 #ifndef UNDERSTUDY_COMMANDS_MISSING_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_MISSING_COMMAND_H_
 
@@ -8,9 +8,9 @@
 
 namespace understudy::commands {
 
-// What is wrong where `app` needs a subcommand and the command line names none, in a line with the
+// Returns an error line when `app` needs a subcommand and the command line names none, with the
 // nearest and all valid words: "no command 'stauts' of `understudy ctl`; did you mean 'status'?
-// (valid: ...)". "" where the fault is another.
+// (valid: ...)". "" for any other fault.
 std::string MissingCommand(const CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace understudy::commands

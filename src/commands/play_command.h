@@ -1,4 +1,4 @@
-// `understudy play`: a recording on the wire.
+// Runs `understudy play`: replays a recording onto the bus.
 #ifndef UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
 

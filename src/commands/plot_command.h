@@ -1,4 +1,4 @@
-// `understudy plot`: the picture of a run.
+// Runs `understudy plot`: draws curves of a recording.
 #ifndef UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
 

@@ -1,4 +1,4 @@
-// `understudy recording`: what a recording holds.
+// Runs `understudy recording`: lists what a recording holds.
 #ifndef UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_
 

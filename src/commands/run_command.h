@@ -1,4 +1,4 @@
-// `understudy run` and `understudy exec`: what they share of the command line, and what they do.
+// Runs `understudy run` and `understudy exec`, and declares the options they share.
 #ifndef UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
 

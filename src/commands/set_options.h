@@ -1,4 +1,4 @@
-// The options by which a command line changes the configuration.
+// Declares the options that change the configuration.
 #ifndef UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
 #define UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
 
@@ -9,7 +9,7 @@
 
 namespace understudy::commands {
 
-// What they gather, as typed.
+// The values of these options, as typed.
 struct SetArguments {
   std::vector<std::string> config_files;
   std::vector<std::string> sets;  // "key=value"; short options are put in front of --set
@@ -17,12 +17,13 @@ struct SetArguments {
 
 // Both: `arguments` is filled by parsing and must outlive the app.
 
-// An option that is short for a --set: its value goes to `key`, and --set has the last word.
+// Adds an option that abbreviates a --set: its value goes to `key`; an explicit --set of that key
+// wins.
 CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
                             const std::string& key, const std::string& type,
                             const std::string& help);
 
-// --config FILE and --set KEY=VALUE, with an example of the latter.
+// Adds --config FILE and --set KEY=VALUE, with an example of the latter.
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example);
 

@@ -1,4 +1,4 @@
-// `understudy terrain`: the ground of a run as files for other programs.
+// Runs `understudy terrain`: writes the ground of a run as files for other programs.
 #ifndef UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
 #define UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
 

@@ -1,4 +1,4 @@
-// What `understudy ctl` shows a person.
+// Formats replies of a robot for a person, as `understudy ctl` prints them.
 #ifndef UNDERSTUDY_CTL_TEXT_H_
 #define UNDERSTUDY_CTL_TEXT_H_
 

@@ -1,4 +1,4 @@
-// The live screen of `understudy ctl status --watch`.
+// Draws the live screen of `understudy ctl status --watch`.
 #ifndef UNDERSTUDY_CTL_WATCH_H_
 #define UNDERSTUDY_CTL_WATCH_H_
 

@@ -1,5 +1,4 @@
-// The capabilities of this process, to be put back after a user namespace has handed out all of
-// them.
+// Saves the capabilities of this process and restores them after a user namespace has granted all.
 #ifndef UNDERSTUDY_EXEC_CAPABILITIES_H_
 #define UNDERSTUDY_EXEC_CAPABILITIES_H_
 

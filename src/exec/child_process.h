@@ -1,4 +1,4 @@
-// The program of `understudy exec`: forked early, started when the robot is ready.
+// Forks the program of `understudy exec` early and starts it when the robot is ready.
 #ifndef UNDERSTUDY_EXEC_CHILD_PROCESS_H_
 #define UNDERSTUDY_EXEC_CHILD_PROCESS_H_
 

@@ -1,4 +1,4 @@
-// A command to be run: finding its program, and what is wrong when there is none.
+// Finds the program of a command, or says why it cannot be run.
 #ifndef UNDERSTUDY_EXEC_COMMAND_H_
 #define UNDERSTUDY_EXEC_COMMAND_H_
 
@@ -13,7 +13,7 @@ inline constexpr int kExitOwnFailure = 125;     // the command was never tried
 inline constexpr int kExitNotExecutable = 126;  // found, but the kernel does not run it
 inline constexpr int kExitNotFound = 127;
 
-// A command that cannot be run. what() names it and the reason.
+// Thrown for a command that cannot be run. what() names it and the reason.
 class CommandError : public SetupError {
  public:
   CommandError(const std::string& what, int exit_code) : SetupError(what), exit_code_(exit_code) {}
@@ -28,10 +28,10 @@ class CommandError : public SetupError {
 // kExitNotFound for ENOENT, else kExitNotExecutable, where `error` is the errno of exec(2).
 int ExitCodeOfFailedExec(int error);
 
-// The file that `name` stands for: itself when it holds a slash, else the first executable file of
-// that name in the folders of `search_path` (separated by colons; an empty one is the current
-// folder). The result always holds a slash.
-// Throws CommandError: nothing of that name (127), or only what we may not execute (126).
+// Returns the file that `name` stands for: itself when it holds a slash, else the first executable
+// file of that name in the folders of `search_path` (separated by colons; an empty one is the
+// current folder). The result always holds a slash. Throws CommandError: nothing of that name
+// (127), or only what we may not execute (126).
 std::string FindProgram(const std::string& name, const std::string& search_path);
 
 }  // namespace understudy::exec

@@ -1,4 +1,4 @@
-// Why the kernel refuses a private network, in words that name the setting that helps.
+// Explains why the kernel refuses a private network and which setting allows it.
 #ifndef UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
 #define UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
 
@@ -8,7 +8,7 @@
 
 namespace understudy::exec {
 
-// What this machine says about namespaces. Empty: the kernel has no such setting.
+// This machine's settings about namespaces. Empty: the kernel has no such setting.
 struct NamespacePolicy {
   std::optional<std::int64_t> max_user_namespaces{};  // user.max_user_namespaces; 0 forbids
   std::optional<std::int64_t> max_net_namespaces{};   // user.max_net_namespaces; 0 forbids
@@ -20,8 +20,8 @@ struct NamespacePolicy {
   static NamespacePolicy OfThisMachine();
 };
 
-// One line: what failed (`step`, as in "raising lo"), the reason of `error` (an errno), each
-// setting of `policy` that explains it with its remedy, and the way without a private network.
+// Returns one line: what failed (`step`, as in "raising lo"), the reason of `error` (an errno),
+// each setting of `policy` that explains it with its remedy, and the way without a private network.
 // Where nothing in `policy` explains it, the line lists the usual suspects instead.
 std::string ExplainRefusal(const std::string& step, int error, const NamespacePolicy& policy);
 

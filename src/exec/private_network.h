@@ -1,4 +1,5 @@
-// A network of our own, for `understudy exec`: robot and program meet on domain 0, unheard outside.
+// Moves this process into a network of its own, where robot and program of `understudy exec` meet
+// on domain 0.
 #ifndef UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 #define UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
 

@@ -1,4 +1,4 @@
-// That no two robots are on one network.
+// Refuses to start beside another writer of rt/lowstate.
 #ifndef UNDERSTUDY_RUN_ALONE_H_
 #define UNDERSTUDY_RUN_ALONE_H_
 
@@ -9,9 +9,9 @@
 
 namespace understudy::run {
 
-// Returns when nobody else is a robot here, or only may be one and the configuration allows that.
-// `since`: when the watch was set. Who has a writer is given the same time again to speak.
-// Throws NeighbourError.
+// Returns when no other participant writes rt/lowstate, or there is only a silent writer and the
+// configuration allows it. `since`: when the watch was set. A writer that has sent nothing is given
+// the same time again. Throws NeighbourError.
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
                          time::Clock* clock);

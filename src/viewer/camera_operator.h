@@ -1,4 +1,4 @@
-// Who points the camera: finds a good first look and follows what is looked at.
+// Points the camera: finds a first view and follows a body.
 #ifndef UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_
 #define UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_
 

@@ -1,4 +1,4 @@
-// From states as they come to pictures at even times.
+// Turns states that come at any times into pictures at even times.
 #ifndef UNDERSTUDY_VIEWER_FILM_MAKER_H_
 #define UNDERSTUDY_VIEWER_FILM_MAKER_H_
 
@@ -10,8 +10,8 @@
 
 namespace understudy::viewer {
 
-// The state between two, `share` of the way from a to b: positions in between, all else as in a.
-// Where the robot was put elsewhere in between (a reset) it is a.
+// Returns the state `share` of the way from a to b: positions are interpolated, all else is a's.
+// Returns a when the robot was reset in between.
 SceneState Between(const mjModel& model, const SceneState& a, const SceneState& b, double share);
 
 // Draws a picture for every 1 / fps seconds of film, whatever the rate of the states.
@@ -28,8 +28,8 @@ class FilmMaker {
   FilmMaker(Stage* stage, const CameraChoice& camera, const ShowChoice& show,
             const PictureSize& size, const Plan& plan, std::function<void(const Image&)> out);
 
-  // The next state; the first is where the film begins, one that is not later than the one before
-  // is left out. Needs a current OpenGL context. False once the film is as long as planned.
+  // Takes the next state. The film begins at the first; a state that is not later than the one
+  // before is ignored. Needs a current OpenGL context. False once the film is as long as planned.
   bool Add(const SceneState& state);
 
   double seconds() const { return pictures_ / static_cast<double>(plan_.fps); }  // of film so far

@@ -1,4 +1,4 @@
-// A running robot, for those who look at it: a client of its control plane.
+// Reads model and states of a running robot over its control socket.
 #ifndef UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
 #define UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
 
@@ -24,7 +24,7 @@ mjcf::ModelHandle FetchModel(const std::filesystem::path& socket);
 // Its state now. Throws ControlError.
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
 
-// Its states, received in a thread of their own.
+// Receives its states in a thread of their own.
 class LiveRobot {
  public:
   // `hz`: states per second of wall time, at most; `nq`: of its model; `on_news` is called in that
@@ -32,11 +32,11 @@ class LiveRobot {
   LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,
             std::function<void()> on_news = {});
 
-  // What came since the last call, oldest first. Waits up to `patience` for the first. What is not
-  // taken for a minute is forgotten.
+  // Returns the states since the last call, oldest first. Waits up to `patience` for the first.
+  // States that are not taken for a minute are dropped.
   std::deque<SceneState> Take(std::chrono::milliseconds patience);
 
-  // Why no more will come; "" while there may.
+  // The reason why no more states will come; "" while there may.
   std::string gone() const;
 
  private:

@@ -1,4 +1,4 @@
-// What the mouse does, as in MuJoCo's own viewer: looks round, selects a body, takes hold of it.
+// Moves the camera, selects a body and drags it with the mouse, as MuJoCo's own viewer does.
 #ifndef UNDERSTUDY_VIEWER_POINTER_H_
 #define UNDERSTUDY_VIEWER_POINTER_H_
 
@@ -10,7 +10,7 @@
 
 namespace understudy::viewer {
 
-// A body held at a point of it and drawn towards a place.
+// A body held at one of its points and dragged towards a point of the world.
 struct Grip {
   int body = 0;
   Point at{};  // m, in the body's frame
@@ -23,13 +23,13 @@ class Pointer {
   // to the point. Dragging turns (left), moves (right) and nears (middle) the camera, shift takes
   // the horizontal plane; with control held it moves the grip on the selected body in the plane of
   // the picture, with shift in the horizontal one. `aspect`: of the window, width to height.
-  // `seconds`: of any steady clock. Returns whether there is something new to be seen.
+  // `seconds`: of any steady clock. Returns whether the picture changed.
   bool Take(const WindowEvent& event, double aspect, double seconds, Stage* stage,
             CameraOperator* camera);
 
-  // While a body is held.
+  // Set while a body is held.
   const std::optional<Grip>& grip() const { return grip_; }
-  // What is selected, as MuJoCo draws it.
+  // The selection, as MuJoCo draws it.
   const mjvPerturb& selection() const { return selection_; }
   int selected() const { return selection_.select; }  // 0 for nothing
 

@@ -1,4 +1,4 @@
-// How far long work has come, on a terminal.
+// Shows the progress of long work on a terminal.
 #ifndef UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
 #define UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
 
@@ -11,7 +11,7 @@ namespace understudy::viewer {
 // the begin.
 std::string ProgressText(const std::string& what, double done, double whole, double elapsed);
 
-// A line of standard error that is drawn anew; nothing where that is no terminal.
+// Redraws one line of standard error; does nothing when that is no terminal.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what);

@@ -1,4 +1,4 @@
-// A recording, for those who look at it.
+// Reads states and model from a recording, for pictures and films.
 #ifndef UNDERSTUDY_VIEWER_RECORDING_H_
 #define UNDERSTUDY_VIEWER_RECORDING_H_
 

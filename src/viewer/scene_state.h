@@ -1,4 +1,4 @@
-// What is drawn: one instant of a robot.
+// The state of a robot at one instant, as it is drawn.
 #ifndef UNDERSTUDY_VIEWER_SCENE_STATE_H_
 #define UNDERSTUDY_VIEWER_SCENE_STATE_H_
 

@@ -1,4 +1,4 @@
-// An MP4 that grows picture by picture, encoded by ffmpeg.
+// Writes an MP4 picture by picture, encoded by ffmpeg.
 #ifndef UNDERSTUDY_VIEWER_VIDEO_FILE_H_
 #define UNDERSTUDY_VIEWER_VIDEO_FILE_H_
 
@@ -19,7 +19,7 @@ class VideoFile {
  public:
   // Throws SetupError when there is no ffmpeg (with the package to install).
   VideoFile(std::filesystem::path file, const PictureSize& size, int fps);
-  // Throws away what was not finished.
+  // Removes the file if it was not finished.
   ~VideoFile();
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;

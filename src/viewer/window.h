@@ -1,4 +1,4 @@
-// A window with OpenGL, and what a person does in it.
+// Opens a window with OpenGL and reports its mouse and keyboard events.
 #ifndef UNDERSTUDY_VIEWER_WINDOW_H_
 #define UNDERSTUDY_VIEWER_WINDOW_H_
 
@@ -32,9 +32,9 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  // What happened since the last call; waits up to `seconds` for the first.
+  // Returns the events since the last call; waits up to `seconds` for the first.
   std::vector<WindowEvent> Wait(double seconds);
-  // Ends another thread's Wait() early.
+  // Ends another thread's Wait() early. May be called in any thread.
   static void Wake();
   void Swap();
 
