@@ -1,4 +1,4 @@
-// Who may do what at the door that every local program can knock at.
+// Authorizes requests on the TCP socket, which every local program can reach.
 #ifndef UNDERSTUDY_SERVER_ACCESS_H_
 #define UNDERSTUDY_SERVER_ACCESS_H_
 
@@ -9,7 +9,7 @@
 
 namespace understudy::server {
 
-// Of the TCP door. The Unix socket needs none: its file is its user's alone.
+// Of the TCP connections. The Unix socket needs none: its file is its user's alone.
 struct Access {
   std::string token;    // of this run
   std::string address;  // that it is bound to, as inet_ntop writes it

@@ -10,9 +10,9 @@ namespace understudy::server {
 
 using boost::system::error_code;
 
-EventWatch::EventWatch(Stream stream, Request request, Door* door, Shared* shared)
+EventWatch::EventWatch(Stream stream, Request request, Connections* connections, Shared* shared)
     : request_(std::move(request)),
-      door_(door),
+      connections_(connections),
       shared_(shared),
       stream_(std::move(stream)),
       timer_(stream_.get_executor()) {}
@@ -59,7 +59,7 @@ void EventWatch::Next() {
 void EventWatch::Leave() {
   timer_.cancel();
   HangUp(&stream_);
-  door_->Dismiss(this);
+  connections_->Remove(this);
 }
 
 }  // namespace understudy::server

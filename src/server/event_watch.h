@@ -9,18 +9,18 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "server/guest.h"
+#include "server/connection.h"
 #include "server/web_socket.h"
 
 namespace understudy::server {
 
 // Sends each event of the history, and then each as it comes, one message each. What the client
 // sends is read and left aside.
-class EventWatch : public Guest {
+class EventWatch : public Connection {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-  EventWatch(Stream stream, Request request, Door* door, Shared* shared);
+  EventWatch(Stream stream, Request request, Connections* connections, Shared* shared);
 
   void Begin() override;
   void OnFrame(ShownFrame*) override {}
@@ -34,7 +34,7 @@ class EventWatch : public Guest {
   void Leave();
 
   Request request_;
-  Door* door_;
+  Connections* connections_;
   Shared* shared_;
   WebSocket stream_;
   boost::beast::flat_buffer heard_;

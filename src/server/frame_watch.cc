@@ -9,13 +9,13 @@ namespace understudy::server {
 
 using boost::system::error_code;
 
-FrameWatch::FrameWatch(Stream stream, Request request, const WatchFrames& wanted, Door* door,
-                       Shared* shared)
+FrameWatch::FrameWatch(Stream stream, Request request, const WatchFrames& wanted,
+                       Connections* connections, Shared* shared)
     : request_(std::move(request)),
       parts_(wanted.parts),
       period_(std::chrono::duration_cast<Clock::duration>(
           std::chrono::duration<double>(1 / wanted.hz))),
-      door_(door),
+      connections_(connections),
       shared_(shared),
       stream_(std::move(stream)),
       timer_(stream_.get_executor()) {}
@@ -63,7 +63,7 @@ void FrameWatch::OnFrame(ShownFrame* shown) {
 void FrameWatch::Leave() {
   timer_.cancel();
   HangUp(&stream_);
-  door_->Dismiss(this);
+  connections_->Remove(this);
 }
 
 }  // namespace understudy::server

@@ -9,7 +9,7 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "server/guest.h"
+#include "server/connection.h"
 #include "server/routes.h"
 #include "server/web_socket.h"
 
@@ -17,11 +17,12 @@ namespace understudy::server {
 
 // Asks for a frame, sends it, and asks for the next when that is gone and its time has come: a slow
 // client gets fewer, and none waits for it here. What the client sends is read and left aside.
-class FrameWatch : public Guest {
+class FrameWatch : public Connection {
  public:
   using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-  FrameWatch(Stream stream, Request request, const WatchFrames& wanted, Door* door, Shared* shared);
+  FrameWatch(Stream stream, Request request, const WatchFrames& wanted, Connections* connections,
+             Shared* shared);
 
   void Begin() override;
   void OnFrame(ShownFrame* shown) override;
@@ -39,7 +40,7 @@ class FrameWatch : public Guest {
   Request request_;
   emulator::FrameParts parts_;
   Clock::duration period_;
-  Door* door_;
+  Connections* connections_;
   Shared* shared_;
   WebSocket stream_;
   boost::beast::flat_buffer heard_;

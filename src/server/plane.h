@@ -26,7 +26,7 @@ struct Plane {
   std::optional<SceneFiles> scene{};  // likewise
   StaticFiles files{""};              // the panel's
   std::filesystem::path openapi{};    // the document of the routes
-  std::string url{};                  // of the panel, with the token; "" without a TCP door
+  std::string url{};                  // of the panel, with the token; "" without a TCP socket
 };
 
 }  // namespace understudy::server

@@ -46,8 +46,12 @@ Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id
 
 }  // namespace
 
-RequestLine::RequestLine(Stream stream, Handshake handshake, Door* door, Shared* shared)
-    : handshake_(std::move(handshake)), door_(door), shared_(shared), stream_(std::move(stream)) {}
+RequestLine::RequestLine(Stream stream, Handshake handshake, Connections* connections,
+                         Shared* shared)
+    : handshake_(std::move(handshake)),
+      connections_(connections),
+      shared_(shared),
+      stream_(std::move(stream)) {}
 
 void RequestLine::Begin() {
   Limit(shared_->limits, &stream_);
@@ -90,7 +94,7 @@ void RequestLine::Write(std::string text) {
 
 void RequestLine::Leave() {
   HangUp(&stream_);
-  door_->Dismiss(this);
+  connections_->Remove(this);
 }
 
 }  // namespace understudy::server

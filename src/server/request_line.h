@@ -8,7 +8,7 @@
 
 #include <boost/beast/http.hpp>
 
-#include "server/guest.h"
+#include "server/connection.h"
 #include "server/web_socket.h"
 
 namespace understudy::server {
@@ -16,11 +16,11 @@ namespace understudy::server {
 // Each message {"crane.lower": {"by": 0.1}, "id": text or number} is a request with its values, and
 // answered in its turn by {"id": the same, "status": n} with the fields of the POST's reply. The
 // next is not read before.
-class RequestLine : public Guest {
+class RequestLine : public Connection {
  public:
   using Handshake = boost::beast::http::request<boost::beast::http::string_body>;
 
-  RequestLine(Stream stream, Handshake handshake, Door* door, Shared* shared);
+  RequestLine(Stream stream, Handshake handshake, Connections* connections, Shared* shared);
 
   void Begin() override;
   void OnFrame(ShownFrame*) override {}
@@ -35,7 +35,7 @@ class RequestLine : public Guest {
   void Leave();
 
   Handshake handshake_;
-  Door* door_;
+  Connections* connections_;
   Shared* shared_;
   WebSocket stream_;
   boost::beast::flat_buffer buffer_;

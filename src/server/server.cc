@@ -18,8 +18,8 @@
 #include "base/errors.h"
 #include "client/listening_socket.h"
 #include "server/access.h"
+#include "server/connection.h"
 #include "server/frame_pump.h"
-#include "server/guest.h"
 #include "server/request_desk.h"
 #include "server/session.h"
 
@@ -45,12 +45,15 @@ std::thread StartWithoutSignals(Function function) {
   return thread;
 }
 
-// Lets clients in through one listening socket.
-class Porter {
+// Accepts the clients of one listening socket.
+class Acceptor {
  public:
   // `fd` listens and stays its owner's; `family` is its address family.
-  Porter(asio::io_context* io, int fd, int family, const Access* access, Shared* shared)
-      : shared_(shared), door_(access, shared->limits.connections), acceptor_(*io), timer_(*io) {
+  Acceptor(asio::io_context* io, int fd, int family, const Access* access, Shared* shared)
+      : shared_(shared),
+        connections_(access, shared->limits.connections),
+        acceptor_(*io),
+        timer_(*io) {
     const int own = ::fcntl(fd, F_DUPFD_CLOEXEC, 0);
     if (own < 0) {
       throw SocketError("control socket: " + std::generic_category().message(errno));
@@ -67,17 +70,17 @@ class Porter {
         timer_.async_wait([this](const error_code&) { Accept(); });
         return;
       }
-      if (door_.full()) {
-        Session::TurnAway(&socket);
+      if (connections_.full()) {
+        Session::RefuseBusy(&socket);
       } else {
-        door_.Admit(std::make_shared<Session>(std::move(socket), &door_, shared_));
+        connections_.Add(std::make_shared<Session>(std::move(socket), &connections_, shared_));
       }
       Accept();
     });
   }
 
   Shared* shared_;
-  Door door_;
+  Connections connections_;
   asio::basic_socket_acceptor<Protocol> acceptor_;
   asio::steady_timer timer_;
 };
@@ -136,8 +139,8 @@ class ControlServer::Loop {
   asio::steady_timer events_timer_{io_};
   std::optional<FramePump> pump_;
   std::optional<RequestDesk> desk_;
-  std::optional<Porter> unix_;
-  std::optional<Porter> tcp_;
+  std::optional<Acceptor> unix_;
+  std::optional<Acceptor> tcp_;
   std::thread thread_;
 };
 

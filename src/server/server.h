@@ -1,4 +1,4 @@
-// The doors of a running robot: HTTP/1.1 with JSON and WebSockets, on a Unix socket for the
+// The server of a running robot: HTTP/1.1 with JSON and WebSockets, on a Unix socket for the
 // programs of its user and on TCP for a browser.
 #ifndef UNDERSTUDY_SERVER_SERVER_H_
 #define UNDERSTUDY_SERVER_SERVER_H_
@@ -18,7 +18,7 @@ namespace understudy::server {
 struct ServerLimits {
   std::size_t header_bytes = 8 * 1024;
   std::size_t body_bytes = 64 * 1024;  // of a message on a WebSocket too
-  std::size_t connections = 64;        // at each door
+  std::size_t connections = 64;        // of each socket
   // For a whole request to arrive, from the one before it, and for a whole reply to be taken; for a
   // WebSocket to give a sign of life.
   std::chrono::milliseconds idle{10'000};
@@ -28,7 +28,7 @@ struct ServerLimits {
 };
 
 // Serves from construction to destruction, on one thread of its own which never waits for a client
-// or for the tick. Both doors have the same routes (docs/openapi.yaml); on TCP whatever writes
+// or for the tick. Both sockets have the same routes (docs/openapi.yaml); on TCP whatever writes
 // needs this run's token, see server/access.h.
 //
 // A request is answered 200 {"ok": true}, else {"error": "..."} with 400 for what cannot be read,

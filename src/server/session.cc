@@ -60,15 +60,16 @@ std::optional<HttpReply> ReplyToBroken(const error_code& error, const ServerLimi
 
 }  // namespace
 
-Session::Session(asio::generic::stream_protocol::socket socket, Door* door, Shared* shared)
-    : door_(door),
+Session::Session(asio::generic::stream_protocol::socket socket, Connections* connections,
+                 Shared* shared)
+    : connections_(connections),
       shared_(shared),
       stream_(std::move(socket)),
       // Room for a header beside the first part of a body.
       buffer_(shared->limits.header_bytes + 4096),
       frame_timer_(stream_.get_executor()) {}
 
-void Session::TurnAway(asio::generic::stream_protocol::socket* socket) {
+void Session::RefuseBusy(asio::generic::stream_protocol::socket* socket) {
   error_code ignored;
   socket->non_blocking(true, ignored);
   const HttpReply reply = ErrorReply(503, "too many clients are connected");
@@ -93,7 +94,7 @@ void Session::OnRead(const error_code& error) {
     return Write(std::move(*reply), false);
   }
   const HttpRequest request = RequestOf(parser_->get());
-  if (const Access* access = door_->access()) {
+  if (const Access* access = connections_->access()) {
     if (auto refusal = RefusalOf(request, *access)) return Write(std::move(*refusal), false);
   }
   try {
@@ -134,18 +135,18 @@ void Session::OnFrame(ShownFrame* shown) {
 }
 
 void Session::Upgrade(const Routed& routed) {
-  const std::shared_ptr<Session> self = Self();  // the door lets go of it here
+  const std::shared_ptr<Session> self = Self();  // its list lets go of it here
   stream_.expires_never();
   Leave();
   if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
-    door_->Admit(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch, door_,
-                                              shared_));
+    connections_->Add(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch,
+                                                   connections_, shared_));
   } else if (std::holds_alternative<WatchEvents>(routed)) {
-    door_->Admit(
-        std::make_shared<EventWatch>(std::move(stream_), parser_->release(), door_, shared_));
+    connections_->Add(std::make_shared<EventWatch>(std::move(stream_), parser_->release(),
+                                                   connections_, shared_));
   } else {
-    door_->Admit(
-        std::make_shared<RequestLine>(std::move(stream_), parser_->release(), door_, shared_));
+    connections_->Add(std::make_shared<RequestLine>(std::move(stream_), parser_->release(),
+                                                    connections_, shared_));
   }
 }
 

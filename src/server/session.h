@@ -8,23 +8,23 @@
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/http.hpp>
 
-#include "server/guest.h"
+#include "server/connection.h"
 #include "server/routes.h"
 
 namespace understudy::server {
 
-// Reads a request, perhaps waits for the tick, writes the reply, again. There is one pending
-// operation at any time, and whichever finds that there is nothing more to do has the door dismiss
-// it.
-class Session : public Guest {
+// Reads a request, waits for the tick if it must, writes the reply, and starts again. One operation
+// is pending at any time; the one that finds nothing more to do removes the session from its list.
+class Session : public Connection {
  public:
-  Session(boost::asio::generic::stream_protocol::socket socket, Door* door, Shared* shared);
+  Session(boost::asio::generic::stream_protocol::socket socket, Connections* connections,
+          Shared* shared);
 
   void Begin() override { Read(); }
   void OnFrame(ShownFrame* shown) override;
 
-  // Says why there is no room, as far as that goes without waiting.
-  static void TurnAway(boost::asio::generic::stream_protocol::socket* socket);
+  // Writes why there is no room, as much of it as goes without waiting.
+  static void RefuseBusy(boost::asio::generic::stream_protocol::socket* socket);
 
  private:
   std::shared_ptr<Session> Self() { return std::static_pointer_cast<Session>(shared_from_this()); }
@@ -36,9 +36,9 @@ class Session : public Guest {
   void Write(HttpReply reply);
   void Write(HttpReply reply, bool keep_alive);
   void Forget();
-  void Leave() { door_->Dismiss(this); }
+  void Leave() { connections_->Remove(this); }
 
-  Door* door_;
+  Connections* connections_;
   Shared* shared_;
   Stream stream_;
   boost::beast::flat_buffer buffer_;

@@ -4,7 +4,7 @@
 
 #include <boost/beast/websocket.hpp>
 
-#include "server/guest.h"
+#include "server/connection.h"
 
 namespace understudy::server {
 

@@ -1,4 +1,4 @@
-// The server's TCP door and its WebSockets, and clients without manners at both.
+// The server's TCP socket and its WebSockets, and clients that misbehave on both.
 #include <fstream>
 #include <list>
 
@@ -23,9 +23,9 @@ constexpr std::string_view kUpgrade =
     "Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
     "Sec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
 
-class DoorsTest : public ::testing::Test {
+class SocketsTest : public ::testing::Test {
  protected:
-  DoorsTest() {
+  SocketsTest() {
     std::ofstream(temp_.path() / "index.html") << "<html>";
     Start();
   }
@@ -41,13 +41,13 @@ class DoorsTest : public ::testing::Test {
   }
   std::string token() const { return dut_->url().substr(dut_->url().find('=') + 1); }
   std::string HostLine() const { return "Host: " + panel_.host() + "\r\n"; }
-  // The reply to a request at the TCP door: its first line and the rest, without the blank line.
+  // The reply to a request on the TCP socket: its first line and the rest, without the blank line.
   std::string Ask(const std::string& first, const std::string& fields) const {
     const auto client = test::RawSocket::ToPort(panel_.port());
     client->Send(first + " HTTP/1.1\r\nConnection: close\r\n" + fields + "\r\n");
     return client->ReceiveAll();
   }
-  // A WebSocket at the TCP door, once it is open.
+  // A WebSocket on the TCP socket, once it is open.
   std::unique_ptr<test::RawSocket> Open(const std::string& target) const {
     auto client = test::RawSocket::ToPort(panel_.port());
     client->Send("GET " + target + " HTTP/1.1\r\n" + HostLine() + std::string{kUpgrade});
@@ -70,7 +70,7 @@ class DoorsTest : public ::testing::Test {
   std::optional<ControlServer> dut_;
 };
 
-TEST_F(DoorsTest, TellsItsAddressWithTheTokenAtTheUnixSocketOnly) {
+TEST_F(SocketsTest, TellsItsAddressWithTheTokenAtTheUnixSocketOnly) {
   const client::ControlReply reply = client::Call(path_, "GET", "/panel", "", test::kBound);
   EXPECT_EQ(json::parse(reply.body)["url"], dut_->url());
   EXPECT_THAT(dut_->url(), StartsWith("http://" + panel_.host() + "/#token="));
@@ -79,13 +79,13 @@ TEST_F(DoorsTest, TellsItsAddressWithTheTokenAtTheUnixSocketOnly) {
               HasSubstr(token()));
 }
 
-TEST_F(DoorsTest, TheSameRoutesAreOnTcp) {
+TEST_F(SocketsTest, TheSameRoutesAreOnTcp) {
   EXPECT_THAT(Ask("GET /status", HostLine()), HasSubstr("\"robot\":\"g1\""));
   EXPECT_THAT(Ask("GET /", HostLine()), HasSubstr("<html>"));
   EXPECT_THAT(Ask("GET /nothing", HostLine()), StartsWith("HTTP/1.1 404"));
 }
 
-TEST_F(DoorsTest, RefusesAWriteWithoutTheToken) {
+TEST_F(SocketsTest, RefusesAWriteWithoutTheToken) {
   const test::Ticking ticking(&inbox_, [](const emulator::Request&) { return emulator::Answer{}; });
   EXPECT_THAT(Ask("POST /reset", HostLine()), StartsWith("HTTP/1.1 401"));
   EXPECT_THAT(Ask("POST /reset", HostLine() + "Authorization: Bearer 0123\r\n"),
@@ -94,7 +94,7 @@ TEST_F(DoorsTest, RefusesAWriteWithoutTheToken) {
               StartsWith("HTTP/1.1 200"));
 }
 
-TEST_F(DoorsTest, RefusesAPageThatIsNotItsOwn) {
+TEST_F(SocketsTest, RefusesAPageThatIsNotItsOwn) {
   EXPECT_THAT(Ask("GET /status", "Host: evil.example\r\n"), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /status", ""), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /status", HostLine() + "Origin: http://evil.example\r\n"),
@@ -103,7 +103,7 @@ TEST_F(DoorsTest, RefusesAPageThatIsNotItsOwn) {
               StartsWith("HTTP/1.1 403"));
 }
 
-TEST_F(DoorsTest, AFrameIsFilledInByTheTick) {
+TEST_F(SocketsTest, AFrameIsFilledInByTheTick) {
   const test::Showing tick(&frames_);
   const client::ControlReply reply =
       client::Call(path_, "GET", "/frame?parts=com", "", test::kBound);
@@ -112,7 +112,7 @@ TEST_F(DoorsTest, AFrameIsFilledInByTheTick) {
   EXPECT_EQ(json::parse(reply.body).size(), 5u);
 }
 
-TEST_F(DoorsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
+TEST_F(SocketsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
   Start({.patience = std::chrono::milliseconds{20}});
   EXPECT_EQ(client::Call(path_, "GET", "/frame", "", test::kBound).status, 503u);
   const test::Showing tick(&frames_);
@@ -120,7 +120,7 @@ TEST_F(DoorsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
       [&] { return client::Call(path_, "GET", "/frame", "", test::kBound).status == 200; }));
 }
 
-TEST_F(DoorsTest, FramesComeOnAWebSocketOneAfterTheOther) {
+TEST_F(SocketsTest, FramesComeOnAWebSocketOneAfterTheOther) {
   const test::Showing tick(&frames_);
   client::ControlStream stream = Watch("/frames?hz=240&parts=com");
   std::int64_t last = 0;
@@ -131,7 +131,7 @@ TEST_F(DoorsTest, FramesComeOnAWebSocketOneAfterTheOther) {
   }
 }
 
-TEST_F(DoorsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
+TEST_F(SocketsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
   const test::Showing tick(&frames_);
   client::ControlStream slow = Watch("/frames?hz=1");
   slow.Next();
@@ -141,7 +141,7 @@ TEST_F(DoorsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
   EXPECT_LE(quickest, 60);
 }
 
-TEST_F(DoorsTest, AnyNumberWatchAtOnce) {
+TEST_F(SocketsTest, AnyNumberWatchAtOnce) {
   const test::Showing tick(&frames_);
   std::list<client::ControlStream> watchers;
   for (int i = 0; i < 20; ++i) watchers.push_back(Watch("/frames?hz=60"));
@@ -149,12 +149,12 @@ TEST_F(DoorsTest, AnyNumberWatchAtOnce) {
     EXPECT_THAT(watcher.Next(), StartsWith("{\"step\":"));
 }
 
-TEST_F(DoorsTest, WhoWatchesOnTcpNeedsNoToken) {
+TEST_F(SocketsTest, WhoWatchesOnTcpNeedsNoToken) {
   const test::Showing tick(&frames_);
   EXPECT_THAT(Open("/frames?parts=com")->Receive("}"), HasSubstr("\"step\":1"));
 }
 
-TEST_F(DoorsTest, SaysWhyAWebSocketIsRefused) {
+TEST_F(SocketsTest, SaysWhyAWebSocketIsRefused) {
   try {
     Watch("/frames?parts=motor");
     FAIL();
@@ -163,7 +163,7 @@ TEST_F(DoorsTest, SaysWhyAWebSocketIsRefused) {
   }
 }
 
-TEST_F(DoorsTest, RequestsOnAWebSocketAreAnsweredInTheirTurn) {
+TEST_F(SocketsTest, RequestsOnAWebSocketAreAnsweredInTheirTurn) {
   const test::Ticking ticking(&inbox_, [](const emulator::Request& request) {
     return request.row->name == "reset" ? emulator::Answer{Error{"not now"}} : emulator::Answer{};
   });
@@ -177,7 +177,7 @@ TEST_F(DoorsTest, RequestsOnAWebSocketAreAnsweredInTheirTurn) {
             R"({"id":null,"status":400,"error":"on: expected true or false, got 3"})");
 }
 
-TEST_F(DoorsTest, WhatIsNoRequestIsAnsweredWithTheReason) {
+TEST_F(SocketsTest, WhatIsNoRequestIsAnsweredWithTheReason) {
   client::ControlStream stream = Watch("/requests");
   const std::string deep(30'000, '[');
   for (const std::string& message :
@@ -191,14 +191,14 @@ TEST_F(DoorsTest, WhatIsNoRequestIsAnsweredWithTheReason) {
   EXPECT_THAT(stream.Next(), HasSubstr("no request"));
 }
 
-TEST_F(DoorsTest, RequestsOnTcpNeedTheToken) {
+TEST_F(SocketsTest, RequestsOnTcpNeedTheToken) {
   EXPECT_THAT(Ask("GET /requests", HostLine() + std::string{kUpgrade}), StartsWith("HTTP/1.1 401"));
   EXPECT_THAT(Ask("GET /requests?token=0", HostLine() + std::string{kUpgrade}),
               StartsWith("HTTP/1.1 401"));
   Open("/requests?token=" + token());
 }
 
-TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
+TEST_F(SocketsTest, HangsUpOnFramesThatAreNone) {
   const test::Showing tick(&frames_);
   for (const std::string_view bytes :
        {std::string_view{"\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff", 14},
@@ -216,7 +216,7 @@ TEST_F(DoorsTest, HangsUpOnFramesThatAreNone) {
   EXPECT_TRUE(StillServes());
 }
 
-TEST_F(DoorsTest, AMessageTooLongEndsItsWebSocketAlone) {
+TEST_F(SocketsTest, AMessageTooLongEndsItsWebSocketAlone) {
   client::ControlStream stream = Watch("/requests");
   EXPECT_THROW(
       {
@@ -227,7 +227,7 @@ TEST_F(DoorsTest, AMessageTooLongEndsItsWebSocketAlone) {
   EXPECT_TRUE(StillServes());
 }
 
-TEST_F(DoorsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
+TEST_F(SocketsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
   Start({.idle = std::chrono::milliseconds{300}});
   const test::Showing tick(&frames_);
   const auto deaf = Open("/frames?hz=240");
@@ -238,21 +238,21 @@ TEST_F(DoorsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
   EXPECT_THAT(all, HasSubstr("\"step\""));
 }
 
-TEST_F(DoorsTest, AWatcherThatReadsStays) {
+TEST_F(SocketsTest, AWatcherThatReadsStays) {
   Start({.idle = std::chrono::milliseconds{500}});
   const test::Showing tick(&frames_);
   client::ControlStream stream = Watch("/frames?hz=100");
   for (int i = 0; i < 60; ++i) stream.Next();
 }
 
-TEST_F(DoorsTest, OutlivesWatchersThatGoWithoutAWord) {
+TEST_F(SocketsTest, OutlivesWatchersThatGoWithoutAWord) {
   const test::Showing tick(&frames_);
   for (int i = 0; i < 20; ++i) Open("/frames?hz=240")->Close();
   for (int i = 0; i < 20; ++i) Open("/requests?token=" + token())->Close();
   EXPECT_TRUE(StillServes());
 }
 
-TEST_F(DoorsTest, EndsWhileItIsWatched) {
+TEST_F(SocketsTest, EndsWhileItIsWatched) {
   const test::Showing tick(&frames_);
   client::ControlStream watched = Watch("/frames");
   watched.Next();
@@ -262,7 +262,7 @@ TEST_F(DoorsTest, EndsWhileItIsWatched) {
   EXPECT_THROW(for (;;) watched.Next(), ControlError);
 }
 
-TEST_F(DoorsTest, AFullDoorLeavesTheOtherOpen) {
+TEST_F(SocketsTest, AFullDoorLeavesTheOtherOpen) {
   Start({.connections = 2});
   const auto one = test::RawSocket::ToPort(panel_.port());
   const auto two = test::RawSocket::ToPort(panel_.port());
@@ -271,13 +271,13 @@ TEST_F(DoorsTest, AFullDoorLeavesTheOtherOpen) {
   EXPECT_TRUE(StillServes());
 }
 
-TEST_F(DoorsTest, OutlivesThousandsOfConnections) {
+TEST_F(SocketsTest, OutlivesThousandsOfConnections) {
   for (int i = 0; i < 3000; ++i) test::RawSocket::ToPort(panel_.port())->Send("GET ");
   EXPECT_TRUE(
       test::Eventually([&] { return Ask("GET /status", HostLine()).starts_with("HTTP/1.1 200"); }));
 }
 
-TEST_F(DoorsTest, WhoSendsFarTooMuchReadsWhyOnceItIsSent) {
+TEST_F(SocketsTest, WhoSendsFarTooMuchReadsWhyOnceItIsSent) {
   const auto client = test::RawSocket::ToPort(panel_.port());
   const std::string body(20 << 20, ' ');
   client->Send("POST /push HTTP/1.1\r\n" + HostLine() +
@@ -286,7 +286,7 @@ TEST_F(DoorsTest, WhoSendsFarTooMuchReadsWhyOnceItIsSent) {
   EXPECT_THAT(client->ReceiveAll(), StartsWith("HTTP/1.1 413"));
 }
 
-TEST_F(DoorsTest, AHugeHeaderIs431) {
+TEST_F(SocketsTest, AHugeHeaderIs431) {
   EXPECT_THAT(Ask("GET /status", HostLine() + "X: " + std::string(9 * 1024, 'x') + "\r\n"),
               StartsWith("HTTP/1.1 431"));
 }
