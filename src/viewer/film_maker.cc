@@ -8,7 +8,7 @@
 namespace understudy::viewer {
 namespace {
 
-constexpr double kJump = 0.3;  // m that a base moves between two states at most; *assumed*
+constexpr double kLargestMove = 0.3;  // m that a base moves between two states at most; *assumed*
 
 // The base's way between the two, 0 for a robot without a free joint.
 double BaseWay(const mjModel& model, const SceneState& a, const SceneState& b) {
@@ -26,7 +26,7 @@ double BaseWay(const mjModel& model, const SceneState& a, const SceneState& b) {
 SceneState Between(const mjModel& model, const SceneState& a, const SceneState& b, double share) {
   SceneState between = a;
   between.time = a.time + share * (b.time - a.time);
-  if (share <= 0 || BaseWay(model, a, b) > kJump) return between;
+  if (share <= 0 || BaseWay(model, a, b) > kLargestMove) return between;
   std::vector<mjtNum> way(static_cast<std::size_t>(model.nv));
   mj_differentiatePos(&model, way.data(), 1, a.qpos.data(), b.qpos.data());
   mj_integratePos(&model, between.qpos.data(), way.data(), share);

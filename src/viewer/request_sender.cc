@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::chrono::milliseconds kPatience{5'000};
+constexpr std::chrono::milliseconds kAnswerPatience{5'000};
 constexpr std::chrono::seconds kServicePeriod{1};
 
 }  // namespace
@@ -58,7 +58,7 @@ void RequestSender::Run(const std::stop_token& stop, const std::filesystem::path
 }
 
 void RequestSender::Serve(const std::stop_token& stop, const std::filesystem::path& socket) {
-  client::ControlStream stream(socket, "/requests", kPatience);
+  client::ControlStream stream(socket, "/requests", kAnswerPatience);
   auto ask_at = std::chrono::steady_clock::now();
   while (!stop.stop_requested()) {
     std::optional<Request> request;
@@ -87,7 +87,7 @@ void RequestSender::Serve(const std::stop_token& stop, const std::filesystem::pa
 
 void RequestSender::AskService(const std::filesystem::path& socket) {
   const json status =
-      json::parse(client::Call(socket, "GET", "/status", "", kPatience).body, nullptr, false);
+      json::parse(client::Call(socket, "GET", "/status", "", kAnswerPatience).body, nullptr, false);
   const json motion = status.is_object() ? status.value("motion", json()) : json();
   const json service = motion.is_object() ? motion.value("service", json()) : json();
   if (!service.is_string()) return;

@@ -10,7 +10,7 @@
 namespace understudy::viewer {
 namespace {
 
-constexpr int kSamples = 4;  // per pixel
+constexpr int kWindowSamples = 4;  // per pixel
 
 std::string LastError() {
   const char* why = nullptr;
@@ -19,7 +19,7 @@ std::string LastError() {
 }
 
 GLFWwindow* Open(const std::string& title, const PictureSize& size) {
-  glfwWindowHint(GLFW_SAMPLES, kSamples);
+  glfwWindowHint(GLFW_SAMPLES, kWindowSamples);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   GLFWwindow* window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   if (window == nullptr) {  // smooth edges are not everywhere to be had

@@ -34,6 +34,9 @@ struct TopicRow {
   bus::Topic<Msg> topic;
   double hz;
 };
+template <typename Msg>
+TopicRow(bus::Topic<Msg>, double)
+    -> TopicRow<Msg>;  // Clang deduces none for an aggregate before 17
 
 // Sends one message on topics of different rates, made once for all that are due in a step, by
 // bool encode(const robot::RobotState&, Msg*): false when there is nothing to tell. It is given the

@@ -27,7 +27,7 @@ constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for 
 constexpr int kTilts = 20;            // from the wanted tilt down to none, likewise
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
 
-Matrix3d Rotation(const Vector3d& rpy) {
+Matrix3d FromRollPitchYaw(const Vector3d& rpy) {
   return (AngleAxisd(rpy[2], Vector3d::UnitZ()) * AngleAxisd(rpy[1], Vector3d::UnitY()) *
           AngleAxisd(rpy[0], Vector3d::UnitX()))
       .toRotationMatrix();
@@ -94,7 +94,7 @@ void Stance::Measure(const QuadrupedReading& reading, double paw_load) {
 }
 
 PerLeg Stance::FeetInBase(const StancePose& pose, const Vector3d& com) const {
-  const Matrix3d R_FB = Rotation(pose.rpy);
+  const Matrix3d R_FB = FromRollPitchYaw(pose.rpy);
   Vector3d base = pose.place;
   base.head<2>() -= (R_FB * com).head<2>();
   PerLeg feet;
@@ -108,7 +108,7 @@ PerLeg Stance::FeetInBase(const StancePose& pose, const Vector3d& com) const {
 bool Stance::CanHold(const StancePose& pose) const {
   PerLeg q;
   if (!body_.Reach(FeetInBase(pose, com_at_begin_), &q)) return false;
-  const Vector3d up = Rotation(pose.rpy).row(2).transpose();
+  const Vector3d up = FromRollPitchYaw(pose.rpy).row(2).transpose();
   if (pose.place.z() < body_.Depth(up) + kTrunkClear * body_.leg_length()) return false;
   for (std::size_t leg = 0; leg < q.size(); ++leg) {
     const double hip = pose.place.z() + up.dot(body_.leg(leg).figures().hip);
@@ -175,7 +175,7 @@ void Stance::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   com_ = sensed.com;
   Measure(sensed, pose.paw_load);
 
-  const Matrix3d R_wanted = Rotation(pose.rpy);
+  const Matrix3d R_wanted = FromRollPitchYaw(pose.rpy);
   const double rate = pose.paw_load / kTrimTime;  // on three feet a correction would rock it
   const auto trimmed = [dt, rate](double trim, double error, double most_error, double most) {
     return std::clamp(trim + dt * rate * std::clamp(error, -most_error, most_error), -most, most);
