@@ -1,0 +1,199 @@
+// Two robots of different families in one world, each on a participant of its own.
+#include <filesystem>
+#include <optional>
+
+#include "bus/participant.h"
+#include "bus/reader.h"
+#include "bus/writer.h"
+#include "config/load.h"
+#include "config/settings.h"
+#include "emulator/world.h"
+#include "idl/unitree_api.h"
+#include "physics/world_model.h"
+#include "services/robot_services.h"
+#include "services/service_host.h"
+#include "tests/support/eventually.h"
+#include "tests/support/mujoco_test.h"
+#include "tests/support/new_domain.h"
+#include "wire/message_crc.h"
+#include "wire/open_port.h"
+#include "wire/topics.h"
+
+namespace understudy::emulator {
+namespace {
+
+const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
+
+config::Config Clamped(const std::string& robot) {
+  return config::LoadConfig({.robot = robot, .sets = {"start.pose=clamped"}}, kRoot);
+}
+
+// A robot with its ends of the bus, in a domain of its own.
+struct Spoken {
+  Spoken(const std::string& name, int domain)
+      : config(Clamped(name)),
+        participant("lo", domain),
+        port(wire::OpenPort(participant, config.robot)),
+        services(participant, services::ServicesOf(config.robot.apis), [](const std::string&) {}) {}
+
+  RobotParts parts() {
+    return {.spec = config.robot,
+            .settings = config::RobotSettingsOf(config),
+            .port = port.get(),
+            .services = &services};
+  }
+
+  config::Config config;
+  bus::Participant participant;
+  std::unique_ptr<wire::RobotPort> port;
+  services::ServiceHost services;
+};
+
+// A user's program that speaks to the robot of a domain.
+template <class LowCmd, class LowState>
+struct Client {
+  using Request = unitree_api_msg_dds__Request_;
+  using Response = unitree_api_msg_dds__Response_;
+
+  Client(int domain, const bus::Topic<LowCmd>& lowcmd, const bus::Topic<LowState>& lowstate)
+      : participant("lo", domain),
+        commands(participant, lowcmd),
+        states(participant, lowstate),
+        requests(participant,
+                 {"rt/api/motion_switcher/request", &unitree_api_msg_dds__Request__desc}),
+        responses(participant,
+                  {"rt/api/motion_switcher/response", &unitree_api_msg_dds__Response__desc}) {}
+
+  void ReleaseMode() {
+    Request request{};
+    request.header.identity = {.id = 7, .api_id = 1003};
+    std::string parameter = "{}";
+    request.parameter = parameter.data();
+    ASSERT_TRUE(requests.Write(request));
+  }
+  // The motor of `slot` to `q`, all others free.
+  void Reach(int slot, float q, std::uint8_t mode_machine = 0) {
+    LowCmd command{};
+    if constexpr (requires { command.head; }) {
+      command.head[0] = 0xFE;
+      command.head[1] = 0xEF;
+      command.level_flag = 0xFF;
+    } else {
+      command.mode_machine = mode_machine;
+    }
+    for (auto& motor : command.motor_cmd) motor.mode = 1;
+    command.motor_cmd[slot].q = q;
+    command.motor_cmd[slot].kp = 60;
+    command.motor_cmd[slot].kd = 2;
+    command.crc = wire::MessageCrc(command);
+    ASSERT_TRUE(commands.Write(command));
+  }
+  void Listen() {
+    states.Take([this](const LowState& message, bus::WriterHandle) { state = message; });
+    responses.Take([this](const Response& message, bus::WriterHandle) {
+      if (message.header.identity.id == 7) code = message.header.status.code;
+    });
+  }
+
+  bus::Participant participant;
+  bus::Writer<LowCmd> commands;
+  bus::Reader<LowState> states;
+  bus::Writer<Request> requests;
+  bus::Reader<Response> responses;
+  std::optional<LowState> state;
+  std::optional<std::int32_t> code;
+};
+
+class TwoRobotsTest : public test::MujocoTest {
+ protected:
+  static constexpr int kGo2Hip = 0, kG1WaistYaw = 12;  // slots
+
+  physics::World MakePhysics() {
+    const auto placed = [](const Spoken& robot, const char* prefix, double x) {
+      return physics::PlacedRobot{.spec = robot.config.robot,
+                                  .file = kRoot / "models" / robot.config.robot.model,
+                                  .prefix = prefix,
+                                  .x = x};
+    };
+    const std::vector<physics::PlacedRobot> robots = {placed(go2_, "go2_", 0),
+                                                      placed(g1_, "g1_", 2)};
+    return {physics::LoadWorldModel(robots, kRoot / "models/scene/flat.xml", 0.001), robots};
+  }
+
+  void Tick(int times) {
+    for (int i = 0; i < times; ++i) {
+      now_ += std::chrono::milliseconds(1);
+      ASSERT_EQ(world_.Tick(now_), physics::StepHealth::kFine);
+    }
+    go2_client_.Listen();
+    g1_client_.Listen();
+  }
+  // Ticks and says `again` until it is so.
+  template <class Again, class So>
+  ::testing::AssertionResult Until(Again again, So so) {
+    if (test::Eventually([&] {
+          again();
+          Tick(20);
+          return so();
+        })) {
+      return ::testing::AssertionSuccess();
+    }
+    return ::testing::AssertionFailure() << "never";
+  }
+
+  const int go2_domain_ = test::NewDomain();
+  const int g1_domain_ = test::NewDomain();
+  Spoken go2_{"go2", go2_domain_};
+  Spoken g1_{"g1_29dof", g1_domain_};
+  Inbox inbox_;
+  World world_{MakePhysics(), WorldSettings{}, {go2_.parts(), g1_.parts()}, &inbox_};
+  time::Clock::Time now_{0};
+  Client<unitree_go_msg_dds__LowCmd_, unitree_go_msg_dds__LowState_> go2_client_{
+      go2_domain_, wire::kGoLowCmd, wire::kGoLowState};
+  Client<unitree_hg_msg_dds__LowCmd_, unitree_hg_msg_dds__LowState_> g1_client_{
+      g1_domain_, wire::kHgLowCmd, wire::kHgLowState};
+};
+
+TEST_F(TwoRobotsTest, AreEachSpokenToOnAParticipantOfItsOwn) {
+  ASSERT_TRUE(Until([] {}, [&] { return go2_client_.state && g1_client_.state; }));
+
+  // A call reaches the robot of its domain and not the other.
+  ASSERT_TRUE(Until(
+      [&] {
+        if (!go2_client_.code) go2_client_.ReleaseMode();
+      },
+      [&] { return go2_client_.code.has_value(); }));
+  EXPECT_EQ(go2_client_.code, 0);
+  EXPECT_EQ(world_.robot(0).owner().active(), "");
+  EXPECT_NE(world_.robot(1).owner().active(), "");
+  ASSERT_TRUE(Until(
+      [&] {
+        if (!g1_client_.code) g1_client_.ReleaseMode();
+      },
+      [&] { return g1_client_.code.has_value(); }));
+  EXPECT_EQ(g1_client_.code, 0);
+  EXPECT_EQ(world_.robot(1).owner().active(), "");
+
+  // So does a command.
+  ASSERT_TRUE(
+      Until([&] { go2_client_.Reach(kGo2Hip, 0.4F); },
+            [&] { return std::abs(go2_client_.state->motor_state[kGo2Hip].q - 0.4) < 0.1; }));
+  EXPECT_NEAR(g1_client_.state->motor_state[kG1WaistYaw].q, 0, 0.05);
+  ASSERT_TRUE(Until(
+      [&] {
+        g1_client_.Reach(kG1WaistYaw, 0.5F,
+                         static_cast<std::uint8_t>(g1_.config.robot.mode_machine));
+      },
+      [&] { return std::abs(g1_client_.state->motor_state[kG1WaistYaw].q - 0.5) < 0.1; }));
+}
+
+TEST_F(TwoRobotsTest, AreResetOneByOne) {
+  Tick(10);
+  world_.robot(1).Reset(robot::StartPose::kStanding);
+  Tick(1);
+  EXPECT_TRUE(world_.physics().robot(0).clamped());
+  EXPECT_FALSE(world_.physics().robot(1).clamped());
+}
+
+}  // namespace
+}  // namespace understudy::emulator
