@@ -63,7 +63,8 @@ const std::vector<Neighbour>& NeighbourWatch::Poll() {
   do {
     std::array<void*, kPeersAtOnce> samples{};
     std::array<dds_sample_info_t, kPeersAtOnce> infos;
-    taken = dds_take(publications_.handle(), samples.data(), infos.data(), kPeersAtOnce, kPeersAtOnce);
+    taken =
+        dds_take(publications_.handle(), samples.data(), infos.data(), kPeersAtOnce, kPeersAtOnce);
     for (std::size_t i = 0; std::cmp_less(i, taken); ++i) {
       if (infos[i].instance_state == DDS_ALIVE_INSTANCE_STATE && infos[i].valid_data) {
         Note(samples[i]);

@@ -128,7 +128,8 @@ void EnterPrivateNetwork() {
   // A new user namespace hands out every capability. Kept, they would override the permissions of
   // the user's own files, and uid 0 would gain some at exec, which switches off the command's
   // parent-death signal (ChildProcess).
-  if (!privileged && !before.Apply()) RefuseNetwork("giving the namespace's capabilities back", errno);
+  if (!privileged && !before.Apply())
+    RefuseNetwork("giving the namespace's capabilities back", errno);
 }
 
 }  // namespace understudy::exec
