@@ -7,6 +7,8 @@
 #include <filesystem>
 #include <new>
 
+#include <mujoco/mujoco.h>
+
 #include "config/load.h"
 #include "physics/world_model.h"
 #include "tests/emulator/emulator_test.h"

@@ -11,7 +11,7 @@ namespace {
 
 class FrameTest : public EmulatorTest {
  protected:
-  Frame Shown(FrameParts parts = kAllFrameParts | kPartRefusals) {
+  Frame Shown(FrameParts parts = kAllFrameParts) {
     Frame frame = world_->MakeFrame();
     frame.parts = parts;
     world_->Show(&frame);
@@ -56,9 +56,8 @@ TEST_F(FrameTest, HasTheCentreOfMassOfTheRobotAlone) {
       <body name="rock" pos="5 0 0.5"><geom type="box" size="0.5 0.5 0.5" mass="1000"/></body>
       </worldbody></mujoco>)");
   config_.start.pose = "standing";
-  world_ = MakeIn({physics::LoadWorldModel({{config_.robot, config_.robot.model}}, scene,
-                                           config_.physics.timestep),
-                   config_.robot},
+  const std::vector<physics::PlacedRobot> robots{{config_.robot, config_.robot.model}};
+  world_ = MakeIn({physics::LoadWorldModel(robots, scene, config_.physics.timestep), robots},
                   &port_, &inbox_);
   Tick();
   EXPECT_NEAR(Shown().com[0], 0, 0.1);

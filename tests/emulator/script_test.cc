@@ -38,7 +38,8 @@ TEST_F(ScriptTest, CallsServices) {
   EXPECT_EQ(robot().owner().active(), "");
   EXPECT_EQ(world_->status().script_refused, 0U);
   Tick(10);
-  EXPECT_STREQ(world_->status().script_refusal.data(), "s.yaml:4: nothing serves 'vui'");
+  EXPECT_THAT(Told(EventKind::kScriptRefused),
+              testing::ElementsAre("script: s.yaml:4: nothing serves 'vui'"));
 }
 
 TEST_F(ScriptTest, CountsWhatTheRobotRefusesAndSaysWhere) {

@@ -16,7 +16,7 @@
 #include "tests/support/mujoco_test.h"
 #include "tests/support/new_domain.h"
 #include "wire/message_crc.h"
-#include "wire/open_port.h"
+#include "wire/port.h"
 #include "wire/topics.h"
 
 namespace understudy::emulator {
@@ -33,19 +33,19 @@ struct Spoken {
   Spoken(const std::string& name, int domain)
       : config(Clamped(name)),
         participant("lo", domain),
-        port(wire::OpenPort(participant, config.robot)),
+        port(participant, config.robot, config.physics.timestep),
         services(participant, services::ServicesOf(config.robot.apis), [](const std::string&) {}) {}
 
   RobotParts parts() {
     return {.spec = config.robot,
             .settings = config::RobotSettingsOf(config),
-            .port = port.get(),
+            .port = &port,
             .services = &services};
   }
 
   config::Config config;
   bus::Participant participant;
-  std::unique_ptr<wire::RobotPort> port;
+  wire::Port port;
   services::ServiceHost services;
 };
 

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
 #include "viewer/stage.h"

@@ -6,6 +6,8 @@
 #include <optional>
 #include <thread>
 
+#include <mujoco/mujoco.h>
+
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -37,7 +39,7 @@ struct Speed {
 class BareLoop {
  public:
   explicit BareLoop(const config::Config& config)
-      : model_(physics::LoadWorldModel(config.robot, config::ModelFile(config.robot),
+      : model_(physics::LoadWorldModel({{config.robot, config::ModelFile(config.robot)}},
                                        config::SceneFile(config.scene, config.terrain).path(),
                                        config.physics.timestep)),
         data_(mj_makeData(model_.get())),
@@ -45,7 +47,7 @@ class BareLoop {
         hangs_(config.start.pose == "hanging"),
         damping_(config.gate.damping_kd),
         body_(mj_name2id(model_.get(), mjOBJ_BODY, config.robot.crane_body.c_str())),
-        hook_(config.robot.crane_point.data()) {
+        hook_(config.robot.crane_point) {
     const robot::RobotSpec& robot = config.robot;
     const robot::PoseSpec& pose = hangs_ ? robot.hanging : robot.standing;
     for (std::size_t i = 0; i < robot.motors.size(); ++i) {
