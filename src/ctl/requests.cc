@@ -78,6 +78,7 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
     if (field.otherwise) help += " [" + emulator::NumberText(*field.otherwise) + "]";
     command->add_option(name, words[i], help)
         ->expected(field.kind == FieldKind::kVector ? 3 : 1)
+        ->allow_extra_args(false)
         ->type_name("");
   }
   command->callback([this, &row, words] {

@@ -130,6 +130,7 @@ TEST_F(CommandsTest, EndInDampingAfterSilence) {
 
 TEST_F(CommandsTest, ChangeNothingWhenRefused) {
   test::FakePort quiet_port;
+  quiet_port.TellEvery(1);
   Inbox quiet_inbox;
   const auto quiet = Make(&quiet_port, &quiet_inbox);
   for (int i = 0; i < 300; ++i) {
@@ -152,6 +153,7 @@ TEST_F(CommandsTest, ChangeNothingWhenRefused) {
 
 TEST_F(CommandsTest, DoNoHarmWhenTheyHoldNoNumbers) {
   test::FakePort quiet_port;
+  quiet_port.TellEvery(1);
   Inbox quiet_inbox;
   const auto quiet = Make(&quiet_port, &quiet_inbox);
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();

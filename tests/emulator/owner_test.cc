@@ -41,6 +41,7 @@ TEST_F(OwnerTest, TheRobotsOwnServiceHoldsTheMotorsAtTheStart) {
 
 TEST_F(OwnerTest, LowCmdChangesNothingWhileAServiceIsOn) {
   test::FakePort quiet_port;
+  quiet_port.TellEvery(1);
   Inbox quiet_inbox;
   Start();
   const auto quiet = Make(&quiet_port, &quiet_inbox);

@@ -240,7 +240,7 @@ TEST_F(RequestsTest, AreRefusedForWhatCannotBeDraggedOrPushed) {
 
 TEST_F(RequestsTest, ADragEndsWithAReset) {
   StartAs("clamped");
-  Ask("drag", {{"body", "base"}, {"to", {5, 0, 1}}, {"for", 100}});
+  Ask("drag", {{"body", "base"}, {"to", {5, 0, 1}}, {"for", 60}});
   Ask("reset");
   Tick();
   EXPECT_TRUE(world_->drags().empty());

@@ -49,15 +49,16 @@ struct Spoken {
   services::ServiceHost services;
 };
 
-// A user's program that speaks to the robot of a domain.
+// A user's program that speaks to a robot, through the robot's own participant: Cyclone has one of
+// each domain in a process.
 template <class LowCmd, class LowState>
 struct Client {
   using Request = unitree_api_msg_dds__Request_;
   using Response = unitree_api_msg_dds__Response_;
 
-  Client(int domain, const bus::Topic<LowCmd>& lowcmd, const bus::Topic<LowState>& lowstate)
-      : participant("lo", domain),
-        commands(participant, lowcmd),
+  Client(const bus::Participant& participant, const bus::Topic<LowCmd>& lowcmd,
+         const bus::Topic<LowState>& lowstate)
+      : commands(participant, lowcmd),
         states(participant, lowstate),
         requests(participant,
                  {"rt/api/motion_switcher/request", &unitree_api_msg_dds__Request__desc}),
@@ -95,7 +96,6 @@ struct Client {
     });
   }
 
-  bus::Participant participant;
   bus::Writer<LowCmd> commands;
   bus::Reader<LowState> states;
   bus::Writer<Request> requests;
@@ -141,17 +141,15 @@ class TwoRobotsTest : public test::MujocoTest {
     return ::testing::AssertionFailure() << "never";
   }
 
-  const int go2_domain_ = test::NewDomain();
-  const int g1_domain_ = test::NewDomain();
-  Spoken go2_{"go2", go2_domain_};
-  Spoken g1_{"g1_29dof", g1_domain_};
+  Spoken go2_{"go2", test::NewDomain()};
+  Spoken g1_{"g1", test::NewDomain()};
   Inbox inbox_;
   World world_{MakePhysics(), WorldSettings{}, {go2_.parts(), g1_.parts()}, &inbox_};
   time::Clock::Time now_{0};
   Client<unitree_go_msg_dds__LowCmd_, unitree_go_msg_dds__LowState_> go2_client_{
-      go2_domain_, wire::kGoLowCmd, wire::kGoLowState};
+      go2_.participant, wire::kGoLowCmd, wire::kGoLowState};
   Client<unitree_hg_msg_dds__LowCmd_, unitree_hg_msg_dds__LowState_> g1_client_{
-      g1_domain_, wire::kHgLowCmd, wire::kHgLowState};
+      g1_.participant, wire::kHgLowCmd, wire::kHgLowState};
 };
 
 TEST_F(TwoRobotsTest, AreEachSpokenToOnAParticipantOfItsOwn) {

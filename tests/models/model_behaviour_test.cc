@@ -36,7 +36,7 @@ class G1Test : public ModelTest {
   // Runs 5 s at the zero pose from a nudge of 0.1 rad/s in every joint. Returns the largest joint
   // speed of the last second, rad/s.
   double SpeedAfterNudge(std::vector<double> kp, std::vector<double> kd) {
-    const JointPd pd(*model_, Motors("g1_29dof"), std::move(kp), std::move(kd));
+    const JointPd pd(*model_, Motors("g1"), std::move(kp), std::move(kd));
     std::fill(data_->qvel + 6, data_->qvel + model_->nv, 0.1);
     double speed = 0;
     for (int i = 0; i < 5 * kSecond; ++i) {
@@ -60,7 +60,7 @@ TEST_F(G1Test, DoesNotTouchItselfInTheZeroPose) {
 }
 
 TEST_F(G1Test, DoesNotTouchItselfStanding) {
-  JointPd pd(*model_, Motors("g1_29dof"), std::vector<double>(29), std::vector<double>(29));
+  JointPd pd(*model_, Motors("g1"), std::vector<double>(29), std::vector<double>(29));
   pd.SetTarget(ReadFigures("g1")["stand"]["pose"]);
   pd.PlaceAtTarget(*model_, data_.get());
   mj_forward(model_.get(), data_.get());

@@ -34,6 +34,11 @@ inline std::vector<std::string> Humanoids() {
   return RobotsThat(
       [](const robot::RobotSpec& spec) { return spec.kind == robot::RobotKind::kHumanoid; });
 }
+inline std::vector<std::string> HumanoidsWithoutHands() {
+  return RobotsThat([](const robot::RobotSpec& spec) {
+    return spec.kind == robot::RobotKind::kHumanoid && spec.hands.empty();
+  });
+}
 
 }  // namespace understudy::test
 

@@ -268,7 +268,7 @@ TEST_P(ArmActionsTest, ReachTheirPosesOnTwoFeetAndKeepClearOfTheBody) {
 
 INSTANTIATE_TEST_SUITE_P(Robots, ArmActionsTest,
                          testing::ValuesIn(test::RobotsThat([](const robot::RobotSpec& spec) {
-                           return spec.motion.humanoid.arm_actions;
+                           return spec.motion.humanoid.arm_actions && spec.hands.empty();
                          })),
                          [](const auto& test) { return test.param; });
 
