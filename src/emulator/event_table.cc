@@ -207,7 +207,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
      false,
      {{{"on", kBool}}},
      [](const Event& e, std::uint64_t) -> std::string {
-       return On(e) ? "silenced: another robot speaks" : "speaks again";
+       return On(e) ? "silent beside another robot" : "speaks again";
      },
      "the robot falls silent beside another robot, or speaks again"},
     {EventKind::kWriters,

@@ -38,7 +38,7 @@ def test_a_browser_sees_the_robot_and_moves_it_with_the_token(play):
     assert len(scene["bodies"]) == len(frame["bodies"])
     assert len(scene["motors"]) == len(frame["motors"]) == 12
 
-    push = {"force": [0, 200, 0], "seconds": 0.3}
+    push = {"force": [0, 200, 0], "for": 0.3}
     assert ask(url, "/push", body=push)[0] == 401
     assert ask(url, "/push", token="0" * 32, body=push)[0] == 401
     assert ask(url, "/push", token=token, body=push, Origin="http://evil.example")[0] == 403

@@ -181,8 +181,7 @@ def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page
 
 
 def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
-    drag = "panel.link.post('drag', {})"
-    page.evaluate(drag.format("{ body: 'base_link', to: [0, 0, 0.6], seconds: 60 }"))
+    page.evaluate("panel.link.post('drag', { body: 'base_link', to: [0, 0, 0.6], for: 60 })")
     second = visit(url_of(dog))
     second.becomes("panel.link.requestsOpen")
 
@@ -190,7 +189,7 @@ def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
     second.becomes(f"panel.view.frame.step > {step}")
 
     assert second.evaluate("panel.view.frame.pushes.length") == 1
-    page.evaluate(drag.format("{ release: true }"))
+    page.evaluate("panel.link.post('let_go')")
 
 
 # Orders go nowhere and are all refused; `link.asked` has them.
