@@ -33,17 +33,17 @@ ordered_json GeomJson(const physics::SceneGeom& geom) {
 }
 
 ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scene) {
-  ordered_json json{{"name", motor.joint},
+  ordered_json told{{"name", motor.joint},
                     {"slot", motor.slot},
                     {"range", nullptr},
                     {"torque_limit", motor.torque_limit},
                     {"knee_speed", motor.knee_speed},
                     {"no_load_speed", motor.no_load_speed}};
   const auto joint = std::ranges::find(scene.joints, motor.joint, &physics::SceneJoint::name);
-  if (joint == scene.joints.end()) return json;
-  if (joint->limited) json["range"] = joint->range;
-  json["qpos"] = joint->position;
-  return json;
+  if (joint == scene.joints.end()) return told;
+  if (joint->limited) told["range"] = joint->range;
+  told["qpos"] = joint->position;
+  return told;
 }
 
 // As in a frame: the body's, then those of the hands, whose slot is their place in motor_cmd.
@@ -52,10 +52,10 @@ ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& sce
       List(robot.motors, [&](const robot::MotorSpec& motor) { return MotorJson(motor, scene); });
   for (const robot::HandSpec& hand : robot.hands) {
     for (std::size_t i = 0; i < hand.motors.size(); ++i) {
-      ordered_json json = MotorJson(hand.motors[i], scene);
-      json["slot"] = i;
-      json["hand"] = hand.name;
-      motors.push_back(std::move(json));
+      ordered_json told = MotorJson(hand.motors[i], scene);
+      told["slot"] = i;
+      told["hand"] = hand.name;
+      motors.push_back(std::move(told));
     }
   }
   return motors;

@@ -216,7 +216,7 @@ SETTINGS = {
     "robot.bodies[].pos": differs_standing("bodies", "[{name: FR_calf, pos: [0, 0, -0.25]}]"),
     "robot.bodies[].mass": differs_standing("bodies", "[{name: FR_calf, mass: 2}]"),
     "robot.bodies[].com": differs_standing("bodies", "[{name: FR_calf, com: [0, 0, -0.2]}]"),
-    "robot.bodies[].inertia": Elsewhere("../physics/mjcf_revise_test.cc", ".inertia ="),
+    "robot.bodies[].inertia": Elsewhere("../mjcf/revise_test.cc", ".inertia ="),
     "robot.sites[].name": Refused("robot.sites=[{name: nowhere}]", 4, "nowhere"),
     "robot.sites[].pos": differs_standing("sites", "[{name: imu, pos: [0.2, 0, 0]}]"),
     "robot.motors[].armature": differs_standing("motors.0.armature", 0.5),
@@ -319,15 +319,15 @@ SETTINGS = {
     "robot.thermal.rise_per_nm2_c": differs_standing("thermal.rise_per_nm2_c", 1000),
     "robot.thermal.time_constant": differs_standing("thermal.time_constant", 1,
                                                     "robot.thermal.rise_per_nm2_c=10"),
-    **{f"robot.motion.quadruped.{key}": Elsewhere("../motion/quadruped_settings_test.cc", word)
+    **{f"robot.motion.quadruped.{key}": Elsewhere("../motion/quadruped/settings_test.cc", word)
        for key, word in {
            "stand_height": "stand_height=", "foot_x": "foot_x=", "height_range": "height_range=",
            "euler_range": "euler_range=", "sit": "sit=", "kp": "quadruped.kp=", "kd": "quadruped.kd=",
            "damping_kd": "damping_kd=", "wheel_kp": "wheel_kp=", "wheel_kd": "wheel_kd=",
        }.items()},
-    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_fsm_test.cc", f"spec.{key} =")
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid/fsm_test.cc", f"spec.{key} =")
        for key in ("lock_stand", "balance", "squat", "sit", "balanced_squat", "unplayed")},
-    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid_motion_test.cc", word)
+    **{f"robot.motion.humanoid.{key}": Elsewhere("../motion/humanoid/motion_test.cc", word)
        for key, word in (("squat_q", "SquatsAndRisesWithLockedJoints"),
                          ("sit_q", "LocksItsJointsAsOnAChair"),
                          ("arm_actions", "WavesAndLetsItsArmDown"))},
