@@ -55,10 +55,10 @@ TEST_F(ControlServerTest, TellsTheStatus) {
   board_.Post(status);
   const client::ControlReply reply = Ask("GET", "/status");
   EXPECT_EQ(reply.status, 200u);
-  const auto json = nlohmann::json::parse(reply.body);
-  EXPECT_EQ(json["steps"], 12);
-  EXPECT_EQ(json["robot"], "g1");
-  EXPECT_EQ(json["pid"], ::getpid());
+  const auto told = nlohmann::json::parse(reply.body);
+  EXPECT_EQ(told["steps"], 12);
+  EXPECT_EQ(told["robot"], "g1");
+  EXPECT_EQ(told["pid"], ::getpid());
 }
 
 TEST_F(ControlServerTest, OnlyItsUserMayConnect) {

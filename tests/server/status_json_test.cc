@@ -100,9 +100,9 @@ TEST(StatusJsonTest, NamesEveryStateOfTheGate) {
 }
 
 TEST(StatusJsonTest, BeforeTheFirstPostNothingIsReadyAndNothingRefused) {
-  const auto json = StatusJson(kG1, emulator::StatusBoard{}.Read());
-  EXPECT_EQ(json["ready"], false);
-  EXPECT_EQ(json["commands"]["refused"]["crc"], 0);
+  const auto told = StatusJson(kG1, emulator::StatusBoard{}.Read());
+  EXPECT_EQ(told["ready"], false);
+  EXPECT_EQ(told["commands"]["refused"]["crc"], 0);
 }
 
 TEST(StatusJsonTest, ANumberThatIsNotFiniteBecomesNull) {
