@@ -21,7 +21,9 @@ template <class T = Done>
 class [[nodiscard]] Result {
  public:
   Result() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): `return value;` is the point of it
   Result(T value) : is_(std::in_place_index<0>, std::move(value)) {}
+  // NOLINTNEXTLINE(google-explicit-constructor)
   Result(Error error) : is_(std::in_place_index<1>, std::move(error)) {}
 
   bool ok() const { return is_.index() == 0; }

@@ -29,8 +29,8 @@ inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
 
 // What the documentation says of a key.
 struct About {
-  About(std::string_view meaning_in)
-      : meaning(meaning_in) {}  // NOLINT(google-explicit-constructor)
+  // NOLINTNEXTLINE(google-explicit-constructor): most keys have but a meaning
+  About(std::string_view meaning_in) : meaning(meaning_in) {}
   About(std::string_view unit_in, Range range_in, std::string_view meaning_in)
       : unit(unit_in), range(range_in), meaning(meaning_in) {}
 
@@ -94,7 +94,7 @@ class Archive {
     if constexpr (std::is_constructible_v<Slot, T*>) {
       Visit(row, key.value);
     } else {
-      Visit(row, std::span<double>(key.value->data(), key.value->size()));
+      Visit(row, std::span<double>(key.value->data(), static_cast<std::size_t>(key.value->size())));
     }
   }
 

@@ -129,9 +129,10 @@ void PrefixNames(const std::string& prefix, MjcfElement* element) {
 
 void RequireSameReading(const MjcfElement& other, const MjcfElement& root) {
   for (const auto& [attribute, by_default] : kReading) {
-    const auto value = [&](const MjcfElement& of) {
-      const std::string said = Compiler(of, attribute);
-      return said.empty() ? by_default : said;
+    // Clang 14 has no structured bindings in lambdas.
+    const auto value = [&, name = attribute, unsaid = by_default](const MjcfElement& of) {
+      const std::string said = Compiler(of, name);
+      return said.empty() ? unsaid : said;
     };
     if (value(other) == value(root)) continue;
     throw ModelError(other.place.text() + ": <compiler> " + attribute + "=\"" + value(other) +
@@ -143,10 +144,12 @@ void RequireSameReading(const MjcfElement& other, const MjcfElement& root) {
 void NoteOptions(const MjcfElement& option, const MjcfElement& root,
                  std::vector<std::string>* warnings) {
   for (const auto& [attribute, value] : option.attributes) {
-    const bool same = attribute == "timestep" ||
-                      std::ranges::any_of(root.children, [&](const MjcfElement& section) {
-                        return section.name == "option" && section.Get(attribute) == value;
-                      });
+    const bool same =
+        attribute == "timestep" ||
+        std::ranges::any_of(root.children,
+                            [&, &name = attribute, &said = value](const MjcfElement& section) {
+                              return section.name == "option" && section.Get(name) == said;
+                            });
     if (same) continue;
     warnings->push_back(option.place.text() + ": <option> " + attribute + "=\"" + value +
                         "\" is left out: the options of " + root.place.file +

@@ -138,8 +138,9 @@ Scene SceneReader::DescribeScene(const mjModel& model) {
   return scene;
 }
 
-int SceneReader::meshes() { return model().nmesh; }
-int SceneReader::hfields() { return model().nhfield; }
+// mjtSize, since MuJoCo 3, is wider.
+int SceneReader::meshes() { return static_cast<int>(model().nmesh); }
+int SceneReader::hfields() { return static_cast<int>(model().nhfield); }
 
 std::string SceneReader::Mesh(int mesh) {
   const mjModel& from = model();

@@ -328,6 +328,7 @@ TEST_F(WorldModelTest, TakesASlideAsAMotor) {
   EXPECT_EQ(Refusal(), "");
 }
 
+#if mjVERSION_HEADER < 300  // MuJoCo 3 computes no acceleration while it compiles
 TEST_F(WorldModelTest, TellsWhatMujocoWarnsOfWhileItCompiles) {
   UseRobot(Robot(R"(<joint name="knee_joint"/>)", R"(<option gravity="0 0 -1e20"/>)"));
   LoadNotes notes;
@@ -336,6 +337,7 @@ TEST_F(WorldModelTest, TellsWhatMujocoWarnsOfWhileItCompiles) {
   EXPECT_THAT(notes.warnings[0], HasSubstr("robot.xml: "));
   EXPECT_EQ(mjcf::TakeMujocoWarning(), "");
 }
+#endif
 
 }  // namespace
 }  // namespace understudy::physics
