@@ -33,6 +33,10 @@ understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libsp
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)
 understudy_package(cli11 HEADER CLI/CLI.hpp DEBIAN libcli11-dev)
 understudy_package(boost HEADER boost/beast.hpp DEBIAN libboost-dev)
+if(UNDERSTUDY_SANITIZE MATCHES thread)
+  # ThreadSanitizer does not know fences; Asio needs none where only one thread runs its loop.
+  target_compile_definitions(boost INTERFACE BOOST_ASIO_DISABLE_FENCED_BLOCK)
+endif()
 understudy_package(json HEADER nlohmann/json.hpp DEBIAN nlohmann-json3-dev)
 if(UNDERSTUDY_VIEWER)
   understudy_package(glfw HEADER GLFW/glfw3.h LIBRARIES glfw DEBIAN libglfw3-dev)
