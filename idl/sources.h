@@ -1,5 +1,4 @@
-#ifndef UNDERSTUDY_IDL_SOURCES_H_
-#define UNDERSTUDY_IDL_SOURCES_H_
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -10,5 +9,3 @@ namespace understudy {
 std::span<const std::string_view> IdlSources();
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_IDL_SOURCES_H_

@@ -1,5 +1,4 @@
-#ifndef UNDERSTUDY_IDL_TYPE_TABLE_H_
-#define UNDERSTUDY_IDL_TYPE_TABLE_H_
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -26,5 +25,3 @@ std::span<const MessageType> MessageTypes();
 const MessageType* FindMessageType(std::string_view name);
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_IDL_TYPE_TABLE_H_

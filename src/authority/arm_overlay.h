@@ -1,6 +1,5 @@
 // rt/arm_sdk: commands for some joints, mixed over those of the motion service.
-#ifndef UNDERSTUDY_AUTHORITY_ARM_OVERLAY_H_
-#define UNDERSTUDY_AUTHORITY_ARM_OVERLAY_H_
+#pragma once
 
 #include <vector>
 
@@ -42,5 +41,3 @@ class ArmOverlay {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_ARM_OVERLAY_H_

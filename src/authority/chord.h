@@ -1,6 +1,5 @@
 // What the remote controller's keys ask of the robot.
-#ifndef UNDERSTUDY_AUTHORITY_CHORD_H_
-#define UNDERSTUDY_AUTHORITY_CHORD_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -51,5 +50,3 @@ class ChordReader {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_CHORD_H_

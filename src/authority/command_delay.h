@@ -1,6 +1,5 @@
 // Motors that follow commands some steps late.
-#ifndef UNDERSTUDY_AUTHORITY_COMMAND_DELAY_H_
-#define UNDERSTUDY_AUTHORITY_COMMAND_DELAY_H_
+#pragma once
 
 #include <algorithm>
 #include <cstddef>
@@ -37,5 +36,3 @@ class CommandDelay {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_COMMAND_DELAY_H_

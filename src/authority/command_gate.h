@@ -1,6 +1,5 @@
 // Decides which command the motors follow.
-#ifndef UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_
-#define UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -82,5 +81,3 @@ robot::Refusal HarmIn(const robot::RobotCommand& command);
 robot::RobotCommand DampingCommand(std::size_t motors, double kd);
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_COMMAND_GATE_H_

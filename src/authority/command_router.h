@@ -1,7 +1,6 @@
 // Which commands the motors follow: those of the body the motion service's, rt/arm_sdk mixed over
 // it, rt/user_lowcmd or rt/lowcmd; those of a hand its own topic's.
-#ifndef UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
-#define UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_
+#pragma once
 
 #include <array>
 #include <memory>
@@ -84,5 +83,3 @@ class CommandRouter {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_COMMAND_ROUTER_H_

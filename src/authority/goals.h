@@ -1,7 +1,6 @@
 // What services, the remote controller and scripts may ask of a motion service: a type per goal,
 // with what there is to know of it.
-#ifndef UNDERSTUDY_AUTHORITY_GOALS_H_
-#define UNDERSTUDY_AUTHORITY_GOALS_H_
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -118,5 +117,3 @@ MotionGoal To(const goal::Numbers& numbers) {
 }
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_GOALS_H_

@@ -1,6 +1,5 @@
 // Decides what the motors of a hand follow.
-#ifndef UNDERSTUDY_AUTHORITY_HAND_GATE_H_
-#define UNDERSTUDY_AUTHORITY_HAND_GATE_H_
+#pragma once
 
 #include <cstdint>
 #include <vector>
@@ -59,5 +58,3 @@ class HandGate {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_HAND_GATE_H_

@@ -1,6 +1,5 @@
 // Judges the commands of one topic and counts what became of them.
-#ifndef UNDERSTUDY_AUTHORITY_INTAKE_H_
-#define UNDERSTUDY_AUTHORITY_INTAKE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -54,5 +53,3 @@ class Intake {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_INTAKE_H_

@@ -1,6 +1,5 @@
 // The robot's own motion service, as the tick sees it: goals go in, a command comes out.
-#ifndef UNDERSTUDY_AUTHORITY_MOTION_H_
-#define UNDERSTUDY_AUTHORITY_MOTION_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -45,5 +44,3 @@ class Motion {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_MOTION_H_

@@ -1,6 +1,5 @@
 // Who moves the motors when a run begins.
-#ifndef UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_
-#define UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ struct MotionConfig {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_MOTION_CONFIG_H_

@@ -1,6 +1,5 @@
 // Who moves the motors: the robot's own motion service or the programs that write rt/lowcmd.
-#ifndef UNDERSTUDY_AUTHORITY_MOTOR_OWNER_H_
-#define UNDERSTUDY_AUTHORITY_MOTOR_OWNER_H_
+#pragma once
 
 #include <memory>
 #include <span>
@@ -87,5 +86,3 @@ class MotorOwner {
 };
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_MOTOR_OWNER_H_

@@ -1,6 +1,5 @@
 // The programs on a robot's own computer as a run begins.
-#ifndef UNDERSTUDY_AUTHORITY_ONBOARD_H_
-#define UNDERSTUDY_AUTHORITY_ONBOARD_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -23,5 +22,3 @@ std::string StartService(const robot::RobotSpec& spec, const MotionConfig& confi
 std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::string_view on);
 
 }  // namespace understudy::authority
-
-#endif  // UNDERSTUDY_AUTHORITY_ONBOARD_H_

@@ -1,6 +1,5 @@
 // Wakes a thread that waits for a file descriptor.
-#ifndef UNDERSTUDY_BASE_BELL_H_
-#define UNDERSTUDY_BASE_BELL_H_
+#pragma once
 
 #include <cstdint>
 
@@ -32,5 +31,3 @@ class Bell {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_BELL_H_

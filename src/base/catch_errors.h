@@ -1,6 +1,5 @@
 // Turns exceptions into one line on stderr and an exit code, for every program here.
-#ifndef UNDERSTUDY_BASE_CATCH_ERRORS_H_
-#define UNDERSTUDY_BASE_CATCH_ERRORS_H_
+#pragma once
 
 #include <functional>
 
@@ -14,5 +13,3 @@ int CatchErrors(const std::function<int()>& run);
 void OpenClosedStreams();
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_CATCH_ERRORS_H_

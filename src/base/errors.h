@@ -1,7 +1,6 @@
 // Errors that end the setup of a run, each with the code that the program exits with. The loop
 // never throws.
-#ifndef UNDERSTUDY_BASE_ERRORS_H_
-#define UNDERSTUDY_BASE_ERRORS_H_
+#pragma once
 
 #include <stdexcept>
 #include <string>
@@ -70,5 +69,3 @@ class SocketError : public SetupErrorWithCode<ExitCode::kSocket, ControlError> {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_ERRORS_H_

@@ -1,6 +1,5 @@
 // What `understudy` exits with. Documented in the README and in --help.
-#ifndef UNDERSTUDY_BASE_EXIT_CODE_H_
-#define UNDERSTUDY_BASE_EXIT_CODE_H_
+#pragma once
 
 namespace understudy {
 
@@ -18,5 +17,3 @@ enum class ExitCode {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_EXIT_CODE_H_

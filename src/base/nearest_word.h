@@ -1,6 +1,5 @@
 // Finds the known word closest to a misspelt one, for "did you mean".
-#ifndef UNDERSTUDY_BASE_NEAREST_WORD_H_
-#define UNDERSTUDY_BASE_NEAREST_WORD_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -18,5 +17,3 @@ std::string NearestWord(std::string_view typed, const std::vector<std::string>& 
 std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words);
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_NEAREST_WORD_H_

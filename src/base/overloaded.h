@@ -1,6 +1,5 @@
 // Makes one visitor of several lambdas.
-#ifndef UNDERSTUDY_BASE_OVERLOADED_H_
-#define UNDERSTUDY_BASE_OVERLOADED_H_
+#pragma once
 
 namespace understudy {
 
@@ -12,5 +11,3 @@ template <class... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_OVERLOADED_H_

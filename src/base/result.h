@@ -1,6 +1,5 @@
 // What a call came to where failing is an everyday outcome: a value, or one line that says why not.
-#ifndef UNDERSTUDY_BASE_RESULT_H_
-#define UNDERSTUDY_BASE_RESULT_H_
+#pragma once
 
 #include <string>
 #include <utility>
@@ -45,5 +44,3 @@ class [[nodiscard]] Result {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_RESULT_H_

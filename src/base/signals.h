@@ -1,6 +1,5 @@
 // SIGINT and SIGTERM as a flag.
-#ifndef UNDERSTUDY_BASE_SIGNALS_H_
-#define UNDERSTUDY_BASE_SIGNALS_H_
+#pragma once
 
 namespace understudy {
 
@@ -13,5 +12,3 @@ void CatchStopSignals();
 int StopSignal();
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_SIGNALS_H_

@@ -1,6 +1,5 @@
 // A queue between two threads, of slots that are made once.
-#ifndef UNDERSTUDY_BASE_SPSC_RING_H_
-#define UNDERSTUDY_BASE_SPSC_RING_H_
+#pragma once
 
 #include <atomic>
 #include <cstddef>
@@ -51,5 +50,3 @@ class SpscRing {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_SPSC_RING_H_

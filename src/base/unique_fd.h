@@ -1,6 +1,5 @@
 // A file descriptor that closes itself.
-#ifndef UNDERSTUDY_BASE_UNIQUE_FD_H_
-#define UNDERSTUDY_BASE_UNIQUE_FD_H_
+#pragma once
 
 #include <utility>
 
@@ -37,5 +36,3 @@ class UniqueFd {
 };
 
 }  // namespace understudy
-
-#endif  // UNDERSTUDY_BASE_UNIQUE_FD_H_

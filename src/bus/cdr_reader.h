@@ -1,6 +1,5 @@
 // A reader that leaves messages as they are on the wire.
-#ifndef UNDERSTUDY_BUS_CDR_READER_H_
-#define UNDERSTUDY_BUS_CDR_READER_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -77,5 +76,3 @@ class CdrReader {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_CDR_READER_H_

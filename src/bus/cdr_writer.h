@@ -1,6 +1,5 @@
 // A writer of messages that are bytes already.
-#ifndef UNDERSTUDY_BUS_CDR_WRITER_H_
-#define UNDERSTUDY_BUS_CDR_WRITER_H_
+#pragma once
 
 #include <cstddef>
 #include <span>
@@ -35,5 +34,3 @@ class CdrWriter {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_CDR_WRITER_H_

@@ -1,6 +1,5 @@
 // What topics there are on the bus.
-#ifndef UNDERSTUDY_BUS_ENDPOINT_WATCH_H_
-#define UNDERSTUDY_BUS_ENDPOINT_WATCH_H_
+#pragma once
 
 #include <string>
 #include <tuple>
@@ -38,5 +37,3 @@ class EndpointWatch {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_ENDPOINT_WATCH_H_

@@ -1,6 +1,5 @@
 // One entity of the Cyclone DDS C API.
-#ifndef UNDERSTUDY_BUS_ENTITY_H_
-#define UNDERSTUDY_BUS_ENTITY_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -29,5 +28,3 @@ class Entity {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_ENTITY_H_

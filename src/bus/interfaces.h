@@ -1,6 +1,5 @@
 // The machine's network interfaces, as far as DDS cares.
-#ifndef UNDERSTUDY_BUS_INTERFACES_H_
-#define UNDERSTUDY_BUS_INTERFACES_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -22,5 +21,3 @@ std::vector<NetworkInterface> ListInterfaces();
 NetworkInterface FindInterface(const std::string& name);
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_INTERFACES_H_

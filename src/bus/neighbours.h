@@ -1,6 +1,5 @@
 // Who else writes what only one robot may write.
-#ifndef UNDERSTUDY_BUS_NEIGHBOURS_H_
-#define UNDERSTUDY_BUS_NEIGHBOURS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -48,5 +47,3 @@ class NeighbourWatch {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_NEIGHBOURS_H_

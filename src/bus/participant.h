@@ -1,6 +1,5 @@
 // Our place on the bus: one DDS domain on one network interface.
-#ifndef UNDERSTUDY_BUS_PARTICIPANT_H_
-#define UNDERSTUDY_BUS_PARTICIPANT_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -46,5 +45,3 @@ class Participant {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_PARTICIPANT_H_

@@ -1,6 +1,5 @@
 // Quality of service of our readers and writers. Private to bus/.
-#ifndef UNDERSTUDY_BUS_QOS_H_
-#define UNDERSTUDY_BUS_QOS_H_
+#pragma once
 
 #include <memory>
 
@@ -24,5 +23,3 @@ QosPtr WriterQos();
 QosPtr ReaderQos(const ReaderOptions& options);
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_QOS_H_

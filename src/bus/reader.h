@@ -1,6 +1,5 @@
 // Readers, polled: no thread of ours.
-#ifndef UNDERSTUDY_BUS_READER_H_
-#define UNDERSTUDY_BUS_READER_H_
+#pragma once
 
 #include <array>
 #include <atomic>
@@ -116,5 +115,3 @@ class Reader : public ReaderCore {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_READER_H_

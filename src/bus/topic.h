@@ -1,6 +1,5 @@
 // The name of a topic together with the type of its messages.
-#ifndef UNDERSTUDY_BUS_TOPIC_H_
-#define UNDERSTUDY_BUS_TOPIC_H_
+#pragma once
 
 struct dds_topic_descriptor;
 
@@ -14,5 +13,3 @@ struct Topic {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_TOPIC_H_

@@ -1,6 +1,5 @@
 // Writers.
-#ifndef UNDERSTUDY_BUS_WRITER_H_
-#define UNDERSTUDY_BUS_WRITER_H_
+#pragma once
 
 #include <atomic>
 #include <cstdint>
@@ -64,5 +63,3 @@ class Writer : public WriterCore {
 };
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_BUS_WRITER_H_

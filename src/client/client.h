@@ -1,6 +1,5 @@
 // Finds running robots and asks them.
-#ifndef UNDERSTUDY_CLIENT_CLIENT_H_
-#define UNDERSTUDY_CLIENT_CLIENT_H_
+#pragma once
 
 #include <chrono>
 #include <filesystem>
@@ -56,5 +55,3 @@ ControlReply Call(const std::filesystem::path& socket, const std::string& method
                   std::chrono::milliseconds timeout);
 
 }  // namespace understudy::client
-
-#endif  // UNDERSTUDY_CLIENT_CLIENT_H_

@@ -1,6 +1,5 @@
 // Finds the folder of this user's control sockets and names their files.
-#ifndef UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
-#define UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -29,5 +28,3 @@ std::string DefaultName(const std::string& robot);
 void CheckSocketPath(const std::filesystem::path& socket);
 
 }  // namespace understudy::client
-
-#endif  // UNDERSTUDY_CLIENT_CONTROL_FOLDER_H_

@@ -1,6 +1,5 @@
 // Opens a WebSocket to a running robot.
-#ifndef UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
-#define UNDERSTUDY_CLIENT_CONTROL_STREAM_H_
+#pragma once
 
 #include <chrono>
 #include <filesystem>
@@ -33,5 +32,3 @@ class ControlStream {
 };
 
 }  // namespace understudy::client
-
-#endif  // UNDERSTUDY_CLIENT_CONTROL_STREAM_H_

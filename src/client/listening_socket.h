@@ -1,7 +1,6 @@
 // Listens on the socket file of a running robot. One process claims a name; files of dead ones are
 // removed.
-#ifndef UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_
-#define UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_
+#pragma once
 
 #include <filesystem>
 
@@ -51,5 +50,3 @@ class ListeningSocket {
 };
 
 }  // namespace understudy::client
-
-#endif  // UNDERSTUDY_CLIENT_LISTENING_SOCKET_H_

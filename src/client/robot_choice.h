@@ -1,6 +1,5 @@
 // Picks the running robot that a command line names.
-#ifndef UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_
-#define UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_
+#pragma once
 
 #include <filesystem>
 #include <iosfwd>
@@ -43,5 +42,3 @@ RobotPlace FindRobot(const RobotChoice& choice);
 std::filesystem::path ChosenSocket(const RobotChoice& choice);
 
 }  // namespace understudy::client
-
-#endif  // UNDERSTUDY_CLIENT_ROBOT_CHOICE_H_

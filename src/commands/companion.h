@@ -1,6 +1,5 @@
 // Runs the companion programs behind some commands: they link libraries that the daemon does not.
-#ifndef UNDERSTUDY_COMMANDS_COMPANION_H_
-#define UNDERSTUDY_COMMANDS_COMPANION_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -25,5 +24,3 @@ std::filesystem::path CompanionFile(const std::string& program);
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_COMPANION_H_

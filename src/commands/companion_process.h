@@ -1,7 +1,6 @@
 // Runs a companion program beside a run: the window of `run --view`, the gamepad of `run
 // --gamepad`.
-#ifndef UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
-#define UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -32,5 +31,3 @@ class CompanionProcess {
 };
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_COMPANION_PROCESS_H_

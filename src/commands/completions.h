@@ -1,6 +1,5 @@
 // Writes shell completions from the command line's own description.
-#ifndef UNDERSTUDY_COMMANDS_COMPLETIONS_H_
-#define UNDERSTUDY_COMMANDS_COMPLETIONS_H_
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ std::string Completions(const CLI::App& app, const std::string& shell,
                         const std::vector<std::string>& robots);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_COMPLETIONS_H_

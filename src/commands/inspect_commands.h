@@ -1,6 +1,5 @@
 // `understudy robots`, `check`, `services` and `version`: what needs no running robot.
-#ifndef UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
-#define UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -18,5 +17,3 @@ int ServicesCommand();  // as Markdown
 int CheckCommand(const std::vector<std::string>& files, bool json);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_INSPECT_COMMANDS_H_

@@ -1,6 +1,5 @@
 // Sets up the log of a run.
-#ifndef UNDERSTUDY_COMMANDS_LOG_H_
-#define UNDERSTUDY_COMMANDS_LOG_H_
+#pragma once
 
 #include <string>
 
@@ -20,5 +19,3 @@ void StartLog(const LogOptions& options);
 void StopLog();
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_LOG_H_

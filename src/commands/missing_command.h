@@ -1,6 +1,5 @@
 // Refuses a command line with no command, or with an unknown one.
-#ifndef UNDERSTUDY_COMMANDS_MISSING_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_MISSING_COMMAND_H_
+#pragma once
 
 #include <string>
 
@@ -14,5 +13,3 @@ namespace understudy::commands {
 std::string MissingCommand(const CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_MISSING_COMMAND_H_

@@ -1,6 +1,5 @@
 // Runs `understudy play`: replays a recording onto the bus.
-#ifndef UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_
+#pragma once
 
 #include <string>
 
@@ -28,5 +27,3 @@ CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments);
 int PlayCommand(const PlayArguments& arguments);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_PLAY_COMMAND_H_

@@ -1,6 +1,5 @@
 // Runs `understudy plot`: draws curves of a recording.
-#ifndef UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_
+#pragma once
 
 #include <string>
 
@@ -25,5 +24,3 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments);
 int PlotCommand(const PlotArguments& arguments);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_PLOT_COMMAND_H_

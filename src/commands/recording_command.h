@@ -1,6 +1,5 @@
 // Runs `understudy recording`: lists what a recording holds.
-#ifndef UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_
+#pragma once
 
 #include <string>
 
@@ -10,5 +9,3 @@ namespace understudy::commands {
 int RecordingCommand(const std::string& file, bool json);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_RECORDING_COMMAND_H_

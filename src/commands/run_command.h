@@ -1,6 +1,5 @@
 // Runs `understudy run` and `understudy exec`, and declares the options they share.
-#ifndef UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_RUN_COMMAND_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -39,5 +38,3 @@ int RunCommand(const RunArguments& arguments);
 int ExecCommand(const RunArguments& arguments);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_RUN_COMMAND_H_

@@ -1,6 +1,5 @@
 // Declares the options that change the configuration.
-#ifndef UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
-#define UNDERSTUDY_COMMANDS_SET_OPTIONS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -28,5 +27,3 @@ void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& co
                    const std::string& example);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_SET_OPTIONS_H_

@@ -1,6 +1,5 @@
 // Runs `understudy terrain`: writes the ground of a run as files for other programs.
-#ifndef UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
-#define UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -24,5 +23,3 @@ CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments);
 int TerrainCommand(const TerrainArguments& arguments);
 
 }  // namespace understudy::commands
-
-#endif  // UNDERSTUDY_COMMANDS_TERRAIN_COMMAND_H_

@@ -1,8 +1,7 @@
 // The one listing of keys and the visitors that go through it. A `Describe` function names each key
 // of a config struct once; reading, printing, the reference and the list of valid keys are all
 // archives that walk the same rows.
-#ifndef UNDERSTUDY_CONFIG_ARCHIVE_H_
-#define UNDERSTUDY_CONFIG_ARCHIVE_H_
+#pragma once
 
 #include <cstddef>
 #include <functional>
@@ -160,5 +159,3 @@ std::string Expected(const Row& row, const Slot& slot);
 std::string Allowed(const Row& row, const Slot& slot);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_ARCHIVE_H_

@@ -1,6 +1,5 @@
 // A condition on a key, told with where the key was set.
-#ifndef UNDERSTUDY_CONFIG_CHECKER_H_
-#define UNDERSTUDY_CONFIG_CHECKER_H_
+#pragma once
 
 #include <string>
 
@@ -30,5 +29,3 @@ class Checker {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_CHECKER_H_

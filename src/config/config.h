@@ -1,7 +1,6 @@
 // Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name,
 // unit, range, meaning.
-#ifndef UNDERSTUDY_CONFIG_CONFIG_H_
-#define UNDERSTUDY_CONFIG_CONFIG_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -73,5 +72,3 @@ struct Config {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_CONFIG_H_

@@ -1,6 +1,5 @@
 // Where models and robot files are.
-#ifndef UNDERSTUDY_CONFIG_DATA_DIR_H_
-#define UNDERSTUDY_CONFIG_DATA_DIR_H_
+#pragma once
 
 #include <filesystem>
 
@@ -22,5 +21,3 @@ std::filesystem::path PanelDir();
 std::filesystem::path OpenApiFile();
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_DATA_DIR_H_

@@ -1,6 +1,5 @@
 // The keys of the configuration, one row each.
-#ifndef UNDERSTUDY_CONFIG_KEYS_H_
-#define UNDERSTUDY_CONFIG_KEYS_H_
+#pragma once
 
 #include <limits>
 #include <string>
@@ -22,5 +21,3 @@ void Describe(Archive& archive, robot::RobotSpec& robot);
 void DescribeScene(Archive& archive, Config& config);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_KEYS_H_

@@ -1,6 +1,5 @@
 // From files and options to a Config.
-#ifndef UNDERSTUDY_CONFIG_LOAD_H_
-#define UNDERSTUDY_CONFIG_LOAD_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -37,5 +36,3 @@ Config LoadScene(const Layers& layers);
 std::string PrintConfig(const Config& config, bool with_comments);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_LOAD_H_

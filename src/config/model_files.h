@@ -1,6 +1,5 @@
 // Which files a robot and a scene stand for.
-#ifndef UNDERSTUDY_CONFIG_MODEL_FILES_H_
-#define UNDERSTUDY_CONFIG_MODEL_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -33,5 +32,3 @@ class SceneFile {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_MODEL_FILES_H_

@@ -1,6 +1,5 @@
 // Writes the structs that a Describe function lists as YAML that a Reader reads back.
-#ifndef UNDERSTUDY_CONFIG_PRINTER_H_
-#define UNDERSTUDY_CONFIG_PRINTER_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -39,5 +38,3 @@ class Printer : public Archive {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_PRINTER_H_

@@ -1,6 +1,5 @@
 // The ranges of randomization, one row per quantity: read, printed, documented and checked from it.
-#ifndef UNDERSTUDY_CONFIG_RANDOMIZATION_KEYS_H_
-#define UNDERSTUDY_CONFIG_RANDOMIZATION_KEYS_H_
+#pragma once
 
 #include <span>
 #include <string_view>
@@ -25,5 +24,3 @@ bool IsRandom(const robot::RandomizationSpec& spec);
 void DescribeRandomization(Archive& a, robot::RandomizationSpec& r);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_RANDOMIZATION_KEYS_H_

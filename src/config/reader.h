@@ -1,6 +1,5 @@
 // Puts the values of a YAML tree into the structs that a Describe function lists.
-#ifndef UNDERSTUDY_CONFIG_READER_H_
-#define UNDERSTUDY_CONFIG_READER_H_
+#pragma once
 
 #include <deque>
 #include <map>
@@ -60,5 +59,3 @@ class Reader : public Archive {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_READER_H_

@@ -1,6 +1,5 @@
 // Says what keys there are.
-#ifndef UNDERSTUDY_CONFIG_REFERENCE_H_
-#define UNDERSTUDY_CONFIG_REFERENCE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -15,5 +14,3 @@ std::string ConfigReference();
 std::vector<std::string> ConfigKeys();
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_REFERENCE_H_

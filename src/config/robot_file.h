@@ -10,8 +10,7 @@
 //       4: {mode_machine: 4}
 //       10: {mode_machine: 10, motors: {left_hip_pitch_joint: {torque_limit: 139}}}
 //       5:                       # nothing: not one of this robot, though of the one it extends
-#ifndef UNDERSTUDY_CONFIG_ROBOT_FILE_H_
-#define UNDERSTUDY_CONFIG_ROBOT_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -50,5 +49,3 @@ YamlValue ReadLayer(const std::filesystem::path& file);
 RobotFile ReadRobotFile(const std::string& robot, const std::filesystem::path& data_dir);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_ROBOT_FILE_H_

@@ -1,6 +1,5 @@
 // What the emulator takes of a configuration.
-#ifndef UNDERSTUDY_CONFIG_SETTINGS_H_
-#define UNDERSTUDY_CONFIG_SETTINGS_H_
+#pragma once
 
 #include "config/config.h"
 #include "emulator/settings.h"
@@ -12,5 +11,3 @@ emulator::WorldSettings WorldSettingsOf(const Config& config);
 emulator::RobotSettings RobotSettingsOf(const Config& config);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_SETTINGS_H_

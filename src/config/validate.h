@@ -1,6 +1,5 @@
 // What has to fit together across keys.
-#ifndef UNDERSTUDY_CONFIG_VALIDATE_H_
-#define UNDERSTUDY_CONFIG_VALIDATE_H_
+#pragma once
 
 #include "config/config.h"
 #include "config/reader.h"
@@ -18,5 +17,3 @@ void Validate(const Config& config, const Places& places = {});
 void ValidateTerrain(const Config& config, const Places& places = {});
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_VALIDATE_H_

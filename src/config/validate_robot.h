@@ -1,6 +1,5 @@
 // What has to fit together within a robot.
-#ifndef UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_
-#define UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_
+#pragma once
 
 #include <string>
 
@@ -18,5 +17,3 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker);
 void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_VALIDATE_ROBOT_H_

@@ -1,6 +1,5 @@
 // A YAML document as a plain tree in which every value knows where it stands.
-#ifndef UNDERSTUDY_CONFIG_YAML_DOCUMENT_H_
-#define UNDERSTUDY_CONFIG_YAML_DOCUMENT_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -45,5 +44,3 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
 YamlValue ReadYamlFile(const std::filesystem::path& path);
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_CONFIG_YAML_DOCUMENT_H_

@@ -1,6 +1,5 @@
 // One question to a running robot, as `understudy ctl` asks it.
-#ifndef UNDERSTUDY_CTL_ASK_H_
-#define UNDERSTUDY_CTL_ASK_H_
+#pragma once
 
 #include <chrono>
 #include <filesystem>
@@ -24,5 +23,3 @@ std::string Ask(const std::filesystem::path& socket, const std::string& method,
 ControlError NotOurVersion(const nlohmann::json::exception& error);
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_CTL_ASK_H_

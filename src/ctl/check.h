@@ -1,6 +1,5 @@
 // Checks of what `understudy ctl` is given on its command line.
-#ifndef UNDERSTUDY_CTL_CHECK_H_
-#define UNDERSTUDY_CTL_CHECK_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -16,5 +15,3 @@ CLI::Validator NumberWithin(double low, double high);
 CLI::Validator OneOf(std::vector<std::string> words);
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_CTL_CHECK_H_

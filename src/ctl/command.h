@@ -1,6 +1,5 @@
 // `understudy ctl`: asks a running robot for its state and makes requests.
-#ifndef UNDERSTUDY_CTL_COMMAND_H_
-#define UNDERSTUDY_CTL_COMMAND_H_
+#pragma once
 
 #include <deque>
 #include <filesystem>
@@ -77,5 +76,3 @@ class CtlCommand {
 };
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_CTL_COMMAND_H_

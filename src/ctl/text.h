@@ -1,6 +1,5 @@
 // Formats replies of a robot for a person, as `understudy ctl` prints them.
-#ifndef UNDERSTUDY_CTL_TEXT_H_
-#define UNDERSTUDY_CTL_TEXT_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -37,5 +36,3 @@ std::string EventsText(const nlohmann::ordered_json& reply);
 std::string RobotsText(const std::vector<client::RunningRobot>& robots);
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_CTL_TEXT_H_

@@ -1,6 +1,5 @@
 // Draws the live screen of `understudy ctl status --watch`.
-#ifndef UNDERSTUDY_CTL_WATCH_H_
-#define UNDERSTUDY_CTL_WATCH_H_
+#pragma once
 
 #include <chrono>
 #include <string>
@@ -25,5 +24,3 @@ class Watch {
 std::string OverTheScreen(const std::string& text);
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_CTL_WATCH_H_

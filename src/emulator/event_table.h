@@ -1,6 +1,5 @@
 // What each kind of event is called, holds and says, and how bursts of events are condensed.
-#ifndef UNDERSTUDY_EMULATOR_EVENT_TABLE_H_
-#define UNDERSTUDY_EMULATOR_EVENT_TABLE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -93,5 +92,3 @@ class EventDigest {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_EVENT_TABLE_H_

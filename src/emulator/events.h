@@ -1,7 +1,6 @@
 // What happens to a robot, as values: appended once, by the thread that ticks, and read by any
 // number of other threads.
-#ifndef UNDERSTUDY_EMULATOR_EVENTS_H_
-#define UNDERSTUDY_EMULATOR_EVENTS_H_
+#pragma once
 
 #include <array>
 #include <atomic>
@@ -161,5 +160,3 @@ class EventRing {
   std::atomic<std::uint64_t> written_{0};
 };
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_EVENTS_H_

@@ -1,6 +1,5 @@
 // What a viewer is shown of one instant, as plain values.
-#ifndef UNDERSTUDY_EMULATOR_FRAME_H_
-#define UNDERSTUDY_EMULATOR_FRAME_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -94,5 +93,3 @@ struct Frame {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_FRAME_H_

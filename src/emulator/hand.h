@@ -1,6 +1,5 @@
 // A hand of the robot: what its motors give and what it tells.
-#ifndef UNDERSTUDY_EMULATOR_HAND_H_
-#define UNDERSTUDY_EMULATOR_HAND_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -34,5 +33,3 @@ class Hand {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_HAND_H_

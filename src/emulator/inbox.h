@@ -1,6 +1,5 @@
 // Requests on their way to the tick, and its answers on their way back.
-#ifndef UNDERSTUDY_EMULATOR_INBOX_H_
-#define UNDERSTUDY_EMULATOR_INBOX_H_
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -81,5 +80,3 @@ class Inbox {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_INBOX_H_

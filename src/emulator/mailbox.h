@@ -1,6 +1,5 @@
 // Hands the newest of something from one thread to any number of others.
-#ifndef UNDERSTUDY_EMULATOR_MAILBOX_H_
-#define UNDERSTUDY_EMULATOR_MAILBOX_H_
+#pragma once
 
 #include <array>
 #include <atomic>
@@ -73,5 +72,3 @@ class Mailbox {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_MAILBOX_H_

@@ -1,6 +1,5 @@
 // The remote controller in somebody's hands.
-#ifndef UNDERSTUDY_EMULATOR_REMOTE_H_
-#define UNDERSTUDY_EMULATOR_REMOTE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -43,5 +42,3 @@ class Remote {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_REMOTE_H_

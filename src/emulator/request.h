@@ -1,7 +1,6 @@
 // Requests: what people and scripts ask of a running robot. One table says which there are; JSON,
 // YAML, command line, documents and recordings all read and write them by it.
-#ifndef UNDERSTUDY_EMULATOR_REQUEST_H_
-#define UNDERSTUDY_EMULATOR_REQUEST_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -137,5 +136,3 @@ std::string NumberText(double number);
 nlohmann::json ValueOf(const std::string& word);
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_REQUEST_H_

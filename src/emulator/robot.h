@@ -1,6 +1,5 @@
 // One robot of a world: what it hears, does and tells in a tick.
-#ifndef UNDERSTUDY_EMULATOR_ROBOT_H_
-#define UNDERSTUDY_EMULATOR_ROBOT_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -161,5 +160,3 @@ class Robot {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_ROBOT_H_

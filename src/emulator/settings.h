@@ -1,6 +1,5 @@
 // The settings of a run that concern the world and each of its robots.
-#ifndef UNDERSTUDY_EMULATOR_SETTINGS_H_
-#define UNDERSTUDY_EMULATOR_SETTINGS_H_
+#pragma once
 
 #include "authority/command_gate.h"
 #include "authority/motion_config.h"
@@ -25,5 +24,3 @@ struct RobotSettings {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_SETTINGS_H_

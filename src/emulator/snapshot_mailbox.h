@@ -1,6 +1,5 @@
 // Where the tick shows itself to whoever looks.
-#ifndef UNDERSTUDY_EMULATOR_SNAPSHOT_MAILBOX_H_
-#define UNDERSTUDY_EMULATOR_SNAPSHOT_MAILBOX_H_
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -82,5 +81,3 @@ class SnapshotMailbox {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_SNAPSHOT_MAILBOX_H_

@@ -1,6 +1,5 @@
 // What a running robot says of itself, as plain values, and the board it is read from.
-#ifndef UNDERSTUDY_EMULATOR_STATUS_H_
-#define UNDERSTUDY_EMULATOR_STATUS_H_
+#pragma once
 
 #include <algorithm>
 #include <array>
@@ -102,5 +101,3 @@ class StatusBoard {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_STATUS_H_

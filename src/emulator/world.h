@@ -1,7 +1,6 @@
 // The world of a run: everything that happens in a tick happens in World::Tick(), in one direction,
 // as plain values.
-#ifndef UNDERSTUDY_EMULATOR_WORLD_H_
-#define UNDERSTUDY_EMULATOR_WORLD_H_
+#pragma once
 
 #include <cstdint>
 #include <deque>
@@ -116,5 +115,3 @@ class World {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_EMULATOR_WORLD_H_

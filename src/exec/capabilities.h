@@ -1,6 +1,5 @@
 // Saves the capabilities of this process and restores them after a user namespace has granted all.
-#ifndef UNDERSTUDY_EXEC_CAPABILITIES_H_
-#define UNDERSTUDY_EXEC_CAPABILITIES_H_
+#pragma once
 
 #include <cstdint>
 
@@ -26,5 +25,3 @@ struct Capabilities {
 };
 
 }  // namespace understudy::exec
-
-#endif  // UNDERSTUDY_EXEC_CAPABILITIES_H_

@@ -1,6 +1,5 @@
 // Forks the program of `understudy exec` early and starts it when the robot is ready.
-#ifndef UNDERSTUDY_EXEC_CHILD_PROCESS_H_
-#define UNDERSTUDY_EXEC_CHILD_PROCESS_H_
+#pragma once
 
 #include <chrono>
 #include <optional>
@@ -83,5 +82,3 @@ class ChildProcess {
 };
 
 }  // namespace understudy::exec
-
-#endif  // UNDERSTUDY_EXEC_CHILD_PROCESS_H_

@@ -1,6 +1,5 @@
 // Finds the program of a command, or says why it cannot be run.
-#ifndef UNDERSTUDY_EXEC_COMMAND_H_
-#define UNDERSTUDY_EXEC_COMMAND_H_
+#pragma once
 
 #include <string>
 
@@ -35,5 +34,3 @@ int ExitCodeOfFailedExec(int error);
 std::string FindProgram(const std::string& name, const std::string& search_path);
 
 }  // namespace understudy::exec
-
-#endif  // UNDERSTUDY_EXEC_COMMAND_H_

@@ -1,6 +1,5 @@
 // Explains why the kernel refuses a private network and which setting allows it.
-#ifndef UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
-#define UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -26,5 +25,3 @@ struct NamespacePolicy {
 std::string ExplainRefusal(const std::string& step, int error, const NamespacePolicy& policy);
 
 }  // namespace understudy::exec
-
-#endif  // UNDERSTUDY_EXEC_NAMESPACE_REFUSAL_H_

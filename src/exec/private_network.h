@@ -1,7 +1,6 @@
 // Moves this process into a network of its own, where robot and program of `understudy exec` meet
 // on domain 0.
-#ifndef UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
-#define UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_
+#pragma once
 
 namespace understudy::exec {
 
@@ -34,5 +33,3 @@ namespace understudy::exec {
 void EnterPrivateNetwork();
 
 }  // namespace understudy::exec
-
-#endif  // UNDERSTUDY_EXEC_PRIVATE_NETWORK_H_

@@ -1,6 +1,5 @@
 // The part of the rewriting that is about forces: limits of joint torque, sensors of it, gains.
-#ifndef UNDERSTUDY_MJCF_ACTUATORS_H_
-#define UNDERSTUDY_MJCF_ACTUATORS_H_
+#pragma once
 
 #include <vector>
 
@@ -34,5 +33,3 @@ void SpellOutPositionGains(MjcfElement* root, const MjcfDefaults& defaults, Mjcf
                            std::vector<Rewrite>* rewrites);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_ACTUATORS_H_

@@ -1,6 +1,5 @@
 // The files that a model's assets name: meshes, pictures, height fields.
-#ifndef UNDERSTUDY_MJCF_ASSETS_H_
-#define UNDERSTUDY_MJCF_ASSETS_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -23,5 +22,3 @@ std::string WhatAssetLacks(const MjcfElement& element);
 void RequireAssets(const MjcfElement& root);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_ASSETS_H_

@@ -1,6 +1,5 @@
 // Compiles MJCF from memory.
-#ifndef UNDERSTUDY_MJCF_COMPILE_H_
-#define UNDERSTUDY_MJCF_COMPILE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -26,5 +25,3 @@ std::string CountsText(const mjModel& model);
 const char* MujocoVersion();
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_COMPILE_H_

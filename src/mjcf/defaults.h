@@ -1,6 +1,5 @@
 // Finds what an element of a model has, its default classes included.
-#ifndef UNDERSTUDY_MJCF_DEFAULTS_H_
-#define UNDERSTUDY_MJCF_DEFAULTS_H_
+#pragma once
 
 #include <initializer_list>
 #include <map>
@@ -45,5 +44,3 @@ class MjcfDefaults {
 };
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_DEFAULTS_H_

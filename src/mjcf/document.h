@@ -1,7 +1,6 @@
 // MJCF files as a tree: includes are put in place and asset files have absolute names, so that the
 // tree means the same wherever it stands. Every element knows the file and line it came from.
-#ifndef UNDERSTUDY_MJCF_DOCUMENT_H_
-#define UNDERSTUDY_MJCF_DOCUMENT_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -50,5 +49,3 @@ MjcfElement ReadMjcf(const std::filesystem::path& file);
 MjcfText WriteMjcf(const MjcfElement& root);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_DOCUMENT_H_

@@ -1,6 +1,5 @@
 // The plain part of the rewriting: attributes that MuJoCo 2.2.2 can do without or calls otherwise.
-#ifndef UNDERSTUDY_MJCF_DROP_H_
-#define UNDERSTUDY_MJCF_DROP_H_
+#pragma once
 
 #include <vector>
 
@@ -17,5 +16,3 @@ void DropWhatChangesNothing(MjcfElement* root, std::vector<Rewrite>* rewrites);
 void SayAutolimits(MjcfElement* root, std::vector<Rewrite>* rewrites);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_DROP_H_

@@ -1,6 +1,5 @@
 // MuJoCo's arrays of numbers as Eigen's types.
-#ifndef UNDERSTUDY_MJCF_EIGEN_VIEWS_H_
-#define UNDERSTUDY_MJCF_EIGEN_VIEWS_H_
+#pragma once
 
 #include <Eigen/Geometry>
 
@@ -13,5 +12,3 @@ inline Eigen::Vector3d Vector(const double* x) { return {x[0], x[1], x[2]}; }
 inline Eigen::Quaterniond Quaternion(const double* q) { return {q[0], q[1], q[2], q[3]}; }
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_EIGEN_VIEWS_H_

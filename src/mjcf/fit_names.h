@@ -1,6 +1,5 @@
 // Fits a robot's description to a third-party model.
-#ifndef UNDERSTUDY_MJCF_FIT_NAMES_H_
-#define UNDERSTUDY_MJCF_FIT_NAMES_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -24,5 +23,3 @@ robot::RobotSpec FitNames(robot::RobotSpec spec, const mjModel& model,
                           std::vector<std::string>* notes);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_FIT_NAMES_H_

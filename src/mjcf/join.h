@@ -1,6 +1,5 @@
 // Several robots in one model: names that differ, defaults that stay apart, one set of options.
-#ifndef UNDERSTUDY_MJCF_JOIN_H_
-#define UNDERSTUDY_MJCF_JOIN_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -28,5 +27,3 @@ void MoveBodies(double x, double y, MjcfElement* root);
 void Join(MjcfElement other, MjcfElement* root, std::vector<std::string>* warnings);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_JOIN_H_

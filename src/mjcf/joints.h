@@ -1,6 +1,5 @@
 // The joints of a model and what drives them, with default classes counted in.
-#ifndef UNDERSTUDY_MJCF_JOINTS_H_
-#define UNDERSTUDY_MJCF_JOINTS_H_
+#pragma once
 
 #include <array>
 #include <map>
@@ -61,5 +60,3 @@ std::optional<MjcfRange> FindRange(const MjcfDefaults& defaults, const MjcfEleme
                                    const char* limited);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_JOINTS_H_

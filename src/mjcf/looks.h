@@ -1,6 +1,5 @@
 // What a model has for the eye only. Nobody looks at this world, so it need not be compiled.
-#ifndef UNDERSTUDY_MJCF_LOOKS_H_
-#define UNDERSTUDY_MJCF_LOOKS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -26,5 +25,3 @@ struct LeftOutLooks {
 LeftOutLooks LeaveOutLooks(MjcfElement* root);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_LOOKS_H_

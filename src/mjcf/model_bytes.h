@@ -1,6 +1,5 @@
 // Writes a compiled model as bytes.
-#ifndef UNDERSTUDY_MJCF_MODEL_BYTES_H_
-#define UNDERSTUDY_MJCF_MODEL_BYTES_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace understudy::mjcf {
 std::string ModelBytes(const mjModel& model);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_MODEL_BYTES_H_

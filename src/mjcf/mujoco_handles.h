@@ -1,6 +1,5 @@
 // Owners of MuJoCo's C objects.
-#ifndef UNDERSTUDY_MJCF_MUJOCO_HANDLES_H_
-#define UNDERSTUDY_MJCF_MUJOCO_HANDLES_H_
+#pragma once
 
 #include <memory>
 
@@ -22,5 +21,3 @@ using ModelHandle = std::unique_ptr<mjModel, ModelDeleter>;
 using DataHandle = std::unique_ptr<mjData, DataDeleter>;
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_MUJOCO_HANDLES_H_

@@ -1,6 +1,5 @@
 // Catches MuJoCo's errors and warnings.
-#ifndef UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_
-#define UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_
+#pragma once
 
 #include <string_view>
 
@@ -16,5 +15,3 @@ void InstallMujocoHooks();
 std::string_view TakeMujocoWarning();
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_MUJOCO_HOOKS_H_

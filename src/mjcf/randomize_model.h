@@ -1,6 +1,5 @@
 // Randomizes a compiled model.
-#ifndef UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
-#define UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_
+#pragma once
 
 #include "mjcf/mujoco_handles.h"
 #include "robot/randomization.h"
@@ -14,5 +13,3 @@ void RandomizeModel(const robot::RandomizationSpec& ranges, const robot::RobotSp
                     robot::Dice* dice, mjModel* model);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_RANDOMIZE_MODEL_H_

@@ -1,6 +1,5 @@
 // Changes a model where the robot's description differs from its file.
-#ifndef UNDERSTUDY_MJCF_REVISE_H_
-#define UNDERSTUDY_MJCF_REVISE_H_
+#pragma once
 
 #include "mjcf/document.h"
 #include "robot/robot_spec.h"
@@ -17,5 +16,3 @@ namespace understudy::mjcf {
 void Revise(const robot::RobotSpec& spec, MjcfElement* root);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_REVISE_H_

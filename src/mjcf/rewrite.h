@@ -8,8 +8,7 @@
 //   autolimits, on by default   autolimits="true"
 //   content_type, looks, solver settings that change no equation    left out
 // What 2.2.2 cannot express is refused by name.
-#ifndef UNDERSTUDY_MJCF_REWRITE_H_
-#define UNDERSTUDY_MJCF_REWRITE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -36,5 +35,3 @@ struct Rewrite {
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites);
 
 }  // namespace understudy::mjcf
-
-#endif  // UNDERSTUDY_MJCF_REWRITE_H_

@@ -1,6 +1,5 @@
 // The motion service of a robot that nothing here can make move.
-#ifndef UNDERSTUDY_MOTION_DAMPING_MOTION_H_
-#define UNDERSTUDY_MOTION_DAMPING_MOTION_H_
+#pragma once
 
 #include "authority/motion.h"
 
@@ -25,5 +24,3 @@ class DampingMotion final : public authority::Motion {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_DAMPING_MOTION_H_

@@ -1,6 +1,5 @@
 // A smooth way from one set of joint angles to another.
-#ifndef UNDERSTUDY_MOTION_JOINT_MOVE_H_
-#define UNDERSTUDY_MOTION_JOINT_MOVE_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -34,5 +33,3 @@ class JointMove {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_JOINT_MOVE_H_

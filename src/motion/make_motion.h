@@ -1,6 +1,5 @@
 // The controller that plays a robot's motion services.
-#ifndef UNDERSTUDY_MOTION_MAKE_MOTION_H_
-#define UNDERSTUDY_MOTION_MAKE_MOTION_H_
+#pragma once
 
 #include <memory>
 
@@ -16,5 +15,3 @@ std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
                                               const physics::RobotBody& body, double damping_kd);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_MAKE_MOTION_H_

@@ -1,6 +1,5 @@
 // The form of a motion service's state machine: rows that say what a wish comes to in a state.
-#ifndef UNDERSTUDY_MOTION_TRANSITIONS_H_
-#define UNDERSTUDY_MOTION_TRANSITIONS_H_
+#pragma once
 
 #include <cstdint>
 #include <initializer_list>
@@ -49,5 +48,3 @@ const Transition<Wish, State, When>* Find(std::span<const Transition<Wish, State
 }
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_TRANSITIONS_H_

@@ -1,6 +1,5 @@
 // The crane that humanoids hang from.
-#ifndef UNDERSTUDY_PHYSICS_CRANE_H_
-#define UNDERSTUDY_PHYSICS_CRANE_H_
+#pragma once
 
 #include "physics/world.h"
 
@@ -54,5 +53,3 @@ class Crane {
 };
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_CRANE_H_

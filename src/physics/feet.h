@@ -1,6 +1,5 @@
 // Finds the geoms that are feet.
-#ifndef UNDERSTUDY_PHYSICS_FEET_H_
-#define UNDERSTUDY_PHYSICS_FEET_H_
+#pragma once
 
 #include <vector>
 
@@ -17,5 +16,3 @@ namespace understudy::physics {
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_FEET_H_

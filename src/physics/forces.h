@@ -1,6 +1,5 @@
 // Forces from outside on bodies of the robot: pushes and drags.
-#ifndef UNDERSTUDY_PHYSICS_FORCES_H_
-#define UNDERSTUDY_PHYSICS_FORCES_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -82,5 +81,3 @@ class Drags {
 };
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_FORCES_H_

@@ -1,6 +1,5 @@
 // Measures how far geoms reach.
-#ifndef UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_
-#define UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_
+#pragma once
 
 #include "mjcf/mujoco_handles.h"
 
@@ -17,5 +16,3 @@ double Reach(const mjModel& model, int geom, const double direction[3]);
 double LowestPoint(const mjModel& model, const mjData& data, int geom);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_GEOM_EXTENT_H_

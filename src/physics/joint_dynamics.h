@@ -1,6 +1,5 @@
 // Puts friction, damping and armature of joints into a compiled model.
-#ifndef UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
-#define UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_
+#pragma once
 
 #include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
@@ -14,5 +13,3 @@ namespace understudy::physics {
 void UseFittedDynamics(const robot::RobotSpec& spec, mjModel* model);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_JOINT_DYNAMICS_H_

@@ -1,6 +1,5 @@
 // One robot of the simulated world: its base, joints, inertial units and feet.
-#ifndef UNDERSTUDY_PHYSICS_ROBOT_BODY_H_
-#define UNDERSTUDY_PHYSICS_ROBOT_BODY_H_
+#pragma once
 
 #include <filesystem>
 #include <span>
@@ -107,5 +106,3 @@ class RobotBody {
 };
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_ROBOT_BODY_H_

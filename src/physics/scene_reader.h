@@ -1,6 +1,5 @@
 // Describes a compiled world once for a viewer: bodies, shapes, colours, meshes.
-#ifndef UNDERSTUDY_PHYSICS_SCENE_READER_H_
-#define UNDERSTUDY_PHYSICS_SCENE_READER_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -104,5 +103,3 @@ class SceneReader {
 };
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_SCENE_READER_H_

@@ -1,6 +1,5 @@
 // Sets a robot on ground that is not at height 0.
-#ifndef UNDERSTUDY_PHYSICS_SET_DOWN_H_
-#define UNDERSTUDY_PHYSICS_SET_DOWN_H_
+#pragma once
 #include "mjcf/mujoco_handles.h"
 
 namespace understudy::physics {
@@ -18,5 +17,3 @@ namespace understudy::physics {
 double LiftOntoGround(const mjModel& model, mjData* data, int base_body, int base_q);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_SET_DOWN_H_

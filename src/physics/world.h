@@ -1,7 +1,6 @@
 // The simulated world: robots on their ground, and what moves them. Nothing outside this folder and
 // mjcf/ sees MuJoCo.
-#ifndef UNDERSTUDY_PHYSICS_WORLD_H_
-#define UNDERSTUDY_PHYSICS_WORLD_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -71,5 +70,3 @@ class World {
 };
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_WORLD_H_

@@ -1,7 +1,6 @@
 // Compiles a world from files: the robots' MJCF, the scene's MJCF and what the emulator needs of
 // both.
-#ifndef UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
-#define UNDERSTUDY_PHYSICS_WORLD_MODEL_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -72,5 +71,3 @@ FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::pat
 mjcf::ModelHandle LoadModelFile(const std::filesystem::path& file, LoadNotes* notes = nullptr);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_WORLD_MODEL_H_

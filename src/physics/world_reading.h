@@ -1,6 +1,5 @@
 // Reads the state of a world as plain values, for observers.
-#ifndef UNDERSTUDY_PHYSICS_WORLD_READING_H_
-#define UNDERSTUDY_PHYSICS_WORLD_READING_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -38,5 +37,3 @@ std::size_t ReadContacts(const World& world, std::span<ContactReading> to);
 std::array<double, 3> SubtreeCenterOfMass(const World& world, int body);
 
 }  // namespace understudy::physics
-
-#endif  // UNDERSTUDY_PHYSICS_WORLD_READING_H_

@@ -1,6 +1,5 @@
 // Little-endian bytes, out and in, as the MCAP format has them.
-#ifndef UNDERSTUDY_RECORD_BYTES_H_
-#define UNDERSTUDY_RECORD_BYTES_H_
+#pragma once
 
 #include <bit>
 #include <cstddef>
@@ -111,5 +110,3 @@ class BytesIn {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_BYTES_H_

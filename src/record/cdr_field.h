@@ -1,6 +1,5 @@
 // Single numbers out of messages that are bytes.
-#ifndef UNDERSTUDY_RECORD_CDR_FIELD_H_
-#define UNDERSTUDY_RECORD_CDR_FIELD_H_
+#pragma once
 
 #include <cstddef>
 #include <optional>
@@ -27,5 +26,3 @@ CdrField FindField(std::string_view ros_type_name, std::string_view path);
 std::optional<double> ReadField(const CdrField& field, ByteSpan message);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_CDR_FIELD_H_

@@ -1,6 +1,5 @@
 // What reader and writer of MCAP share (https://mcap.dev/spec).
-#ifndef UNDERSTUDY_RECORD_MCAP_FORMAT_H_
-#define UNDERSTUDY_RECORD_MCAP_FORMAT_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -66,5 +65,3 @@ struct McapMessage {
 std::uint32_t Crc32(ByteSpan bytes, std::uint32_t crc = 0);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_MCAP_FORMAT_H_

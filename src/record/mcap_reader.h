@@ -1,6 +1,5 @@
 // Reads MCAP, of any writer.
-#ifndef UNDERSTUDY_RECORD_MCAP_READER_H_
-#define UNDERSTUDY_RECORD_MCAP_READER_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -94,5 +93,3 @@ class McapReader {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_MCAP_READER_H_

@@ -1,6 +1,5 @@
 // What stands in single records of MCAP.
-#ifndef UNDERSTUDY_RECORD_MCAP_RECORDS_H_
-#define UNDERSTUDY_RECORD_MCAP_RECORDS_H_
+#pragma once
 
 #include <cstddef>
 #include <vector>
@@ -20,5 +19,3 @@ McapChannel TakeChannel(BytesIn* in);
 std::vector<std::byte> UnpackChunk(ByteSpan content);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_MCAP_RECORDS_H_

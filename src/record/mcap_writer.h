@@ -1,6 +1,5 @@
 // Writes MCAP: chunked, compressed, indexed, checksummed.
-#ifndef UNDERSTUDY_RECORD_MCAP_WRITER_H_
-#define UNDERSTUDY_RECORD_MCAP_WRITER_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -90,5 +89,3 @@ class McapWriter {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_MCAP_WRITER_H_

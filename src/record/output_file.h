@@ -1,6 +1,5 @@
 // A file that only grows.
-#ifndef UNDERSTUDY_RECORD_OUTPUT_FILE_H_
-#define UNDERSTUDY_RECORD_OUTPUT_FILE_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -32,5 +31,3 @@ class OutputFile {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_OUTPUT_FILE_H_

@@ -1,6 +1,5 @@
 // Says again what a recording holds, at the pace at which it was said.
-#ifndef UNDERSTUDY_RECORD_PLAYER_H_
-#define UNDERSTUDY_RECORD_PLAYER_H_
+#pragma once
 
 #include <cstdint>
 #include <functional>
@@ -66,5 +65,3 @@ class Player {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_PLAYER_H_

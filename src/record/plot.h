@@ -1,6 +1,5 @@
 // The picture of a run.
-#ifndef UNDERSTUDY_RECORD_PLOT_H_
-#define UNDERSTUDY_RECORD_PLOT_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -65,5 +64,3 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
 void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_PLOT_H_

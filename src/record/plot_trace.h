@@ -1,6 +1,5 @@
 // A line of a plot while a recording is read.
-#ifndef UNDERSTUDY_RECORD_PLOT_TRACE_H_
-#define UNDERSTUDY_RECORD_PLOT_TRACE_H_
+#pragma once
 
 #include <cstddef>
 #include <utility>
@@ -31,5 +30,3 @@ class Trace {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_PLOT_TRACE_H_

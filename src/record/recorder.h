@@ -1,6 +1,5 @@
 // Records a run: everything on the bus, what only the simulation knows, and what happened.
-#ifndef UNDERSTUDY_RECORD_RECORDER_H_
-#define UNDERSTUDY_RECORD_RECORDER_H_
+#pragma once
 
 #include <array>
 #include <atomic>
@@ -150,5 +149,3 @@ class Recorder {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_RECORDER_H_

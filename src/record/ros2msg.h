@@ -1,6 +1,5 @@
 // The vendor's message types as ROS 2 writes message types down.
-#ifndef UNDERSTUDY_RECORD_ROS2MSG_H_
-#define UNDERSTUDY_RECORD_ROS2MSG_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -36,5 +35,3 @@ std::string RosTopicName(std::string_view topic_on_wire);
 std::string Ros2MsgText(std::string_view ros_type_name);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_ROS2MSG_H_

@@ -1,6 +1,5 @@
 // What only the simulation knows, and what happened, as messages.
-#ifndef UNDERSTUDY_RECORD_TRUTH_H_
-#define UNDERSTUDY_RECORD_TRUTH_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -58,5 +57,3 @@ void EncodeEvent(const Event& event, BytesOut* out);
 Event DecodeEvent(ByteSpan bytes);
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_RECORD_TRUTH_H_

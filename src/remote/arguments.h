@@ -1,7 +1,6 @@
 // Arguments of `understudy remote`. Knows no SDL: the daemon's program parses these too, for --help
 // and completions.
-#ifndef UNDERSTUDY_REMOTE_ARGUMENTS_H_
-#define UNDERSTUDY_REMOTE_ARGUMENTS_H_
+#pragma once
 
 #include <string>
 
@@ -30,5 +29,3 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments);
 inline constexpr char kRemoteMissing[] = "build the target understudy-remote, or run ./tools/up";
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_ARGUMENTS_H_

@@ -1,6 +1,5 @@
 // Maps the buttons and axes of a gamepad to those of the remote controller (docs/remote.md).
-#ifndef UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_
-#define UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -51,5 +50,3 @@ robot::RemoteReading ReadGamepad(const GamepadState& gamepad, double dead_zone,
                                  std::uint16_t before);
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_GAMEPAD_MAPPING_H_

@@ -1,6 +1,5 @@
 // The gamepads of this machine.
-#ifndef UNDERSTUDY_REMOTE_GAMEPADS_H_
-#define UNDERSTUDY_REMOTE_GAMEPADS_H_
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -47,5 +46,3 @@ class Gamepads {
 };
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_GAMEPADS_H_

@@ -1,6 +1,5 @@
 // The keyboard of a terminal as a remote controller (docs/remote.md).
-#ifndef UNDERSTUDY_REMOTE_KEYBOARD_H_
-#define UNDERSTUDY_REMOTE_KEYBOARD_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -78,5 +77,3 @@ class Keyboard {
 };
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_KEYBOARD_H_

@@ -1,6 +1,5 @@
 // Draws the remote controller with characters.
-#ifndef UNDERSTUDY_REMOTE_PICTURE_H_
-#define UNDERSTUDY_REMOTE_PICTURE_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -21,5 +20,3 @@ struct RemotePicture {
 std::string Draw(const RemotePicture& picture, int columns, int rows);
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_PICTURE_H_

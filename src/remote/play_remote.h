@@ -1,6 +1,5 @@
 // Runs `understudy remote`: sends keyboard and gamepad to the robot until Ctrl-C.
-#ifndef UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
-#define UNDERSTUDY_REMOTE_PLAY_REMOTE_H_
+#pragma once
 
 #include "remote/arguments.h"
 
@@ -11,5 +10,3 @@ namespace understudy::remote {
 void PlayRemote(const RemoteArguments& arguments);
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_PLAY_REMOTE_H_

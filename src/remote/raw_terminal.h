@@ -1,6 +1,5 @@
 // A terminal that gives its keys one by one and shows a picture.
-#ifndef UNDERSTUDY_REMOTE_RAW_TERMINAL_H_
-#define UNDERSTUDY_REMOTE_RAW_TERMINAL_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -33,5 +32,3 @@ class RawTerminal {
 };
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_RAW_TERMINAL_H_

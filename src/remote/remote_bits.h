@@ -1,6 +1,5 @@
 // The bit of a key of the remote controller, when the program is compiled.
-#ifndef UNDERSTUDY_REMOTE_REMOTE_BITS_H_
-#define UNDERSTUDY_REMOTE_REMOTE_BITS_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -19,5 +18,3 @@ consteval std::uint16_t RemoteBit(std::string_view name) {
 }
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_REMOTE_BITS_H_

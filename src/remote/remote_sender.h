@@ -1,6 +1,5 @@
 // Decides when to tell the robot what is held.
-#ifndef UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
-#define UNDERSTUDY_REMOTE_REMOTE_SENDER_H_
+#pragma once
 
 #include <functional>
 #include <utility>
@@ -47,5 +46,3 @@ class RemoteSender {
 nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds);
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_REMOTE_SENDER_H_

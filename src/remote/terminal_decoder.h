@@ -1,6 +1,5 @@
 // Turns the bytes that a terminal sends into keys.
-#ifndef UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_
-#define UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -43,5 +42,3 @@ class TerminalDecoder {
 };
 
 }  // namespace understudy::remote
-
-#endif  // UNDERSTUDY_REMOTE_TERMINAL_DECODER_H_

@@ -1,6 +1,5 @@
 // The pack that feeds the motors.
-#ifndef UNDERSTUDY_ROBOT_BATTERY_H_
-#define UNDERSTUDY_ROBOT_BATTERY_H_
+#pragma once
 
 #include <span>
 
@@ -38,5 +37,3 @@ class Battery {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_BATTERY_H_

@@ -1,6 +1,5 @@
 // The topics that bring commands for motors, by number.
-#ifndef UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_
-#define UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -21,5 +20,3 @@ inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicName
     "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_COMMAND_TOPICS_H_

@@ -1,6 +1,5 @@
 // A robot's description without one of its motors.
-#ifndef UNDERSTUDY_ROBOT_DROP_MOTOR_H_
-#define UNDERSTUDY_ROBOT_DROP_MOTOR_H_
+#pragma once
 
 #include <cstddef>
 
@@ -13,5 +12,3 @@ namespace understudy::robot {
 void DropMotor(std::size_t i, RobotSpec* spec);
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_DROP_MOTOR_H_

@@ -1,6 +1,5 @@
 // Versions of the robot's software, as the vendor writes them: numbers between dots.
-#ifndef UNDERSTUDY_ROBOT_FIRMWARE_H_
-#define UNDERSTUDY_ROBOT_FIRMWARE_H_
+#pragma once
 
 #include <string_view>
 
@@ -23,5 +22,3 @@ bool HasService(std::string_view firmware, const ServiceSpec& service);
 bool TellsStateId(const RobotSpec& spec);
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_FIRMWARE_H_

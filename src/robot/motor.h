@@ -1,7 +1,6 @@
 // The motor law and its limits, pure; and the bank that applies them to all motors of a robot in a
 // tick.
-#ifndef UNDERSTUDY_ROBOT_MOTOR_H_
-#define UNDERSTUDY_ROBOT_MOTOR_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -58,5 +57,3 @@ class MotorBank {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_MOTOR_H_

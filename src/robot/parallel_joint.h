@@ -1,7 +1,6 @@
 // Two serial joints (pitch, roll) that two motors (A, B) drive together: ankles and waist of the
 // humanoids.
-#ifndef UNDERSTUDY_ROBOT_PARALLEL_JOINT_H_
-#define UNDERSTUDY_ROBOT_PARALLEL_JOINT_H_
+#pragma once
 
 #include "robot/robot_spec.h"
 
@@ -44,5 +43,3 @@ class ParallelJoint {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_PARALLEL_JOINT_H_

@@ -1,6 +1,5 @@
 // What a port noticed and went on in spite of.
-#ifndef UNDERSTUDY_ROBOT_PORT_COUNTS_H_
-#define UNDERSTUDY_ROBOT_PORT_COUNTS_H_
+#pragma once
 
 #include <cstdint>
 
@@ -15,5 +14,3 @@ struct PortCounts {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_PORT_COUNTS_H_

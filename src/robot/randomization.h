@@ -1,6 +1,5 @@
 // What a run leaves to chance: ranges, dice that throw the same for the same seed, and motors.
-#ifndef UNDERSTUDY_ROBOT_RANDOMIZATION_H_
-#define UNDERSTUDY_ROBOT_RANDOMIZATION_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -70,5 +69,3 @@ std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
 void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot);
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_RANDOMIZATION_H_

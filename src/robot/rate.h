@@ -1,6 +1,5 @@
 // How often something happens, counted in steps.
-#ifndef UNDERSTUDY_ROBOT_RATE_H_
-#define UNDERSTUDY_ROBOT_RATE_H_
+#pragma once
 
 #include <algorithm>
 #include <cmath>
@@ -23,5 +22,3 @@ class Rate {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_RATE_H_

@@ -1,6 +1,5 @@
 // Why a command was not taken.
-#ifndef UNDERSTUDY_ROBOT_REFUSAL_H_
-#define UNDERSTUDY_ROBOT_REFUSAL_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -44,5 +43,3 @@ constexpr std::string_view Name(Refusal refusal) {
 }
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_REFUSAL_H_

@@ -1,6 +1,5 @@
 // What a refusal means and what to do about it, in words.
-#ifndef UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_
-#define UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_
+#pragma once
 
 #include <string_view>
 
@@ -14,5 +13,3 @@ std::string_view Explain(Refusal refusal);
 std::string_view ExplainForHand(Refusal refusal);
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_REFUSAL_TEXT_H_

@@ -1,6 +1,5 @@
 // The keys of the remote controller: their names and bits.
-#ifndef UNDERSTUDY_ROBOT_REMOTE_KEYS_H_
-#define UNDERSTUDY_ROBOT_REMOTE_KEYS_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -23,5 +22,3 @@ std::optional<std::uint16_t> RemoteKeys(std::string_view chord);
 std::string RemoteKeyNames(std::uint16_t keys);
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_REMOTE_KEYS_H_

@@ -1,8 +1,7 @@
 // What a robot is: read from config/robots/<robot>.yaml, never changed afterwards. Every field is a
 // YAML key of the same name; meaning, unit, range and default of each stand in
 // config/robot_keys.cc, which reads them.
-#ifndef UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
-#define UNDERSTUDY_ROBOT_ROBOT_SPEC_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -279,5 +278,3 @@ struct RobotSpec {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_ROBOT_SPEC_H_

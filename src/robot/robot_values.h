@@ -1,6 +1,5 @@
 // What a robot is told and what it tells, as plain values in SI units. Quaternions are w, x, y, z.
-#ifndef UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
-#define UNDERSTUDY_ROBOT_ROBOT_VALUES_H_
+#pragma once
 
 #include <cstdint>
 #include <optional>
@@ -117,5 +116,3 @@ struct RobotState {
 };
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_ROBOT_VALUES_H_

@@ -1,6 +1,5 @@
 // The poses that a robot begins in and can be put back to.
-#ifndef UNDERSTUDY_ROBOT_START_POSE_H_
-#define UNDERSTUDY_ROBOT_START_POSE_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -28,5 +27,3 @@ constexpr std::optional<StartPose> FindStartPose(std::string_view word) {
 }
 
 }  // namespace understudy::robot
-
-#endif  // UNDERSTUDY_ROBOT_START_POSE_H_

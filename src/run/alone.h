@@ -1,6 +1,5 @@
 // Refuses to start beside another writer of rt/lowstate.
-#ifndef UNDERSTUDY_RUN_ALONE_H_
-#define UNDERSTUDY_RUN_ALONE_H_
+#pragma once
 
 #include "bus/participant.h"
 #include "config/config.h"
@@ -17,5 +16,3 @@ void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          time::Clock* clock);
 
 }  // namespace understudy::run
-
-#endif  // UNDERSTUDY_RUN_ALONE_H_

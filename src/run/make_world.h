@@ -1,6 +1,5 @@
 // The world of a run, from its configuration.
-#ifndef UNDERSTUDY_RUN_MAKE_WORLD_H_
-#define UNDERSTUDY_RUN_MAKE_WORLD_H_
+#pragma once
 
 #include "config/config.h"
 #include "mjcf/mujoco_handles.h"
@@ -24,5 +23,3 @@ MadeWorld MakeWorld(config::Config* config);
 mjcf::ModelHandle MakeSightModel(const config::Config& config);
 
 }  // namespace understudy::run
-
-#endif  // UNDERSTUDY_RUN_MAKE_WORLD_H_

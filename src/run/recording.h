@@ -1,6 +1,5 @@
 // The recording of a run, as the loop sees it.
-#ifndef UNDERSTUDY_RUN_RECORDING_H_
-#define UNDERSTUDY_RUN_RECORDING_H_
+#pragma once
 
 #include <filesystem>
 #include <memory>
@@ -39,5 +38,3 @@ class Recording {
 };
 
 }  // namespace understudy::run
-
-#endif  // UNDERSTUDY_RUN_RECORDING_H_

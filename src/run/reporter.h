@@ -1,6 +1,5 @@
 // Says what a run is doing: log lines for events, a status line on a terminal.
-#ifndef UNDERSTUDY_RUN_REPORTER_H_
-#define UNDERSTUDY_RUN_REPORTER_H_
+#pragma once
 
 #include <chrono>
 
@@ -39,5 +38,3 @@ class Reporter {
 };
 
 }  // namespace understudy::run
-
-#endif  // UNDERSTUDY_RUN_REPORTER_H_

@@ -1,6 +1,5 @@
 // A whole run: the network, the robot, the loop around its tick, and everything beside it.
-#ifndef UNDERSTUDY_RUN_RUN_H_
-#define UNDERSTUDY_RUN_RUN_H_
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -32,5 +31,3 @@ struct RunOptions {
 ExitCode RunRobot(const config::Config& config, const RunOptions& options);
 
 }  // namespace understudy::run
-
-#endif  // UNDERSTUDY_RUN_RUN_H_

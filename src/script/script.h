@@ -1,6 +1,5 @@
 // Scripts: files that say what happens to a robot and when (docs/scripts.md).
-#ifndef UNDERSTUDY_SCRIPT_SCRIPT_H_
-#define UNDERSTUDY_SCRIPT_SCRIPT_H_
+#pragma once
 
 #include <filesystem>
 #include <vector>
@@ -19,5 +18,3 @@ std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document)
 std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file);
 
 }  // namespace understudy::script
-
-#endif  // UNDERSTUDY_SCRIPT_SCRIPT_H_

@@ -1,6 +1,5 @@
 // What the robot's sensors make of the world.
-#ifndef UNDERSTUDY_SENSORS_SENSORS_H_
-#define UNDERSTUDY_SENSORS_SENSORS_H_
+#pragma once
 
 #include <cstdint>
 #include <random>
@@ -47,5 +46,3 @@ class Sensors {
 };
 
 }  // namespace understudy::sensors
-
-#endif  // UNDERSTUDY_SENSORS_SENSORS_H_

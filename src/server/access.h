@@ -1,6 +1,5 @@
 // Authorizes requests on the TCP socket, which every local program can reach.
-#ifndef UNDERSTUDY_SERVER_ACCESS_H_
-#define UNDERSTUDY_SERVER_ACCESS_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -27,5 +26,3 @@ std::string RandomToken();
 std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& access);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_ACCESS_H_

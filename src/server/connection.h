@@ -1,7 +1,6 @@
 // The base of the server's connections, the list of them, and what they share. Sees Boost; for the
 // server's own files only.
-#ifndef UNDERSTUDY_SERVER_CONNECTION_H_
-#define UNDERSTUDY_SERVER_CONNECTION_H_
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -65,5 +64,3 @@ struct Shared {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_CONNECTION_H_

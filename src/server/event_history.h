@@ -1,6 +1,5 @@
 // The newest events, for clients that come later.
-#ifndef UNDERSTUDY_SERVER_EVENT_HISTORY_H_
-#define UNDERSTUDY_SERVER_EVENT_HISTORY_H_
+#pragma once
 
 #include <array>
 #include <chrono>
@@ -56,5 +55,3 @@ nlohmann::ordered_json EventJson(const KnownEvent& event);
 nlohmann::ordered_json EventsJson(const EventHistory& history);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_EVENT_HISTORY_H_

@@ -1,6 +1,5 @@
 // A WebSocket on which events are sent. Sees Boost; for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_EVENT_WATCH_H_
-#define UNDERSTUDY_SERVER_EVENT_WATCH_H_
+#pragma once
 
 #include <cstdint>
 #include <memory>
@@ -44,5 +43,3 @@ class EventWatch : public Connection {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_EVENT_WATCH_H_

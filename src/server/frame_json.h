@@ -1,6 +1,5 @@
 // What GET /frame answers and GET /frames sends.
-#ifndef UNDERSTUDY_SERVER_FRAME_JSON_H_
-#define UNDERSTUDY_SERVER_FRAME_JSON_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -20,5 +19,3 @@ std::optional<emulator::FrameParts> ReadFrameParts(std::string_view list, std::s
 std::string FrameJson(const emulator::Frame& frame, emulator::FrameParts parts);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_FRAME_JSON_H_

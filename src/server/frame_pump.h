@@ -1,7 +1,6 @@
 // Gets frames from the tick for those connections that want one. Sees Boost; for the server's own
 // files only.
-#ifndef UNDERSTUDY_SERVER_FRAME_PUMP_H_
-#define UNDERSTUDY_SERVER_FRAME_PUMP_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -67,5 +66,3 @@ class FramePump {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_FRAME_PUMP_H_

@@ -1,6 +1,5 @@
 // A WebSocket on which frames are sent. Sees Boost; for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_FRAME_WATCH_H_
-#define UNDERSTUDY_SERVER_FRAME_WATCH_H_
+#pragma once
 
 #include <chrono>
 #include <memory>
@@ -50,5 +49,3 @@ class FrameWatch : public Connection {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_FRAME_WATCH_H_

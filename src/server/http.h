@@ -1,6 +1,5 @@
 // A request and a reply as the routes see them: HTTP without its transport.
-#ifndef UNDERSTUDY_SERVER_HTTP_H_
-#define UNDERSTUDY_SERVER_HTTP_H_
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -43,5 +42,3 @@ std::string_view PathOf(const HttpRequest& request);
 std::optional<std::string> QueryValue(const HttpRequest& request, std::string_view name);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_HTTP_H_

@@ -1,6 +1,5 @@
 // What GET /metrics answers: Prometheus' text format, version 0.0.4.
-#ifndef UNDERSTUDY_SERVER_METRICS_H_
-#define UNDERSTUDY_SERVER_METRICS_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -23,5 +22,3 @@ std::string MetricsText(const RobotIdentity& identity, const emulator::Status& s
                         std::span<const std::uint64_t, emulator::kEventKinds> events);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_METRICS_H_

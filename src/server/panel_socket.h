@@ -1,6 +1,5 @@
 // The TCP socket of the panel.
-#ifndef UNDERSTUDY_SERVER_PANEL_SOCKET_H_
-#define UNDERSTUDY_SERVER_PANEL_SOCKET_H_
+#pragma once
 
 #include <string>
 
@@ -34,5 +33,3 @@ class PanelSocket {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_PANEL_SOCKET_H_

@@ -1,6 +1,5 @@
 // What the server reads from and writes to the running robot.
-#ifndef UNDERSTUDY_SERVER_PLANE_H_
-#define UNDERSTUDY_SERVER_PLANE_H_
+#pragma once
 
 #include <filesystem>
 #include <optional>
@@ -30,5 +29,3 @@ struct Plane {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_PLANE_H_

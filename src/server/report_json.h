@@ -1,6 +1,5 @@
 // What GET /timings answers.
-#ifndef UNDERSTUDY_SERVER_REPORT_JSON_H_
-#define UNDERSTUDY_SERVER_REPORT_JSON_H_
+#pragma once
 
 #include <nlohmann/json.hpp>
 
@@ -13,5 +12,3 @@ namespace understudy::server {
 nlohmann::ordered_json TimingsJson(const emulator::Status& status);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_REPORT_JSON_H_

@@ -1,7 +1,6 @@
 // Hands requests to the tick and answers who waits for it, without waiting in a thread. Sees Boost;
 // for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_REQUEST_DESK_H_
-#define UNDERSTUDY_SERVER_REQUEST_DESK_H_
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -52,5 +51,3 @@ class RequestDesk {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_REQUEST_DESK_H_

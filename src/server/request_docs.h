@@ -1,6 +1,5 @@
 // The table of requests as documents and clients have it.
-#ifndef UNDERSTUDY_SERVER_REQUEST_DOCS_H_
-#define UNDERSTUDY_SERVER_REQUEST_DOCS_H_
+#pragma once
 
 #include <string>
 
@@ -23,5 +22,3 @@ std::string RequestsReference();
 std::string RequestsOpenApi();
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_REQUEST_DOCS_H_

@@ -1,6 +1,5 @@
 // A WebSocket on which requests come. Sees Boost; for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_REQUEST_LINE_H_
-#define UNDERSTUDY_SERVER_REQUEST_LINE_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -43,5 +42,3 @@ class RequestLine : public Connection {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_REQUEST_LINE_H_

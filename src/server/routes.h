@@ -1,6 +1,5 @@
 // Which request is answered how: the control plane without its transport.
-#ifndef UNDERSTUDY_SERVER_ROUTES_H_
-#define UNDERSTUDY_SERVER_ROUTES_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -50,5 +49,3 @@ struct RouteName {
 std::vector<RouteName> AllRoutes();
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_ROUTES_H_

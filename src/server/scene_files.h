@@ -1,6 +1,5 @@
 // What GET /scene and all below it answer.
-#ifndef UNDERSTUDY_SERVER_SCENE_FILES_H_
-#define UNDERSTUDY_SERVER_SCENE_FILES_H_
+#pragma once
 
 #include <functional>
 #include <map>
@@ -42,5 +41,3 @@ class SceneFiles {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_SCENE_FILES_H_

@@ -1,7 +1,6 @@
 // The server of a running robot: HTTP/1.1 with JSON and WebSockets, on a Unix socket for the
 // programs of its user and on TCP for a browser.
-#ifndef UNDERSTUDY_SERVER_SERVER_H_
-#define UNDERSTUDY_SERVER_SERVER_H_
+#pragma once
 
 #include <chrono>
 #include <cstddef>
@@ -56,5 +55,3 @@ class ControlServer {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_SERVER_H_

@@ -1,6 +1,5 @@
 // A connection that speaks HTTP. Sees Boost; for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_SESSION_H_
-#define UNDERSTUDY_SERVER_SESSION_H_
+#pragma once
 
 #include <memory>
 #include <optional>
@@ -51,5 +50,3 @@ class Session : public Connection {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_SESSION_H_

@@ -1,6 +1,5 @@
 // The panel's own files.
-#ifndef UNDERSTUDY_SERVER_STATIC_FILES_H_
-#define UNDERSTUDY_SERVER_STATIC_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <map>
@@ -34,5 +33,3 @@ class StaticFiles {
 };
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_STATIC_FILES_H_

@@ -1,6 +1,5 @@
 // What GET /status answers.
-#ifndef UNDERSTUDY_SERVER_STATUS_JSON_H_
-#define UNDERSTUDY_SERVER_STATUS_JSON_H_
+#pragma once
 
 #include <string>
 
@@ -24,5 +23,3 @@ struct RobotIdentity {
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status);
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_STATUS_JSON_H_

@@ -1,6 +1,5 @@
 // What the server's WebSockets have in common. Sees Boost; for the server's own files only.
-#ifndef UNDERSTUDY_SERVER_WEB_SOCKET_H_
-#define UNDERSTUDY_SERVER_WEB_SOCKET_H_
+#pragma once
 
 #include <boost/beast/websocket.hpp>
 
@@ -27,5 +26,3 @@ inline void HangUp(WebSocket* socket) {
 }
 
 }  // namespace understudy::server
-
-#endif  // UNDERSTUDY_SERVER_WEB_SOCKET_H_

@@ -1,6 +1,5 @@
 // The words that robot.apis in a robot's YAML may have: the tables of src/services/tables by name.
-#ifndef UNDERSTUDY_SERVICES_API_NAMES_H_
-#define UNDERSTUDY_SERVICES_API_NAMES_H_
+#pragma once
 
 #include <array>
 #include <string_view>
@@ -17,5 +16,3 @@ inline constexpr auto kApiNames = std::to_array<std::string_view>(
      "back_videohub"});
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_API_NAMES_H_

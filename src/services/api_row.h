@@ -1,6 +1,5 @@
 // What a service offers, as data: one row per api decodes, checks, acts, documents and is tested.
-#ifndef UNDERSTUDY_SERVICES_API_ROW_H_
-#define UNDERSTUDY_SERVICES_API_ROW_H_
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -149,5 +148,3 @@ struct ServiceTable {
 };
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_API_ROW_H_

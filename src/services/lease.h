@@ -1,6 +1,5 @@
 // One client's right to command a service alone.
-#ifndef UNDERSTUDY_SERVICES_LEASE_H_
-#define UNDERSTUDY_SERVICES_LEASE_H_
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -37,5 +36,3 @@ class Lease {
 };
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_LEASE_H_

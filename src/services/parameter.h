@@ -1,6 +1,5 @@
 // Decodes the parameter of a request against its row.
-#ifndef UNDERSTUDY_SERVICES_PARAMETER_H_
-#define UNDERSTUDY_SERVICES_PARAMETER_H_
+#pragma once
 
 #include <optional>
 #include <span>
@@ -25,5 +24,3 @@ std::optional<nlohmann::json> DecodeParameter(std::string_view text, std::span<c
 std::string DescribeFields(std::span<const Field> fields);
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_PARAMETER_H_

@@ -1,6 +1,5 @@
 // Which services which robot has.
-#ifndef UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_
-#define UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_
+#pragma once
 
 #include <map>
 #include <string>
@@ -23,5 +22,3 @@ std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis);
 std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots);
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_ROBOT_SERVICES_H_

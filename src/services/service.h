@@ -1,6 +1,5 @@
 // A request/response service of the robot: rt/api/<name>/request and /response.
-#ifndef UNDERSTUDY_SERVICES_SERVICE_H_
-#define UNDERSTUDY_SERVICES_SERVICE_H_
+#pragma once
 
 #include <cstdint>
 #include <string>
@@ -61,5 +60,3 @@ class Service {
 bool OnlyReads(const ApiRow& row);
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_SERVICE_H_

@@ -1,6 +1,5 @@
 // Serves requests over DDS: one host for all services of a robot.
-#ifndef UNDERSTUDY_SERVICES_SERVICE_HOST_H_
-#define UNDERSTUDY_SERVICES_SERVICE_HOST_H_
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -100,5 +99,3 @@ class ServiceHost final : public ServicePort {
 };
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_SERVICE_HOST_H_

@@ -1,6 +1,5 @@
 // The services of a robot as the tick sees them: calls come in, replies go out.
-#ifndef UNDERSTUDY_SERVICES_SERVICE_PORT_H_
-#define UNDERSTUDY_SERVICES_SERVICE_PORT_H_
+#pragma once
 
 #include <chrono>
 #include <cstdint>
@@ -48,5 +47,3 @@ class ServicePort {
 };
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_SERVICE_PORT_H_

@@ -1,6 +1,5 @@
 // Switches that are thrown by a message instead of a request.
-#ifndef UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_
-#define UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_
+#pragma once
 
 #include "bus/reader.h"
 #include "idl/std_msgs.h"
@@ -28,5 +27,3 @@ class SwitchTopics {
 };
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_SWITCH_TOPICS_H_

@@ -1,6 +1,5 @@
 // Writes a terrain's pieces to files.
-#ifndef UNDERSTUDY_TERRAIN_FILE_H_
-#define UNDERSTUDY_TERRAIN_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -15,5 +14,3 @@ void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, dou
                        const std::filesystem::path& folder);
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TERRAIN_FILE_H_

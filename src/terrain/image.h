@@ -1,6 +1,5 @@
 // Reads and writes grey pictures, which are heights.
-#ifndef UNDERSTUDY_TERRAIN_IMAGE_H_
-#define UNDERSTUDY_TERRAIN_IMAGE_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -24,5 +23,3 @@ void WriteGreyPng(const std::filesystem::path& file, int width, int height,
                   const std::vector<std::uint16_t>& grey);
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TERRAIN_IMAGE_H_

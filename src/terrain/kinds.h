@@ -1,6 +1,5 @@
 // Builds each kind of ground.
-#ifndef UNDERSTUDY_TERRAIN_KINDS_H_
-#define UNDERSTUDY_TERRAIN_KINDS_H_
+#pragma once
 
 #include <cstdint>
 #include <random>
@@ -61,5 +60,3 @@ double AddWaves(const Stretch& s, TerrainPieces* pieces);
 double AddImage(const Stretch& s, TerrainPieces* pieces);
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TERRAIN_KINDS_H_

@@ -1,6 +1,5 @@
 // The pieces of a terrain, before they are written.
-#ifndef UNDERSTUDY_TERRAIN_PIECES_H_
-#define UNDERSTUDY_TERRAIN_PIECES_H_
+#pragma once
 
 #include <cstddef>
 #include <optional>
@@ -58,5 +57,3 @@ inline constexpr double kHeightStep = 1e-4;
 double OnHeightLattice(double z);
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TERRAIN_PIECES_H_

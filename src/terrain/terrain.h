@@ -1,6 +1,5 @@
 // Makes ground from a few numbers: those of a run's `scene` and `terrain` keys.
-#ifndef UNDERSTUDY_TERRAIN_TERRAIN_H_
-#define UNDERSTUDY_TERRAIN_TERRAIN_H_
+#pragma once
 
 #include <array>
 #include <filesystem>
@@ -55,5 +54,3 @@ void WriteTerrain(const std::string& scene, const TerrainSpec& spec,
                   const std::filesystem::path& folder);
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TERRAIN_TERRAIN_H_

@@ -1,6 +1,5 @@
 // Wall time, injected so that tests own it.
-#ifndef UNDERSTUDY_TIME_CLOCK_H_
-#define UNDERSTUDY_TIME_CLOCK_H_
+#pragma once
 
 #include <chrono>
 
@@ -37,5 +36,3 @@ class ManualClock final : public Clock {
 };
 
 }  // namespace understudy::time
-
-#endif  // UNDERSTUDY_TIME_CLOCK_H_

@@ -1,6 +1,5 @@
 // How often something took how long, as a plain value.
-#ifndef UNDERSTUDY_TIME_HISTOGRAM_H_
-#define UNDERSTUDY_TIME_HISTOGRAM_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -25,5 +24,3 @@ struct Histogram {
 };
 
 }  // namespace understudy::time
-
-#endif  // UNDERSTUDY_TIME_HISTOGRAM_H_

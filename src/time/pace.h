@@ -1,6 +1,5 @@
 // How simulated time is to go on.
-#ifndef UNDERSTUDY_TIME_PACE_H_
-#define UNDERSTUDY_TIME_PACE_H_
+#pragma once
 
 #include <cstdint>
 
@@ -24,5 +23,3 @@ struct Pace {
 };
 
 }  // namespace understudy::time
-
-#endif  // UNDERSTUDY_TIME_PACE_H_

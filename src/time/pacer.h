@@ -1,6 +1,5 @@
 // Keeps simulated time beside wall time.
-#ifndef UNDERSTUDY_TIME_PACER_H_
-#define UNDERSTUDY_TIME_PACER_H_
+#pragma once
 
 #include <cstdint>
 
@@ -70,5 +69,3 @@ class Pacer {
 };
 
 }  // namespace understudy::time
-
-#endif  // UNDERSTUDY_TIME_PACER_H_

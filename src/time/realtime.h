@@ -1,6 +1,5 @@
 // Asks the kernel for punctuality.
-#ifndef UNDERSTUDY_TIME_REALTIME_H_
-#define UNDERSTUDY_TIME_REALTIME_H_
+#pragma once
 
 #include <string>
 
@@ -17,5 +16,3 @@ struct RealtimeGrant {
 RealtimeGrant RequestRealtime();
 
 }  // namespace understudy::time
-
-#endif  // UNDERSTUDY_TIME_REALTIME_H_

@@ -1,7 +1,6 @@
 // What `understudy view`, `snapshot` and `film` are told. Knows no OpenGL: the daemon's program
 // parses these too, for --help and completions.
-#ifndef UNDERSTUDY_VIEWER_ARGUMENTS_H_
-#define UNDERSTUDY_VIEWER_ARGUMENTS_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -85,5 +84,3 @@ inline constexpr char kViewerMissing[] =
     "-DUNDERSTUDY_VIEWER=OFF";
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_ARGUMENTS_H_

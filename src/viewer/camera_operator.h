@@ -1,6 +1,5 @@
 // Points the camera: finds a first view and follows a body.
-#ifndef UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_
-#define UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_
+#pragma once
 
 #include "viewer/stage.h"
 
@@ -29,5 +28,3 @@ class CameraOperator {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_CAMERA_OPERATOR_H_

@@ -1,6 +1,5 @@
 // Draws what a Stage has composed into a picture in memory.
-#ifndef UNDERSTUDY_VIEWER_CANVAS_H_
-#define UNDERSTUDY_VIEWER_CANVAS_H_
+#pragma once
 
 #include "viewer/image.h"
 #include "viewer/stage.h"
@@ -28,5 +27,3 @@ class Canvas {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_CANVAS_H_

@@ -1,6 +1,5 @@
 // What `understudy view`, `snapshot` and `film` do, once their arguments are read.
-#ifndef UNDERSTUDY_VIEWER_COMMANDS_H_
-#define UNDERSTUDY_VIEWER_COMMANDS_H_
+#pragma once
 
 #include <functional>
 
@@ -16,5 +15,3 @@ void Snapshot(const SnapshotArguments& arguments);
 void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop);
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_COMMANDS_H_

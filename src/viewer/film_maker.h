@@ -1,6 +1,5 @@
 // Turns states that come at any times into pictures at even times.
-#ifndef UNDERSTUDY_VIEWER_FILM_MAKER_H_
-#define UNDERSTUDY_VIEWER_FILM_MAKER_H_
+#pragma once
 
 #include <functional>
 #include <optional>
@@ -51,5 +50,3 @@ class FilmMaker {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_FILM_MAKER_H_

@@ -1,6 +1,5 @@
 // OpenGL without a display.
-#ifndef UNDERSTUDY_VIEWER_HEADLESS_GL_H_
-#define UNDERSTUDY_VIEWER_HEADLESS_GL_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -21,5 +20,3 @@ class HeadlessGl {
 std::unique_ptr<HeadlessGl> MakeHeadlessGl(const std::string& which);
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_HEADLESS_GL_H_

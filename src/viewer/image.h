@@ -1,6 +1,5 @@
 // A picture, and its file.
-#ifndef UNDERSTUDY_VIEWER_IMAGE_H_
-#define UNDERSTUDY_VIEWER_IMAGE_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -25,5 +24,3 @@ void WritePng(const Image& image, const std::filesystem::path& file);
 void CheckWritable(const std::filesystem::path& file, bool overwrite);
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_IMAGE_H_

@@ -1,6 +1,5 @@
 // Reads model and states of a running robot over its control socket.
-#ifndef UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
-#define UNDERSTUDY_VIEWER_LIVE_ROBOT_H_
+#pragma once
 
 #include <chrono>
 #include <condition_variable>
@@ -53,5 +52,3 @@ class LiveRobot {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_LIVE_ROBOT_H_

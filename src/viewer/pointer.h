@@ -1,6 +1,5 @@
 // Moves the camera, selects a body and drags it with the mouse, as MuJoCo's own viewer does.
-#ifndef UNDERSTUDY_VIEWER_POINTER_H_
-#define UNDERSTUDY_VIEWER_POINTER_H_
+#pragma once
 
 #include <optional>
 
@@ -52,5 +51,3 @@ class Pointer {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_POINTER_H_

@@ -1,6 +1,5 @@
 // Shows the progress of long work on a terminal.
-#ifndef UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
-#define UNDERSTUDY_VIEWER_PROGRESS_BAR_H_
+#pragma once
 
 #include <chrono>
 #include <string>
@@ -33,5 +32,3 @@ class ProgressBar {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_PROGRESS_BAR_H_

@@ -1,6 +1,5 @@
 // Reads states and model from a recording, for pictures and films.
-#ifndef UNDERSTUDY_VIEWER_RECORDING_H_
-#define UNDERSTUDY_VIEWER_RECORDING_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -48,5 +47,3 @@ class Recording {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_RECORDING_H_

@@ -1,6 +1,5 @@
 // The keyboard of a window as the remote controller, with the keys of `understudy remote`.
-#ifndef UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_
-#define UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_
+#pragma once
 
 #include <map>
 
@@ -26,5 +25,3 @@ class RemoteKeyboard {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_REMOTE_KEYBOARD_H_

@@ -1,6 +1,5 @@
 // Requests from a window to its robot, without the window waiting for an answer.
-#ifndef UNDERSTUDY_VIEWER_REQUEST_SENDER_H_
-#define UNDERSTUDY_VIEWER_REQUEST_SENDER_H_
+#pragma once
 
 #include <condition_variable>
 #include <deque>
@@ -45,5 +44,3 @@ class RequestSender {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_REQUEST_SENDER_H_

@@ -1,6 +1,5 @@
 // The state of a robot at one instant, as it is drawn.
-#ifndef UNDERSTUDY_VIEWER_SCENE_STATE_H_
-#define UNDERSTUDY_VIEWER_SCENE_STATE_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -39,5 +38,3 @@ struct SceneState {
 SceneState ReadFrame(const std::string& text, std::size_t nq);
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_SCENE_STATE_H_

@@ -1,6 +1,5 @@
 // What a window says over its picture.
-#ifndef UNDERSTUDY_VIEWER_SCREEN_TEXT_H_
-#define UNDERSTUDY_VIEWER_SCREEN_TEXT_H_
+#pragma once
 
 #include <deque>
 #include <string>
@@ -33,5 +32,3 @@ TextBlock StatusText(const SceneState& state, double real_time_factor, const std
 TextBlock HelpText();
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_SCREEN_TEXT_H_

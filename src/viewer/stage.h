@@ -1,7 +1,6 @@
 // The robot and its surroundings as MuJoCo draws them: a model and positions of our own, never
 // those of the physics.
-#ifndef UNDERSTUDY_VIEWER_STAGE_H_
-#define UNDERSTUDY_VIEWER_STAGE_H_
+#pragma once
 
 #include <string>
 #include <string_view>
@@ -84,5 +83,3 @@ class Stage {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_STAGE_H_

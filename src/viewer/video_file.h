@@ -1,6 +1,5 @@
 // Writes an MP4 picture by picture, encoded by ffmpeg.
-#ifndef UNDERSTUDY_VIEWER_VIDEO_FILE_H_
-#define UNDERSTUDY_VIEWER_VIDEO_FILE_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -42,5 +41,3 @@ class VideoFile {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_VIDEO_FILE_H_

@@ -1,6 +1,5 @@
 // A window onto a running robot: what it shows, and what its keys and mouse do.
-#ifndef UNDERSTUDY_VIEWER_VIEWER_H_
-#define UNDERSTUDY_VIEWER_VIEWER_H_
+#pragma once
 
 #include <chrono>
 #include <filesystem>
@@ -71,5 +70,3 @@ class Viewer {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_VIEWER_H_

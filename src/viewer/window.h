@@ -1,6 +1,5 @@
 // Opens a window with OpenGL and reports its mouse and keyboard events.
-#ifndef UNDERSTUDY_VIEWER_WINDOW_H_
-#define UNDERSTUDY_VIEWER_WINDOW_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -60,5 +59,3 @@ class Window {
 };
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_VIEWER_WINDOW_H_

@@ -1,6 +1,5 @@
 // A topic that brings commands for motors.
-#ifndef UNDERSTUDY_WIRE_COMMAND_SOURCE_H_
-#define UNDERSTUDY_WIRE_COMMAND_SOURCE_H_
+#pragma once
 
 #include <utility>
 
@@ -44,5 +43,3 @@ class MessageSource final : public CommandSource {
 };
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_COMMAND_SOURCE_H_

@@ -1,6 +1,5 @@
 // The checksum that closes the vendor's low-level messages.
-#ifndef UNDERSTUDY_WIRE_CRC32_H_
-#define UNDERSTUDY_WIRE_CRC32_H_
+#pragma once
 
 #include <cstdint>
 #include <span>
@@ -13,5 +12,3 @@ namespace understudy::wire {
 std::uint32_t Crc32(std::span<const std::uint32_t> words);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_CRC32_H_

@@ -1,6 +1,5 @@
 // unitree_go: the low level of Go2, B2, their wheeled kin and H1.
-#ifndef UNDERSTUDY_WIRE_GO_CODEC_H_
-#define UNDERSTUDY_WIRE_GO_CODEC_H_
+#pragma once
 
 #include "idl/unitree_go.h"
 #include "robot/refusal.h"
@@ -33,5 +32,3 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_go_msg_dds__LowState_* message);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_GO_CODEC_H_

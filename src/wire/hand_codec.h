@@ -1,6 +1,5 @@
 // HandCmd_ and HandState_: hands with motors of their own, as the Dex3-1.
-#ifndef UNDERSTUDY_WIRE_HAND_CODEC_H_
-#define UNDERSTUDY_WIRE_HAND_CODEC_H_
+#pragma once
 
 #include <vector>
 
@@ -51,5 +50,3 @@ class HandStateMessage {
 };
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_HAND_CODEC_H_

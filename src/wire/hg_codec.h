@@ -1,6 +1,5 @@
 // unitree_hg: the low level of G1, H1-2, H2 and R1.
-#ifndef UNDERSTUDY_WIRE_HG_CODEC_H_
-#define UNDERSTUDY_WIRE_HG_CODEC_H_
+#pragma once
 
 #include "idl/unitree_hg.h"
 #include "robot/refusal.h"
@@ -33,5 +32,3 @@ void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
                unitree_hg_msg_dds__BmsState_* message);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_HG_CODEC_H_

@@ -1,6 +1,5 @@
 // The inertial unit's part of states, the same in both families but for the temperature's type.
-#ifndef UNDERSTUDY_WIRE_IMU_CODEC_H_
-#define UNDERSTUDY_WIRE_IMU_CODEC_H_
+#pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -24,5 +23,3 @@ void EncodeImu(const robot::ImuReading& reading, unitree_go_msg_dds__IMUState_* 
 void EncodeImu(const robot::ImuReading& reading, unitree_hg_msg_dds__IMUState_* message);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_IMU_CODEC_H_

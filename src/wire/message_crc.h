@@ -1,6 +1,5 @@
 // The CRC of whole messages.
-#ifndef UNDERSTUDY_WIRE_MESSAGE_CRC_H_
-#define UNDERSTUDY_WIRE_MESSAGE_CRC_H_
+#pragma once
 
 #include <cstdint>
 
@@ -22,5 +21,3 @@ std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowCmd_& message);
 std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowState_& message);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_MESSAGE_CRC_H_

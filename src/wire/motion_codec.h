@@ -1,7 +1,6 @@
 // Where the base is and what the motion service does: SportModeState of the go family, which
 // humanoids use too for their odometry, and that of the hg family.
-#ifndef UNDERSTUDY_WIRE_MOTION_CODEC_H_
-#define UNDERSTUDY_WIRE_MOTION_CODEC_H_
+#pragma once
 
 #include <array>
 
@@ -42,5 +41,3 @@ void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeStat
 std::array<char, 96> ArmActionText(const robot::MotionState& motion);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_MOTION_CODEC_H_

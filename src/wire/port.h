@@ -1,6 +1,5 @@
 // The topics of a robot's low level on the bus.
-#ifndef UNDERSTUDY_WIRE_PORT_H_
-#define UNDERSTUDY_WIRE_PORT_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -67,5 +66,3 @@ class Port final : public RobotPort {
 };
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_PORT_H_

@@ -1,6 +1,5 @@
 // A message that a robot sends by itself: its topics, when each is due, and how it is made.
-#ifndef UNDERSTUDY_WIRE_PUBLICATION_H_
-#define UNDERSTUDY_WIRE_PUBLICATION_H_
+#pragma once
 
 #include <algorithm>
 #include <cstdint>
@@ -85,5 +84,3 @@ class MessagePublication final : public Publication {
 };
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_PUBLICATION_H_

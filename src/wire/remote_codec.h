@@ -1,6 +1,5 @@
 // The remote controller, which both families tell in the same way.
-#ifndef UNDERSTUDY_WIRE_REMOTE_CODEC_H_
-#define UNDERSTUDY_WIRE_REMOTE_CODEC_H_
+#pragma once
 
 #include <array>
 #include <cstdint>
@@ -20,5 +19,3 @@ void EncodeRemote(const robot::RemoteReading& remote,
                   unitree_go_msg_dds__WirelessController_* message);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_REMOTE_CODEC_H_

@@ -1,6 +1,5 @@
 // The robot as seen from outside: commands come in, states go out.
-#ifndef UNDERSTUDY_WIRE_ROBOT_PORT_H_
-#define UNDERSTUDY_WIRE_ROBOT_PORT_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -37,5 +36,3 @@ class RobotPort {
 };
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_ROBOT_PORT_H_

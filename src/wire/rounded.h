@@ -1,6 +1,5 @@
 // From our values to the integers of the wire.
-#ifndef UNDERSTUDY_WIRE_ROUNDED_H_
-#define UNDERSTUDY_WIRE_ROUNDED_H_
+#pragma once
 
 #include <cmath>
 #include <concepts>
@@ -26,5 +25,3 @@ inline std::int16_t FootCounts(double force, const robot::FootSensorSpec& sensor
 }
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_ROUNDED_H_

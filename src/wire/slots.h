@@ -1,6 +1,5 @@
 // Motor slots: a message has more of them than the robot has motors.
-#ifndef UNDERSTUDY_WIRE_SLOTS_H_
-#define UNDERSTUDY_WIRE_SLOTS_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -82,5 +81,3 @@ std::uint64_t UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& 
 }
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_SLOTS_H_

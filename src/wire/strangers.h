@@ -1,6 +1,5 @@
 // Who else on this network has what only one robot may have: a writer of rt/lowstate.
-#ifndef UNDERSTUDY_WIRE_STRANGERS_H_
-#define UNDERSTUDY_WIRE_STRANGERS_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -54,5 +53,3 @@ class StrangerWatch {
 std::string Describe(const std::vector<bus::Neighbour>& neighbours);
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_STRANGERS_H_

@@ -1,6 +1,5 @@
 // The topics of a robot's low level, as the vendor names them (docs/sources.md#topics).
-#ifndef UNDERSTUDY_WIRE_TOPICS_H_
-#define UNDERSTUDY_WIRE_TOPICS_H_
+#pragma once
 
 #include "bus/topic.h"
 #include "idl/std_msgs.h"
@@ -60,5 +59,3 @@ inline constexpr bus::Topic<unitree_go_msg_dds__WirelessController_> kWirelessCo
     "rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc};
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_WIRE_TOPICS_H_

@@ -1,6 +1,5 @@
 // Another participant on the bus, for tests: made with the C API alone, as somebody else's program.
-#ifndef UNDERSTUDY_TESTS_BUS_STRANGER_H_
-#define UNDERSTUDY_TESTS_BUS_STRANGER_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -70,5 +69,3 @@ inline Entity JoinOverTheNetwork(int domain, int alias) {
 }
 
 }  // namespace understudy::bus
-
-#endif  // UNDERSTUDY_TESTS_BUS_STRANGER_H_

@@ -1,6 +1,5 @@
 // Files to load from, in a directory of the test's own.
-#ifndef UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_
-#define UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_
+#pragma once
 
 #include <filesystem>
 #include <fstream>
@@ -93,5 +92,3 @@ class ConfigFixture : public testing::Test {
 };
 
 }  // namespace understudy::config
-
-#endif  // UNDERSTUDY_TESTS_CONFIG_CONFIG_FIXTURE_H_

@@ -1,6 +1,5 @@
 // A robot for `understudy ctl`: a server without a tick behind it.
-#ifndef UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_
-#define UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_
+#pragma once
 
 #include <filesystem>
 #include <utility>
@@ -49,5 +48,3 @@ class FakeRobot {
 };
 
 }  // namespace understudy::ctl
-
-#endif  // UNDERSTUDY_TESTS_CTL_FAKE_ROBOT_H_

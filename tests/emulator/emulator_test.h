@@ -1,6 +1,5 @@
 // Whole ticks of the fixture robot between a fake port and an inbox.
-#ifndef UNDERSTUDY_TESTS_EMULATOR_EMULATOR_TEST_H_
-#define UNDERSTUDY_TESTS_EMULATOR_EMULATOR_TEST_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -86,5 +85,3 @@ class EmulatorTest : public test::MujocoTest {
 };
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_TESTS_EMULATOR_EMULATOR_TEST_H_

@@ -1,6 +1,5 @@
 // A state as bytes, so that "equal" means bit for bit.
-#ifndef UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_
-#define UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_
+#pragma once
 
 #include <string>
 
@@ -12,5 +11,3 @@ namespace understudy::emulator {
 std::string Bytes(const robot::RobotState& state);
 
 }  // namespace understudy::emulator
-
-#endif  // UNDERSTUDY_TESTS_EMULATOR_STATE_BYTES_H_

@@ -1,6 +1,5 @@
 // For tests of what changes a whole process: bodies that run in a forked one, and pipes to them.
-#ifndef UNDERSTUDY_TESTS_EXEC_FORKED_H_
-#define UNDERSTUDY_TESTS_EXEC_FORKED_H_
+#pragma once
 
 #include <functional>
 #include <string>
@@ -44,5 +43,3 @@ class Forked {
 };
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_EXEC_FORKED_H_

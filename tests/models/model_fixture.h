@@ -1,5 +1,4 @@
-#ifndef UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_
-#define UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -76,5 +75,3 @@ double TiltDegrees(const mjData& data, int body);
 std::vector<std::string> SelfContacts(const mjModel& model, const mjData& data);
 
 }  // namespace understudy::models
-
-#endif  // UNDERSTUDY_TESTS_MODELS_MODEL_FIXTURE_H_

@@ -1,6 +1,5 @@
 // Small MCAP files for tests, sound and not.
-#ifndef UNDERSTUDY_TESTS_RECORD_MCAP_FILES_H_
-#define UNDERSTUDY_TESTS_RECORD_MCAP_FILES_H_
+#pragma once
 
 #include <filesystem>
 #include <fstream>
@@ -91,5 +90,3 @@ class McapFilesTest : public testing::Test {
 };
 
 }  // namespace understudy::record
-
-#endif  // UNDERSTUDY_TESTS_RECORD_MCAP_FILES_H_

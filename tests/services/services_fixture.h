@@ -1,6 +1,5 @@
 // A robot for services to act on, and good and bad parameters for every row.
-#ifndef UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_
-#define UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_
+#pragma once
 
 #include <memory>
 #include <string>
@@ -70,5 +69,3 @@ class Caller {
 ServiceTable TableOf(std::string_view robot, std::string_view service);
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_TESTS_SERVICES_SERVICES_FIXTURE_H_

@@ -1,7 +1,6 @@
 // Counts what C++ allocates in this test program: operator new, on all threads. Cyclone's C is not
 // counted.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_
-#define UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_
+#pragma once
 
 #include <cstdint>
 
@@ -13,5 +12,3 @@ std::uint64_t Allocations();
 std::uint64_t AllocationsOfThisThread();
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_ALLOCATIONS_H_

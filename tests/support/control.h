@@ -1,6 +1,5 @@
 // What the tests of the control plane share.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_CONTROL_H_
-#define UNDERSTUDY_TESTS_SUPPORT_CONTROL_H_
+#pragma once
 
 #include <atomic>
 #include <cerrno>
@@ -215,5 +214,3 @@ inline bool Eventually(const std::function<bool()>& holds) {
 }
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_CONTROL_H_

@@ -1,6 +1,5 @@
 // Waiting for what other threads bring about, with a bound.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_EVENTUALLY_H_
-#define UNDERSTUDY_TESTS_SUPPORT_EVENTUALLY_H_
+#pragma once
 
 #include <chrono>
 #include <thread>
@@ -19,5 +18,3 @@ bool Eventually(Predicate&& holds, std::chrono::milliseconds bound = std::chrono
 }
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_EVENTUALLY_H_

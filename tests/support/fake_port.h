@@ -1,6 +1,5 @@
 // A port without a wire.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
-#define UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -84,5 +83,3 @@ class FakePort final : public wire::RobotPort {
 };
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_FAKE_PORT_H_

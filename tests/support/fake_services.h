@@ -1,6 +1,5 @@
 // Services without a wire.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_FAKE_SERVICES_H_
-#define UNDERSTUDY_TESTS_SUPPORT_FAKE_SERVICES_H_
+#pragma once
 
 #include <functional>
 #include <vector>
@@ -46,5 +45,3 @@ class FakeServices final : public services::ServicePort {
 };
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_FAKE_SERVICES_H_

@@ -1,6 +1,5 @@
 // The robot of tests/data/fixture_robot.xml: four legs of one joint each and a neck of two.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_FIXTURE_ROBOT_H_
-#define UNDERSTUDY_TESTS_SUPPORT_FIXTURE_ROBOT_H_
+#pragma once
 
 #include <filesystem>
 #include <string>
@@ -34,5 +33,3 @@ std::vector<std::string> ActuatorOrder(const mjModel& model);
 std::vector<double> Hold(const physics::RobotBody& robot, const std::vector<double>& q);
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_FIXTURE_ROBOT_H_

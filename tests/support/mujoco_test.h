@@ -1,6 +1,5 @@
 // A fixture for whatever makes MuJoCo work.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_MUJOCO_TEST_H_
-#define UNDERSTUDY_TESTS_SUPPORT_MUJOCO_TEST_H_
+#pragma once
 
 #include <gtest/gtest.h>
 
@@ -19,5 +18,3 @@ class MujocoTest : public testing::Test {
 };
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_MUJOCO_TEST_H_

@@ -1,6 +1,5 @@
 // DDS domains for tests that run side by side.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_NEW_DOMAIN_H_
-#define UNDERSTUDY_TESTS_SUPPORT_NEW_DOMAIN_H_
+#pragma once
 
 #include <cstddef>
 #include <stdexcept>
@@ -35,5 +34,3 @@ inline int NewDomain() {
 }
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_NEW_DOMAIN_H_

@@ -1,6 +1,5 @@
 // Requests for tests.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_REQUESTS_H_
-#define UNDERSTUDY_TESTS_SUPPORT_REQUESTS_H_
+#pragma once
 
 #include <stdexcept>
 #include <string_view>
@@ -17,5 +16,3 @@ inline emulator::Request RequestOf(std::string_view name, const nlohmann::json& 
 }
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_REQUESTS_H_

@@ -1,6 +1,5 @@
 // The robots of the repository, for tests that hold for each of a kind.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_ROBOTS_H_
-#define UNDERSTUDY_TESTS_SUPPORT_ROBOTS_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -41,5 +40,3 @@ inline std::vector<std::string> HumanoidsWithoutHands() {
 }
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_ROBOTS_H_

@@ -1,6 +1,5 @@
 // A folder that is there as long as the test is.
-#ifndef UNDERSTUDY_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
-#define UNDERSTUDY_TESTS_SUPPORT_TEMPORARY_FOLDER_H_
+#pragma once
 
 #include <cstdlib>
 #include <filesystem>
@@ -35,5 +34,3 @@ class TemporaryFolder {
 };
 
 }  // namespace understudy::test
-
-#endif  // UNDERSTUDY_TESTS_SUPPORT_TEMPORARY_FOLDER_H_

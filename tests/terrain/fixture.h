@@ -1,6 +1,5 @@
 // Made ground in a folder of its own, and what rays find of it.
-#ifndef UNDERSTUDY_TESTS_TERRAIN_FIXTURE_H_
-#define UNDERSTUDY_TESTS_TERRAIN_FIXTURE_H_
+#pragma once
 
 #include <cmath>
 #include <cstddef>
@@ -92,5 +91,3 @@ class TerrainTest : public test::MujocoTest {
 };
 
 }  // namespace understudy::terrain
-
-#endif  // UNDERSTUDY_TESTS_TERRAIN_FIXTURE_H_

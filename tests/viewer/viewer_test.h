@@ -1,6 +1,5 @@
 // What the tests of the viewer share.
-#ifndef UNDERSTUDY_TESTS_VIEWER_VIEWER_TEST_H_
-#define UNDERSTUDY_TESTS_VIEWER_VIEWER_TEST_H_
+#pragma once
 
 #include <string>
 
@@ -53,5 +52,3 @@ inline SceneState BallAt(double x, double time = 0) {
 }
 
 }  // namespace understudy::viewer
-
-#endif  // UNDERSTUDY_TESTS_VIEWER_VIEWER_TEST_H_

@@ -1,6 +1,5 @@
 // The other end of a port: a user's program in the same process and domain.
-#ifndef UNDERSTUDY_TESTS_WIRE_CLIENT_H_
-#define UNDERSTUDY_TESTS_WIRE_CLIENT_H_
+#pragma once
 
 #include <optional>
 
@@ -23,5 +22,3 @@ std::optional<Msg> Next(bus::Reader<Msg>* reader) {
 }
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_TESTS_WIRE_CLIENT_H_

@@ -1,6 +1,5 @@
 // The command that the vendor's Go2 examples fill in before they move anything.
-#ifndef UNDERSTUDY_TESTS_WIRE_GO_COMMAND_H_
-#define UNDERSTUDY_TESTS_WIRE_GO_COMMAND_H_
+#pragma once
 
 #include "idl/unitree_go.h"
 
@@ -21,5 +20,3 @@ inline unitree_go_msg_dds__LowCmd_ InitialGoCommand() {
 }
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_TESTS_WIRE_GO_COMMAND_H_

@@ -1,6 +1,5 @@
 // Two small robots for wire tests. Slots have gaps, so that a slot is never its motor's index.
-#ifndef UNDERSTUDY_TESTS_WIRE_ROBOTS_H_
-#define UNDERSTUDY_TESTS_WIRE_ROBOTS_H_
+#pragma once
 
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
@@ -63,5 +62,3 @@ inline robot::RobotCommand CommandOf(const robot::RobotSpec& spec) {
 }
 
 }  // namespace understudy::wire
-
-#endif  // UNDERSTUDY_TESTS_WIRE_ROBOTS_H_

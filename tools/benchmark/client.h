@@ -1,6 +1,5 @@
 // The other end of the bus: clients of the daemon and of each other.
-#ifndef UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_
-#define UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_
+#pragma once
 
 #include <chrono>
 #include <string>
@@ -56,5 +55,3 @@ std::vector<std::string> HelperArguments(const std::string& helper, const std::s
 [[noreturn]] void RunHelper(const std::string& helper, const std::string& robot);
 
 }  // namespace understudy::bench
-
-#endif  // UNDERSTUDY_TOOLS_BENCHMARK_CLIENT_H_

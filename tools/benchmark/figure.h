@@ -1,6 +1,5 @@
 // What a benchmark found, and how it is shown.
-#ifndef UNDERSTUDY_TOOLS_BENCHMARK_FIGURE_H_
-#define UNDERSTUDY_TOOLS_BENCHMARK_FIGURE_H_
+#pragma once
 
 #include <optional>
 #include <string>
@@ -31,5 +30,3 @@ std::string Table(const std::vector<Figure>& figures);
 std::string Json(const std::vector<Figure>& figures);  // one object, in one line
 
 }  // namespace understudy::bench
-
-#endif  // UNDERSTUDY_TOOLS_BENCHMARK_FIGURE_H_

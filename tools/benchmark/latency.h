@@ -1,6 +1,5 @@
 // How long a command takes to show in the robot's state, and a robot to appear.
-#ifndef UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_
-#define UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -24,5 +23,3 @@ std::vector<Figure> MeasureMemory(const std::string& understudy, const std::stri
                                   double seconds);
 
 }  // namespace understudy::bench
-
-#endif  // UNDERSTUDY_TOOLS_BENCHMARK_LATENCY_H_

@@ -1,6 +1,5 @@
 // Programs that are measured from outside.
-#ifndef UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_
-#define UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_
+#pragma once
 
 #include <cstdint>
 #include <filesystem>
@@ -55,5 +54,3 @@ class Daemon {
 };
 
 }  // namespace understudy::bench
-
-#endif  // UNDERSTUDY_TOOLS_BENCHMARK_PROCESS_H_

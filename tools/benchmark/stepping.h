@@ -1,6 +1,5 @@
 // How much of MuJoCo's own speed is left in the whole daemon.
-#ifndef UNDERSTUDY_TOOLS_BENCHMARK_STEPPING_H_
-#define UNDERSTUDY_TOOLS_BENCHMARK_STEPPING_H_
+#pragma once
 
 #include <string>
 #include <vector>
@@ -19,5 +18,3 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const std::st
                                     double window);
 
 }  // namespace understudy::bench
-
-#endif  // UNDERSTUDY_TOOLS_BENCHMARK_STEPPING_H_

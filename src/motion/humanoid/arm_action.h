@@ -1,6 +1,5 @@
 // Plays arm actions.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_ARM_ACTION_H_
-#define UNDERSTUDY_MOTION_HUMANOID_ARM_ACTION_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -58,5 +57,3 @@ class ArmActionPlayer {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_ARM_ACTION_H_

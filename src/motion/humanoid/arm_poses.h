@@ -1,6 +1,5 @@
 // What the arms do in each of the vendor's arm actions.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_ARM_POSES_H_
-#define UNDERSTUDY_MOTION_HUMANOID_ARM_POSES_H_
+#pragma once
 
 #include <array>
 #include <cstddef>
@@ -46,5 +45,3 @@ const ArmAction* FindArmAction(int id);
 bool IsUnplayedArmAction(int id);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_ARM_POSES_H_

@@ -1,7 +1,6 @@
 // What a humanoid's own controller works out about its body from joint angles and its inertial
 // unit.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_BODY_MODEL_H_
-#define UNDERSTUDY_MOTION_HUMANOID_BODY_MODEL_H_
+#pragma once
 
 #include <span>
 #include <vector>
@@ -106,5 +105,3 @@ class BodyModel {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_BODY_MODEL_H_

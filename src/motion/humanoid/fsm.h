@@ -1,6 +1,5 @@
 // Which state a humanoid's motion service goes to from which.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_FSM_H_
-#define UNDERSTUDY_MOTION_HUMANOID_FSM_H_
+#pragma once
 
 #include "motion/transitions.h"
 #include "robot/robot_spec.h"
@@ -37,5 +36,3 @@ authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, 
                                bool moving);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_FSM_H_

@@ -1,7 +1,6 @@
 // The motion service of a humanoid: lies limp, locks its joints, stands balanced, moves its arms.
 // It does not walk.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_MOTION_H_
-#define UNDERSTUDY_MOTION_HUMANOID_MOTION_H_
+#pragma once
 
 #include <memory>
 #include <span>
@@ -91,5 +90,3 @@ std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& sp
                                                       const physics::RobotBody& body);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_MOTION_H_

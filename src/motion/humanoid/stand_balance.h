@@ -1,6 +1,5 @@
 // Standing on two feet without a step.
-#ifndef UNDERSTUDY_MOTION_HUMANOID_STAND_BALANCE_H_
-#define UNDERSTUDY_MOTION_HUMANOID_STAND_BALANCE_H_
+#pragma once
 
 #include <array>
 #include <span>
@@ -56,5 +55,3 @@ class StandBalance {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_HUMANOID_STAND_BALANCE_H_

@@ -1,6 +1,5 @@
 // What a quadruped's legs can be busy with.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_BEHAVIOUR_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_BEHAVIOUR_H_
+#pragma once
 
 #include "motion/quadruped/body.h"
 
@@ -25,5 +24,3 @@ class Behaviour {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_BEHAVIOUR_H_

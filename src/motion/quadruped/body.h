@@ -1,7 +1,6 @@
 // A quadruped as its controller sees it: what its sensors say in the terms of legs, and what its
 // legs must do to carry it.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_BODY_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_BODY_H_
+#pragma once
 
 #include <array>
 #include <vector>
@@ -77,5 +76,3 @@ class QuadrupedBody {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_BODY_H_

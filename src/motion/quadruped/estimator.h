@@ -1,6 +1,5 @@
 // Estimates how a quadruped's base moves.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_ESTIMATOR_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_ESTIMATOR_H_
+#pragma once
 
 #include <array>
 
@@ -61,5 +60,3 @@ class QuadrupedEstimator {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_ESTIMATOR_H_

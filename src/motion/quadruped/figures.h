@@ -1,7 +1,6 @@
 // What a quadruped's controller needs to know of its body, read once from the compiled model: where
 // its legs turn, how long they are, what they weigh.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_FIGURES_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_FIGURES_H_
+#pragma once
 
 #include <array>
 #include <vector>
@@ -55,5 +54,3 @@ struct QuadrupedFigures {
 QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_FIGURES_H_

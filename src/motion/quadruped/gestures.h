@@ -1,6 +1,5 @@
 // The gestures of a quadruped: what they look like, and how they are played.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_
+#pragma once
 
 #include <cstddef>
 #include <span>
@@ -48,5 +47,3 @@ class Gesture final : public Behaviour {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_GESTURES_H_

@@ -1,6 +1,5 @@
 // The kinematics of a leg of three hinges, in closed form.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_LEG_H_
+#pragma once
 
 #include <Eigen/Core>
 
@@ -52,5 +51,3 @@ class QuadrupedLeg {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_LEG_H_

@@ -1,6 +1,5 @@
 // The motion service of a quadruped, as far as it needs no walking.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_MOTION_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_MOTION_H_
+#pragma once
 
 #include <array>
 #include <memory>
@@ -83,5 +82,3 @@ std::unique_ptr<authority::Motion> MakeQuadrupedMotion(const robot::RobotSpec& s
                                                        const physics::RobotBody& body);
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_MOTION_H_

@@ -1,6 +1,5 @@
 // Legs on their way from one posture to another.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_MOVES_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_MOVES_H_
+#pragma once
 
 #include "motion/joint_move.h"
 #include "motion/quadruped/behaviour.h"
@@ -41,5 +40,3 @@ class FeetMove final : public Behaviour {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_MOVES_H_

@@ -1,6 +1,5 @@
 // Getting from any fallen pose onto folded legs.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_RECOVERY_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_RECOVERY_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -41,5 +40,3 @@ class QuadrupedRecovery final : public Behaviour {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_RECOVERY_H_

@@ -1,6 +1,5 @@
 // Standing on feet that stay where they are, while the body moves over them.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_STANCE_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_STANCE_H_
+#pragma once
 
 #include <array>
 
@@ -75,5 +74,3 @@ class Stance final : public Behaviour {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_STANCE_H_

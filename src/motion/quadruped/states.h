@@ -1,6 +1,5 @@
 // The states of a quadruped's motion service, and which goal leads from which to which.
-#ifndef UNDERSTUDY_MOTION_QUADRUPED_STATES_H_
-#define UNDERSTUDY_MOTION_QUADRUPED_STATES_H_
+#pragma once
 
 #include <cstddef>
 #include <cstdint>
@@ -63,5 +62,3 @@ using QuadrupedTransition = Transition<std::size_t, QuadrupedState, QuadrupedWhe
 std::span<const QuadrupedTransition> QuadrupedTransitions();
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_MOTION_QUADRUPED_STATES_H_

@@ -1,6 +1,5 @@
 // Short words for the rows of the tables. Private to services/.
-#ifndef UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
-#define UNDERSTUDY_SERVICES_TABLES_FIELDS_H_
+#pragma once
 
 #include <cstdint>
 #include <limits>
@@ -60,5 +59,3 @@ inline ServiceReply SwitchSticks(const ServiceCall& call) {
 }
 
 }  // namespace understudy::services::fields
-
-#endif  // UNDERSTUDY_SERVICES_TABLES_FIELDS_H_

@@ -1,8 +1,7 @@
 // The vendor's services, one function each. Sources in the rows: [sdk] a header of unitree_sdk2,
 // commit 21d0a3b; [py] unitree_sdk2_python, commit 37116c5; [docs] the vendor's developer pages;
 // [seen] on a real robot by others; assumed. Private to services/.
-#ifndef UNDERSTUDY_SERVICES_TABLES_TABLES_H_
-#define UNDERSTUDY_SERVICES_TABLES_TABLES_H_
+#pragma once
 
 #include "services/api_row.h"
 
@@ -37,5 +36,3 @@ ServiceTable UwbSwitchTable();
 ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version);
 
 }  // namespace understudy::services
-
-#endif  // UNDERSTUDY_SERVICES_TABLES_TABLES_H_

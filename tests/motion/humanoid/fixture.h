@@ -1,6 +1,5 @@
 // A humanoid on flat ground with its own motion service, its motors, its sensors and a crane.
-#ifndef UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_
-#define UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_
+#pragma once
 
 #include <functional>
 #include <memory>
@@ -83,5 +82,3 @@ class HumanoidRig {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_TESTS_MOTION_HUMANOID_FIXTURE_H_

@@ -1,7 +1,6 @@
 // A quadruped under its motion service: physics, motors, sensors with their noise, and nothing
 // else.
-#ifndef UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
-#define UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
+#pragma once
 
 #include <filesystem>
 #include <functional>
@@ -82,5 +81,3 @@ class QuadrupedRig {
 };
 
 }  // namespace understudy::motion
-
-#endif  // UNDERSTUDY_TESTS_MOTION_QUADRUPED_RIG_H_
