@@ -48,17 +48,18 @@ class Inbox {
   // An eventfd that becomes readable when answers were given.
   int bell() const { return bell_.get(); }
 
-  // The tick: calls std::optional<Answer> carry_out(Request*, Reply*) for waiting requests, in
-  // order of arrival; what is left waits for the next. nullopt: it has taken the reply and will
-  // give the answer later. Returns at once, having done nothing, while another thread is at the
-  // inbox; the next tick comes soon. carry_out must not throw or come back to the inbox.
+  // The tick, at wall time `now` since the epoch of WallTime: calls std::optional<Answer>
+  // carry_out(Request*, Reply*) for waiting requests, in order of arrival; what is left waits for
+  // the next. nullopt: it has taken the reply and will give the answer later. Returns at once,
+  // having done nothing, while another thread is at the inbox; the next tick comes soon. carry_out
+  // must not throw or come back to the inbox.
   template <class CarryOut>
-  void Drain(CarryOut&& carry_out) {
+  void Drain(WallTime::duration now, CarryOut&& carry_out) {
     const std::unique_lock lock(mutex_, std::try_to_lock);
     if (!lock) return;
     for (std::size_t done = 0; done < kMostAtOnce && !waiting_.empty(); ++done) {
       Entry& entry = waiting_.front();
-      const bool late = std::chrono::steady_clock::now() > entry.until;
+      const bool late = now > entry.until.time_since_epoch();
       if (!late && entry.request.row->name == "reset") done = kMostAtOnce;
       std::optional<Answer> answer = late ? Answer{Error{"the request came too late"}}
                                           : carry_out(&entry.request, &entry.reply);

@@ -30,7 +30,7 @@ void World::FollowScript(double t) {
 
 void World::TakeRequests() {
   AnswerSteppers();
-  inbox_->Drain([this](Request* request, Reply* reply) -> std::optional<Answer> {
+  inbox_->Drain(now_, [this](Request* request, Reply* reply) -> std::optional<Answer> {
     const std::size_t dragged = drags_.size();
     Answer answer = CarryOut(request, time());
     if (!answer) return answer;

@@ -15,7 +15,8 @@ namespace {
 
 using std::chrono::steady_clock;
 
-const auto kNever = steady_clock::time_point::max();
+constexpr auto kNever = steady_clock::time_point::max();
+constexpr steady_clock::duration kNow = std::chrono::seconds{100};
 
 const Request kReset = test::RequestOf("reset"), kClamp = test::RequestOf("clamp", true);
 
@@ -26,7 +27,7 @@ TEST(InboxTest, CarriesRequestsOutInOrderOfArrival) {
   for (const double by : {1.0, 2.0, 3.0})
     ASSERT_TRUE(inbox.Put(test::RequestOf("crane.lower", by), kNever));
   std::vector<double> carried_out;
-  inbox.Drain([&](Request* request, Reply*) {
+  inbox.Drain(kNow, [&](Request* request, Reply*) {
     carried_out.push_back(request->number("by"));
     return Answer{};
   });
@@ -37,7 +38,7 @@ TEST(InboxTest, ManyRequestsMakeNoLongTick) {
   Inbox inbox;
   std::size_t carried_out = 0;
   const auto drain = [&] {
-    inbox.Drain([&](Request*, Reply*) {
+    inbox.Drain(kNow, [&](Request*, Reply*) {
       ++carried_out;
       return Answer{};
     });
@@ -58,16 +59,16 @@ TEST(InboxTest, AResetIsTheLastOfItsTick) {
     kinds.push_back(request->row->name);
     return Answer{};
   };
-  inbox.Drain(note);
+  inbox.Drain(kNow, note);
   ASSERT_EQ(kinds.size(), 2u);
-  inbox.Drain(note);
+  inbox.Drain(kNow, note);
   EXPECT_EQ(kinds.size(), 3u);
 }
 
 TEST(InboxTest, HandsBackTheAnswer) {
   Inbox inbox;
   auto answer = inbox.Put(test::RequestOf("crane.attach"), kNever);
-  inbox.Drain([](Request*, Reply*) { return Answer{Error{"no crane here"}}; });
+  inbox.Drain(kNow, [](Request*, Reply*) { return Answer{Error{"no crane here"}}; });
   EXPECT_EQ(answer->get().why(), "no crane here");
 }
 
@@ -75,7 +76,7 @@ TEST(InboxTest, AnAnswerMayBeGivenLater) {
   Inbox inbox;
   auto answer = inbox.Put(kReset, kNever);
   std::optional<Reply> kept;
-  inbox.Drain([&](Request*, Reply* reply) -> std::optional<Answer> {
+  inbox.Drain(kNow, [&](Request*, Reply* reply) -> std::optional<Answer> {
     kept = std::move(*reply);
     return std::nullopt;
   });
@@ -89,7 +90,7 @@ TEST(InboxTest, RingsWhenAnAnswerIsGivenAndNotBefore) {
   inbox.Put(kReset, kNever);
   std::uint64_t rings = 0;
   EXPECT_NE(::eventfd_read(inbox.bell(), &rings), 0);
-  inbox.Drain(Fine);
+  inbox.Drain(kNow, Fine);
   EXPECT_EQ(::eventfd_read(inbox.bell(), &rings), 0);
   EXPECT_EQ(rings, 1u);
 }
@@ -98,15 +99,15 @@ TEST(InboxTest, TakesNoMoreThanItHolds) {
   Inbox inbox;
   for (std::size_t i = 0; i < Inbox::kCapacity; ++i) ASSERT_TRUE(inbox.Put(kReset, kNever));
   EXPECT_FALSE(inbox.Put(kReset, kNever));
-  inbox.Drain(Fine);
+  inbox.Drain(kNow, Fine);
   EXPECT_TRUE(inbox.Put(kReset, kNever));
 }
 
 TEST(InboxTest, DoesNotCarryOutWhatNobodyWaitsForAnyMore) {
   Inbox inbox;
-  auto answer = inbox.Put(kReset, steady_clock::now() - std::chrono::seconds{1});
+  auto answer = inbox.Put(kReset, steady_clock::time_point(kNow - std::chrono::nanoseconds{1}));
   int carried_out = 0;
-  inbox.Drain([&](Request*, Reply*) {
+  inbox.Drain(kNow, [&](Request*, Reply*) {
     ++carried_out;
     return Answer{};
   });
@@ -120,7 +121,7 @@ TEST(InboxTest, DrainReturnsAtOnceWhileAnotherThreadIsAtTheInbox) {
   std::promise<void> inside;
   std::promise<void> leave;
   std::thread other([&] {
-    inbox.Drain([&](Request*, Reply*) {
+    inbox.Drain(kNow, [&](Request*, Reply*) {
       inside.set_value();
       leave.get_future().wait_for(test::kBound);
       return Answer{};
@@ -128,7 +129,7 @@ TEST(InboxTest, DrainReturnsAtOnceWhileAnotherThreadIsAtTheInbox) {
   });
   inside.get_future().wait();
   int carried_out = 0;
-  inbox.Drain([&](Request*, Reply*) {  // would never return if it waited for the other
+  inbox.Drain(kNow, [&](Request*, Reply*) {  // would never return if it waited for the other
     ++carried_out;
     return Answer{};
   });

@@ -106,7 +106,7 @@ TEST_F(ControlServerTest, ARequestTheRobotDoesNotComeToIs503AndNotCarriedOutLate
   Start({.patience = std::chrono::milliseconds{20}});
   EXPECT_EQ(Ask("POST", "/reset", "{}").status, 503u);
   int carried_out = 0;
-  inbox_.Drain([&](emulator::Request*, emulator::Reply*) {
+  inbox_.Drain(test::Now(), [&](emulator::Request*, emulator::Reply*) {
     ++carried_out;
     return emulator::Answer{};
   });
@@ -120,6 +120,7 @@ TEST_F(ControlServerTest, StepsAreAnsweredWhenTheyAreMadeHoweverLongThatTakes) {
   std::optional<emulator::Reply> kept;
   ASSERT_TRUE(test::Eventually([&] {
     inbox_.Drain(
+        test::Now(),
         [&](emulator::Request*, emulator::Reply* reply) -> std::optional<emulator::Answer> {
           kept = std::move(*reply);
           return std::nullopt;
@@ -147,7 +148,7 @@ TEST_F(ControlServerTest, ARequestThatWaitsDelaysNobody) {
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   ASSERT_TRUE(test::Eventually([&] {
     bool came = false;
-    inbox_.Drain([&](emulator::Request*, emulator::Reply*) {
+    inbox_.Drain(test::Now(), [&](emulator::Request*, emulator::Reply*) {
       came = true;
       return emulator::Answer{};
     });
@@ -214,7 +215,8 @@ TEST_F(ControlServerTest, EndsWhileARequestWaitsWhichMayThenStillBeAnswered) {
   client.Send(Post("/reset", "{}") + "x");
   EXPECT_EQ(Ask("GET", "/status").status, 200u);
   dut_.reset();
-  inbox_.Drain([](emulator::Request*, emulator::Reply*) { return emulator::Answer{}; });
+  inbox_.Drain(test::Now(),
+               [](emulator::Request*, emulator::Reply*) { return emulator::Answer{}; });
 }
 
 TEST_F(ControlServerTest, KeepsAConnectionForTheNextRequest) {
