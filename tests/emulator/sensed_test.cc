@@ -16,16 +16,18 @@ class SensedTest : public EmulatorTest {
     config_.start.pose = "standing";
   }
 
-  void Run(int ticks) {
+  void StartGo2() {
     physics::World world(
         physics::LoadWorldModel({{config_.robot, kRoot / "models" / config_.robot.model}},
                                 kRoot / "models/scene/flat.xml", config_.physics.timestep),
         {{config_.robot}});
-    test::FakePort port;
-    const auto go2 = MakeIn(std::move(world), &port, &inbox_);
-    for (int i = 0; i < ticks; ++i) ASSERT_EQ(go2->Tick({}), physics::StepHealth::kFine);
-    command_ = go2->robot().command().motors;
-    state_ = Bytes(port.last().state);
+    world_ = MakeIn(std::move(world), &port_, &inbox_, &services_);
+  }
+  void Run(int ticks) {
+    StartGo2();
+    Tick(ticks);
+    command_ = robot().command().motors;
+    state_ = Bytes(port_.last().state);
   }
 
   const std::filesystem::path kRoot = UNDERSTUDY_SOURCE_DIR;
@@ -48,6 +50,25 @@ TEST_F(SensedTest, IdealSensorsTellAMotionServiceTheTruth) {
   config_.sensors.seed = 2;
   Run(21);
   EXPECT_EQ(command_, first);
+}
+
+TEST_F(SensedTest, AMotionServiceKnowsItsJointsAndHowFastTheyTurn) {
+  config_.start.pose = "lying";
+  StartGo2();
+  Tick(500);
+  services_.Call([](authority::MotorOwner* owner) { owner->Ask(authority::goal::StandUp{}); });
+  Tick(2);
+  for (std::size_t i = 0; i < 12; ++i) {  // it rises from where its joints are
+    EXPECT_NEAR(robot().command().motors[i].q, world_->physics().robot().q()[i], 0.02) << i;
+  }
+  robot::RobotState rising;
+  for (int i = 0; i < 3000; ++i) {
+    Tick();
+    const robot::RobotState& state = robot().sampled();
+    if (state.base.v_WB_W.z() > rising.base.v_WB_W.z()) rising = state;
+  }
+  ASSERT_GT(rising.base.v_WB_W.z(), 0.1);
+  EXPECT_NEAR(rising.motion->v_WB_W.z(), rising.base.v_WB_W.z(), 0.03);
 }
 
 TEST_F(SensedTest, NothingIsSampledForAServiceThatIsOff) {

@@ -9,7 +9,7 @@ class MotionAllocationTest : public test::MujocoTest {};
 
 TEST_F(MotionAllocationTest, AHumanoidStepsAndListensWithoutAllocating) {
   HumanoidRig rig("g1");
-  rig.Stand();
+  rig.Start("standing");
   rig.Run(1);
   const std::uint64_t before = test::Allocations();
   rig.SetFsm(500);

@@ -1,32 +1,17 @@
 // What a humanoid works out about its body, against what the simulated world knows.
 #include "motion/humanoid/body_model.h"
 
-#include <filesystem>
 #include <random>
 
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
-#include "config/load.h"
-#include "physics/world.h"
-#include "physics/world_model.h"
+#include "tests/motion/rig.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
-
-const std::filesystem::path kData(UNDERSTUDY_SOURCE_DIR);
-
-robot::RobotSpec SpecOf(const std::string& robot) {
-  return config::LoadConfig({.robot = robot}, kData).robot;
-}
-
-physics::World WorldOf(const robot::RobotSpec& spec) {
-  return {physics::LoadWorldModel({{spec, kData / "models" / spec.model}},
-                                  kData / "models/scene/flat.xml", 0.001),
-          {{spec}}};
-}
 
 Eigen::Vector3d Vector(const mjtNum* x) { return {x[0], x[1], x[2]}; }
 
@@ -78,8 +63,9 @@ class BodyModelTest : public test::MujocoTest, public testing::WithParamInterfac
     return all + 3 * world_.robot().Body(spec_.base_body);
   }
 
-  robot::RobotSpec spec_ = SpecOf(GetParam());
-  physics::World world_ = WorldOf(spec_);
+  config::Config config_ = ConfigOf(GetParam());
+  const robot::RobotSpec& spec_ = config_.robot;
+  physics::World world_ = PhysicsOf(config_);
   mjcf::DataHandle data_{mj_makeData(&world_.model())};
   BodyModel body_{world_.model(), spec_};
   std::vector<int> dof_;
@@ -179,8 +165,8 @@ INSTANTIATE_TEST_SUITE_P(Robots, BodyModelTest, testing::ValuesIn(test::Humanoid
 using BodyModelMisuseTest = test::MujocoTest;
 
 TEST_F(BodyModelMisuseTest, RefusesAFootWithoutGeoms) {
-  robot::RobotSpec spec = SpecOf("g1");
-  const physics::World world = WorldOf(spec);
+  const physics::World world = PhysicsOf(ConfigOf("g1"));
+  robot::RobotSpec spec = world.robot().spec();
   spec.feet[1].geoms = {"none"};
   EXPECT_THROW(BodyModel(world.model(), spec), ModelError);
   spec.feet.clear();

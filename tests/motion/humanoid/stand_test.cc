@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <mujoco/mujoco.h>
-
 #include "tests/motion/humanoid/fixture.h"
 #include "tests/support/robots.h"
 
@@ -17,11 +15,11 @@ int Balanced(const HumanoidRig& rig) { return rig.spec().motion.humanoid.balance
 class HumanoidStandTest : public test::MujocoTest,
                           public testing::WithParamInterface<std::string> {};
 
-// A push at the crane's hook, near the shoulders.
+// Pushes of an impulse [N·s] on the torso.
 void SurvivesPushes(HumanoidRig* rig, double impulse) {
   for (const Eigen::Vector3d& direction : {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0),
                                            Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0)}) {
-    rig->Push(impulse * direction);
+    ASSERT_TRUE(rig->Push(impulse / 0.1 * direction, 0.1));
     ASSERT_TRUE(rig->Run(3));
     ASSERT_TRUE(rig->standing()) << direction.transpose();
     EXPECT_LT(rig->world().robot().tilt(), 0.03) << direction.transpose();
@@ -29,18 +27,18 @@ void SurvivesPushes(HumanoidRig* rig, double impulse) {
 }
 
 TEST_P(HumanoidStandTest, StandsReleasedFromTheCrane) {
-  HumanoidRig rig(GetParam(), {}, 0.002);
+  HumanoidRig rig(GetParam(), 0.002);
   rig.SetDown(Balanced(rig));
   ASSERT_TRUE(rig.Run(20));
-  EXPECT_EQ(rig.id(), Balanced(rig));
+  EXPECT_EQ(rig.state().id, Balanced(rig));
   EXPECT_TRUE(rig.standing());
-  EXPECT_LT(rig.FastestJoint(), 0.02);
+  EXPECT_LT(rig.fastest(), 0.02);
   EXPECT_NEAR(rig.Load(), rig.world().robot().weight(), 0.003 * rig.world().robot().weight());
 }
 
 TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {
-  HumanoidRig rig(GetParam(), {}, 0.002);
-  rig.Stand();
+  HumanoidRig rig(GetParam(), 0.002);
+  rig.Start("standing");
   rig.Run(1);
   ASSERT_EQ(rig.SetFsm(Balanced(rig)), authority::MotionVerdict::kTaken);
   rig.Run(2);
@@ -48,7 +46,7 @@ TEST_P(HumanoidStandTest, TakesPushesOfFiveNewtonSeconds) {
 }
 
 TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
-  HumanoidRig rig(GetParam(), {}, 0.002);
+  HumanoidRig rig(GetParam(), 0.002);
   rig.SetDown(rig.spec().motion.humanoid.lock_stand);
   ASSERT_TRUE(rig.Run(5));
   EXPECT_TRUE(rig.standing());
@@ -57,9 +55,9 @@ TEST_P(HumanoidStandTest, StandsOnLockedJointsReleasedFromTheCrane) {
 class G1SquatTest : public test::MujocoTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
-  HumanoidRig rig(GetParam(), {}, 0.002);
+  HumanoidRig rig(GetParam(), 0.002);
   const int squat = rig.spec().motion.humanoid.balanced_squat;
-  rig.Stand();
+  rig.Start("standing");
   rig.Run(1);
   ASSERT_EQ(rig.SetFsm(Balanced(rig)), authority::MotionVerdict::kTaken);
   rig.Run(1);
@@ -69,7 +67,7 @@ TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
   EXPECT_LT(rig.world().robot().tilt(), 0.4);
   ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
   rig.Run(4);
-  EXPECT_EQ(rig.id(), Balanced(rig));
+  EXPECT_EQ(rig.state().id, Balanced(rig));
   EXPECT_TRUE(rig.standing());
 }
 
@@ -96,8 +94,8 @@ class HumanoidLastsTest : public test::MujocoTest,
                           public testing::WithParamInterface<std::string> {};
 
 TEST_P(HumanoidLastsTest, StandsForAMinute) {
-  HumanoidRig rig(GetParam(), {}, 0.002);
-  rig.Stand();
+  HumanoidRig rig(GetParam(), 0.002);
+  rig.Start("standing");
   rig.Run(1);
   rig.SetFsm(Balanced(rig));
   rig.Run(5);
@@ -116,13 +114,13 @@ class HumanoidNoiseTest : public test::MujocoTest,
 
 TEST_P(HumanoidNoiseTest, DoesNotChatterOnWhatItsSensorsSay) {
   HumanoidRig rig(GetParam());
-  rig.Stand();
+  rig.Start("standing");
   rig.Run(1);
   rig.SetFsm(Balanced(rig));
   rig.Run(2);
   rig.torque_change = 0;
   double fastest = 0;
-  rig.watch = [&] { fastest = std::max(fastest, rig.FastestJoint()); };
+  rig.watch = [&] { fastest = std::max(fastest, rig.fastest()); };
   rig.Run(3);
   const auto strongest = std::max_element(
       rig.spec().motors.begin(), rig.spec().motors.end(),
@@ -143,19 +141,15 @@ struct Drives {
 class HumanoidDrivesTest : public test::MujocoTest, public testing::WithParamInterface<Drives> {};
 
 TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
-  HumanoidRig rig(
-      "g1",
-      [](mjModel& model) {
-        std::fill(model.dof_frictionloss + 6, model.dof_frictionloss + model.nv,
-                  GetParam().friction);
-      },
-      0.002);
-  rig.change_command = [&](robot::RobotCommand& command) {
-    for (std::size_t i = 0; i < command.motors.size(); ++i) {
-      const bool ankle = rig.spec().motors[i].joint.find("ankle") != std::string::npos;
-      if (ankle) command.motors[i].kd *= GetParam().damping;
-    }
-  };
+  config::Config config = HumanoidConfig("g1", 0.002);
+  config.robot.dynamics.use = robot::DynamicsSource::kFitted;
+  for (const robot::MotorSpec& motor : config.robot.motors) {
+    const bool ankle = motor.joint.find("ankle") != std::string::npos;
+    config.robot.dynamics.fitted.push_back({.slots = {motor.slot},
+                                            .frictionloss = GetParam().friction,
+                                            .kd_share = ankle ? GetParam().damping : 1});
+  }
+  HumanoidRig rig(config);
   rig.SetDown(500);
   ASSERT_TRUE(rig.Run(3));
   SurvivesPushes(&rig, 5);
@@ -167,19 +161,19 @@ INSTANTIATE_TEST_SUITE_P(FrictionAndDamping, HumanoidDrivesTest,
 
 TEST(HumanoidHangsTest, BalancesInTheAirWithoutKicking) {
   HumanoidRig rig("g1");
-  rig.Hang();
+  rig.Start("hanging");
   rig.SetFsm(1);
   rig.SetFsm(4);
   rig.Run(5);
   ASSERT_EQ(rig.SetFsm(500), authority::MotionVerdict::kTaken);
   double fastest = 0;
-  rig.watch = [&] { fastest = std::max(fastest, rig.FastestJoint()); };
+  rig.watch = [&] { fastest = std::max(fastest, rig.fastest()); };
   rig.Run(2);
   EXPECT_LT(fastest, 0.2);
   rig.watch = {};
-  rig.crane().Lower(0.4);
+  rig.robot().crane().Lower(0.4);
   rig.Run(4.5);
-  rig.crane().Release();
+  rig.robot().crane().Release();
   rig.Run(3);
   EXPECT_TRUE(rig.standing());
 }

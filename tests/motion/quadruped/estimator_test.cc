@@ -18,25 +18,26 @@ struct Error {
 
 class EstimatorTest : public testing::TestWithParam<std::string> {
  protected:
-  EstimatorTest() {
-    rig_.foot_noise = 0.2;
-    rig_.BalanceStand();
-  }
+  EstimatorTest() { rig_.BalanceStand(); }
 
+  // Of what the service and the simulation say in one sample.
   template <class Act>
-  Error Watch(const Act& act) {
+  static Error Watch(QuadrupedRig* rig, const Act& act) {
     double v = 0, height = 0;
     int steps = 0;
-    rig_.watch = [&] {
-      const robot::BaseReading& truth = rig_.world().robot().base();
-      const robot::MotionState said = rig_.state();
-      v += (said.v_WB_W - truth.v_WB_W).squaredNorm();
-      height += std::pow(said.body_height - truth.p_WB.z(), 2);
+    rig->watch = [&] {
+      const robot::RobotState& said = rig->robot().sampled();
+      v += (said.motion->v_WB_W - said.base.v_WB_W).squaredNorm();
+      height += std::pow(said.motion->body_height - said.base.p_WB.z(), 2);
       ++steps;
     };
     act();
-    rig_.watch = {};
+    rig->watch = {};
     return {std::sqrt(v / steps), std::sqrt(height / steps)};
+  }
+  template <class Act>
+  Error Watch(const Act& act) {
+    return Watch(&rig_, act);
   }
 
   double mass() { return rig_.world().robot().weight() / 9.81; }
@@ -76,19 +77,20 @@ TEST_P(EstimatorTest, FollowsABodyThatRisesFromTheGround) {
 }
 
 TEST_P(EstimatorTest, FollowsABodyThatFliesWhicheverWayItFaces) {
-  robot::PoseSpec turned = rig_.spec().standing;
-  turned.quat = {std::cos(1), 0, 0, std::sin(1)};
-  rig_.Start(turned);
-  rig_.Run(1);
+  config::Config turned = ConfigOf(GetParam());
+  turned.robot.standing.quat = {std::cos(1), 0, 0, std::sin(1)};
+  QuadrupedRig rig(turned);
+  rig.Start("standing");
+  rig.Run(1);
   double highest = 0;
-  const Error error = Watch([&] {
-    rig_.Push(mass() * Eigen::Vector3d(3, -2, 22), 0.1);
+  const Error error = Watch(&rig, [&] {
+    rig.Push(mass() * Eigen::Vector3d(3, -2, 22), 0.1);
     for (int i = 0; i < 20; ++i) {
-      rig_.Run(0.01);
-      highest = std::max(highest, rig_.height());
+      rig.Run(0.01);
+      highest = std::max(highest, rig.height());
     }
   });
-  EXPECT_GT(highest, rig_.spec().motion.quadruped.stand_height + 0.1);
+  EXPECT_GT(highest, rig.spec().motion.quadruped.stand_height + 0.1);
   EXPECT_LT(error.v, 0.1);
   EXPECT_LT(error.height, 0.02);
 }

@@ -76,7 +76,7 @@ TEST_F(Go2MotionTest, LocksInThePoseThatWasSeen) {
 }
 
 TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
-  rig_.StartLying();
+  rig_.Start("lying");
   EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
   const double x = rig_.world().robot().base().p_WB.x();
@@ -92,7 +92,7 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
   const authority::MotionGoal kSpecial[] = {goal::Hello{}, goal::Stretch{}, goal::Sit{},
                                             goal::Pose{},  goal::Euler{1},  goal::BodyHeight{1}};
-  rig_.StartLying();
+  rig_.Start("lying");
   for (const authority::MotionGoal& action : kSpecial) {
     EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "lying";
   }
@@ -132,7 +132,7 @@ TEST_F(Go2MotionTest, CarriesALoadLevelAndAtItsHeight) {
 }
 
 TEST_F(Go2MotionTest, StepAllocatesNothing) {
-  rig_.StartLying();
+  rig_.Start("lying");
   const authority::MotionGoal kWay[] = {goal::StandUp{}, goal::BalanceStand{}, goal::Hello{},
                                         goal::Damp{}, goal::RecoveryStand{}};
   for (const authority::MotionGoal& action : kWay) {

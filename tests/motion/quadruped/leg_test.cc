@@ -7,7 +7,7 @@
 #include <mujoco/mujoco.h>
 
 #include "motion/quadruped/body.h"
-#include "tests/motion/quadruped/rig.h"
+#include "tests/motion/rig.h"
 #include "tests/support/robots.h"
 
 namespace understudy::motion {
@@ -21,24 +21,23 @@ const std::array<Vector3d, 4> kAngles{Vector3d(0, 0.8, -1.5), Vector3d(0.4, 1.2,
 
 class QuadrupedLegTest : public testing::TestWithParam<std::string> {
  protected:
-  QuadrupedLegTest() : rig_(GetParam()), figures_(ReadQuadruped(rig_.world().robot())) {}
-
-  QuadrupedRig rig_;
-  QuadrupedFigures figures_;
+  config::Config config_ = ConfigOf(GetParam());
+  physics::World world_ = PhysicsOf(config_);
+  physics::RobotBody& robot_ = world_.robot();
+  QuadrupedFigures figures_ = ReadQuadruped(robot_);
 };
 
 TEST_P(QuadrupedLegTest, PutsTheFootWhereTheModelHasIt) {
   for (const Vector3d& q : kAngles) {
-    robot::PoseSpec pose = rig_.spec().standing;
+    robot::PoseSpec pose = config_.robot.standing;
     for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
     pose.height = 2;
-    rig_.world().robot().Reset(pose);
+    robot_.Reset(pose);
     for (std::size_t leg = 0; leg < 4; ++leg) {
-      const mjModel& model = rig_.world().model();
-      const int geom = mj_name2id(&model, mjOBJ_GEOM, rig_.spec().feet[leg].geoms[0].c_str());
-      const Vector3d there(rig_.world().data().geom_xpos + 3 * geom);
-      const Vector3d foot =
-          QuadrupedLeg(figures_.legs[leg]).Place(q).foot + rig_.world().robot().base().p_WB;
+      const mjModel& model = world_.model();
+      const int geom = mj_name2id(&model, mjOBJ_GEOM, config_.robot.feet[leg].geoms[0].c_str());
+      const Vector3d there(world_.data().geom_xpos + 3 * geom);
+      const Vector3d foot = QuadrupedLeg(figures_.legs[leg]).Place(q).foot + robot_.base().p_WB;
       EXPECT_LT((foot - there).norm(), 1e-6) << "leg " << leg;
     }
   }
@@ -103,21 +102,19 @@ TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {
   double mass = figures_.trunk.mass;
   for (const LegFigures& leg : figures_.legs) mass += QuadrupedLeg(leg).mass();
   EXPECT_NEAR(mass, figures_.mass, 1e-9);
-  EXPECT_NEAR(mass * 9.81, rig_.world().robot().weight(), 0.01);
+  EXPECT_NEAR(mass * 9.81, robot_.weight(), 0.01);
 }
 
 TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   const QuadrupedBody body(figures_);
-  robot::PoseSpec pose = rig_.spec().standing;
-  rig_.world().robot().Reset(pose);
-  const physics::World& world = rig_.world();
-  std::vector<robot::MotorReading> motors(world.robot().q().size());
-  for (std::size_t i = 0; i < motors.size(); ++i) motors[i].q = world.robot().q()[i];
-  const QuadrupedReading reading = body.Read(
-      {.motors = motors, .imu = world.robot().Imu(), .foot_force = std::array<double, 4>{}});
-  const int base = rig_.world().robot().Body(rig_.spec().base_body);
-  const Vector3d com(rig_.world().data().subtree_com + 3 * base);
-  EXPECT_LT((reading.com + rig_.world().robot().base().p_WB - com).norm(), 1e-6);
+  robot_.Reset(config_.robot.standing);
+  std::vector<robot::MotorReading> motors(robot_.q().size());
+  for (std::size_t i = 0; i < motors.size(); ++i) motors[i].q = robot_.q()[i];
+  const QuadrupedReading reading =
+      body.Read({.motors = motors, .imu = robot_.Imu(), .foot_force = std::array<double, 4>{}});
+  const int base = robot_.Body(config_.robot.base_body);
+  const Vector3d com(world_.data().subtree_com + 3 * base);
+  EXPECT_LT((reading.com + robot_.base().p_WB - com).norm(), 1e-6);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest, testing::ValuesIn(test::Quadrupeds()),

@@ -43,7 +43,7 @@ class QuadrupedMotionTest : public testing::TestWithParam<std::string> {
 };
 
 TEST_P(QuadrupedMotionTest, LiesDampedAtTheStart) {
-  rig_.StartLying();
+  rig_.Start("lying");
   EXPECT_EQ(rig_.state().id, kDamped);
   rig_.Run(1);
   EXPECT_NEAR(rig_.height(), rig_.spec().lying.height, 0.02);
@@ -54,7 +54,7 @@ TEST_P(QuadrupedMotionTest, LiesDampedAtTheStart) {
 }
 
 TEST_P(QuadrupedMotionTest, HoldsAStandItStartsIn) {
-  rig_.StartStanding();
+  rig_.Start("standing");
   EXPECT_EQ(rig_.state().id, kBalance);
   double low = rig_.height();
   for (int i = 0; i < 30; ++i) {
@@ -66,7 +66,7 @@ TEST_P(QuadrupedMotionTest, HoldsAStandItStartsIn) {
 }
 
 TEST_P(QuadrupedMotionTest, StandsUpWithLockedJoints) {
-  rig_.StartLying();
+  rig_.Start("lying");
   rig_.Run(0.5);
   EXPECT_EQ(rig_.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
   rig_.Run(4);

@@ -20,12 +20,12 @@ constexpr int kBalance = 1013;
 constexpr double kPatience = 25;  // s
 
 // Any orientation, joints anywhere within 0.8 rad of lying: the same every time.
-robot::PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
+robot::PoseSpec Fallen(const robot::RobotSpec& spec, const QuadrupedFigures& figures,
+                       std::mt19937* random) {
   const auto between = [random](double low, double high) {
     return low + (high - low) * static_cast<double>((*random)()) / 4294967295.0;
   };
-  const QuadrupedFigures figures = ReadQuadruped(rig.world().robot());
-  robot::PoseSpec pose = rig.spec().lying;
+  robot::PoseSpec pose = spec.lying;
   for (std::size_t i = 0; i < 12; ++i) {
     const LegFigures& leg = figures.legs[i / 3];
     pose.q[i] = std::clamp(pose.q[i] + between(-0.8, 0.8), leg.low[i % 3], leg.high[i % 3]);
@@ -45,16 +45,19 @@ robot::PoseSpec Fallen(QuadrupedRig& rig, std::mt19937* random) {
 
 class RecoveryTest : public testing::Test {
  protected:
-  static void ExpectGetsUp(QuadrupedRig* rig, const robot::PoseSpec& pose,
+  static void ExpectGetsUp(config::Config config, const robot::PoseSpec& pose,
                            const std::string& what) {
-    rig->Start(pose);
-    rig->Run(0.7);
-    ASSERT_EQ(rig->Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken) << what;
-    EXPECT_TRUE(rig->RunUntil(kBalance, kPatience)) << what;
-    rig->Run(1.5);
-    EXPECT_EQ(rig->state().id, kBalance) << what;
-    EXPECT_LT(rig->tilt(), 0.05) << what;
-    EXPECT_NEAR(rig->height(), rig->spec().motion.quadruped.stand_height, 0.02) << what;
+    config.robot.hanging = pose;  // from a crane that is not there
+    QuadrupedRig rig(config);
+    rig.Request("reset", {{"pose", "hanging"}});
+    rig.Request("crane.release");
+    rig.Run(0.7);
+    ASSERT_EQ(rig.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken) << what;
+    EXPECT_TRUE(rig.RunUntil(kBalance, kPatience)) << what;
+    rig.Run(1.5);
+    EXPECT_EQ(rig.state().id, kBalance) << what;
+    EXPECT_LT(rig.tilt(), 0.05) << what;
+    EXPECT_NEAR(rig.height(), rig.spec().motion.quadruped.stand_height, 0.02) << what;
   }
 };
 
@@ -70,10 +73,11 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.robot << " " << c.see
 class RandomRecoveryTest : public RecoveryTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(RandomRecoveryTest, GetsUpFromRandomPoses) {
-  QuadrupedRig rig(GetParam().robot);
+  const config::Config config = ConfigOf(GetParam().robot);
+  const QuadrupedFigures figures = ReadQuadruped(QuadrupedRig(config).world().robot());
   std::mt19937 random(GetParam().seed);
   for (int i = 0; i < GetParam().poses; ++i) {
-    ExpectGetsUp(&rig, Fallen(rig, &random), std::to_string(i));
+    ExpectGetsUp(config, Fallen(config.robot, figures, &random), std::to_string(i));
   }
 }
 
@@ -89,18 +93,18 @@ INSTANTIATE_TEST_SUITE_P(Robots, RandomRecoveryTest,
 class RobotRecoveryTest : public RecoveryTest, public testing::WithParamInterface<std::string> {};
 
 TEST_P(RobotRecoveryTest, GetsUpFromItsBackAndBothSides) {
-  QuadrupedRig rig(GetParam());
+  const config::Config config = ConfigOf(GetParam());
   for (const double roll : {3.14159, 1.5708, -1.5708}) {
-    robot::PoseSpec pose = rig.spec().lying;
+    robot::PoseSpec pose = config.robot.lying;
     pose.quat = {std::cos(roll / 2), std::sin(roll / 2), 0, 0};
     pose.height = 0.05;
-    ExpectGetsUp(&rig, pose, std::to_string(roll));
+    ExpectGetsUp(config, pose, std::to_string(roll));
   }
 }
 
 TEST_P(RobotRecoveryTest, StandsUpFromLying) {
-  QuadrupedRig rig(GetParam());
-  ExpectGetsUp(&rig, rig.spec().lying, "lying");
+  const config::Config config = ConfigOf(GetParam());
+  ExpectGetsUp(config, config.robot.lying, "lying");
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, RobotRecoveryTest, testing::ValuesIn(test::Quadrupeds()),
@@ -126,7 +130,7 @@ TEST_F(RecoveryTest, EndsStandingFromEveryState) {
 
 TEST_F(RecoveryTest, SaysThatItIsUnderWay) {
   QuadrupedRig rig("go2");
-  rig.StartLying();
+  rig.Start("lying");
   rig.Ask(goal::RecoveryStand{});
   EXPECT_EQ(rig.state().id, 2006);
   EXPECT_EQ(rig.state().mode, 8);

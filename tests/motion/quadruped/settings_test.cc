@@ -62,7 +62,7 @@ TEST(QuadrupedSettingsTest, KpKd) {
 
 TEST(QuadrupedSettingsTest, DampingKd) {
   QuadrupedRig rig = Rig("damping_kd=7");
-  rig.StartLying();
+  rig.Start("lying");
   rig.Run(0.01);
   EXPECT_EQ(rig.command().motors[0].kd, 7);
 }

@@ -1,0 +1,79 @@
+// A robot under its own motion service: whole ticks of the emulator, with nobody at its port.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "authority/motion.h"
+#include "config/config.h"
+#include "emulator/world.h"
+#include "tests/support/fake_port.h"
+#include "tests/support/fake_services.h"
+
+namespace understudy::motion {
+
+namespace goal = authority::goal;
+
+// One of config/robots with the settings ("KEY=VALUE") given.
+config::Config ConfigOf(const std::string& robot, const std::vector<std::string>& settings = {});
+std::filesystem::path FlatScene();
+// The robot of `config` in a scene, and nothing that moves it.
+physics::World PhysicsOf(const config::Config& config,
+                         const std::filesystem::path& scene = FlatScene());
+
+class MotionRig {
+ public:
+  // In the start pose that `config` names.
+  explicit MotionRig(const config::Config& config,
+                     const std::filesystem::path& scene = FlatScene());
+
+  // A request, carried out at once.
+  void Request(std::string_view name, const nlohmann::json& values = {});
+  // Puts the robot at rest into a start pose, and the service has seen it there.
+  void Start(std::string_view pose);
+
+  authority::MotionVerdict Ask(const authority::MotionGoal& goal);
+  // False when the physics diverges.
+  bool Run(double seconds);
+  // Runs until the service is in that state; false when it is not after `seconds`.
+  bool RunUntil(int id, double seconds);
+  // Runs under a force [N], world axes, on the body that a crane would lift.
+  bool Push(const Eigen::Vector3d& force, double seconds);
+
+  const robot::RobotSpec& spec() const { return config_.robot; }
+  const physics::World& world() const { return world_->physics(); }
+  emulator::Robot& robot() { return world_->robot(); }
+  const emulator::Robot& robot() const { return world_->robot(); }
+  robot::MotionState state() const { return robot().owner().state(); }
+  const robot::RobotCommand& command() const { return robot().command(); }
+
+  // Of the base: m over the world's origin; rad in the world, yaw from the start; rad off upright.
+  double height() const { return world().robot().base().p_WB.z(); }
+  Eigen::Vector3d rpy() const;
+  double tilt() const { return world().robot().tilt(); }
+  double fastest() const;  // rad/s, over the joints of the body
+  // Seconds, of any one motor, that it gave all it has without a break: the longest since Start.
+  double longest_saturation() const { return longest_; }
+
+  double torque_change = 0;     // N·m, largest between two steps of any motor since set to 0
+  std::function<void()> watch;  // after every tick
+
+ private:
+  bool Tick();
+  void WatchTorque();
+
+  config::Config config_;
+  test::FakePort port_;
+  test::FakeServices services_;
+  emulator::Inbox inbox_;
+  std::unique_ptr<emulator::World> world_;
+  std::vector<double> torque_;     // N·m, by motor, of the last tick
+  std::vector<double> saturated_;  // s, by motor
+  double longest_ = 0;
+};
+
+}  // namespace understudy::motion
