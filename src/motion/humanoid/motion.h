@@ -4,25 +4,25 @@
 
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "authority/motion.h"
-#include "motion/humanoid/arm_action.h"
-#include "motion/humanoid/body_model.h"
+#include "motion/humanoid/balanced_stand.h"
+#include "motion/humanoid/bearing.h"
+#include "motion/humanoid/behaviour.h"
+#include "motion/humanoid/figures.h"
 #include "motion/humanoid/fsm.h"
-#include "motion/humanoid/stand_balance.h"
-#include "motion/joint_move.h"
+#include "motion/humanoid/postures.h"
+#include "motion/humanoid/senses.h"
 #include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
 
 // Motors follow springs around a posture; torques carry the weight of what hangs from each joint
-// and press the soles on the ground. While joints are locked the springs are stiff and the weight
-// is carried where it is; while balancing they are soft and the ground reactions are
-// StandBalance's. How much the feet bear decides how much of that applies: a robot on the crane
-// hangs calmly by its springs and takes over its weight as it is set down. Senses joints,
-// LowState's unit and foot loads.
+// and press the soles on the ground. How much the feet bear decides how much of that applies: a
+// robot on the crane hangs calmly by its springs and takes over its weight as it is set down.
+// Senses joints, LowState's unit and foot loads. Its state machine is the table of fsm.h; in each
+// state one behaviour leads the body.
 class HumanoidMotion final : public authority::Motion {
  public:
   // `spec` and the body's model must outlive it; the body, of the same robot, is not read
@@ -37,52 +37,29 @@ class HumanoidMotion final : public authority::Motion {
   robot::MotionState state() const override;
 
  private:
-  // What standing in one posture comes to, on flat soles.
-  struct Stand {
-    double com_height = 0;   // m over the soles
-    double base_height = 0;  // m
-    double pitch = 0;        // rad, of the base
-  };
-
-  Stand StandOf(std::span<const double> q);
-  void FindGains();
-  StandGoal BalanceGoal() const;
-  double Crouched(std::size_t motor) const;  // rad, the posture at the present depth
-  bool locked() const;
-  bool balanced() const;
-  bool moving() const;
+  bool balanced() const { return now_ == &stand_; }
+  bool moving() const { return !now_->over(); }
+  bool IsInStandingPose() const;
 
   authority::MotionVerdict SetFsm(int id);
   authority::MotionVerdict SetStandHeight(double height);
   authority::MotionVerdict BeginArmAction(int id);
-  void Lock(std::span<const double> q);
+  void Slacken(int id);
+  void Lock(int id, std::span<const double> q, double duration);
   void Balance(int id);
-
-  void Sense(const authority::MotionInput& input, double dt);
-  void Feel(const authority::MotionInput& input, double dt);
-  void Brake(robot::RobotCommand* command) const;
-  void HoldPosture(robot::RobotCommand* command) const;
 
   const robot::RobotSpec& spec_;
   const robot::HumanoidMotionSpec& ids_;
-  BodyModel body_;
-  StandBalance balance_;
-  ArmActionPlayer arms_;
-  std::vector<bool> bears_;      // whether the motor is of legs or waist
-  std::vector<double> kp_, kd_;  // of locked joints
-  Stand standing_, half_down_, squatting_;
+  HumanoidSenses senses_;
+  JointGains gains_;
+  Bearing bearing_;
+  Slack slack_;
+  LockedPosture posture_;
+  BalancedStand stand_;
 
   int id_ = kZeroTorqueId;
-  int stood_in_ = -1;           // the last state that stood balanced upright
-  std::vector<double> q_, dq_;  // rad, rad/s, measured last
-  JointMove posture_;           // of all motors, while locked
-  JointMove depth_{1};          // from standing, 0, to squatting, 1, while balanced
-  JointMove com_offset_{2};     // m, while balanced
-  double balanced_for_ = 0;     // s
-  double load_ = 0;             // share of the weight that the feet bear, 0 to 1
-  double since_sensed_ = 0;     // s
-  bool fresh_ = true;           // has not sensed since Start
-  std::vector<double> tau_;     // N·m, of the last Sense
+  HumanoidBehaviour* now_ = &slack_;  // what leads the body
+  int stood_in_ = -1;                 // the last state that stood balanced upright
 };
 
 // The service as HumanoidMotion's constructor makes it.
