@@ -11,6 +11,7 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/robot_file.h"
+#include "estimate.h"
 #include "exec/private_network.h"
 #include "figure.h"
 #include "latency.h"
@@ -38,7 +39,9 @@ constexpr Case kCases[] = {{"go2", "standing"}, {"g1", "hanging"}};
 int Main(int argc, char** argv) {
   CLI::App app(
       "Measures Understudy on this machine, in a private network: the speed of the whole daemon\n"
-      "against bare MuJoCo, the way of a command against a bare DDS round trip, memory, start.\n"
+      "against bare MuJoCo, the way of a command against a bare DDS round trip, memory, start, "
+      "how\n"
+      "well a quadruped's motion service knows how it moves.\n"
       "Prints what is wanted beside what was measured; a missed figure is no failure.",
       "bench");
   bool json = false, brief = false, only_start = false;
@@ -75,6 +78,7 @@ int Main(int argc, char** argv) {
     add(MeasureMemory(understudy, one.robot, effort.memory_after));
   }
   for (const std::string& robot : config::RobotNames(config::DataDir())) {
+    if (!only_start) add(MeasureEstimate(robot));
     figures.push_back(MeasureStart(understudy, robot, effort.starts));
   }
   std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);

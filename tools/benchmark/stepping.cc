@@ -8,12 +8,10 @@
 
 #include <mujoco/mujoco.h>
 
+#include "alone.h"
 #include "client.h"
 #include "config/data_dir.h"
 #include "config/load.h"
-#include "config/model_files.h"
-#include "physics/crane.h"
-#include "physics/world_model.h"
 #include "process.h"
 
 namespace understudy::bench {
@@ -35,51 +33,34 @@ struct Speed {
   double cpu = 0;   // steps per s of CPU of the stepping thread
 };
 
-// MuJoCo and nothing else.
+// MuJoCo and nothing else: what holds the settled robot stays as it was there, and every so many
+// steps the robot is put back.
 class BareLoop {
  public:
   explicit BareLoop(const config::Config& config)
-      : model_(physics::LoadWorldModel({{config.robot, config::ModelFile(config.robot)}},
-                                       config::SceneFile(config.scene, config.terrain).path(),
-                                       config.physics.timestep)),
-        data_(mj_makeData(model_.get())),
-        crane_(config.crane),
-        hangs_(config.start.pose == "hanging"),
-        damping_(config.gate.damping_kd),
-        body_(mj_name2id(model_.get(), mjOBJ_BODY, config.robot.crane_body.c_str())),
-        hook_(config.robot.crane_point) {
-    const robot::RobotSpec& robot = config.robot;
-    const robot::PoseSpec& pose = hangs_ ? robot.hanging : robot.standing;
-    for (std::size_t i = 0; i < robot.motors.size(); ++i) {
-      const robot::MotorSpec& motor = robot.motors[i];
-      const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, motor.joint.c_str());
-      joints_.push_back({.q = model_->jnt_qposadr[joint],
-                         .dq = model_->jnt_dofadr[joint],
-                         .wanted = pose.q[i],
-                         .kp = hangs_ ? 0 : motor.hold_kp,
-                         .kd = hangs_ ? damping_ : motor.hold_kd});
-      data_->qpos[joints_.back().q] = pose.q[i];
-    }
-    const int base = mj_name2id(model_.get(), mjOBJ_BODY, robot.base_body.c_str());
-    mjtNum* free = data_->qpos + model_->jnt_qposadr[model_->body_jntadr[base]];
-    free[0] = free[1] = 0;
-    free[2] = pose.height;
-    mju_copy4(free + 3, pose.quat.data());
-    mj_forward(model_.get(), data_.get());
-    if (hangs_) {
-      crane_.Attach(Hook().p_WP, model_->body_subtreemass[base] * mju_norm3(model_->opt.gravity));
-    }
-    for (int i = 0; i < kSettle; ++i) Step();
+      : settled_(config), model_(settled_.world().physics().model()), data_(mj_makeData(&model_)) {
+    for (int i = 0; i < kSettle; ++i) settled_.Step();
+    const emulator::Robot& robot = settled_.world().robot();
+    mj_copyData(data_.get(), &model_, &settled_.world().physics().data());
+    if (!robot.crane().attached()) return;
+    const physics::PointReading hook = robot.hook();
+    const Eigen::Vector3d pull =
+        robot.crane().tension() * (robot.crane().anchor() - hook.p_WP).normalized();
+    const mjtNum no_torque[3] = {};
+    mj_applyFT(&model_, data_.get(), pull.data(), no_torque, hook.p_WP.data(),
+               settled_.world().physics().FindBody(config.robot.crane_body), data_->qfrc_applied);
   }
 
   Speed Run(double window) {
+    constexpr int kTogether = 100;
     const double cpu = ThreadCpu();
     const Wall::time_point start = Wall::now();
     double wall = 0;
     std::int64_t steps = 0;
     do {
-      for (int i = 0; i < 100; ++i) Step();
-      steps += 100;
+      PutBack();
+      for (int i = 0; i < kTogether; ++i) mj_step(&model_, data_.get());
+      steps += kTogether;
       wall = std::chrono::duration<double>(Wall::now() - start).count();
     } while (wall < window);
     const auto count = static_cast<double>(steps);
@@ -87,47 +68,16 @@ class BareLoop {
   }
 
  private:
-  struct Joint {
-    int q, dq;
-    double wanted, kp, kd;
-  };
-
-  void Step() {
-    mj_step1(model_.get(), data_.get());
-    for (const Joint& joint : joints_) {
-      data_->qfrc_applied[joint.dq] =
-          joint.kp * (joint.wanted - data_->qpos[joint.q]) - joint.kd * data_->qvel[joint.dq];
-    }
-    if (hangs_) {
-      const physics::PointReading hook = Hook();
-      const Eigen::Vector3d force = crane_.Step(hook, model_->opt.timestep);
-      const Eigen::Map<const Eigen::Vector3d> centre(data_->xipos + 3 * body_);
-      const Eigen::Vector3d torque = (hook.p_WP - centre).cross(force);
-      mju_copy3(data_->xfrc_applied + 6 * body_, force.data());
-      mju_copy3(data_->xfrc_applied + 6 * body_ + 3, torque.data());
-    }
-    mj_step2(model_.get(), data_.get());
+  void PutBack() {
+    const mjData& settled = settled_.world().physics().data();
+    mju_copy(data_->qpos, settled.qpos, model_.nq);
+    mju_copy(data_->qvel, settled.qvel, model_.nv);
+    mju_copy(data_->qacc_warmstart, settled.qacc_warmstart, model_.nv);
   }
 
-  physics::PointReading Hook() const {
-    const Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>> R_WB(data_->xmat +
-                                                                              9 * body_);
-    const Eigen::Vector3d offset = R_WB * hook_;
-    mjtNum v[6];  // angular, linear
-    mj_objectVelocity(model_.get(), data_.get(), mjOBJ_XBODY, body_, v, 0);
-    return {.p_WP = Eigen::Map<const Eigen::Vector3d>(data_->xpos + 3 * body_) + offset,
-            .v_WP_W = Eigen::Vector3d(v[3], v[4], v[5]) +
-                      Eigen::Vector3d(v[0], v[1], v[2]).cross(offset)};
-  }
-
-  mjcf::ModelHandle model_;
+  Alone settled_;
+  const mjModel& model_;
   mjcf::DataHandle data_;
-  physics::Crane crane_;
-  bool hangs_;
-  double damping_;
-  int body_;
-  Eigen::Vector3d hook_;
-  std::vector<Joint> joints_;
 };
 
 // Lets a stopped daemon run for a while.

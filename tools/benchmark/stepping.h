@@ -9,10 +9,10 @@
 namespace understudy::bench {
 
 // The real program, headless at --speed max and publishing on DDS, beside a loop of nothing but
-// mj_step1, the torques that hold the same pose, and mj_step2: same compiled model, scene and
-// start. Runs one, then the other, `rounds` times for `window` seconds each. `listener`: a client
-// reads rt/lowstate meanwhile. The CPU figures leave out the time in which other programs had the
-// core.
+// mj_step, from the state and with the torques in which the same robot has settled: same compiled
+// model, scene and start. Runs one, then the other, `rounds` times for `window` seconds each.
+// `listener`: a client reads rt/lowstate meanwhile. The CPU figures leave out the time in which
+// other programs had the core.
 std::vector<Figure> MeasureStepping(const std::string& understudy, const std::string& robot,
                                     const std::string& start, bool listener, int rounds,
                                     double window);
