@@ -48,6 +48,16 @@ class HumanoidTest : public ModelTest, public testing::WithParamInterface<std::s
     data_->qpos[2] = height;
     mj_forward(model_.get(), data_.get());
   }
+  // The fastest joint in the last of 5 s from a nudge of every joint, rad/s.
+  double SpeedAfterNudge(const JointPd& pd) {
+    std::fill(data_->qvel + kBaseDofs, data_->qvel + model_->nv, 0.1);  // rad/s
+    double speed = 0;
+    for (int i = 0; i < 5 * kSecond; ++i) {
+      pd.Step(*model_, data_.get());
+      if (i > 4 * kSecond) speed = std::max(speed, pd.MaxSpeed(*model_, *data_));
+    }
+    return speed;
+  }
   double Sole(const std::string& foot) const {  // m, lowest point of a foot's sphere
     const int id = Id(*model_, mjOBJ_GEOM, foot);
     return data_->geom_xpos[3 * id + 2] - model_->geom_size[3 * id];
@@ -130,12 +140,7 @@ TEST_P(HumanoidTest, BearsTheDampingOfTheExampleAtOneMillisecond) {
 TEST_P(HumanoidTest, HangsStillAtTheZeroPoseUnderTheGainsOfTheExample) {
   Hang();
   const JointPd pd = Pd(Example("kp"), Example("kd"));
-  std::fill(data_->qvel + kBaseDofs, data_->qvel + model_->nv, 0.1);  // rad/s, a nudge
-  double speed = 0;
-  for (int i = 0; i < 5 * kSecond; ++i) {
-    pd.Step(*model_, data_.get());
-    if (i > 4 * kSecond) speed = std::max(speed, pd.MaxSpeed(*model_, *data_));
-  }
+  const double speed = SpeedAfterNudge(pd);
   double sag = 0;
   for (const double q : pd.Positions(*model_, *data_)) sag = std::max(sag, std::abs(q));
   RecordProperty("speed", std::to_string(speed));
@@ -161,6 +166,28 @@ TEST_P(HumanoidTest, SlumpsToTheGroundWhenItsMotorsOnlyBrake) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& test) { return test.param; });
+
+class G1Test : public HumanoidTest {};
+
+// unitree_rl_lab FixStand: the highest damping a published program sends to light joints.
+TEST_P(G1Test, HangsStillUnderArmDampingOfTen) {
+  Hang();
+  std::vector<double> kp(29, 40), kd(29, 10);
+  const double legs_kp[] = {100, 100, 100, 150, 40, 40};
+  const double legs_kd[] = {2, 2, 2, 4, 2, 2};
+  for (std::size_t i = 0; i < 12; ++i) {
+    kp[i] = legs_kp[i % 6];
+    kd[i] = legs_kd[i % 6];
+  }
+  for (std::size_t i = 12; i < 15; ++i) {
+    kp[i] = 200;
+    kd[i] = 5;
+  }
+  EXPECT_LT(SpeedAfterNudge(Pd(kp, kd)), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, G1Test, testing::Values("g1"),
                          [](const auto& test) { return test.param; });
 
 }  // namespace
