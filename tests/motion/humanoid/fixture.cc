@@ -44,7 +44,7 @@ HumanoidRig::HumanoidRig(const std::string& robot, const std::function<void(mjMo
       motion_(MakeHumanoidMotion(config_.robot, world_.robot())),
       hook_body_(world_.robot().Body(config_.robot.crane_body)),
       hook_(config_.robot.crane_point),
-      command_{.motors = std::vector<robot::MotorCommand>(spec().motors.size())},
+      command_{.motors = std::vector<robot::MotorCommand>(robot::AllMotors(spec()).size())},
       torque_(spec().motors.size()) {}
 
 void HumanoidRig::Stand() {
