@@ -1,5 +1,6 @@
 #include "authority/command_router.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -34,7 +35,8 @@ CommandRouter::CommandRouter(const robot::RobotSpec& spec, const GateConfig& gat
       intakes_(robot::kMostCommandTopics, Intake(gate.lenient)),
       chords_(ChordsOf(spec)),
       own_(DampingCommand(spec.motors.size(), gate.damping_kd)),
-      mixed_(own_) {
+      mixed_(own_),
+      followed_{.motors = std::vector<robot::MotorCommand>(robot::AllMotors(spec).size())} {
   Restart(start);
 }
 
@@ -46,6 +48,7 @@ void CommandRouter::Restart(const robot::RobotCommand& start) {
   fought_ = fresh_lowcmd_ = false;
   was_on_ = service_on();
   if (was_on_ && !fight_) gate_.Close();
+  Follow(start, 0);
 }
 
 robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand& command,
@@ -111,6 +114,18 @@ void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
 
 const robot::RobotCommand& CommandRouter::Current(const MotionInput& input, bool service_due,
                                                   double dt) {
+  Follow(OfBody(input, service_due, dt), input.time);
+  return followed_;
+}
+
+void CommandRouter::Follow(const robot::RobotCommand& body, double t) {
+  followed_.joint_space = body.joint_space;
+  auto next = std::ranges::copy(body.motors, followed_.motors.begin()).out;
+  for (HandGate& hand : hands_) next = std::ranges::copy(hand.Current(t).motors, next).out;
+}
+
+const robot::RobotCommand& CommandRouter::OfBody(const MotionInput& input, bool service_due,
+                                                 double dt) {
   FollowOwner();
   if (!service_on()) return gate_.Current(input.time);
   if (service_due) {

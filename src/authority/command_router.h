@@ -39,9 +39,11 @@ class CommandRouter {
   // The remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
 
-  // What the motors follow at input.time. With `service_due` the motion service, if one is on,
-  // makes a step of `dt` seconds first.
+  // What the motors, body and hands, follow at input.time. With `service_due` the motion service,
+  // if one is on, makes a step of `dt` seconds first. Valid until the next call or Restart.
   const robot::RobotCommand& Current(const MotionInput& input, bool service_due, double dt);
+  // The last Current; what they do at the start before the first.
+  const robot::RobotCommand& command() const { return followed_; }
 
   MotorOwner& owner() { return owner_; }
   const MotorOwner& owner() const { return owner_; }
@@ -51,8 +53,6 @@ class CommandRouter {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
-  HandGate& hand(std::size_t i) { return hands_[i]; }
-  const HandGate& hand(std::size_t i) const { return hands_[i]; }
   // What became of the commands of a topic; nothing has where the robot has no such topic.
   GateCounts counts(std::size_t topic) const;
   // What the sticks ask for: forward, left m/s, turn rad/s.
@@ -61,6 +61,9 @@ class CommandRouter {
 
  private:
   robot::Refusal Put(std::size_t topic, const robot::RobotCommand& command, double t);
+  const robot::RobotCommand& OfBody(const MotionInput& input, bool service_due, double dt);
+  // Puts a command to the body and what hands follow at time t [s] into followed_.
+  void Follow(const robot::RobotCommand& body, double t);
   void FollowOwner();  // opens or closes the gate when the owner has changed
 
   bool fight_;
@@ -74,6 +77,7 @@ class CommandRouter {
   ChordReader chords_;
   robot::RobotCommand own_;    // the motion service's last
   robot::RobotCommand mixed_;  // the same with the arms
+  robot::RobotCommand followed_;
   bool was_on_ = false;
   bool was_user_ = false;
   bool fresh_lowcmd_ = false;  // one has been taken in this tick

@@ -1,29 +1,23 @@
 #include "authority/hand_gate.h"
 
+#include <algorithm>
+
 namespace understudy::authority {
 
 HandGate::HandGate(const robot::HandSpec& spec)
     : timeout_(spec.timeout),
-      lock_kd_(spec.lock_kd),
-      motors_(spec.motors.size()),
-      current_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {
-  Restart();
-}
+      current_{.motors = std::vector<robot::MotorCommand>(spec.motors.size())} {}
 
 robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
-  if (command.motors.size() != motors_.size()) return robot::Refusal::kMotorCount;
+  if (command.motors.size() != current_.motors.size()) return robot::Refusal::kMotorCount;
   if (const robot::Refusal harm = HarmIn(command); harm != robot::Refusal::kNone) return harm;
   taken_at_ = t;
-  for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const robot::MotorCommand& asked = command.motors[i];
-    motors_[i].watched = asked.watched;
-    if (!asked.watched) motors_[i].timed_out = false;
-    if (motors_[i].timed_out || !asked.enabled) {
-      Lock(i);
-    } else {
-      motors_[i].locked = false;
-      current_.motors[i] = asked;
-    }
+  for (std::size_t i = 0; i < current_.motors.size(); ++i) {
+    robot::MotorCommand& motor = current_.motors[i];
+    const bool timed_out = motor.timed_out && command.motors[i].watched;
+    motor = command.motors[i];
+    motor.timed_out = timed_out;
+    if (timed_out) motor.enabled = false;
   }
   return robot::Refusal::kNone;
 }
@@ -31,26 +25,15 @@ robot::Refusal HandGate::Offer(const robot::RobotCommand& command, double t) {
 const robot::RobotCommand& HandGate::Current(double t) {
   if (t - taken_at_ <= timeout_) return current_;
   bool stopped = false;
-  for (std::size_t i = 0; i < motors_.size(); ++i) {
-    Motor& motor = motors_[i];
+  for (robot::MotorCommand& motor : current_.motors) {
     if (!motor.watched || motor.timed_out) continue;
     motor.timed_out = stopped = true;
-    Lock(i);
+    motor.enabled = false;
   }
   if (stopped) ++timeouts_;
   return current_;
 }
 
-void HandGate::Restart() {
-  for (std::size_t i = 0; i < motors_.size(); ++i) {
-    motors_[i] = {};
-    Lock(i);
-  }
-}
-
-void HandGate::Lock(std::size_t motor) {
-  motors_[motor].locked = true;
-  current_.motors[motor] = {.enabled = true, .q = robot::kNoPosition, .kd = lock_kd_};
-}
+void HandGate::Restart() { std::ranges::fill(current_.motors, robot::MotorCommand{}); }
 
 }  // namespace understudy::authority

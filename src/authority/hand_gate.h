@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "authority/command_gate.h"
 #include "robot/robot_spec.h"
@@ -10,7 +9,7 @@
 namespace understudy::authority {
 
 // Takes commands to a hand or refuses them with a reason. Before the first one its motors are
-// locked, as they are when a command says so: they brake with spec.lock_kd. After that each motor
+// locked, as they are when a command says so: they are not enabled. After that each motor
 // follows its last taken command for as long as nobody sends another, unless that command had it
 // watched: then it locks once spec.timeout has passed without a taken command, and stays locked
 // until a command that does not have it watched ("must be cleared with 0": [docs] G1
@@ -27,12 +26,8 @@ class HandGate {
   // nothing.
   robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
-  // What each motor follows at time t [s], not before the last call's t, in motor order. All are
-  // enabled: a locked one is told to brake. Valid until the next call.
+  // What each motor follows at time t [s], not before the last call's t. Valid until the next call.
   const robot::RobotCommand& Current(double t);
-
-  bool locked(std::size_t motor) const { return motors_[motor].locked; }
-  bool timed_out(std::size_t motor) const { return motors_[motor].timed_out; }
 
   // As before the first command.
   void Restart();
@@ -41,17 +36,7 @@ class HandGate {
   std::uint64_t timeouts() const { return timeouts_; }
 
  private:
-  struct Motor {
-    bool locked = true;
-    bool watched = false;
-    bool timed_out = false;
-  };
-
-  void Lock(std::size_t motor);
-
   double timeout_;
-  double lock_kd_;
-  std::vector<Motor> motors_;
   robot::RobotCommand current_;
   std::uint64_t timeouts_ = 0;
   double taken_at_ = 0;

@@ -6,7 +6,7 @@
 namespace understudy::config {
 namespace {
 
-// What motors of hands have too.
+// What motors of the body and of hands have.
 void DescribeDrive(Archive& a, robot::MotorSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.torque_limit), {"N·m", kNotNegative, "Most torque at the joint"});
   a.Key(UNDERSTUDY_NVP(m.knee_speed),
@@ -14,21 +14,12 @@ void DescribeDrive(Archive& a, robot::MotorSpec& m) {
          "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"});
   a.Key(UNDERSTUDY_NVP(m.no_load_speed),
         {"rad/s", kNotNegative, "Speed at which no driving torque is left"});
-}
-
-void DescribeMotor(Archive& a, robot::MotorSpec& m) {
-  a.Key(UNDERSTUDY_NVP(m.joint), {"Joint of the model that it drives"});
-  a.Key(UNDERSTUDY_NVP(m.slot),
-        {"", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"});
-  DescribeDrive(a, m);
   a.Key(UNDERSTUDY_NVP(m.q_step),
         {"rad", kNotNegative, "Lattice of the reported angle; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.dq_step),
         {"rad/s", kNotNegative, "Lattice of the reported rate; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.tau_step),
         {"N·m", kNotNegative, "Lattice of the reported torque; 0 is none"});
-  a.Key(UNDERSTUDY_NVP(m.hold_kp), {"N·m/rad", kNotNegative, "Gain that holds a start pose"});
-  a.Key(UNDERSTUDY_NVP(m.hold_kd), {"N·m·s/rad", kNotNegative, "Damping that holds a start pose"});
   a.Key(UNDERSTUDY_NVP(m.armature),
         {"kg·m²", kNotNegative,
          "Inertia of its rotor at the joint, over any other; 0 leaves that of dynamics and model"});
@@ -36,6 +27,18 @@ void DescribeMotor(Archive& a, robot::MotorSpec& m) {
         {"", {0, 100}, "Torque that it gives over the torque meant, limit included"});
   a.Key(UNDERSTUDY_NVP(m.kp_scale), {"", {0, 100}, "How much of a commanded kp acts"});
   a.Key(UNDERSTUDY_NVP(m.kd_scale), {"", {0, 100}, "How much of a commanded kd acts"});
+  a.Key(UNDERSTUDY_NVP(m.rise_per_nm2_c),
+        {"°C/(N·m)²", kNotNegative,
+         "Steady rise per square of its torque; 0 is that of robot.thermal"});
+}
+
+void DescribeMotor(Archive& a, robot::MotorSpec& m) {
+  a.Key(UNDERSTUDY_NVP(m.joint), {"Joint of the model that it drives"});
+  a.Key(UNDERSTUDY_NVP(m.slot),
+        {"", {0, 34}, "Index in LowCmd.motor_cmd and LowState.motor_state"});
+  DescribeDrive(a, m);
+  a.Key(UNDERSTUDY_NVP(m.hold_kp), {"N·m/rad", kNotNegative, "Gain that holds a start pose"});
+  a.Key(UNDERSTUDY_NVP(m.hold_kd), {"N·m·s/rad", kNotNegative, "Damping that holds a start pose"});
 }
 
 void DescribeBody(Archive& a, robot::BodySpec& b) {
@@ -97,6 +100,8 @@ void DescribeDynamics(Archive& a, robot::DynamicsSpec& d) {
 void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.joint), {"Joint of the model that it drives"});
   DescribeDrive(a, m);
+  a.Key(UNDERSTUDY_NVP(m.lock_kd),
+        {"N·m·s/rad", {0, 100}, "Gain with which it brakes while it is locked"});
 }
 
 void DescribePad(Archive& a, robot::PadSpec& p) {
@@ -116,10 +121,7 @@ void DescribeHand(Archive& a, robot::HandSpec& h) {
         {"s",
          {0.001, 3600},
          "Simulated time without a taken command until motors lock that commands have watched"});
-  a.Key(UNDERSTUDY_NVP(h.lock_kd),
-        {"N·m·s/rad", {0, 100}, "Gain with which a locked motor brakes"});
-  a.Key(UNDERSTUDY_NVP(h.temperature_c),
-        {"°C", {-100, 150}, "Temperature that motors and pads show"});
+  a.Key(UNDERSTUDY_NVP(h.temperature_c), {"°C", {-100, 150}, "Temperature that pads show"});
   a.Key(UNDERSTUDY_NVP(h.supply_v), {"V", {0, 100}, "Voltage that power_v shows"});
 }
 
@@ -301,7 +303,7 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          &robot::BodySpec::name);
   a.List(UNDERSTUDY_NVP(r.sites), {"Sites that differ from the model file"}, DescribeSite,
          &robot::SiteSpec::name);
-  a.List(UNDERSTUDY_NVP(r.motors), {"Motors in motor order, which is ascending slot"},
+  a.List(UNDERSTUDY_NVP(r.motors), {"Motors of the body in motor order, which is ascending slot"},
          DescribeMotor, &robot::MotorSpec::joint);
   a.List(UNDERSTUDY_NVP(r.parallel), {"Pairs of joints that two parallel motors drive together"},
          DescribeParallel);

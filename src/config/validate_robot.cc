@@ -24,34 +24,36 @@ constexpr int kGoSlots = 20;
 constexpr int kHgSlots = 35;
 constexpr std::size_t kHandMotors = 16;  // that the mode byte of a hand tells apart
 
-// `key`: of the motor, with a dot behind. `joints`: those that have a motor already.
-void CheckMotor(const robot::MotorSpec& m, const std::string& key, std::set<std::string>* joints,
-                const Checker& checker) {
-  checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
-  checker.Check(joints->insert(m.joint).second, key + "joint",
-                "'" + m.joint + "' has a motor already");
-  checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
-  checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
-                "expected less than no_load_speed " + NumberText(m.no_load_speed) + " rad/s, got " +
-                    NumberText(m.knee_speed));
+// `list`: the key of the motors. `joints`: those that have a motor already.
+void CheckMotors(const std::vector<robot::MotorSpec>& motors, const std::string& list,
+                 std::set<std::string>* joints, const Checker& checker) {
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    const robot::MotorSpec& m = motors[i];
+    const std::string key = list + "." + std::to_string(i) + ".";
+    checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
+    checker.Check(joints->insert(m.joint).second, key + "joint",
+                  "'" + m.joint + "' has a motor already");
+    checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
+    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
+                  "expected less than no_load_speed " + NumberText(m.no_load_speed) +
+                      " rad/s, got " + NumberText(m.knee_speed));
+  }
 }
 
-void CheckMotors(const robot::RobotSpec& robot, std::set<std::string>* joints,
-                 const Checker& checker) {
+void CheckSlots(const robot::RobotSpec& robot, const Checker& checker) {
   const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
   int last = -1;
   checker.Check(!robot.motors.empty(), "robot.motors", "expected at least one motor");
   for (std::size_t i = 0; i < robot.motors.size(); ++i) {
     const int slot = robot.motors[i].slot;
-    const std::string key = "robot.motors." + std::to_string(i) + ".";
-    checker.Check(slot >= 0 && slot < slots, key + "slot",
+    const std::string key = "robot.motors." + std::to_string(i) + ".slot";
+    checker.Check(slot >= 0 && slot < slots, key,
                   "expected 0 to " + std::to_string(slots - 1) + " for this family, got " +
                       std::to_string(slot));
-    checker.Check(slot > last, key + "slot",
+    checker.Check(slot > last, key,
                   "expected more than " + std::to_string(last) +
                       ", as slots ascend and no two are alike, got " + std::to_string(slot));
     last = slot;
-    CheckMotor(robot.motors[i], key, joints, checker);
   }
 }
 
@@ -73,9 +75,7 @@ void CheckHand(const robot::HandSpec& hand, const std::string& key, std::set<std
   checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
                 "expected 1 to " + std::to_string(kHandMotors) + ", got " +
                     std::to_string(hand.motors.size()));
-  for (std::size_t i = 0; i < hand.motors.size(); ++i) {
-    CheckMotor(hand.motors[i], key + "motors." + std::to_string(i) + ".", joints, checker);
-  }
+  CheckMotors(hand.motors, key + "motors", joints, checker);
 }
 
 void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
@@ -266,7 +266,8 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   checker.Check(robot.mode_machine >= 0 && robot.mode_machine <= 255, "robot.mode_machine",
                 "expected 0 to 255");
   std::set<std::string> joints;
-  CheckMotors(robot, &joints, checker);
+  CheckSlots(robot, checker);
+  CheckMotors(robot.motors, "robot.motors", &joints, checker);
   CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckDynamics(robot, checker);

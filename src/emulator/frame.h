@@ -69,7 +69,7 @@ struct Frame {
   FrameParts parts = 0;  // what is wanted, and what of the following is filled in
   // Never change:
   std::vector<std::string> body_names;      // by MuJoCo's id
-  std::vector<std::string> motor_names;     // in motor order, then the hands'
+  std::vector<std::string> motor_names;     // in motor order
   std::vector<std::string> command_topics;  // by number; "" where there is none
   std::int64_t step = 0;
   double time = 0;   // simulated s
@@ -81,7 +81,7 @@ struct Frame {
   std::array<double, 3> com{};  // of the robot
   FrameCrane crane;
   std::vector<FramePush> pushes;  // drags too
-  // As last told on the wire, as are the next four; the hands' behind the body's.
+  // In motor order, as last told on the wire, as are the next four.
   std::vector<robot::MotorReading> motors;
   std::array<robot::ImuReading, 2> imus;
   std::size_t imu_count = 1;
@@ -89,7 +89,7 @@ struct Frame {
   std::vector<double> feet;  // N
   robot::RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
-  std::vector<robot::MotorCommand> command;  // that the body's motors follow
+  std::vector<robot::MotorCommand> command;  // that the motors follow
 };
 
 }  // namespace understudy::emulator

@@ -41,22 +41,20 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       events_(events),
       port_(parts.port),
       services_(parts.services),
+      router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
+              motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
       delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
-             start(start_pose_).command),
+             router_.command()),
       motors_(spec_),
       battery_(spec_.battery),
       sensors_(parts.settings.sensors, spec_),
       crane_(parts.settings.crane),
-      router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
-              motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
       crane_body_(body_->Body(spec_.crane_body)),
       crane_point_(spec_.crane_point),
       step_ns_(std::llround(physics_->timestep() * 1e9)),
       service_rate_(spec_.rates.service_hz, physics_->timestep()),
-      command_(&start(start_pose_).command),
+      command_(&router_.command()),
       offered_(*command_) {
-  for (const robot::HandSpec& hand : spec_.hands) hands_.emplace_back(hand);
-  state_.hands.resize(hands_.size());
   Reset(start_pose_);
   noted_ = {.gate = router_.gate().state(),
             .service = router_.owner().active(),
@@ -90,16 +88,11 @@ void Robot::Hear(std::int64_t step, double t) {
   NoteChanges(t);
 }
 
-void Robot::Act(double t) {
+void Robot::Act() {
   const double dt = physics_->timestep();
   motors_.Step(*command_, body_->q(), body_->dq(), dt);
   body_->Drive(motors_.torque());
   battery_.Step(motors_.torque(), body_->dq(), dt);
-  for (std::size_t i = 0; i < hands_.size(); ++i) {
-    body_->DriveHand(
-        i, hands_[i].Step(router_.hand(i).Current(t), body_->hand_q(i), body_->hand_dq(i)));
-    NoteTimeouts(robot::kFirstHandTopic + i, router_.counts(robot::kFirstHandTopic + i));
-  }
   if (crane_.attached()) {
     const physics::PointReading at = hook();
     physics_->AddForce(crane_body_, at.p_WP, crane_.Step(at, dt));
@@ -115,7 +108,7 @@ void Robot::Tell(std::int64_t step) {
 void Robot::TakeCommands(double t) {
   NoteChanges(t);
   router_.Obey(remote_.Read(t), t);
-  for (std::size_t topic = 0; topic < robot::kMostCommandTopics; ++topic) {
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
     robot::Refusal form = robot::Refusal::kNone;
     for (int i = 0; i < authority::Intake::kMostAtOnce && port_->Take(topic, &offered_, &form);
          ++i) {
@@ -159,12 +152,6 @@ void Robot::NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal r
   }
 }
 
-void Robot::NoteTimeouts(std::size_t topic, const authority::GateCounts& counts) {
-  if (counts.timeouts == noted_.timeouts[topic]) return;
-  noted_.timeouts[topic] = counts.timeouts;
-  Note(EventKind::kTimeout, {}, topics_[topic]);
-}
-
 void Robot::NoteChanges(double t) {
   const auto note = [this](EventKind kind, auto* noted, auto now) {
     if (*noted == now) return;
@@ -176,8 +163,11 @@ void Robot::NoteChanges(double t) {
     noted_.service = owner.active();
     Note(EventKind::kMotionService, {}, noted_.service);
   }
-  for (const std::size_t topic : {robot::kLowCmdTopic, robot::kUserLowCmdTopic}) {
-    NoteTimeouts(topic, router_.counts(topic));
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
+    const std::uint64_t timeouts = router_.counts(topic).timeouts;
+    if (timeouts == noted_.timeouts[topic]) continue;
+    noted_.timeouts[topic] = timeouts;
+    Note(EventKind::kTimeout, {}, topics_[topic]);
   }
   note(EventKind::kGate, &noted_.gate, router_.gate().state());
   const robot::MotionState motion = owner.state();
@@ -204,7 +194,7 @@ void Robot::Report(double t, Status* status) const {
   status->port = port_->counts();
   if (services_ != nullptr) status->services = services_->counts();
   status->published = status->port.lowstates;
-  for (std::size_t i = 0; i < hands_.size(); ++i) {
+  for (std::size_t i = 0; i < spec_.hands.size(); ++i) {
     HandStatus& hand = status->hands[i];
     CopyText(spec_.hands[i].name, &hand.name);
     hand.commands = router_.counts(robot::kFirstHandTopic + i);
@@ -228,7 +218,7 @@ std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double d
 void Robot::Reset(robot::StartPose pose) {
   const Start& begin = start(pose);
   router_.Restart(begin.command);
-  delay_.Restart(begin.command);
+  delay_.Restart(router_.command());
   body_->Reset(begin.pose);
   crane_.Release();
   if (begin.on_crane) AttachCrane();
@@ -241,9 +231,6 @@ void Robot::AttachCrane() { crane_.Attach(hook().p_WP, body_->weight()); }
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
   sensors_.Sample(*body_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
-  for (std::size_t i = 0; i < hands_.size(); ++i) {
-    hands_[i].Sample(router_.hand(i), body_->hand_q(i), body_->hand_dq(i), &state_.hands[i]);
-  }
   state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();
 }

@@ -12,7 +12,6 @@
 #include "authority/command_delay.h"
 #include "authority/command_router.h"
 #include "emulator/events.h"
-#include "emulator/hand.h"
 #include "emulator/remote.h"
 #include "emulator/settings.h"
 #include "emulator/status.h"
@@ -57,7 +56,7 @@ class Robot {
   // Takes the commands that wait and decides what the motors follow in the step at t.
   void Hear(std::int64_t step, double t);
   // Motors and tether act in the step at t. Between BeginStep and EndStep of the physics.
-  void Act(double t);
+  void Act();
   // Sends what is due of the step. After EndStep.
   void Tell(std::int64_t step);
 
@@ -94,7 +93,7 @@ class Robot {
  private:
   // How it is in one of its start poses.
   struct Start {
-    robot::RobotCommand command;
+    robot::RobotCommand command;  // to the body
     robot::PoseSpec pose;
     bool on_crane = false;
     bool clamped = false;
@@ -125,7 +124,6 @@ class Robot {
   void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                    const authority::GateCounts& counts);
   void NoteCall(const services::Call& call);
-  void NoteTimeouts(std::size_t topic, const authority::GateCounts& counts);
 
   robot::RobotSpec spec_;
   std::uint8_t index_;
@@ -137,14 +135,13 @@ class Robot {
   EventRing* events_;
   wire::RobotPort* port_;
   services::ServicePort* services_;
+  authority::CommandRouter router_;
   authority::CommandDelay delay_;
   robot::MotorBank motors_;
   robot::Battery battery_;
   sensors::Sensors sensors_;
   physics::Crane crane_;
   Remote remote_;
-  authority::CommandRouter router_;
-  std::vector<Hand> hands_;
   int crane_body_;
   Eigen::Vector3d crane_point_;
   std::int64_t step_ns_;

@@ -36,7 +36,7 @@ physics::StepHealth World::Tick(time::Clock::Time now) {
   physics_.BeginStep();
   pushes_.Act(t, &physics_);
   drags_.Act(t, &physics_);
-  for (Robot& robot : robots_) robot.Act(t);
+  for (Robot& robot : robots_) robot.Act();
   const physics::StepHealth health = physics_.EndStep();
 
   if (health == physics::StepHealth::kDiverged) {

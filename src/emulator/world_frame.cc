@@ -22,18 +22,17 @@ Frame World::MakeFrame() const {
   Frame frame;
   frame.positions.resize(physics::PositionCount(physics_));
   frame.body_names = physics::BodyNames(physics_);
-  for (const robot::MotorSpec& motor : spec.motors) frame.motor_names.push_back(motor.joint);
-  frame.command_topics = robot().topics();
-  for (const robot::HandSpec& hand : spec.hands) {
-    for (const robot::MotorSpec& motor : hand.motors) frame.motor_names.push_back(motor.joint);
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    frame.motor_names.push_back(motor->joint);
   }
+  frame.command_topics = robot().topics();
   frame.bodies.resize(frame.body_names.size());
   frame.contacts.reserve(kMostFrameContacts);
   frame.pushes.reserve(kMostFramePushes);
   frame.motors.resize(frame.motor_names.size());
   frame.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
   frame.feet.resize(spec.feet.size());
-  frame.command.resize(spec.motors.size());
+  frame.command.resize(frame.motor_names.size());
   return frame;
 }
 
@@ -69,15 +68,8 @@ void World::Show(Frame* frame) const {
       }
     }
   }
-  if (Has(*frame, kPartMotors)) {
-    // Nothing has been sampled before the first tick.
-    std::ranges::copy(state.motors, frame->motors.begin());
-    auto next = frame->motors.begin() + std::ssize(spec.motors);
-    for (std::size_t i = 0; i < spec.hands.size(); ++i) {
-      std::ranges::copy(state.hands[i].motors, next);
-      next += std::ssize(spec.hands[i].motors);
-    }
-  }
+  // Nothing has been sampled before the first tick.
+  if (Has(*frame, kPartMotors)) std::ranges::copy(state.motors, frame->motors.begin());
   frame->imus = {state.imu, state.secondary_imu};
   frame->battery = state.battery;
   std::copy_n(state.foot_force.begin(), std::min(state.foot_force.size(), frame->feet.size()),

@@ -65,8 +65,8 @@ void MoveCentreOfMass(const Limits& limits, int base, robot::Dice* dice, mjModel
 
 void RandomizeJoints(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
                      robot::Dice* dice, mjModel* model) {
-  for (const robot::MotorSpec& motor : robot.motors) {
-    const std::string& name = motor.joint;
+  for (const robot::MotorSpec* motor : robot::AllMotors(robot)) {
+    const std::string& name = motor->joint;
     const int dof = model->jnt_dofadr[Find(*model, mjOBJ_JOINT, name)];
     model->dof_damping[dof] *= dice->DrawOr("damping", name, ranges.damping, 1);
     model->dof_armature[dof] *= dice->DrawOr("armature", name, ranges.armature, 1);

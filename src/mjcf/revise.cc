@@ -114,11 +114,11 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
     Require(root, "site", spec.sites[i].name, key)
         .Set("pos", Text({spec.sites[i].pos.begin(), spec.sites[i].pos.end()}));
   }
-  for (const robot::MotorSpec& motor : spec.motors) {
-    if (motor.armature == 0) continue;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    if (motor->armature == 0) continue;
     // A joint that is missing is refused, or called otherwise, once the model is compiled.
-    MjcfElement* joint = FindNamed(root, "joint", motor.joint);
-    if (joint != nullptr) joint->Set("armature", Text({motor.armature}));
+    MjcfElement* joint = FindNamed(root, "joint", motor->joint);
+    if (joint != nullptr) joint->Set("armature", Text({motor->armature}));
   }
   if (!spec.locked_joints.empty()) Lock(spec.locked_joints, root);
 }

@@ -39,13 +39,11 @@ RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot)
       prefix_(robot.prefix),
       spec_(mjcf::WithPrefix(robot.prefix, robot.spec)),
       x_(robot.x),
-      y_(robot.y),
-      motors_(spec_.motors.size()),
-      hand_begin_{motors_} {
-  FindJoints(spec_.motors);
-  for (const robot::HandSpec& hand : spec_.hands) {
-    FindJoints(hand.motors);
-    hand_begin_.push_back(q_address_.size());
+      y_(robot.y) {
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec_)) {
+    const int joint = mj_name2id(model_, mjOBJ_JOINT, motor->joint.c_str());
+    q_address_.push_back(model_->jnt_qposadr[joint]);
+    dq_address_.push_back(model_->jnt_dofadr[joint]);
   }
   q_.resize(q_address_.size());
   dq_.resize(dq_address_.size());
@@ -72,7 +70,7 @@ void RobotBody::Reset(const robot::PoseSpec& pose) {
     mju_copy4(base + 3, pose.quat.data());
     mju_normalize4(base + 3);
   }
-  for (std::size_t i = 0; i < motors_; ++i) data_->qpos[q_address_[i]] = pose.q[i];
+  for (std::size_t i = 0; i < pose.q.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
   if (!has_fixed_base()) {
     data_->qpos[base_q_ + 2] += LiftOntoGround(*model_, data_, base_body_, base_q_);
   }
@@ -99,12 +97,7 @@ void RobotBody::Forget() {
 }
 
 void RobotBody::Drive(std::span<const double> tau) {
-  for (std::size_t i = 0; i < motors_; ++i) data_->qfrc_applied[dq_address_[i]] = tau[i];
-}
-
-void RobotBody::DriveHand(std::size_t hand, std::span<const double> tau) {
-  const std::span<const int> address = OfHand(hand, dq_address_);
-  for (std::size_t i = 0; i < address.size(); ++i) data_->qfrc_applied[address[i]] = tau[i];
+  for (std::size_t i = 0; i < q_.size(); ++i) data_->qfrc_applied[dq_address_[i]] = tau[i];
 }
 
 void RobotBody::Clamp(bool on) {
@@ -179,14 +172,6 @@ robot::ImuReading RobotBody::Read(const ImuAddress& address) const {
     imu.f_WI_I = imu.R_WI.conjugate() * -Vector(model_->opt.gravity);
   }
   return imu;
-}
-
-void RobotBody::FindJoints(const std::vector<robot::MotorSpec>& motors) {
-  for (const robot::MotorSpec& motor : motors) {
-    const int joint = mj_name2id(model_, mjOBJ_JOINT, motor.joint.c_str());
-    q_address_.push_back(model_->jnt_qposadr[joint]);
-    dq_address_.push_back(model_->jnt_dofadr[joint]);
-  }
 }
 
 void RobotBody::ReadKinematics() {

@@ -34,10 +34,9 @@ class RobotBody {
   // file has it. Everything else stays where it is, and its readings are of that instant.
   void Reset(const robot::PoseSpec& pose);
 
-  // Torques [N·m] of the joints in motor order, and of a hand's in HandSpec::motors order; finite.
-  // They act in the coming steps until others are set or Reset.
+  // Torques [N·m] of the joints in motor order; finite. They act in the coming steps until others
+  // are set or Reset.
   void Drive(std::span<const double> tau);
-  void DriveHand(std::size_t hand, std::span<const double> tau);
 
   // Holds the base where it is now, as a stand does, or lets go. A fixed base is always held.
   void Clamp(bool on);
@@ -48,11 +47,9 @@ class RobotBody {
   // The same without a throw: -1 when there is none.
   int FindBody(const std::string& name) const;
 
-  // Joint angles [rad] and rates [rad/s] in motor order, and of a hand in HandSpec::motors order.
-  std::span<const double> q() const { return std::span(q_).first(motors_); }
-  std::span<const double> dq() const { return std::span(dq_).first(motors_); }
-  std::span<const double> hand_q(std::size_t hand) const { return OfHand(hand, q_); }
-  std::span<const double> hand_dq(std::size_t hand) const { return OfHand(hand, dq_); }
+  // Joint angles [rad] and rates [rad/s] in motor order.
+  std::span<const double> q() const { return q_; }
+  std::span<const double> dq() const { return dq_; }
   const robot::BaseReading& base() const { return base_; }
   double tilt() const;  // rad between the base's up and the world's
   robot::ImuReading Imu() const { return Read(imu_); }
@@ -81,20 +78,13 @@ class RobotBody {
   void ReadKinematics();
   void Forget();
   bool has_fixed_base() const { return clamp_ < 0; }
-  void FindJoints(const std::vector<robot::MotorSpec>& motors);
-  template <typename T>
-  std::span<const T> OfHand(std::size_t hand, const std::vector<T>& all) const {
-    return std::span(all).subspan(hand_begin_[hand], hand_begin_[hand + 1] - hand_begin_[hand]);
-  }
 
   mjModel* model_;
   mjData* data_;
   std::string prefix_;
   robot::RobotSpec spec_;
-  double x_, y_;  // m
-  std::size_t motors_;
-  std::vector<std::size_t> hand_begin_;      // where each hand begins in what follows, and the end
-  std::vector<int> q_address_, dq_address_;  // in motor order, then hand by hand
+  double x_, y_;                             // m
+  std::vector<int> q_address_, dq_address_;  // in motor order
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;

@@ -27,9 +27,9 @@ double AvailableTorque(const MotorSpec& spec, double tau, double dq) {
 namespace {
 
 std::vector<double> KdShares(const RobotSpec& spec) {
-  std::vector<double> shares(spec.motors.size(), 1.0);
+  std::vector<double> shares(AllMotors(spec).size(), 1.0);
   if (spec.dynamics.use != DynamicsSource::kFitted) return shares;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
+  for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     for (const FittedDynamicsSpec& fit : spec.dynamics.fitted) {
       if (std::ranges::find(fit.slots, spec.motors[i].slot) != fit.slots.end()) {
         shares[i] = fit.kd_share;
@@ -40,6 +40,7 @@ std::vector<double> KdShares(const RobotSpec& spec) {
 }
 
 MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
+  if (!command.enabled) return {.enabled = true, .q = kNoPosition, .kd = spec.lock_kd};
   command.kp *= spec.kp_scale;
   command.kd *= spec.kd_scale;
   return command;
@@ -48,17 +49,18 @@ MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
 }  // namespace
 
 MotorBank::MotorBank(const RobotSpec& spec)
-    : spec_(spec),
+    : thermal_(spec.thermal),
+      motors_(AllMotors(spec)),
       kd_share_(KdShares(spec)),
-      torque_(spec.motors.size()),
-      winding_c_(spec.motors.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
+      torque_(motors_.size()),
+      winding_c_(motors_.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
   for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
 }
 
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
                                         std::span<const double> dq, double dt) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    MotorCommand motor = Scaled(command.motors[i], spec_.motors[i]);
+    MotorCommand motor = Scaled(command.motors[i], *motors_[i]);
     motor.kd *= kd_share_[i];
     torque_[i] = DesiredTorque(motor, q[i], dq[i]);
   }
@@ -69,19 +71,19 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
       const ParallelJoint::Motors x = joint.ToMotors({q[pitch], q[roll]});
       const ParallelJoint::Motors v = joint.ToMotors({dq[pitch], dq[roll]});
       const ParallelJoint::Serial tau = joint.TorqueToSerial(
-          {DesiredTorque(Scaled(command.motors[roll], spec_.motors[roll]), x.a, v.a),
-           DesiredTorque(Scaled(command.motors[pitch], spec_.motors[pitch]), x.b, v.b)});
+          {DesiredTorque(Scaled(command.motors[roll], *motors_[roll]), x.a, v.a),
+           DesiredTorque(Scaled(command.motors[pitch], *motors_[pitch]), x.b, v.b)});
       torque_[pitch] = tau.pitch;
       torque_[roll] = tau.roll;
     }
   }
-  const ThermalSpec& thermal = spec_.thermal;
   for (std::size_t i = 0; i < torque_.size(); ++i) {
-    const MotorSpec& motor = spec_.motors[i];
+    const MotorSpec& motor = *motors_[i];
     torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]);
+    const double rise = motor.rise_per_nm2_c > 0 ? motor.rise_per_nm2_c : thermal_.rise_per_nm2_c;
     const double steady =
-        thermal.ambient_c + thermal.rest_rise_c + thermal.rise_per_nm2_c * torque_[i] * torque_[i];
-    winding_c_[i] += (steady - winding_c_[i]) * dt / thermal.time_constant;
+        thermal_.ambient_c + thermal_.rest_rise_c + rise * torque_[i] * torque_[i];
+    winding_c_[i] += (steady - winding_c_[i]) * dt / thermal_.time_constant;
   }
   return torque_;
 }

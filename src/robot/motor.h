@@ -28,7 +28,7 @@ double DesiredTorque(const MotorCommand& command, double q, double dq);
 // counts.
 double AvailableTorque(const MotorSpec& spec, double tau, double dq);
 
-// All motors of one robot. Knows temperatures; allocates only in the constructor.
+// All motors of one robot, body and hands. Knows temperatures; allocates only in the constructor.
 class MotorBank {
  public:
   // `spec` must outlive the bank.
@@ -40,6 +40,7 @@ class MotorBank {
   // limits stay those of pitch and roll (*assumed*). In JointSpace::kPitchRoll, and of motors in no
   // pair, only the fitted share of a commanded kd acts (spec.dynamics). Gains and torque of each
   // motor are scaled as MotorSpec says; in JointSpace::kMotors `strength` counts at pitch and roll.
+  // A motor that is not enabled brakes with its lock_kd.
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
                                std::span<const double> dq, double dt);
 
@@ -49,7 +50,8 @@ class MotorBank {
   std::span<const double> winding_c() const { return winding_c_; }
 
  private:
-  const RobotSpec& spec_;
+  const ThermalSpec& thermal_;
+  std::vector<const MotorSpec*> motors_;
   std::vector<ParallelJoint> parallel_;
   std::vector<double> kd_share_;  // motor order
   std::vector<double> torque_;

@@ -68,10 +68,10 @@ std::vector<double> PossibleTimesteps(const RandomizationSpec::Limits& limits,
 }
 
 void RandomizeMotors(const RandomizationSpec& ranges, Dice* dice, RobotSpec* robot) {
-  for (MotorSpec& motor : robot->motors) {
-    motor.strength *= dice->DrawOr("motor_strength", motor.joint, ranges.motor_strength, 1);
-    motor.kp_scale *= dice->DrawOr("kp", motor.joint, ranges.kp, 1);
-    motor.kd_scale *= dice->DrawOr("kd", motor.joint, ranges.kd, 1);
+  for (MotorSpec* motor : AllMotors(*robot)) {
+    motor->strength *= dice->DrawOr("motor_strength", motor->joint, ranges.motor_strength, 1);
+    motor->kp_scale *= dice->DrawOr("kp", motor->joint, ranges.kp, 1);
+    motor->kd_scale *= dice->DrawOr("kd", motor->joint, ranges.kd, 1);
   }
   robot->dynamics.delay += dice->DrawOr("delay", "", ranges.delay, 0);
 }

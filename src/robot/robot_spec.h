@@ -25,21 +25,24 @@ constexpr bool IsQuadruped(RobotKind kind) {
   return kind == RobotKind::kQuadruped || kind == RobotKind::kWheeled;
 }
 
+// A motor of the body or of a hand; slot and hold gains are the body's alone, lock_kd a hand's.
 struct MotorSpec {
-  std::string joint;         // MJCF joint
-  int slot = 0;              // index in LowCmd.motor_cmd and LowState.motor_state
-  double torque_limit = 0;   // N·m at the joint
-  double knee_speed = 0;     // rad/s up to which torque_limit is to be had
-  double no_load_speed = 0;  // rad/s at which no driving torque is left
-  double q_step = 0;         // rad, encoder lattice; 0 = none
-  double dq_step = 0;        // rad/s
-  double tau_step = 0;       // N·m
-  double hold_kp = 0;        // N·m/rad, gains that hold a start pose
-  double hold_kd = 0;        // N·m·s/rad
-  double armature = 0;       // kg·m², in place of the model's; 0 = the model's
-  double strength = 1;       // torque given over torque meant, before and at the limit
-  double kp_scale = 1;       // how much of a commanded kp acts
-  double kd_scale = 1;       // likewise of kd
+  std::string joint;          // MJCF joint
+  int slot = 0;               // index in LowCmd.motor_cmd and LowState.motor_state
+  double torque_limit = 0;    // N·m at the joint
+  double knee_speed = 0;      // rad/s up to which torque_limit is to be had
+  double no_load_speed = 0;   // rad/s at which no driving torque is left
+  double q_step = 0;          // rad, encoder lattice; 0 = none
+  double dq_step = 0;         // rad/s
+  double tau_step = 0;        // N·m
+  double hold_kp = 0;         // N·m/rad, gains that hold a start pose
+  double hold_kd = 0;         // N·m·s/rad
+  double armature = 0;        // kg·m², in place of the model's; 0 = the model's
+  double strength = 1;        // torque given over torque meant, before and at the limit
+  double kp_scale = 1;        // how much of a commanded kp acts
+  double kd_scale = 1;        // likewise of kd
+  double rise_per_nm2_c = 0;  // °C/(N·m)², in place of ThermalSpec's; 0 = that
+  double lock_kd = 0;         // N·m·s/rad with which it brakes while not enabled
 };
 
 // Where a body is otherwise than the model file has it; empty or 0 = as there.
@@ -92,13 +95,11 @@ struct PadSpec {
 struct HandSpec {
   std::string name{};   // "left"
   std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
-  // In the order of motor_cmd, their place there being the id in their mode byte. Only joint and
-  // what the motor can give count; the rest of MotorSpec is the body's.
+  // In the order of motor_cmd, their place there being the id in their mode byte.
   std::vector<MotorSpec> motors{};
   std::vector<PadSpec> pads{};  // in the order of press_sensor_state
   double timeout = 1;           // s without a command until watched motors lock
-  double lock_kd = 0;           // N·m·s/rad with which a locked motor brakes
-  double temperature_c = 0;     // what motors and pads show
+  double temperature_c = 0;     // what pads show
   double supply_v = 0;          // what it is fed with
 };
 
@@ -109,8 +110,8 @@ struct FootSpec {
   Eigen::Vector3d axis{0, 0, 1};
 };
 
-// A start pose: joint angles [rad] in motor order, height of the base [m] over the ground, and its
-// orientation as a quaternion w, x, y, z.
+// A start pose: joint angles [rad] of the body in motor order, height of the base [m] over the
+// ground, and its orientation as a quaternion w, x, y, z. Fingers start where the model has them.
 struct PoseSpec {
   std::vector<double> q;
   double height = 0;
@@ -250,7 +251,7 @@ struct RobotSpec {
   std::vector<std::string> locked_joints;  // have no motor and cannot move
   std::vector<BodySpec> bodies;            // that differ from the model file
   std::vector<SiteSpec> sites;             // that differ from the model file
-  std::vector<MotorSpec> motors;           // motor order: ascending slot
+  std::vector<MotorSpec> motors;           // the body's, in ascending slot
   std::vector<ParallelSpec> parallel;
   DynamicsSpec dynamics;
   std::vector<HandSpec> hands;  // hg only, at most kMostHands
@@ -276,5 +277,17 @@ struct RobotSpec {
   Eigen::Vector3d crane_point{0, 0, 0};  // m, hook in that body's frame
   std::string default_start;             // lying | standing | hanging | clamped
 };
+
+// All motors of a robot, in motor order: the body's, then hand by hand. They point into `spec`, a
+// RobotSpec that may be const.
+template <class Spec>
+auto AllMotors(Spec& spec) {
+  std::vector<decltype(spec.motors.data())> all;
+  for (auto& motor : spec.motors) all.push_back(&motor);
+  for (auto& hand : spec.hands) {
+    for (auto& motor : hand.motors) all.push_back(&motor);
+  }
+  return all;
+}
 
 }  // namespace understudy::robot

@@ -17,13 +17,16 @@ inline constexpr double kNoVelocity = 16000.0;
 
 // What one motor is asked to do. Joint side, positive along the MJCF axis.
 struct MotorCommand {
-  bool enabled = false;  // false: the motor gives no torque, whatever the other fields hold
-  double q = 0;          // rad, or kNoPosition
-  double dq = 0;         // rad/s, or kNoVelocity
-  double tau = 0;        // N·m, feed-forward
-  double kp = 0;         // N·m/rad
-  double kd = 0;         // N·m·s/rad
-  bool watched = false;  // of a hand: locks by itself when commands stop
+  // false: whatever the other fields hold, the motor gives no torque; a hand's is locked and
+  // brakes.
+  bool enabled = false;
+  double q = 0;            // rad, or kNoPosition
+  double dq = 0;           // rad/s, or kNoVelocity
+  double tau = 0;          // N·m, feed-forward
+  double kp = 0;           // N·m/rad
+  double kd = 0;           // N·m·s/rad
+  bool watched = false;    // of a hand: locks by itself when commands stop
+  bool timed_out = false;  // of a hand, as followed: has locked by itself
 
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
@@ -34,8 +37,8 @@ enum class JointSpace : std::uint8_t {
   kMotors = 1,     // AB: the two motors that drive them
 };
 
-// One command to all motors of the body or of a hand, in motor order (RobotSpec::motors,
-// HandSpec::motors). A motor of a hand that is not enabled is locked: it brakes where it is.
+// One command, in motor order: as it comes, to the motors of the body or of one hand; as it is
+// followed, to all.
 struct RobotCommand {
   std::vector<MotorCommand> motors;
   JointSpace joint_space = JointSpace::kPitchRoll;  // of the body's
@@ -45,17 +48,12 @@ struct RobotCommand {
 // What one motor reports. Joint side, signs as in MotorCommand.
 struct MotorReading {
   bool enabled = false;
-  double q = 0;          // rad
-  double dq = 0;         // rad/s
-  double tau = 0;        // N·m, what the motor gives before joint friction
-  double casing_c = 0;   // degrees Celsius
-  double winding_c = 0;  // degrees Celsius
-};
-
-// What a hand tells of one instant. Vectors in motor order.
-struct HandReading {
-  std::vector<MotorReading> motors;     // enabled: not locked
-  std::vector<std::uint8_t> timed_out;  // 1 for a watched motor that has locked by itself
+  bool timed_out = false;  // of a hand: has locked by itself, as commands stopped
+  double q = 0;            // rad
+  double dq = 0;           // rad/s
+  double tau = 0;          // N·m, what the motor gives before joint friction
+  double casing_c = 0;     // degrees Celsius
+  double winding_c = 0;    // degrees Celsius
 };
 
 // One inertial unit, I, in the world, W. `f` is the specific force: at rest +g along the upward
@@ -102,13 +100,12 @@ struct RemoteReading {
 
 // Everything the robot can tell about one instant. Before the first sample: default values.
 struct RobotState {
-  std::int64_t tick_ms = 0;  // simulated milliseconds since start
-  std::vector<MotorReading> motors;
+  std::int64_t tick_ms = 0;          // simulated milliseconds since start
+  std::vector<MotorReading> motors;  // motor order
   JointSpace joint_space = JointSpace::kPitchRoll;
   ImuReading imu;                  // the one LowState carries
   ImuReading secondary_imu;        // where the robot has one
   std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
-  std::vector<HandReading> hands;  // in RobotSpec::hands order
   BatteryReading battery;
   BaseReading base;
   RemoteReading remote;

@@ -76,7 +76,7 @@ record::Moment Prototype(const config::Config& config, const emulator::World& wo
   const auto zeros = [](std::size_t count) { return std::vector<double>(count); };
   return {.truth = {.qpos = zeros(physics::PositionCount(world.physics())),
                     .qvel = zeros(physics::RateCount(world.physics())),
-                    .tau = zeros(config.robot.motors.size()),
+                    .tau = zeros(robot::AllMotors(config.robot).size()),
                     .foot_force = zeros(config.robot.feet.size())}};
 }
 

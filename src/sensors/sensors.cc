@@ -15,22 +15,30 @@ constexpr double kSumDeviation = 37837.22;
 }  // namespace
 
 Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec)
-    : config_(config), spec_(spec), random_(static_cast<std::uint64_t>(config.seed)) {}
+    : config_(config),
+      spec_(spec),
+      motors_(robot::AllMotors(spec)),
+      body_(static_cast<std::uint64_t>(config.seed)),
+      hands_(~static_cast<std::uint64_t>(config.seed)) {}  // no robot's body has that seed
 
 void Sensors::Sample(const physics::RobotBody& robot, const robot::MotorBank& motors,
                      const robot::RobotCommand& command, const robot::Battery& battery,
                      std::int64_t tick_ms, robot::RobotState* state) {
   state->tick_ms = tick_ms;
   state->joint_space = command.joint_space;
-  state->motors.resize(spec_.motors.size());
+  state->motors.resize(motors_.size());
   const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
-  for (std::size_t i = 0; i < spec_.motors.size(); ++i) {
-    const robot::MotorSpec& motor = spec_.motors[i];
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const robot::MotorSpec& motor = *motors_[i];
     robot::MotorReading& reading = state->motors[i];
+    const auto measure = [&](double truth, double steps, double step) {
+      return Measure(truth, steps * step, step, i < spec_.motors.size() ? &body_ : &hands_);
+    };
     reading.enabled = command.motors[i].enabled;
-    reading.q = Measure(robot.q()[i], noise.q_steps * motor.q_step, motor.q_step);
-    reading.dq = Measure(robot.dq()[i], noise.dq_steps * motor.dq_step, motor.dq_step);
-    reading.tau = Measure(motors.torque()[i], noise.tau_steps * motor.tau_step, motor.tau_step);
+    reading.timed_out = command.motors[i].timed_out;
+    reading.q = measure(robot.q()[i], noise.q_steps, motor.q_step);
+    reading.dq = measure(robot.dq()[i], noise.dq_steps, motor.dq_step);
+    reading.tau = measure(motors.torque()[i], noise.tau_steps, motor.tau_step);
     reading.winding_c = motors.winding_c()[i];
     reading.casing_c =
         spec_.thermal.ambient_c + kCasingShare * (reading.winding_c - spec_.thermal.ambient_c);
@@ -43,15 +51,15 @@ void Sensors::Sample(const physics::RobotBody& robot, const robot::MotorBank& mo
   state->base = robot.base();
 }
 
-double Sensors::Bell() {
-  const std::uint64_t bits = random_();
+double Sensors::Bell(std::mt19937_64* random) {
+  const std::uint64_t bits = (*random)();
   const std::uint64_t sum =
       (bits & 0xFFFF) + (bits >> 16 & 0xFFFF) + (bits >> 32 & 0xFFFF) + (bits >> 48);
   return (static_cast<double>(sum) - 4 * kPieceMean) / kSumDeviation;
 }
 
-double Sensors::Measure(double truth, double sigma, double step) {
-  if (config_.noise && sigma > 0) truth += sigma * Bell();
+double Sensors::Measure(double truth, double sigma, double step, std::mt19937_64* random) const {
+  if (config_.noise && sigma > 0) truth += sigma * Bell(random);
   if (config_.quantise && step > 0) truth = std::round(truth / step) * step;
   return truth;
 }
@@ -59,8 +67,8 @@ double Sensors::Measure(double truth, double sigma, double step) {
 robot::ImuReading Sensors::Measure(const robot::ImuReading& truth) {
   robot::ImuReading imu = truth;
   for (int i = 0; i < 3; ++i) {
-    imu.w_WI_I[i] = Measure(truth.w_WI_I[i], spec_.imu.gyro_noise, spec_.imu.gyro_step);
-    imu.f_WI_I[i] = Measure(truth.f_WI_I[i], spec_.imu.accel_noise, spec_.imu.accel_step);
+    imu.w_WI_I[i] = Measure(truth.w_WI_I[i], spec_.imu.gyro_noise, spec_.imu.gyro_step, &body_);
+    imu.f_WI_I[i] = Measure(truth.f_WI_I[i], spec_.imu.accel_noise, spec_.imu.accel_step, &body_);
   }
   imu.temperature_c = spec_.imu.temperature_c;
   return imu;

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "physics/robot_body.h"
 #include "robot/battery.h"
@@ -21,6 +22,9 @@ struct SensorConfig {
 // Samples one instant: call after World::EndStep, when every reading of robot, motors and
 // battery is of the same t. With noise and quantisation off the sample is the truth. Two samplers
 // with the same seed and the same worlds give the same states, bit for bit.
+//
+// The body's units and the encoders of hands each draw their noise from a stream of their own, so
+// that a robot with hands has the body's noise of one without.
 class Sensors {
  public:
   // `spec` must outlive the sensors.
@@ -36,13 +40,14 @@ class Sensors {
   // A random number of mean 0 and deviation 1, independent of the last: that noise is white and of
   // bell shape is *assumed*. The sum of four uniform ones, never beyond 3.5: 6 ns where a normal
   // one takes 23, and the same on every standard library.
-  double Bell();
-  double Measure(double truth, double sigma, double step);
+  static double Bell(std::mt19937_64* random);
+  double Measure(double truth, double sigma, double step, std::mt19937_64* random) const;
   robot::ImuReading Measure(const robot::ImuReading& truth);
 
   SensorConfig config_;
   const robot::RobotSpec& spec_;
-  std::mt19937_64 random_;
+  std::vector<const robot::MotorSpec*> motors_;
+  std::mt19937_64 body_, hands_;
 };
 
 }  // namespace understudy::sensors

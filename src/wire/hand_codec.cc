@@ -59,13 +59,13 @@ HandStateMessage::HandStateMessage(const robot::HandSpec& spec)
   message_.power_v = static_cast<float>(spec.supply_v);
 }
 
-void HandStateMessage::Encode(const robot::HandReading& reading) {
+void HandStateMessage::Encode(std::span<const robot::MotorReading> reading) {
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const robot::MotorReading& motor = reading.motors[i];
+    const robot::MotorReading& motor = reading[i];
     unitree_hg_msg_dds__MotorState_& wire = motors_[i];
     const unsigned status = motor.enabled ? kFollowing : kLocked;
-    const unsigned timed_out = reading.timed_out[i];
-    wire.mode = static_cast<std::uint8_t>(i | status << kStatusShift | timed_out << kTimeoutShift);
+    const unsigned timed_out = motor.timed_out ? 1U << kTimeoutShift : 0;
+    wire.mode = static_cast<std::uint8_t>(i | status << kStatusShift | timed_out);
     wire.q = static_cast<float>(motor.q);
     wire.dq = static_cast<float>(motor.dq);
     wire.tau_est = static_cast<float>(motor.tau);

@@ -1,6 +1,7 @@
 // HandCmd_ and HandState_: hands with motors of their own, as the Dex3-1.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "idl/unitree_hg.h"
@@ -36,7 +37,8 @@ class HandStateMessage {
   HandStateMessage(HandStateMessage&&) = default;
   HandStateMessage& operator=(HandStateMessage&&) = default;
 
-  void Encode(const robot::HandReading& reading);
+  // Of its motors, in their order; more than it has are not looked at.
+  void Encode(std::span<const robot::MotorReading> reading);
 
   const unitree_hg_msg_dds__HandState_& message() const { return message_; }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <span>
 #include <string>
 
 #include "base/errors.h"
@@ -72,7 +73,10 @@ void Port::OpenHg() {
   // No page documents what is in MainBoardState_: it is all 0.
   Tell({TopicRow{kLfMainBoardState, rates.lf_hz}},
        [](const robot::RobotState&, unitree_hg_msg_dds__MainBoardState_*) { return true; });
-  for (std::size_t hand = 0; hand < spec_.hands.size(); ++hand) OpenHand(hand);
+  for (std::size_t hand = 0, motor = spec_.motors.size(); hand < spec_.hands.size(); ++hand) {
+    OpenHand(hand, motor);
+    motor += spec_.hands[hand].motors.size();
+  }
 
   // What the motion service tells, while one is on.
   if (robot::TellsStateId(spec_)) {
@@ -93,7 +97,7 @@ void Port::OpenHg() {
   }
 }
 
-void Port::OpenHand(std::size_t hand) {
+void Port::OpenHand(std::size_t hand, std::size_t first_motor) {
   using HandCmd = unitree_hg_msg_dds__HandCmd_;
   using HandState = unitree_hg_msg_dds__HandState_;
   const robot::HandSpec& spec = spec_.hands[hand];
@@ -109,9 +113,9 @@ void Port::OpenHand(std::size_t hand) {
   const bus::Topic<HandState> fast_topic{state.c_str(), &unitree_hg_msg_dds__HandState__desc};
   const bus::Topic<HandState> slow_topic{slow.c_str(), &unitree_hg_msg_dds__HandState__desc};
   Tell({TopicRow{fast_topic, spec_.rates.hand_hz}, {slow_topic, spec_.rates.lf_hz}},
-       [hand, encoder = HandStateMessage(spec)](const robot::RobotState& told,
-                                                HandState* message) mutable {
-         encoder.Encode(told.hands[hand]);
+       [first_motor, encoder = HandStateMessage(spec)](const robot::RobotState& told,
+                                                       HandState* message) mutable {
+         encoder.Encode(std::span(told.motors).subspan(first_motor));
          *message = encoder.message();
          return true;
        });

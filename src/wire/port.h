@@ -39,7 +39,8 @@ class Port final : public RobotPort {
  private:
   void OpenGo();
   void OpenHg();
-  void OpenHand(std::size_t hand);
+  // `first_motor`: its place in motor order.
+  void OpenHand(std::size_t hand, std::size_t first_motor);
   // What both families have in the same type.
   void TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,
                   const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow);

@@ -178,7 +178,7 @@ TEST_F(CommandRouterTest, CountsEveryTopicApart) {
   EXPECT_EQ(OfferTo(right, Of(1), robot::Refusal::kMotorMode), robot::Refusal::kMotorMode);
   EXPECT_EQ(OfferTo(robot::kFirstHandTopic, Of(1)), robot::Refusal::kMotorCount);
   EXPECT_EQ(Offer(), robot::Refusal::kNone);
-  EXPECT_EQ(router_->hand(1).Current(input_.time).motors[1].tau, 1);
+  EXPECT_EQ(router_->Current(input_, false, 0.002).motors[4].tau, 1);
   EXPECT_EQ(router_->counts(right).accepted, 1U);
   EXPECT_EQ(Refused(right, robot::Refusal::kMotorMode), 1U);
   EXPECT_EQ(Refused(robot::kFirstHandTopic, robot::Refusal::kMotorCount), 1U);

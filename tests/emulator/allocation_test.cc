@@ -173,25 +173,21 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   EXPECT_EQ(CountIn(100), 0);
 }
 
-// Two hands of one motor each, made of the neck, with good commands, refused ones and none.
-TEST_F(AllocationTest, DoesNotHappenWithHands) {
-  robot::RobotSpec& robot = config_.robot;
-  robot.motors.resize(4);
-  robot.parallel.clear();
-  for (robot::PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
-  robot.hands = {{.name = "left", .motors = {{.joint = "neck_roll_joint", .torque_limit = 5}}},
-                 {.name = "right", .motors = {{.joint = "neck_pitch_joint", .torque_limit = 5}}}};
+// With commands that come late to its motors, refused ones and none.
+TEST_F(AllocationTest, DoesNotHappenWithAHand) {
+  config_.robot = test::FixtureRobotWithHand();
+  config_.robot.dynamics.delay = 0.005;
   port_.KeepTheLastOnly();
   StartAs("clamped");
-  robot::RobotCommand command{
-      .motors = {{.enabled = true, .q = 0.3, .kp = 20, .kd = 1, .watched = true}}};
+  const robot::MotorCommand motor{.enabled = true, .q = 0.3, .kp = 20, .kd = 1, .watched = true};
+  robot::RobotCommand command{.motors = {motor, motor}};
   port_.SendHandsEveryTick(command);
   CountIn(10);
   EXPECT_EQ(CountIn(1000), 0);
   command.motors[0].kp = -1;
   port_.SendHandsEveryTick(command);
   EXPECT_EQ(CountIn(1500), 0);
-  EXPECT_EQ(world_->status().hands[1].commands.timeouts, 1U);
+  EXPECT_EQ(world_->status().hands[0].commands.timeouts, 1U);
 }
 
 // A whole robot: on its crane, its motion service on, 29 motors and 14 fingers, noise.

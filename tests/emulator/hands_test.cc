@@ -1,4 +1,6 @@
-// Hands in whole ticks: of the fixture robot's neck a hand is made.
+// Hands in whole ticks.
+#include <cmath>
+
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
@@ -7,22 +9,13 @@
 namespace understudy::emulator {
 namespace {
 
-constexpr int kRoll = 0;  // its motors, the other way round than the model's joints
-constexpr int kPitch = 1;
+constexpr std::size_t kRoll = 0;  // its motors, the other way round than the model's joints
+constexpr std::size_t kPitch = 1;
 
 class HandsTest : public EmulatorTest {
  protected:
   HandsTest() {
-    robot::RobotSpec& robot = config_.robot;
-    robot.motors.resize(4);
-    robot.parallel.clear();
-    for (robot::PoseSpec* pose : {&robot.lying, &robot.standing, &robot.hanging}) pose->q.resize(4);
-    robot.hands = {{.name = "neck",
-                    .topic = "neck",
-                    .motors = {{.joint = "neck_roll_joint", .torque_limit = 5},
-                               {.joint = "neck_pitch_joint", .torque_limit = 5}},
-                    .timeout = 0.1,
-                    .lock_kd = 1}};
+    config_.robot = test::FixtureRobotWithHand();
     StartAs("clamped");
   }
 
@@ -34,7 +27,10 @@ class HandsTest : public EmulatorTest {
     return {.motors = {motor(roll), motor(pitch)}};
   }
 
-  robot::HandReading Reading() const { return port_.last().state.hands.at(0); }
+  // Of its motor, behind the body's four.
+  robot::MotorReading Reading(std::size_t motor) const {
+    return port_.last().state.motors.at(4 + motor);
+  }
   double JointAngle(const char* joint) const {
     const mjModel& model = world_->physics().model();
     return world_->physics().data().qpos[model.jnt_qposadr[mj_name2id(&model, mjOBJ_JOINT, joint)]];
@@ -47,8 +43,8 @@ TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
   Tick(1500);
   EXPECT_NEAR(JointAngle("neck_roll_joint"), 0.5, 1e-3);
   EXPECT_NEAR(JointAngle("neck_pitch_joint"), -0.25, 1e-3);
-  EXPECT_NEAR(Reading().motors[kRoll].q, 0.5, 1e-3);
-  EXPECT_NEAR(Reading().motors[kPitch].q, -0.25, 1e-3);
+  EXPECT_NEAR(Reading(kRoll).q, 0.5, 1e-3);
+  EXPECT_NEAR(Reading(kPitch).q, -0.25, 1e-3);
 }
 
 TEST_F(HandsTest, AreShownBehindTheBody) {
@@ -63,13 +59,14 @@ TEST_F(HandsTest, AreShownBehindTheBody) {
   EXPECT_EQ(frame.motor_names[4], "neck_roll_joint");
   EXPECT_NEAR(frame.motors[4].q, 0.5, 1e-3);
   EXPECT_NEAR(frame.motors[5].q, -0.25, 1e-3);
-  EXPECT_EQ(frame.command.size(), 4U);
+  ASSERT_EQ(frame.command.size(), 6U);
+  EXPECT_EQ(frame.command[5].q, -0.25);
 }
 
 TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {
   port_.SendHand(0, Reach(0.5, 0.5));
   Tick(5000);
-  EXPECT_NEAR(Reading().motors[kPitch].q, 0.5, 1e-3);
+  EXPECT_NEAR(Reading(kPitch).q, 0.5, 1e-3);
   EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 0U);
 }
 
@@ -78,12 +75,12 @@ TEST_F(HandsTest, LockWhenWatchedAndCommandsStop) {
   spin.motors[kRoll] = {.enabled = true, .dq = 2, .kd = 5, .watched = true};
   port_.SendHand(0, spin);
   Tick(50);
-  const double before = Reading().motors[kRoll].dq;
+  const double before = Reading(kRoll).dq;
   Tick(200);
   EXPECT_GT(before, 1);
-  EXPECT_NEAR(Reading().motors[kRoll].dq, 0, 1e-2);
-  EXPECT_EQ(Reading().timed_out[kRoll], 1);
-  EXPECT_FALSE(Reading().motors[kRoll].enabled);
+  EXPECT_NEAR(Reading(kRoll).dq, 0, 1e-2);
+  EXPECT_TRUE(Reading(kRoll).timed_out);
+  EXPECT_FALSE(Reading(kRoll).enabled);
   EXPECT_EQ(HandOf(world_->status()).commands.timeouts, 1U);
 }
 
@@ -95,9 +92,9 @@ TEST_F(HandsTest, BrakeWhenLocked) {
   spin.motors[kRoll].enabled = false;
   port_.SendHand(0, spin);
   Tick(4);
-  EXPECT_FALSE(Reading().motors[kRoll].enabled);
-  EXPECT_GT(Reading().motors[kRoll].dq, 1);
-  EXPECT_EQ(Reading().motors[kRoll].tau, -Reading().motors[kRoll].dq);
+  EXPECT_FALSE(Reading(kRoll).enabled);
+  EXPECT_GT(Reading(kRoll).dq, 1);
+  EXPECT_EQ(Reading(kRoll).tau, -Reading(kRoll).dq);
 }
 
 TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
@@ -105,7 +102,41 @@ TEST_F(HandsTest, GiveNoMoreTorqueThanTheirMotorsHave) {
   command.motors[kPitch].tau = 100;
   port_.SendHand(0, command);
   Tick();
-  EXPECT_EQ(Reading().motors[kPitch].tau, 5);
+  EXPECT_EQ(Reading(kPitch).tau, 5);
+}
+
+TEST_F(HandsTest, FollowAsLateAsTheBody) {
+  config_.robot.dynamics.delay = 0.002;
+  port_.TellEvery(1);
+  StartAs("clamped");
+  robot::RobotCommand command = Reach(0, 0);
+  command.motors[kPitch].tau = 3;
+  port_.SendHand(0, command);
+  Tick(2);
+  EXPECT_NEAR(Reading(kPitch).tau, 0, 1e-3);
+  EXPECT_FALSE(Reading(kPitch).enabled);
+  Tick();
+  EXPECT_NEAR(Reading(kPitch).tau, 3, 1e-2);
+  EXPECT_TRUE(Reading(kPitch).enabled);
+}
+
+// 5 N·m rise by 2.5 °C in the end, with a time constant of 100 s.
+TEST_F(HandsTest, WarmByTheTorqueThatTheyGive) {
+  port_.SendHand(0, {.motors = {{.enabled = true}, {.enabled = true, .tau = 100}}});
+  Tick(100);
+  EXPECT_NEAR(Reading(kPitch).winding_c, 25 + 2.5 * (1 - std::exp(-0.001)), 1e-4);
+  EXPECT_NEAR(Reading(kPitch).casing_c, 20 + 0.8 * (Reading(kPitch).winding_c - 20), 1e-9);
+  EXPECT_EQ(Reading(kRoll).winding_c, 25);
+}
+
+// 5 N·m each, from rest, are 5 W of heat at 40 V or less.
+TEST_F(HandsTest, DrawFromTheBattery) {
+  port_.TellEvery(1);
+  Tick();
+  const double idle = port_.last().state.battery.current;
+  port_.SendHand(0, {.motors = {2, {.enabled = true, .tau = 100}}});
+  Tick();
+  EXPECT_LT(port_.last().state.battery.current, idle - 0.12);
 }
 
 TEST_F(HandsTest, AreLockedAgainAfterAReset) {
@@ -113,8 +144,8 @@ TEST_F(HandsTest, AreLockedAgainAfterAReset) {
   Tick(500);
   Ask("reset");
   Tick(5);
-  EXPECT_NEAR(Reading().motors[kPitch].q, 0, 1e-6);
-  EXPECT_FALSE(Reading().motors[kPitch].enabled);
+  EXPECT_NEAR(Reading(kPitch).q, 0, 1e-6);
+  EXPECT_FALSE(Reading(kPitch).enabled);
 }
 
 TEST_F(HandsTest, CountRefusalsByReasonApartFromTheBodys) {
@@ -146,8 +177,7 @@ TEST_F(HandsTest, AndBodyDoNotMoveEachOthersMotors) {
   body.motors.assign(4, {.enabled = true, .q = 0.3, .kp = 100, .kd = 5});
   port_.Send(body);
   Tick(150);
-  EXPECT_NEAR(Reading().motors[kPitch].q, 0, 0.02);
-  EXPECT_EQ(port_.last().state.motors.size(), 4U);
+  EXPECT_NEAR(Reading(kPitch).q, 0, 0.02);
   EXPECT_NEAR(port_.last().state.motors[0].q, 0.3, 0.1);
 }
 

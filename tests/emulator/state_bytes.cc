@@ -23,7 +23,7 @@ std::string Bytes(const robot::RobotState& state) {
   std::string bytes;
   Append(&bytes, state.tick_ms);
   for (const robot::MotorReading& motor : state.motors) {
-    Append(&bytes, motor.enabled);
+    Append(&bytes, motor.enabled, motor.timed_out);
     Append(&bytes, motor.q, motor.dq, motor.tau, motor.casing_c, motor.winding_c);
   }
   Append(&bytes, state.joint_space);

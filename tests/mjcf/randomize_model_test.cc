@@ -17,7 +17,7 @@ namespace {
 using testing::ElementsAre;
 using testing::SizeIs;
 
-// The fixture robot, whose figures can be computed in the head: six bodies of 1 kg.
+// The fixture robot with a hand, whose figures can be computed in the head: six bodies of 1 kg.
 class RandomizeModelTest : public test::MujocoTest {
  protected:
   ModelHandle Load() const {
@@ -54,7 +54,7 @@ class RandomizeModelTest : public test::MujocoTest {
     return masses;
   }
 
-  const robot::RobotSpec spec_ = test::FixtureRobot();
+  const robot::RobotSpec spec_ = test::FixtureRobotWithHand();
   const ModelHandle plain_ = Load();
   std::map<std::string, double> drawn_;
 };
@@ -146,9 +146,9 @@ TEST_F(RandomizeModelTest, MovesTheBasesCentreOfMassAndNothingThatIsFixedToTheBa
 TEST_F(RandomizeModelTest, ScalesTheDampingOfEachMotorsJoint) {
   const ModelHandle model = Randomized({.damping = {1.5, 2}});
   EXPECT_THAT(drawn_, SizeIs(6));
-  for (const robot::MotorSpec& motor : spec_.motors) {
-    const double factor = drawn_.at("damping/" + motor.joint);
-    EXPECT_EQ(model->dof_damping[Dof(motor.joint)], 0.1 * factor);
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec_)) {
+    const double factor = drawn_.at("damping/" + motor->joint);
+    EXPECT_EQ(model->dof_damping[Dof(motor->joint)], 0.1 * factor);
     EXPECT_GE(factor, 1.5);
     EXPECT_LE(factor, 2);
   }
@@ -157,7 +157,7 @@ TEST_F(RandomizeModelTest, ScalesTheDampingOfEachMotorsJoint) {
 
 // The fixture has neither: a model that has is made of it first.
 TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
-  robot::RobotSpec spec = spec_;
+  robot::RobotSpec spec = test::FixtureRobot();
   spec.dynamics.use = robot::DynamicsSource::kFitted;
   spec.dynamics.fitted = {{.slots = {0, 1, 3, 4, 6, 7}, .armature = 0.5, .frictionloss = 2}};
   ModelHandle model =

@@ -125,8 +125,10 @@ TEST_F(ReviseTest, GivesAMotorsJointItsArmature) {
   motor.joint = "knee";
   motor.armature = 0.02;
   spec_.motors = {motor};
+  motor.joint = "hip";
+  spec_.hands = {{.motors = {motor}}};
   const ModelHandle model = Revised();
-  EXPECT_EQ(model->dof_armature[0], 0.5);
+  EXPECT_EQ(model->dof_armature[0], 0.02);
   EXPECT_EQ(model->dof_armature[1], 0.02);
 }
 

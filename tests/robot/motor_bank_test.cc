@@ -172,6 +172,18 @@ TEST_F(MotorBankTest, IsWeakerThanMeantAtAndBelowItsLimit) {
   EXPECT_EQ(bank.Step(Torques(90, 0, 0), q_, dq_, 0.001)[0], 5);
 }
 
+TEST_F(MotorBankTest, BrakesWithItsLockGainWhileNotEnabledWhateverElseItIsTold) {
+  RobotSpec spec = Spec();
+  spec.motors[0].lock_kd = 0.5;
+  spec.motors[0].kd_scale = 3;
+  MotorBank bank(spec);
+  RobotCommand command = Torques(NAN, 7, 0);
+  command.motors[0].enabled = command.motors[1].enabled = false;
+  dq_ = {2, 2, 2};
+  const auto tau = bank.Step(command, q_, dq_, 0.001);
+  EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-1, 0, 0}));
+}
+
 TEST_F(MotorBankTest, StartsAtItsTemperatureOfRest) {
   for (const double temperature : bank_.winding_c()) EXPECT_EQ(temperature, 25);
 }
@@ -194,9 +206,12 @@ TEST_F(MotorBankTest, WarmsTheMotorThatWorksAndNoOther) {
 TEST_F(MotorBankTest, HeatsByTheTorqueItGivesNotByTheOneItWants) {
   RobotSpec spec = Spec();
   spec.motors[0].torque_limit = 10;
+  spec.motors[1].torque_limit = 10;
+  spec.motors[1].rise_per_nm2_c = 0.2;  // its own
   MotorBank bank(spec);
-  for (int i = 0; i < 10000; ++i) bank.Step(Torques(500, 0, 0), q_, dq_, 0.1);
+  for (int i = 0; i < 10000; ++i) bank.Step(Torques(500, 500, 0), q_, dq_, 0.1);
   EXPECT_NEAR(bank.winding_c()[0], 35, 0.01);
+  EXPECT_NEAR(bank.winding_c()[1], 45, 0.01);
 }
 
 }  // namespace

@@ -99,6 +99,7 @@ class MotorsTest : public testing::Test {
  protected:
   MotorsTest() {
     robot_.motors = {{.joint = "hip"}, {.joint = "knee", .strength = 0.5, .kp_scale = 2}};
+    robot_.hands = {{.motors = {{.joint = "thumb"}}}};
     robot_.dynamics.delay = 0.001;
   }
 
@@ -127,6 +128,8 @@ TEST_F(MotorsTest, HaveEachAStrengthOfItsOwnTimesTheirs) {
   EXPECT_GE(robot.motors[1].strength, 0.4);
   EXPECT_LE(robot.motors[1].strength, 0.6);
   EXPECT_NE(robot.motors[0].strength, 2 * robot.motors[1].strength);
+  EXPECT_NEAR(robot.hands[0].motors[0].strength, 1, 0.2);
+  EXPECT_NE(robot.hands[0].motors[0].strength, 1);
   EXPECT_EQ(robot.motors[0].kp_scale, 1);
 }
 

@@ -185,6 +185,30 @@ TEST_F(SensorsTest, ShowMostOfTheWindingsRiseAtTheCasing) {
   }
 }
 
+TEST_F(SensorsTest, ReadHandsWithNoiseAndOnALatticeAsTheBody) {
+  spec_.hands = test::FixtureRobotWithHand().hands;
+  spec_.motors.resize(4);
+  const auto q = [this](const SensorConfig& config) { return Sample(config).motors[5].q; };
+  EXPECT_EQ(q(kTruth), world_.robot().q()[5]);
+  EXPECT_TRUE(OnLattice(q(kBoth), 1.0 / 4096));
+  EXPECT_NE(q(kNoise), q(kTruth));
+  EXPECT_EQ(q(kNoise), q(kNoise));
+  EXPECT_NE(q(kNoise), q({.quantise = false, .seed = 2}));
+}
+
+TEST_F(SensorsTest, LeaveTheNoiseOfTheBodyAsItIsWithoutHands) {
+  spec_.motors.resize(4);
+  robot::RobotSpec handy = spec_;
+  handy.hands = test::FixtureRobotWithHand().hands;
+  Sensors one(kNoise, spec_), two(kNoise, handy);
+  for (int i = 0; i < 3; ++i) {
+    const robot::RobotState without = Sample(&one), with = Sample(&two);
+    for (std::size_t m = 0; m < 4; ++m) EXPECT_EQ(without.motors[m].tau, with.motors[m].tau);
+    EXPECT_EQ(without.imu.f_WI_I, with.imu.f_WI_I);
+    EXPECT_NE(with.motors[4].dq, world_.robot().dq()[4]);
+  }
+}
+
 TEST_F(SensorsTest, ReportTheJointSpaceOfTheCommand) {
   EXPECT_EQ(Sample(kTruth).joint_space, robot::JointSpace::kPitchRoll);
   command_.joint_space = robot::JointSpace::kMotors;

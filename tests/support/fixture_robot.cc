@@ -54,6 +54,21 @@ robot::RobotSpec FixtureRobot() {
   return spec;
 }
 
+robot::RobotSpec FixtureRobotWithHand() {
+  robot::RobotSpec spec = FixtureRobot();
+  robot::HandSpec hand{.name = "neck", .topic = "neck", .timeout = 0.1};
+  for (const std::size_t i : {5U, 4U}) {
+    spec.motors[i].torque_limit = 5;
+    spec.motors[i].lock_kd = 1;
+    hand.motors.push_back(spec.motors[i]);
+  }
+  spec.hands = {hand};
+  spec.motors.resize(4);
+  spec.parallel.clear();
+  for (robot::PoseSpec* pose : {&spec.lying, &spec.standing, &spec.hanging}) pose->q.resize(4);
+  return spec;
+}
+
 config::Config FixtureConfig() {
   config::Config config;
   config.sensors = {.quantise = false, .noise = false};

@@ -16,6 +16,10 @@ namespace understudy::test {
 // with the base at 0.3 m, lies on its trunk, hangs in its standing pose at 1 m.
 robot::RobotSpec FixtureRobot();
 
+// The same with a hand "neck" in place of the neck, its motors the other way round: roll, pitch.
+// They give 5 N·m; locked they brake with 1 N·m·s/rad, watched they time out after 0.1 s.
+robot::RobotSpec FixtureRobotWithHand();
+
 // Everything off that blurs numbers: no noise, no lattice. Starts lying.
 config::Config FixtureConfig();
 

@@ -145,6 +145,13 @@ def fastest_finger(played):
     return round(max(abs(state.motor_state[MIDDLE].dq) for state in closing))
 
 
+def finger_at_its_stop(played):
+    """Angle, torque and temperatures of one that all terms of the motor law press to where it is closed."""
+    pressing = hand_states(played, hand_command(q=-2.57, kp=0.5, dq=-4.0, kd=0.1, tau=-0.1))
+    motor = pressing[-1].motor_state[MIDDLE]
+    return round(motor.q, 1), round(motor.tau_est, 1), motor.temperature
+
+
 def braking_gain(played):
     """Torque per rate of a finger that is locked while it moves."""
     hand_states(played, hand_command(tau=1.0))

@@ -35,6 +35,7 @@ from probes import (
     drives_hard_at_speed,
     fastest_finger,
     fastest_hip,
+    finger_at_its_stop,
     follows_a_slow_client,
     hand_command,
     hand_states,
@@ -122,7 +123,13 @@ DEX3 = "g1_29dof_dex3"
 
 
 def hand(changed, look, *given):
-    return Seen(f"robot.hands.0.{changed}", look, robot=DEX3, given=("start.pose=clamped", *given))
+    return Seen(f"robot.hands.0.{changed}", look, robot=DEX3,
+                given=("start.pose=clamped", "sensors.noise=false", *given))
+
+
+def finger(changed, look, *given):
+    return hand(f"motors.{MIDDLE}.{changed}", look,
+                *(f"robot.hands.0.motors.{MIDDLE}.{setting}" for setting in given))
 
 
 def board(changed):
@@ -243,6 +250,7 @@ SETTINGS = {
     "robot.motors[].strength": differs_standing("motors.2.strength", 0.5),
     "robot.motors[].kp_scale": differs_standing("motors.2.kp_scale", 0.5),
     "robot.motors[].kd_scale": differs_standing("motors.2.kd_scale", 0.5),
+    "robot.motors[].rise_per_nm2_c": differs_standing("motors.2.rise_per_nm2_c", 1000),
     "robot.dynamics.use": differs_standing("dynamics.use", "catalogue"),
     "robot.dynamics.fitted[].slots": differs_standing(
         "dynamics.fitted", "[{slots: [1], frictionloss: 3}]",
@@ -272,20 +280,22 @@ SETTINGS = {
     "robot.hands[].name": hand("name=claw", lambda robot: robot.status()["hands"][0]["name"]),
     "robot.hands[].topic": hand("topic=dex4/left", is_told_on_its_topic),
     "robot.hands[].motors[].joint": Refused("robot.hands.0.motors.0.joint=none", 4, "none", DEX3),
-    "robot.hands[].motors[].torque_limit": hand(
-        f"motors.{MIDDLE}.torque_limit=0.25",
-        lambda robot: hand_states(robot, hand_command(tau=1.0))[-1].motor_state[MIDDLE].tau_est),
-    "robot.hands[].motors[].knee_speed": hand(f"motors.{MIDDLE}.knee_speed=0.1", fastest_finger,
-                                              f"robot.hands.0.motors.{MIDDLE}.torque_limit=0.2"),
-    "robot.hands[].motors[].no_load_speed": hand(f"motors.{MIDDLE}.no_load_speed=2", fastest_finger,
-                                                 f"robot.hands.0.motors.{MIDDLE}.knee_speed=1"),
+    **{f"robot.hands[].motors[].{key}": finger(f"{key}={value}", finger_at_its_stop)
+       for key, value in {
+           "torque_limit": 0.25, "q_step": 1, "tau_step": 0.3, "strength": 0.5, "kp_scale": 0.2,
+           "kd_scale": 0.2, "rise_per_nm2_c": 1000000,
+       }.items()},
+    "robot.hands[].motors[].knee_speed": finger("knee_speed=0.1", fastest_finger, "torque_limit=0.2"),
+    "robot.hands[].motors[].no_load_speed": finger("no_load_speed=2", fastest_finger, "knee_speed=1"),
+    "robot.hands[].motors[].dq_step": finger("dq_step=100", fastest_finger),
+    "robot.hands[].motors[].armature": finger("armature=1", fastest_finger),
+    "robot.hands[].motors[].lock_kd": finger("lock_kd=0.02", braking_gain, "lock_kd=0.01",
+                                             "tau_step=0", "dq_step=0"),
     "robot.hands[].pads[].taxels": hand("pads.0.taxels=[1]",
                                         shown_by_the_hand("press_sensor_state")),
     "robot.hands[].timeout": hand("timeout=0.05", lambda robot: hand_states(
         robot, hand_command(watched=1))[-1].motor_state[MIDDLE].mode, "robot.hands.0.timeout=10"),
-    "robot.hands[].lock_kd": hand("lock_kd=0.02", braking_gain, "robot.hands.0.lock_kd=0.01"),
-    "robot.hands[].temperature_c": hand("temperature_c=50", lambda robot: hand_states(
-        robot, hand_command())[-1].motor_state[MIDDLE].temperature),
+    "robot.hands[].temperature_c": hand("temperature_c=50", shown_by_the_hand("press_sensor_state")),
     "robot.hands[].supply_v": hand("supply_v=12", shown_by_the_hand("power_v")),
     "robot.rates.hand_hz": Counted("robot.rates.hand_hz=250", "rt/dex3/left/state", HandState_, DEX3),
     "robot.imu.site": Differs("robot.imu.site=secondary_imu", robot="g1"),

@@ -102,10 +102,10 @@ class HandStateTest : public testing::Test {
 };
 
 TEST_F(HandStateTest, TellsEveryMotorWithItsMode) {
-  robot::HandReading reading{.motors = std::vector<robot::MotorReading>(3), .timed_out = {0, 0, 1}};
-  reading.motors[1] = {
-      .enabled = true, .q = 1, .dq = 2, .tau = 3, .casing_c = 40.4, .winding_c = 50.6};
-  message_.Encode(reading);
+  message_.Encode(std::array<robot::MotorReading, 3>{
+      {{},
+       {.enabled = true, .q = 1, .dq = 2, .tau = 3, .casing_c = 40.4, .winding_c = 50.6},
+       {.timed_out = true}}});
   const auto& wire = message_.message().motor_state;
   ASSERT_EQ(wire._length, 3U);
   EXPECT_EQ(wire._buffer[0].mode, 0);
@@ -134,7 +134,7 @@ TEST_F(HandStateTest, ShowsItsSupply) { EXPECT_EQ(message_.message().power_v, 24
 
 TEST_F(HandStateTest, StaysWholeWhenMoved) {
   HandStateMessage moved = std::move(message_);
-  moved.Encode({.motors = {{.q = 1}, {.q = 2}, {.q = 3}}, .timed_out = {0, 0, 0}});
+  moved.Encode(std::array<robot::MotorReading, 3>{{{.q = 1}, {.q = 2}, {.q = 3}}});
   EXPECT_EQ(moved.message().motor_state._buffer[2].q, 3);
   EXPECT_EQ(moved.message().press_sensor_state._buffer[1].pressure[0], 30000);
 }

@@ -121,8 +121,8 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
   bus::Reader<HandState> lf_left(robot.participant, State("rt/lf/dex/left/state"));
   bus::Reader<HandState> lf_right(robot.participant, State("rt/lf/dex/right/state"));
   robot::RobotState state = StateOf(robot.spec);
-  state.hands[0].motors[0].q = 1;
-  state.hands[1].motors[0].q = 2;
+  state.motors[4].q = 1;  // behind the body's four and the left hand's two
+  state.motors[6].q = 2;
   robot.port.Publish(state, kHandStep);
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));

@@ -47,13 +47,8 @@ inline robot::RobotSpec HgRobot() {
 
 inline robot::RobotState StateOf(const robot::RobotSpec& spec) {
   robot::RobotState state;
-  state.motors.resize(spec.motors.size());
+  state.motors.resize(robot::AllMotors(spec).size());
   state.foot_force.resize(spec.feet.size());
-  for (const robot::HandSpec& hand : spec.hands) {
-    const std::size_t motors = hand.motors.size();
-    state.hands.push_back({.motors = std::vector<robot::MotorReading>(motors),
-                           .timed_out = std::vector<std::uint8_t>(motors)});
-  }
   return state;
 }
 

@@ -47,7 +47,6 @@ export function signalsOf(scene, frame) {
     for (const [field, unit, word] of MOTOR) {
       add(`${name} ${word}`, unit, (f) => f.motors[i]?.[field]);
     }
-    if (motor.hand) return; // what hands are commanded is in no frame
     for (const [field, unit, word] of COMMAND) {
       add(`${name} ${word}`, unit, (f) => {
         const value = f.command?.[i]?.[field];
