@@ -7,6 +7,7 @@
 
 #include "base/catch_errors.h"
 #include "base/exit_code.h"
+#include "base/standard_error.h"
 #include "commands/companion.h"
 #include "commands/completions.h"
 #include "commands/inspect_commands.h"
@@ -182,6 +183,14 @@ int Main(int argc, char** argv) {
   return 0;
 }
 
+// What a full disk has not taken of the output fails whatever command wrote it.
+int CheckOutput() {
+  std::cout.flush();
+  if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return 0;
+  WriteToStandardError("understudy: standard output cannot be written; is its disk full?\n");
+  return static_cast<int>(ExitCode::kInternal);
+}
+
 }  // namespace
 }  // namespace understudy
 
@@ -189,5 +198,6 @@ int main(int argc, char** argv) {
   understudy::OpenClosedStreams();
   const int code = understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
   understudy::commands::StopLog();
-  return code;
+  const int output = understudy::CheckOutput();
+  return code == 0 ? output : code;
 }

@@ -18,8 +18,8 @@ struct GateCounts {
 };
 
 // Strict, it refuses what is wrong in form (crc, head, mode_machine, mode_pr, motor mode). Lenient,
-// it lets that pass and counts it all the same, but not a command for another number of motors,
-// which could not be read.
+// it lets that pass and counts it all the same, but not what could not be read: a command for
+// another number of motors, bytes of another type.
 class Intake {
  public:
   // Taken of a topic in one tick, so that many commands do not make a long one; *assumed*.
@@ -32,7 +32,7 @@ class Intake {
   template <class Offer>
   robot::Refusal Judge(robot::Refusal form, Offer&& offer) {
     if (form != robot::Refusal::kNone) ++refused(form);
-    if (form != robot::Refusal::kNone && (!lenient_ || form == robot::Refusal::kMotorCount)) {
+    if (form != robot::Refusal::kNone && (!lenient_ || robot::IsUnreadable(form))) {
       return form;
     }
     const robot::Refusal refusal = std::forward<Offer>(offer)();

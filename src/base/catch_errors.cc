@@ -1,23 +1,32 @@
 #include "base/catch_errors.h"
 
-#include <cstdio>
 #include <exception>
+#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/standard_error.h"
 
 namespace understudy {
+namespace {
+
+void Say(const std::exception& error) {
+  WriteToStandardError(std::string("understudy: ") + error.what() + "\n");
+}
+
+}  // namespace
+
 int CatchErrors(const std::function<int()>& run) {
   int code = static_cast<int>(ExitCode::kInternal);
   try {
     return run();
   } catch (const SetupError& error) {
-    std::fprintf(stderr, "understudy: %s\n", error.what());
+    Say(error);
     code = error.exit_code();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "understudy: %s\n", error.what());
+    Say(error);
   }
   return code;
 }

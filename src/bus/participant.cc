@@ -1,38 +1,15 @@
 #include "bus/participant.h"
 
 #include <algorithm>
-#include <cstring>
-#include <string_view>
+#include <vector>
 
 #include <dds/dds.h>
 
 #include "base/errors.h"
+#include "bus/cyclone_log.h"
 
 namespace understudy::bus {
 namespace {
-
-// Keeps the last line that Cyclone would have printed, instead of printing it, for as long as it
-// lives. Of its warnings at start, "not multicast-capable" is told by Participant::multicast().
-class CycloneLog {
- public:
-  CycloneLog() { dds_set_log_sink(&Keep, this); }
-  ~CycloneLog() { dds_set_log_sink(nullptr, nullptr); }
-  CycloneLog(const CycloneLog&) = delete;
-  CycloneLog& operator=(const CycloneLog&) = delete;
-
-  std::string_view last() const { return {last_.data(), size_}; }
-
- private:
-  static void Keep(void* self, const dds_log_data_t* line) {
-    auto& log = *static_cast<CycloneLog*>(self);
-    std::string_view text(line->message);
-    while (!text.empty() && text.back() == '\n') text.remove_suffix(1);
-    log.size_ = text.copy(log.last_.data(), log.last_.size());
-  }
-
-  std::array<char, 256> last_{};
-  std::size_t size_ = 0;
-};
 
 Entity CreateDomain(const std::string& interface, int domain) {
   if (domain < 0 || domain > kLastDomain) {
@@ -43,16 +20,19 @@ Entity CreateDomain(const std::string& interface, int domain) {
       "<CycloneDDS><Domain Id=\"any\"><General><Interfaces><NetworkInterface name=\"" + interface +
       "\" priority=\"default\" "
       "multicast=\"default\"/></Interfaces></General></Domain></CycloneDDS>";
-  const CycloneLog log;
+  TakeCycloneNotices();
   const dds_entity_t created = dds_create_domain(static_cast<dds_domainid_t>(domain), xml.c_str());
   const std::string where = "DDS domain " + std::to_string(domain) + " on \"" + interface + "\"";
   if (created == DDS_RETCODE_PRECONDITION_NOT_MET) {
     throw BusError("this process is in DDS domain " + std::to_string(domain) + " already");
   }
-  if (created < 0 && !log.last().empty()) {
-    const bool full = log.last().find("participant index") != std::string_view::npos;
+  // Of what it warns of at the start, "not multicast-capable" is told by multicast().
+  const std::vector<CycloneNotice> said = TakeCycloneNotices();
+  if (created < 0 && !said.empty()) {
+    const std::string& why = said.back().line;
+    const bool full = why.find("participant index") != std::string::npos;
     throw BusError(
-        "cannot join " + where + ": " + std::string(log.last()) +
+        "cannot join " + where + ": " + why +
         (full ? "; without multicast an interface has room for nine programs in a domain" : ""));
   }
   return Entity(created, "join " + where);

@@ -7,6 +7,7 @@
 #include <dds/dds.h>
 
 #include "base/errors.h"
+#include "bus/cyclone_log.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
@@ -30,7 +31,8 @@ ListenerPtr SetOnArrival(std::atomic<bool>* arrived) {
 ReaderCore::ReaderCore(const Participant& participant, const char* topic,
                        const dds_topic_descriptor& descriptor, std::size_t message_size,
                        const ReaderOptions& options)
-    : arrived_(std::make_unique<std::atomic<bool>>(false)),
+    : undecoded_(&UndecodedSamples(topic)),
+      arrived_(std::make_unique<std::atomic<bool>>(false)),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
       reader_(dds_create_reader(participant.handle(), topic_.handle(), ReaderQos(options).get(),

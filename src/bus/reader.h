@@ -38,6 +38,9 @@ class ReaderCore {
   // Writers matched now, of any participant, ours included. Does not allocate.
   int matched_writers() const;
 
+  // Samples of its topic that came and could not be decoded.
+  std::uint64_t undecoded() const { return undecoded_->load(std::memory_order_relaxed); }
+
   ReaderCore(ReaderCore&& other) = default;
 
   // Whose a taken sample is; nullopt when the writer has gone meanwhile. Allocates.
@@ -79,6 +82,7 @@ class ReaderCore {
   void LeaveSamples() { arrived_->store(true, std::memory_order_relaxed); }
 
  private:
+  const std::atomic<std::uint64_t>* undecoded_;
   std::unique_ptr<std::atomic<bool>> arrived_;  // set by Cyclone's threads; outlives reader_
   Entity topic_;
   Entity reader_;

@@ -8,13 +8,16 @@
 #include <optional>
 #include <set>
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
 #include "base/errors.h"
 #include "base/exit_code.h"
 #include "base/signals.h"
+#include "base/standard_error.h"
 #include "bus/cdr_writer.h"
+#include "bus/cyclone_log.h"
 #include "commands/log.h"
 #include "idl/type_table.h"
 #include "run/alone.h"
@@ -48,16 +51,14 @@ class Progress {
  public:
   Progress(bool shown, double to) : shown_(shown), to_(to) {}
   ~Progress() {
-    if (drawn_) std::fputs("\r\033[K", stderr);
+    if (drawn_) WriteToStandardError("\r\033[K");
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void Update(double at, std::uint64_t messages, time::Clock::Time now) {
     if (!shown_ || (drawn_ && now - drawn_at_ < kDrawEvery)) return;
-    std::fprintf(stderr, "\r\033[K%.1f of %.1f s  %llu messages", at, to_,
-                 static_cast<unsigned long long>(messages));
-    std::fflush(stderr);
+    WriteToStandardError(fmt::format("\r\033[K{:.1f} of {:.1f} s  {} messages", at, to_, messages));
     drawn_ = true;
     drawn_at_ = now;
   }
@@ -208,6 +209,9 @@ int PlayCommand(const PlayArguments& arguments) {
     }
     return true;
   });
+  for (const bus::CycloneNotice& notice : bus::TakeCycloneNotices()) {
+    spdlog::warn("Cyclone DDS: {}", notice.text());
+  }
   if (wire.damaged() > 0) {
     spdlog::warn("{} messages are not what their type says and were left out", wire.damaged());
   }

@@ -18,7 +18,7 @@ namespace {
 using nlohmann::json;
 using enum EventFieldType;
 
-// Late ticks in one burst that are worth a warning; *assumed*: a few are made up for unnoticed.
+// Late ticks in one burst that are worth a line; *assumed*: a few are made up for unnoticed.
 constexpr std::uint64_t kManyOverruns = 50;
 
 std::string Text(const char* format, double number) {
@@ -249,7 +249,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
      "the bus does not take messages"},
     {EventKind::kOverrun,
      "overrun",
-     kInfo,
+     kSilent,
      true,
      {{{"worst", kWorst}}},
      [](const Event& e, std::uint64_t n) {

@@ -94,8 +94,11 @@ void Robot::Act() {
   body_->Drive(motors_.torque());
   battery_.Step(motors_.torque(), body_->dq(), dt);
   if (crane_.attached()) {
-    const physics::PointReading at = hook();
-    physics_->AddForce(crane_body_, at.p_WP, crane_.Step(at, dt));
+    const physics::Crane::Hooks at = hooks();
+    const physics::Crane::Pulls pulls = crane_.Step(at, dt);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      physics_->AddForce(crane_body_, at[i].p_WP, pulls[i]);
+    }
   }
 }
 
@@ -226,7 +229,13 @@ void Robot::Reset(robot::StartPose pose) {
   sampled_ = kNever;
 }
 
-void Robot::AttachCrane() { crane_.Attach(hook().p_WP, body_->weight()); }
+void Robot::AttachCrane() { crane_.Attach(hooks(), body_->weight()); }
+
+physics::Crane::Hooks Robot::hooks() const {
+  const Eigen::Vector3d left(0, physics::Crane::kHookOffset, 0);
+  return {physics_->Point(crane_body_, crane_point_ + left),
+          physics_->Point(crane_body_, crane_point_ - left)};
+}
 
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;

@@ -68,6 +68,7 @@ class Robot {
   void AttachCrane();
   physics::Crane& crane() { return crane_; }
   const physics::Crane& crane() const { return crane_; }
+  // Between the hooks.
   physics::PointReading hook() const { return physics_->Point(crane_body_, crane_point_); }
 
   Remote& remote() { return remote_; }
@@ -115,6 +116,7 @@ class Robot {
   const Start& start(robot::StartPose pose) const {
     return starts_[static_cast<std::size_t>(pose)];
   }
+  physics::Crane::Hooks hooks() const;
   void TakeCommands(double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   void Sample(std::int64_t step);  // of the instant that the physics shows

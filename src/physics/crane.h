@@ -1,31 +1,40 @@
 // The crane that humanoids hang from.
 #pragma once
 
+#include <array>
+
 #include "physics/world.h"
 
 namespace understudy::physics {
 
 struct CraneConfig {
   double length = 0.6;       // m of tether between anchor and hook at the start
-  double stiffness = 20000;  // N/m
-  double damping = 1000;     // N·s/m, only while the tether is taut
+  double stiffness = 20000;  // N/m, of both straps together
+  double damping = 1000;     // N·s/m, likewise, only while a strap is taut
   double speed = 0.1;        // m/s at which it is lowered or raised
 };
 
-// An elastic tether between a fixed anchor and a hook on the robot. It pulls or is slack; it never
-// pushes:
+// Two elastic straps side by side, each between a fixed anchor and a hook on the robot, so that it
+// does not turn round. A strap pulls or is slack; it never pushes:
 //
-//   tension = max(0, stiffness · (|hook - anchor| - length) + damping · d|hook - anchor|/dt)   when
-//   longer than length
+//   tension = max(0, stiffness / 2 · (|hook - anchor| - length) + damping / 2 · d|hook -
+//   anchor|/dt) when longer than length
 //
-// Figures are *assumed*: a stiff webbing sling.
+// A taut strap also damps how its hook swings. Figures are *assumed*: a stiff webbing sling, over a
+// robot's shoulders.
 class Crane {
  public:
   explicit Crane(const CraneConfig& config) : config_(config) {}
 
-  // Hangs the hook, which is at p_WH [m] now, from straight above with the tether carrying `weight`
-  // [N].
-  void Attach(const Eigen::Vector3d& p_WH, double weight);
+  // Both hooks, left and right.
+  using Hooks = std::array<PointReading, 2>;
+  using Pulls = std::array<Eigen::Vector3d, 2>;
+
+  // How far left and right of the middle the hooks are [m]; *assumed*.
+  static constexpr double kHookOffset = 0.12;
+
+  // Hangs the hooks, where they are now, from straight above with the straps carrying `weight` [N].
+  void Attach(const Hooks& hooks, double weight);
   void Release() {
     attached_ = false;
     tension_ = 0;
@@ -34,19 +43,21 @@ class Crane {
   // anchor. Adds to what is still to be paid out.
   void Lower(double by) { to_pay_out_ += by; }
 
-  // The pull [N] on the hook, world axes, and one step of dt [s] of the winch.
-  Eigen::Vector3d Step(const PointReading& hook, double dt);
+  // The pulls [N] on the hooks, world axes, and one step of dt [s] of the winch.
+  Pulls Step(const Hooks& hooks, double dt);
 
   bool attached() const { return attached_; }
-  double length() const { return length_; }    // m, unloaded
-  double tension() const { return tension_; }  // N, of the last step; 0 when not attached
-  // m, world; means nothing before the first Attach.
-  const Eigen::Vector3d& anchor() const { return p_WA_; }
+  double length() const { return length_; }  // m, unloaded
+  // N, of both straps in the last step; 0 when not attached.
+  double tension() const { return tension_; }
+  // Between the anchors [m, world]; means nothing before the first Attach.
+  Eigen::Vector3d anchor() const { return (p_WA_[0] + p_WA_[1]) / 2; }
 
  private:
   CraneConfig config_;
   bool attached_ = false;
-  Eigen::Vector3d p_WA_{0, 0, 0};  // anchor
+  std::array<Eigen::Vector3d, 2> p_WA_{Eigen::Vector3d::Zero(),
+                                       Eigen::Vector3d::Zero()};  // anchors
   double length_ = 0;
   double to_pay_out_ = 0;
   double tension_ = 0;

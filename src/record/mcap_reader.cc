@@ -21,7 +21,8 @@ constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size(
 }  // namespace
 
 McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
-  fd_ = UniqueFd(::open(path_.c_str(), O_RDONLY | O_CLOEXEC));
+  // A pipe has no end to wait for.
+  fd_ = UniqueFd(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!fd_.valid() || ::fstat(fd_.get(), &status) != 0) {
     const std::string why = std::strerror(errno);  // NOLINT(concurrency-mt-unsafe)

@@ -20,6 +20,7 @@ enum class Refusal : std::uint8_t {
   kMotionService,    // the robot's own motion service moves the motors
   kNoMotionService,  // rt/arm_sdk, rt/user_lowcmd: none is on
   kNotHandedOver,    // rt/user_lowcmd: the motion service keeps the motors
+  kUndecoded,        // no message of the topic's type
   kCount,
 };
 
@@ -27,19 +28,16 @@ inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCoun
 
 // The word that logs, counters and the control plane use.
 constexpr std::string_view Name(Refusal refusal) {
-  constexpr std::array<std::string_view, kRefusals> kNames = {"none",
-                                                              "crc",
-                                                              "head",
-                                                              "mode_machine",
-                                                              "mode_pr",
-                                                              "motor_mode",
-                                                              "motor_count",
-                                                              "not_finite",
-                                                              "gain",
-                                                              "motion_service",
-                                                              "no_motion_service",
-                                                              "not_handed_over"};
+  constexpr std::array<std::string_view, kRefusals> kNames = {
+      "none",        "crc",        "head", "mode_machine",   "mode_pr",           "motor_mode",
+      "motor_count", "not_finite", "gain", "motion_service", "no_motion_service", "not_handed_over",
+      "undecoded"};
   return kNames[static_cast<std::size_t>(refusal)];
+}
+
+// Whether nothing can be made of such a command, however lenient one is.
+constexpr bool IsUnreadable(Refusal refusal) {
+  return refusal == Refusal::kMotorCount || refusal == Refusal::kUndecoded;
 }
 
 }  // namespace understudy::robot

@@ -28,6 +28,10 @@ std::string_view Explain(Refusal refusal) {
              "(MotionSwitcherClient SelectMode) or command by rt/lowcmd";
     case Refusal::kNotHandedOver:
       return "the motion service has not handed the motors over; LocoClient SwitchToUserCtrl does";
+    case Refusal::kUndecoded:
+      return "its bytes are no message of the topic's type; was the program built with the "
+             "vendor's "
+             "IDL?";
     case Refusal::kNone:
     case Refusal::kCount:
       break;

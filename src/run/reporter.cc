@@ -1,8 +1,9 @@
 #include "run/reporter.h"
 
-#include <cstdio>
-
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
+
+#include "base/standard_error.h"
 
 namespace understudy::run {
 namespace {
@@ -31,7 +32,7 @@ Reporter::Reporter(const emulator::EventRing* events, double expected_hz, bool s
 Reporter::~Reporter() {
   LogEvents(updated_at_);
   for (const emulator::ToldEvent& told : digest_.Rest()) Log(told);
-  if (line_drawn_) std::fputs("\r\033[K", stderr);
+  if (line_drawn_) WriteToStandardError("\r\033[K");
 }
 
 void Reporter::Update(const emulator::Status& status, WallTime now) {
@@ -57,12 +58,11 @@ void Reporter::DrawStatusLine(const emulator::Status& status, WallTime now) {
       return static_cast<double>(to - from) / wall;
     };
     const double factor = (status.time - drawn_.time) / wall;
-    std::fprintf(stderr, "\r\033[K%.1f s  x%.2f  LowState %.0f/s of %.0f  LowCmd %.0f/s  %s%s%s",
-                 status.time, factor, rate(status.published, drawn_.published),
-                 expected_hz_ * factor, rate(status.commands.accepted, drawn_.commands.accepted),
-                 authority::Name(status.gate).data(), status.paused ? "  PAUSED" : "",
-                 status.silenced ? "  SILENCED" : "");
-    std::fflush(stderr);
+    WriteToStandardError(fmt::format(
+        "\r\033[K{:.1f} s  x{:.2f}  LowState {:.0f}/s of {:.0f}  LowCmd {:.0f}/s  {}{}{}",
+        status.time, factor, rate(status.published, drawn_.published), expected_hz_ * factor,
+        rate(status.commands.accepted, drawn_.commands.accepted), authority::Name(status.gate),
+        status.paused ? "  PAUSED" : "", status.silenced ? "  SILENCED" : ""));
     line_drawn_ = true;
   }
   drawn_at_ = now;

@@ -13,6 +13,7 @@
 #include <spdlog/spdlog.h>
 
 #include "base/spsc_ring.h"
+#include "bus/cyclone_log.h"
 #include "bus/participant.h"
 #include "config/data_dir.h"
 #include "config/settings.h"
@@ -72,10 +73,21 @@ class Housekeeper {
     while (!stop.stop_requested()) {
       Watch();
       reporter_.Update(board_->Read(), clock.Now());
+      TellOfCyclone(clock.Now());
       for (; const std::string* text = warnings_.Front(); warnings_.Pop()) {
         spdlog::warn("MuJoCo: {}", *text);
       }
       clock.SleepUntil(clock.Now() + kHousekeeping);
+    }
+  }
+
+  // At once, and then in sums: whoever sends garbage sends much of it.
+  void TellOfCyclone(time::Clock::Time now) {
+    constexpr std::chrono::seconds kPeriod(10);
+    if (now < cyclone_told_ + kPeriod) return;
+    for (const bus::CycloneNotice& notice : bus::TakeCycloneNotices()) {
+      spdlog::warn("Cyclone DDS: {}", notice.text());
+      cyclone_told_ = now;
     }
   }
 
@@ -102,6 +114,7 @@ class Housekeeper {
   const emulator::StatusBoard* board_;
   Reporter reporter_;
   bool speaks_ = false;
+  time::Clock::Time cyclone_told_ = -std::chrono::hours(1);
   std::atomic<bool> must_silence_{false};
   std::atomic<bool> must_stop_{false};
   SpscRing<std::string> warnings_{4, std::string(511, ' ')};  // with room for any warning

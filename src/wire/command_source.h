@@ -1,6 +1,7 @@
 // A topic that brings commands for motors.
 #pragma once
 
+#include <cstdint>
 #include <utility>
 
 #include "bus/participant.h"
@@ -32,7 +33,11 @@ class MessageSource final : public CommandSource {
     const auto visit = [&](const Msg& message, bus::WriterHandle) {
       *form = decode_(message, command);
     };
-    return reader_.Take(visit, 1) == 1;
+    if (reader_.Take(visit, 1) == 1) return true;
+    if (undecoded_ == reader_.undecoded()) return false;
+    ++undecoded_;
+    *form = robot::Refusal::kUndecoded;
+    return true;
   }
 
   int writers() const override { return reader_.matched_writers(); }
@@ -40,6 +45,7 @@ class MessageSource final : public CommandSource {
  private:
   bus::Reader<Msg> reader_;
   Decode decode_;
+  std::uint64_t undecoded_ = reader_.undecoded();  // told so far
 };
 
 }  // namespace understudy::wire

@@ -20,7 +20,7 @@ class RobotPort {
   // waits, as always where the robot has no such topic. On true `command` holds it, sized to the
   // motors and in their order, and `form` what is wrong with its form; kNone when nothing is.
   // Fields whose form is wrong hold what could be read, so that a lenient robot can go on with
-  // them; kMotorCount leaves `command` as it was.
+  // them; one that IsUnreadable leaves `command` as it was.
   virtual bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) = 0;
 
   // Whether a message is due in that step: if so Publish wants the state.

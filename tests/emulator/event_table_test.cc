@@ -156,7 +156,7 @@ TEST(EventDigestTest, KeepsTheWorstAndTheSumOfABurst) {
 
 TEST(EventDigestTest, WarnsOfLateTicksOnlyWhereTheyAreMany) {
   EXPECT_EQ((ToldEvent{.event = Made(EventKind::kOverrun), .count = 50}.level()),
-            EventLevel::kInfo);
+            EventLevel::kSilent);
   EXPECT_EQ((ToldEvent{.event = Made(EventKind::kOverrun), .count = 51}.level()),
             EventLevel::kWarning);
 }

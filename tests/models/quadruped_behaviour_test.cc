@@ -161,7 +161,7 @@ class Go2Test : public QuadrupedTest {};
 
 TEST_P(Go2Test, ConesAreElliptic) {
   EXPECT_EQ(model_->opt.cone, mjCONE_ELLIPTIC);
-  EXPECT_EQ(model_->opt.impratio, 100.0);
+  EXPECT_EQ(model_->opt.impratio, 10000.0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, Go2Test, testing::Values("go2", "go2w"),

@@ -1,5 +1,7 @@
 #include "physics/crane.h"
 
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 namespace understudy::physics {
@@ -7,18 +9,25 @@ namespace {
 
 constexpr double kStep = 0.001;  // s
 
-PointReading Hook(double z, double speed = 0) {
-  return {.p_WP = {0, 0, z}, .v_WP_W = {0, 0, speed}};
+// Both hooks, about a point.
+Crane::Hooks HooksAbout(const Eigen::Vector3d& p_WP, const Eigen::Vector3d& v_WP_W = {0, 0, 0}) {
+  const Eigen::Vector3d left(0, Crane::kHookOffset, 0);
+  return {PointReading{.p_WP = p_WP + left, .v_WP_W = v_WP_W},
+          PointReading{.p_WP = p_WP - left, .v_WP_W = v_WP_W}};
 }
+
+Crane::Hooks Hook(double z, double speed = 0) { return HooksAbout({0, 0, z}, {0, 0, speed}); }
+
+Eigen::Vector3d Sum(const Crane::Pulls& pulls) { return pulls[0] + pulls[1]; }
 
 // 100 N on 1000 N/m stretch the tether of 1 m by 0.1 m: hook at 2 m, anchor at 3.1 m.
 class CraneTest : public testing::Test {
  protected:
-  CraneTest() { crane_.Attach({0, 0, 2}, 100); }
+  CraneTest() { crane_.Attach(Hook(2), 100); }
 
   // The pull straight up.
-  double Pull(const PointReading& hook) {
-    const Eigen::Vector3d force = crane_.Step(hook, kStep);
+  double Pull(const Crane::Hooks& hooks) {
+    const Eigen::Vector3d force = Sum(crane_.Step(hooks, kStep));
     EXPECT_EQ(force.x(), 0);
     EXPECT_EQ(force.y(), 0);
     EXPECT_NEAR(force.z(), crane_.tension(), 1e-12);
@@ -34,7 +43,7 @@ class CraneTest : public testing::Test {
 TEST_F(CraneTest, PullsNothingUntilItIsAttached) {
   Crane crane({});
   EXPECT_FALSE(crane.attached());
-  EXPECT_EQ(crane.Step(Hook(-100), kStep), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(Sum(crane.Step(Hook(-100), kStep)), Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(crane.tension(), 0);
 }
 
@@ -70,10 +79,28 @@ TEST_F(CraneTest, PullsNothingAtTheAnchor) {
 }
 
 TEST_F(CraneTest, PullsTowardsTheAnchorFromTheSide) {
-  crane_.Attach({0, 0, 0}, 0);  // anchor at 1 m
-  const Eigen::Vector3d force = crane_.Step({.p_WP = {-4, 0, -2}, .v_WP_W = {0, 0, 0}}, kStep);
+  crane_.Attach(Hook(0), 0);  // anchors at 1 m
+  const Eigen::Vector3d force = Sum(crane_.Step(HooksAbout({-4, 0, -2}), kStep));
   // 4 m aside and 3 m down: 5 m away, 4 m of stretch
   EXPECT_LT((force - Eigen::Vector3d(3200, 0, 2400)).norm(), 1e-9);
+}
+
+TEST_F(CraneTest, TurnsTheRobotBack) {
+  const double turn = 0.2;  // rad to the left
+  const Eigen::Vector3d left =
+      Crane::kHookOffset * Eigen::Vector3d(-std::sin(turn), std::cos(turn), 0);
+  const Eigen::Vector3d middle(0, 0, 2);
+  const Crane::Pulls pulls = crane_.Step(
+      {PointReading{.p_WP = middle + left}, PointReading{.p_WP = middle - left}}, kStep);
+  const double moment = left.cross(pulls[0] - pulls[1]).z();
+  EXPECT_LT(moment, 0);
+  // Two threads: weight · offset² / length · sin(turn).
+  EXPECT_NEAR(moment, -100 * 0.12 * 0.12 / 1.1 * std::sin(turn), 0.01);
+}
+
+TEST_F(CraneTest, DampsTheSwing) {
+  EXPECT_NEAR(Sum(crane_.Step(HooksAbout({0, 0, 2}, {0.5, 0, 0}), kStep)).x(), -40, 1e-9);
+  EXPECT_EQ(Sum(crane_.Step(HooksAbout({0, 0, 2.2}, {0.5, 0, 0}), kStep)).x(), 0);  // slack
 }
 
 TEST_F(CraneTest, LowersAtItsSpeed) {
@@ -126,13 +153,11 @@ TEST_F(CraneTest, LetsGo) {
 TEST_F(CraneTest, AttachesAfreshWithItsOwnLength) {
   crane_.Lower(0.5);
   Wind(1);
-  crane_.Attach({7, 8, 9}, 100);
+  crane_.Attach(HooksAbout({7, 8, 9}), 100);
   Wind(1);
   EXPECT_EQ(crane_.length(), 1);
-  EXPECT_LT(
-      (crane_.Step({.p_WP = {7, 8, 9}, .v_WP_W = {0, 0, 0}}, kStep) - Eigen::Vector3d(0, 0, 100))
-          .norm(),
-      1e-9);
+  EXPECT_LT((Sum(crane_.Step(HooksAbout({7, 8, 9}), kStep)) - Eigen::Vector3d(0, 0, 100)).norm(),
+            1e-9);
 }
 
 }  // namespace

@@ -12,15 +12,20 @@ class CraneWorldTest : public test::MujocoTest {
  protected:
   CraneWorldTest() {
     world_.robot().Reset({.q = spec_.hanging.q, .height = spec_.hanging.height});
-    crane_.Attach(Hook().p_WP, world_.robot().weight());
+    crane_.Attach(Hooks(), world_.robot().weight());
   }
 
-  PointReading Hook() const { return world_.Point(world_.robot().Body("base"), {0, 0, 0.1}); }
+  int Base() const { return world_.robot().Body("base"); }
+  Crane::Hooks Hooks() const {
+    return {world_.Point(Base(), {0, Crane::kHookOffset, 0.1}),
+            world_.Point(Base(), {0, -Crane::kHookOffset, 0.1})};
+  }
 
   void Step() {
     world_.BeginStep();
-    const PointReading hook = Hook();
-    world_.AddForce(world_.robot().Body("base"), hook.p_WP, crane_.Step(hook, world_.timestep()));
+    const Crane::Hooks hooks = Hooks();
+    const Crane::Pulls pulls = crane_.Step(hooks, world_.timestep());
+    for (std::size_t i = 0; i < hooks.size(); ++i) world_.AddForce(Base(), hooks[i].p_WP, pulls[i]);
     world_.robot().Drive(test::Hold(world_.robot(), spec_.hanging.q));
     ASSERT_EQ(world_.EndStep(), StepHealth::kFine);
   }

@@ -1,8 +1,10 @@
 """How understudy ends, by what went wrong; and that its sentence names the thing and the place."""
 
+import os
 import pathlib
 import shutil
 import signal
+import subprocess
 
 import pytest
 
@@ -166,3 +168,21 @@ def test_exec_ends_with_126_when_the_command_is_no_program(understudy, tmp_path)
 
 def test_exec_ends_with_the_robots_code_when_there_is_no_robot(understudy):
     refused(understudy("exec", "gp2", "--", "true"), CONFIG, "go2")
+
+
+def test_output_that_a_full_disk_does_not_take_is_an_error():
+    with open("/dev/full", "w") as full:
+        for command in (["robots"], ["version", "--json"], ["requests"], ["run", "go2", "--print-config"]):
+            done = subprocess.run([os.environ["UNDERSTUDY"], *command], stdout=full,
+                                  stderr=subprocess.PIPE, text=True, timeout=15)
+            assert done.returncode == 1
+            assert "standard output cannot be written" in done.stderr
+
+
+def test_a_pipe_is_no_recording(understudy, tmp_path):
+    pipe = tmp_path / "pipe.mcap"
+    os.mkfifo(pipe)
+    for command in ("recording", "play", "plot"):
+        done = understudy(command, pipe, timeout=5)
+        assert done.returncode == 9
+        assert f"{pipe}: is not a file" in done.stderr

@@ -18,7 +18,7 @@ def sockets(folder):
     return sorted(path.name for path in folder.iterdir())
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
 def test_a_stop_signal_ends_a_run_in_good_order(play, runtime_dir, number):
     robot = play("go2")
     assert sockets(runtime_dir) == [f"{robot.name}.sock"]
@@ -37,6 +37,25 @@ def test_a_stop_signal_ends_a_run_that_is_as_fast_as_possible(play, number):
     robot.send(number)
 
     assert robot.exit_code(SOON) == 0
+
+
+def test_a_run_under_nohup_outlives_its_terminal(play):
+    robot = play("go2", here=("nohup",))
+
+    robot.send(signal.SIGHUP)
+
+    assert robot.status()["ready"]
+
+
+def test_a_hangup_ends_exec_and_its_command(runtime_dir):
+    command = [os.environ["UNDERSTUDY"], "exec", "go2", "--", "sleep", "60"]
+    with subprocess.Popen(command, stderr=subprocess.PIPE) as process:
+        eventually(lambda: sockets(runtime_dir))
+        time.sleep(1)  # the command starts after the robot
+        process.send_signal(signal.SIGHUP)
+
+        assert process.wait(5) == 128 + signal.SIGTERM
+    assert sockets(runtime_dir) == []
 
 
 def test_a_run_ends_by_itself_after_its_duration(play, runtime_dir):

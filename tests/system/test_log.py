@@ -1,10 +1,56 @@
 """What a run says while it runs."""
 
+import fcntl
 import os
 import pty
 import re
 import select
+import signal
+import subprocess
 import time
+
+import pytest
+
+
+@pytest.fixture(name="stuck")
+def stuck_fixture():
+    """A pipe that is full and that nobody reads: (reading end, writing end)."""
+    reading, writing = os.pipe()
+    room = fcntl.fcntl(writing, fcntl.F_SETPIPE_SZ, 4096)
+    os.write(writing, b"x" * room)
+    yield reading, writing
+    os.close(reading)
+    os.close(writing)
+
+
+def test_a_log_that_nobody_reads_does_not_hold_up_the_end(play, stuck):
+    robot = play("go2", stderr=stuck[1])
+    robot.ctl("pause")
+
+    robot.send(signal.SIGTERM)
+
+    assert robot.exit_code(2) == 0
+
+
+def test_exec_returns_the_commands_code_although_nobody_reads_its_log(stuck):
+    done = subprocess.run([os.environ["UNDERSTUDY"], "exec", "go2", "--log-level", "info", "--",
+                           "sh", "-c", "exit 7"], stderr=stuck[1], timeout=10)
+
+    assert done.returncode == 7
+
+
+def test_lines_that_nobody_read_are_counted_and_told_once_somebody_reads(play, stuck):
+    robot = play("go2", stderr=stuck[1])
+    robot.ctl("pause")
+    time.sleep(0.5)
+    assert set(os.read(stuck[0], 4096)) == {ord("x")}
+
+    robot.ctl("resume")
+    time.sleep(0.5)
+
+    said = os.read(stuck[0], 65536).decode()
+    assert re.search(r"[1-9]\d* lines of the log could not be written", said)
+    assert "resumed at" in said
 
 
 def screen_of(play, *options, seconds):

@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 
 #include "base/errors.h"
+#include "tests/bus/garbage_writer.h"
 #include "tests/support/allocations.h"
 #include "tests/support/new_domain.h"
 #include "tests/wire/client.h"
@@ -101,6 +102,25 @@ TYPED_TEST(PortTest, RefusesARobotThatDoesNotFit) {
   const bus::Participant participant("lo", test::NewDomain());
   this->spec_.motors.back().slot = TypeParam::kSlots;
   EXPECT_THROW(Port(participant, this->spec_, kTimestep), ModelError);
+}
+
+TEST(PortTest, TakesBytesOfAnotherTypeForARefusedCommand) {
+  const int domain = test::NewDomain(), alias = test::NewDomain();
+  const bus::Participant participant("lo", domain);
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  const bus::Entity network = bus::JoinOverTheNetwork(domain, alias);
+  const bus::Stranger stranger(alias);
+  const bus::GarbageWriter garbage(stranger, kGoLowCmd.name, *kGoLowCmd.descriptor);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal form = robot::Refusal::kNone;
+  const auto taken = [&] {
+    garbage.Send();
+    return port.Take(robot::kLowCmdTopic, &command, &form);
+  };
+  EXPECT_TRUE(test::Eventually(taken));
+  EXPECT_EQ(form, robot::Refusal::kUndecoded);
 }
 
 }  // namespace

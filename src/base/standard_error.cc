@@ -1,0 +1,81 @@
+#include "base/standard_error.h"
+
+#include <cerrno>
+#include <mutex>
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "base/unique_fd.h"
+
+namespace understudy {
+namespace {
+
+constexpr int kPatience = 200;  // ms, *assumed*
+
+class Stream {
+ public:
+  Stream() {
+    struct stat about {};
+    if (::fstat(STDERR_FILENO, &about) != 0) return;
+    socket_ = S_ISSOCK(about.st_mode);
+    if (!S_ISFIFO(about.st_mode) && !S_ISCHR(about.st_mode)) return;
+    // Opened anew, since what is set for descriptor 2 is set for whoever has inherited it as well.
+    own_ = UniqueFd(::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+  }
+
+  bool Write(std::string_view text) {
+    const std::lock_guard lock(mutex_);
+    if (cut_ && !Send("\n")) return false;
+    cut_ = false;
+    return Send(text);
+  }
+
+ private:
+  bool Send(std::string_view text) {
+    const std::size_t all = text.size();
+    while (!text.empty()) {
+      const ssize_t sent = SendSome(text);
+      if (sent > 0) {
+        text.remove_prefix(static_cast<std::size_t>(sent));
+        stuck_ = false;
+      } else if (sent < 0 && errno == EINTR) {
+        continue;
+      } else if (sent == 0 || errno != EAGAIN || !Wait()) {
+        cut_ = text.size() < all;
+        return false;
+      }
+    }
+    return true;
+  }
+
+  ssize_t SendSome(std::string_view text) const {
+    if (socket_)
+      return ::send(STDERR_FILENO, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
+    return ::write(own_.valid() ? own_.get() : STDERR_FILENO, text.data(), text.size());
+  }
+
+  bool Wait() {
+    pollfd room{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+    stuck_ = stuck_ || ::poll(&room, 1, kPatience) != 1;
+    return !stuck_;
+  }
+
+  std::mutex mutex_;
+  bool socket_ = false;
+  UniqueFd own_;
+  bool stuck_ = false;  // nobody has read for as long as we wait
+  bool cut_ = false;    // the last text ended in the middle
+};
+
+}  // namespace
+
+bool WriteToStandardError(std::string_view text) {
+  static Stream stream;
+  return stream.Write(text);
+}
+
+}  // namespace understudy

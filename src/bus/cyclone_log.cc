@@ -1,0 +1,100 @@
+#include "bus/cyclone_log.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <mutex>
+#include <utility>
+
+#include <dds/dds.h>
+
+namespace understudy::bus {
+namespace {
+
+constexpr std::size_t kMostKinds = 16;
+// Cyclone 0.10.2 says of a sample "...: deserialization TOPIC/TYPE failed (why)".
+constexpr std::string_view kUndecoded = "deserialization ";
+
+// What lines of one kind have in common: all but their numbers, which may be hexadecimal.
+std::string KindOf(std::string_view line) {
+  std::string kind;
+  for (const char letter : line) {
+    if (std::isxdigit(static_cast<unsigned char>(letter)) == 0) kind += letter;
+  }
+  return kind;
+}
+
+class CycloneLog {
+ public:
+  CycloneLog() { dds_set_log_sink(&Keep, this); }
+
+  std::vector<CycloneNotice> Take() {
+    const std::lock_guard lock(mutex_);
+    std::vector<CycloneNotice> notices;
+    for (Kind& kind : kinds_) notices.push_back(std::move(kind.notice));
+    kinds_.clear();
+    return notices;
+  }
+
+  const std::atomic<std::uint64_t>& Undecoded(std::string_view topic) {
+    const std::lock_guard lock(mutex_);
+    return undecoded_[std::string(topic)];
+  }
+
+ private:
+  struct Kind {
+    std::string name;
+    CycloneNotice notice;
+  };
+
+  static void Keep(void* self, const dds_log_data_t* data) {
+    std::string_view line(data->message);
+    while (!line.empty() && line.back() == '\n') line.remove_suffix(1);
+    static_cast<CycloneLog*>(self)->Add(line);
+  }
+
+  void Add(std::string_view line) {
+    const std::lock_guard lock(mutex_);
+    CountUndecoded(line);
+    std::string name = KindOf(line);
+    auto kind = std::ranges::find(kinds_, name, &Kind::name);
+    if (kind == kinds_.end() && kinds_.size() >= kMostKinds) {
+      name.clear();
+      kind = std::ranges::find(kinds_, name, &Kind::name);
+    }
+    const std::uint64_t before = kind == kinds_.end() ? 0 : kind->notice.count;
+    if (kind != kinds_.end()) kinds_.erase(kind);
+    kinds_.push_back({.name = name, .notice = {.line = std::string(line), .count = before + 1}});
+  }
+
+  // Of topics that somebody reads here.
+  void CountUndecoded(std::string_view line) {
+    const std::size_t at = line.find(kUndecoded);
+    if (at == std::string_view::npos) return;
+    line.remove_prefix(at + kUndecoded.size());
+    // A name of a topic may have slashes, one of a type has none.
+    const std::string_view topic = line.substr(0, line.substr(0, line.find(" failed")).rfind('/'));
+    const auto counted = undecoded_.find(topic);
+    if (counted != undecoded_.end()) ++counted->second;
+  }
+
+  std::mutex mutex_;
+  std::vector<Kind> kinds_;  // as they were last said
+  std::map<std::string, std::atomic<std::uint64_t>, std::less<>> undecoded_;
+};
+
+// Never destroyed: Cyclone's threads may speak until the end.
+CycloneLog& Log() {
+  static CycloneLog* const log = new CycloneLog;
+  return *log;
+}
+
+}  // namespace
+
+std::vector<CycloneNotice> TakeCycloneNotices() { return Log().Take(); }
+
+const std::atomic<std::uint64_t>& UndecodedSamples(std::string_view topic) {
+  return Log().Undecoded(topic);
+}
+
+}  // namespace understudy::bus
