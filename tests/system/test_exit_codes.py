@@ -35,6 +35,8 @@ def refused(done, code, *words):
     (["go2", "--speed=nan"], CONFIG, ["nan"]),
     (["go2", "--duration=-1"], CONFIG, ["-1"]),
     (["go2", "--start=siting"], CONFIG, ["siting"]),
+    (["go2", "--dynamics=fited"], CONFIG, ["did you mean 'fitted'?"]),
+    (["h1", "--dynamics=fitted"], CONFIG, ["robot 'h1' has no fitted figures; choose catalogue"]),
     (["go2", "--set", "robot.model=/none/no.xml"], MODEL, ["no.xml"]),
     (["go2", "--scene", "flt"], MODEL, ["flt", "flat"]),
     (["go2", "--scene", "ground.xml"], MODEL, ["ground.xml: no such file"]),

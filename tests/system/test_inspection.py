@@ -197,6 +197,13 @@ def test_what_is_set_has_the_last_word(understudy, tmp_path):
     assert "speed: 4" in printed
 
 
+def test_options_stand_for_settings_in_whatever_order(understudy):
+    model = ("--model", MODELS / "go2w" / "go2w.xml")
+    for options, use in (((), "fitted"), (("--dynamics", "catalogue"), "catalogue"), (model, "catalogue"),
+                         ((*model, "--dynamics", "fitted"), "fitted"), (("--dynamics", "fitted", *model), "fitted")):
+        assert f"use: {use}" in understudy("run", "go2", *options, "--print-config").stdout, options
+
+
 def test_help_config_lists_the_keys_with_what_they_mean(understudy):
     reference = understudy("run", "go2", "--help-config").stdout
 
