@@ -23,7 +23,7 @@ using ::testing::ThrowsMessage;
 
 class ClientTest : public ::testing::Test {
  protected:
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   test::ScopedEnv folder_{"UNDERSTUDY_RUNTIME_DIR", temp_.path().string()};
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
 };

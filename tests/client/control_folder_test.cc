@@ -21,7 +21,7 @@ mode_t ModeOf(const std::filesystem::path& path) {
 
 class ControlFolderTest : public ::testing::Test {
  protected:
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   test::ScopedEnv own_{"UNDERSTUDY_RUNTIME_DIR", std::nullopt};
   test::ScopedEnv xdg_{"XDG_RUNTIME_DIR", std::nullopt};
 };

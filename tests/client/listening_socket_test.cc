@@ -21,7 +21,7 @@ using ::testing::ThrowsMessage;
 
 class ListeningSocketTest : public ::testing::Test {
  protected:
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
 };
 

@@ -2,17 +2,16 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "base/errors.h"
 #include "config/load.h"
 #include "config/robot_file.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::config {
 
@@ -49,21 +48,11 @@ std::string ErrorOf(F run) {
 
 class ConfigFixture : public testing::Test {
  protected:
-  ConfigFixture() {
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    directory_ =
-        std::filesystem::temp_directory_path() / ("understudy-" + std::to_string(getpid()) + "-" +
-                                                  test->test_suite_name() + "-" + test->name());
-    std::filesystem::create_directories(directory_ / "config" / "robots");
-    Write("config/robots/tiny.yaml", kTinyRobot);
-  }
-  ~ConfigFixture() override { std::filesystem::remove_all(directory_); }
+  ConfigFixture() { Write("config/robots/tiny.yaml", kTinyRobot); }
 
   // Returns the path, as --config would be given.
   std::string Write(const std::string& name, const std::string& text) const {
-    const std::filesystem::path path = directory_ / name;
-    std::ofstream(path, std::ios::binary) << text;
-    return path.string();
+    return folder_.Write(name, text).string();
   }
 
   Config Load(const std::vector<std::string>& files,
@@ -88,7 +77,8 @@ class ConfigFixture : public testing::Test {
     return text;
   }
 
-  std::filesystem::path directory_;
+  const test::TemporaryFolder folder_;
+  const std::filesystem::path& directory_ = folder_.path();
 };
 
 }  // namespace understudy::config

@@ -44,7 +44,6 @@ TEST_F(RobotFileTest, ChangesElementsOfListsByNameOrIndex) {
 
 TEST_F(RobotFileTest, ExtendsAFileBesideIt) {
   Write("mine/base.yaml", "");  // there is no folder yet
-  std::filesystem::create_directories(directory_ / "mine");
   Write("mine/base.yaml", kTinyRobot);
   const std::string path = Write("mine/mine.yaml", "extends: ./base.yaml\nrobot: {name: mine}\n");
   EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "mine");

@@ -13,7 +13,7 @@ TICK_STEP_MS = {"go2": "2", "g1": "1", "g1_23dof": "1"}
 @pytest.fixture(scope="module", params=sorted(TICK_STEP_MS))
 def low_state(request, rehearse):
     """Some seconds of rt/lowstate of an idle robot, as lowstate_watch.py tells them."""
-    run = rehearse(request.param, "lowstate_watch.py", request.param, "3", "--json")
+    run = rehearse(request.param, "lowstate_watch.py", request.param, "3")
     assert run.succeeded()
     return run.report
 
@@ -79,15 +79,15 @@ def test_a_g1_fills_its_header_and_motors_as_a_real_one_does(low_state):
 ])
 def test_a_g1_announces_the_mode_machine_of_its_revision(rehearse, robot, revision, mode_machine):
     options = ("--revision", revision) if revision else ()
-    run = rehearse(robot, "lowstate_watch.py", robot, "0.5", "--json", options=options)
+    run = rehearse(robot, "lowstate_watch.py", robot, "0.5", options=options)
 
     assert run.report["message"]["mode_machine"] == mode_machine
     assert run.report["crc_errors"] == 0
 
 
 def test_a_locked_waist_leaves_its_two_slots_empty(rehearse):
-    free = rehearse("g1", "lowstate_watch.py", "g1", "0.5", "--json")
-    locked = rehearse("g1", "lowstate_watch.py", "g1", "0.5", "--json", options=("--revision", "6"))
+    free = rehearse("g1", "lowstate_watch.py", "g1", "0.5")
+    locked = rehearse("g1", "lowstate_watch.py", "g1", "0.5", options=("--revision", "6"))
 
     assert free.report["motors"]["modes"] == [1]
     assert locked.report["motors"]["modes"] == [0, 1]

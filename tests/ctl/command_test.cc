@@ -46,7 +46,7 @@ class CtlCommandTest : public ::testing::Test {
     return out.str();
   }
 
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   test::ScopedEnv folder_{"UNDERSTUDY_RUNTIME_DIR", temp_.path().string()};
   test::ScopedEnv control_{"UNDERSTUDY_CONTROL", std::nullopt};
 };
@@ -240,71 +240,36 @@ TEST_F(CtlCommandTest, ListsTheRobots) {
   EXPECT_EQ(list[0]["pid"], ::getpid());
 }
 
-TEST_F(CtlCommandTest, RefusesNoSubcommand) { EXPECT_THROW(Run("ctl"), CLI::ParseError); }
-
-TEST_F(CtlCommandTest, RefusesAnUnknownSubcommand) {
-  EXPECT_THROW(Run("ctl dance"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesStepsThatAreNone) {
-  EXPECT_THROW(Run("ctl step 0"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl step 1.5"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl step 1000001"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesASpeedOutOfRange) {
-  EXPECT_THROW(Run("ctl speed"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl speed fast"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl speed -1"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl speed 0.0001"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesAPoseThatIsNoneWithTheNearest) {
+TEST_F(CtlCommandTest, RefusesWhatIsMissingTooMuchOrOutOfRange) {
+  for (const char* line : {"ctl",
+                           "ctl dance",
+                           "ctl step 0",
+                           "ctl step 1.5",
+                           "ctl step 1000001",
+                           "ctl speed",
+                           "ctl speed fast",
+                           "ctl speed -1",
+                           "ctl speed 0.0001",
+                           "ctl drag",
+                           "ctl drag trunk",
+                           "ctl drag trunk 1 2",
+                           "ctl drag trunk 1 2 x",
+                           "ctl drag trunk 1 2 3 --for 61",
+                           "ctl drag trunk 1 2 3 --at 0 0",
+                           "ctl frame --parts qpos&x=1",
+                           "ctl status --watch --every 0",
+                           "ctl crane lower",
+                           "ctl crane lower far",
+                           "ctl crane lower nan",
+                           "ctl crane raise 11",
+                           "ctl clamp",
+                           "ctl clamp maybe",
+                           "ctl wait --timeout -1",
+                           "ctl status --name one --socket /x"}) {
+    EXPECT_THROW(Run(line), CLI::ParseError) << line;
+  }
   EXPECT_THAT([] { Run("ctl reset standin"); },
               ThrowsMessage<CLI::ParseError>(HasSubstr("did you mean 'standing'?")));
-}
-
-TEST_F(CtlCommandTest, RefusesADragThatSaysTooLittleOrTooMuch) {
-  EXPECT_THROW(Run("ctl drag"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl drag trunk"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl drag trunk 1 2"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl drag trunk 1 2 x"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --for 61"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl drag trunk 1 2 3 --at 0 0"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesPartsThatAreNoWords) {
-  EXPECT_THROW(Run("ctl frame --parts qpos&x=1"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesToWatchTooOften) {
-  EXPECT_THROW(Run("ctl status --watch --every 0"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesACraneWithoutLength) {
-  EXPECT_THROW(Run("ctl crane lower"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesALengthThatIsNoNumber) {
-  EXPECT_THROW(Run("ctl crane lower far"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl crane lower nan"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesALengthBeyondTheLimit) {
-  EXPECT_THROW(Run("ctl crane raise 11"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesAClampNeitherOnNorOff) {
-  EXPECT_THROW(Run("ctl clamp"), CLI::ParseError);
-  EXPECT_THROW(Run("ctl clamp maybe"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesANegativeTimeout) {
-  EXPECT_THROW(Run("ctl wait --timeout -1"), CLI::ParseError);
-}
-
-TEST_F(CtlCommandTest, RefusesANameBesideASocket) {
-  EXPECT_THROW(Run("ctl status --name one --socket /x"), CLI::ParseError);
 }
 
 }  // namespace

@@ -121,7 +121,7 @@ class RequestTableTest : public ::testing::Test {
     return {};
   }
 
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   test::ScopedEnv folder_{"UNDERSTUDY_RUNTIME_DIR", temp_.path().string()};
   test::ScopedEnv control_{"UNDERSTUDY_CONTROL", std::nullopt};
 };

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <csignal>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -14,6 +13,7 @@
 #include <unistd.h>
 
 #include "forked.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::exec {
 namespace {
@@ -66,23 +66,12 @@ void Handle(int signal, void (*handler)(int)) {
 }
 
 // An executable file with the given first bytes.
-class Script {
- public:
-  explicit Script(const std::string& content) {
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / "understudy_exec_XXXXXX").string();
-    UniqueFd(::mkstemp(pattern.data())).reset();
-    path_ = pattern;
-    std::ofstream(path_) << content;
-    std::filesystem::permissions(path_, std::filesystem::perms::owner_all);
+struct Script {
+  explicit Script(const std::string& content) : path(folder.Write("script", content).string()) {
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
   }
-  Script(const Script&) = delete;
-  Script& operator=(const Script&) = delete;
-  ~Script() { std::filesystem::remove(path_); }
-  std::string path() const { return path_.string(); }
-
- private:
-  std::filesystem::path path_;
+  const test::TemporaryFolder folder;
+  const std::string path;
 };
 
 TEST(ChildProcessTest, PassesTheExitCodeThrough) {
@@ -144,7 +133,7 @@ TEST(ChildProcessTest, RefusesAnEmptyCommand) {
 
 TEST(ChildProcessTest, TellsAMissingInterpreterAtRelease) {
   const Script script("#!/nowhere/interpreter\n");
-  ChildProcess child({script.path()});
+  ChildProcess child({script.path});
   try {
     child.Release();
     FAIL();
@@ -157,7 +146,7 @@ TEST(ChildProcessTest, TellsAMissingInterpreterAtRelease) {
 
 TEST(ChildProcessTest, TellsAFileThatTheKernelRefusesAtRelease) {
   const Script script("#!/etc/passwd\n");
-  ChildProcess child({script.path()});
+  ChildProcess child({script.path});
   try {
     child.Release();
     FAIL();
@@ -169,7 +158,7 @@ TEST(ChildProcessTest, TellsAFileThatTheKernelRefusesAtRelease) {
 
 TEST(ChildProcessTest, RunsAScriptWithoutFirstLineInAShell) {
   const Script script("exit 5\n");
-  ChildProcess child({script.path()});
+  ChildProcess child({script.path});
   child.Release();
   EXPECT_EQ(child.Wait(), 5);
 }

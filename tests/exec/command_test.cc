@@ -2,12 +2,12 @@
 
 #include <cerrno>
 #include <filesystem>
-#include <fstream>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <stdlib.h>  // mkdtemp
+
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::exec {
 namespace {
@@ -19,16 +19,10 @@ using ::testing::HasSubstr;
 class FindProgramTest : public ::testing::Test {
  protected:
   FindProgramTest() {
-    std::string pattern = (fs::temp_directory_path() / "understudy_exec_XXXXXX").string();
-    root_ = ::mkdtemp(pattern.data());
-    for (const char* folder : {"one", "two"}) {
-      fs::create_directory(root_ / folder);
-      std::ofstream(root_ / folder / "walk") << "#!/bin/sh\n";
-    }
+    for (const char* walk : {"one/walk", "two/walk"}) folder_.Write(walk, "#!/bin/sh\n");
     fs::permissions(root_ / "two/walk", fs::perms::owner_all);
     fs::create_directory(root_ / "one/folder");
   }
-  ~FindProgramTest() override { fs::remove_all(root_); }
 
   std::string In(const char* name) const { return (root_ / name).string(); }
 
@@ -41,7 +35,8 @@ class FindProgramTest : public ::testing::Test {
     return 0;
   }
 
-  fs::path root_;
+  const test::TemporaryFolder folder_;
+  const fs::path& root_ = folder_.path();
 };
 
 TEST_F(FindProgramTest, TakesTheFirstExecutableOfThePath) {

@@ -31,6 +31,7 @@
 #include "exec/capabilities.h"
 #include "exec/child_process.h"
 #include "forked.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::exec {
 namespace {
@@ -272,12 +273,11 @@ TEST_P(PrivateNetworkTest, HidesAbstractUnixSockets) {
 }
 
 TEST_P(PrivateNetworkTest, ReachesUnixSocketsByPath) {
-  const auto path =
-      std::filesystem::temp_directory_path() / ("understudy_exec_" + std::to_string(::getpid()));
+  const test::TemporaryFolder folder;
+  std::filesystem::permissions(folder.path(), std::filesystem::perms::all);
   const mode_t before = ::umask(0);  // connecting takes the right to write
-  EXPECT_EQ(ConnectFromInside(path.string(), &Inside), "reached");
+  EXPECT_EQ(ConnectFromInside((folder.path() / "socket").string(), &Inside), "reached");
   ::umask(before);
-  std::filesystem::remove(path);
 }
 
 TEST_P(PrivateNetworkTest, IsPassedOnToACommandThatDiesWithUs) {

@@ -41,7 +41,7 @@ class ControlServerTest : public ::testing::Test {
     return client.ReceiveAll();
   }
 
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;

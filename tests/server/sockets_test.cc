@@ -61,7 +61,7 @@ class SocketsTest : public ::testing::Test {
     return client::Call(path_, "GET", "/status", "", test::kBound).status == 200;
   }
 
-  test::TempFolder temp_;
+  test::TemporaryFolder temp_;
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;

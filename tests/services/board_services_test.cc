@@ -29,6 +29,9 @@ TEST(MotionSwitcherTest, ReleasesAndSelects) {
 TEST(MotionSwitcherTest, RefusesAnUnknownName) {
   Caller caller(TableOf("go2", "motion_switcher"));
   EXPECT_EQ(caller.Ask(1002, R"({"name":"dance"})").code, 7004);
+  for (const char* parameter : {"", "{}", R"({"name": 1})", "[]", "null", R"("ai")", "{"}) {
+    EXPECT_EQ(caller.Ask(1002, parameter).code, 7001) << parameter;
+  }
 }
 
 TEST(MotionSwitcherTest, NeverClaimsToHaveStartedWhatNothingPlays) {
@@ -50,7 +53,11 @@ TEST(MotionSwitcherTest, KeepsSilentModeToBeReadBack) {
   EXPECT_EQ(caller.Ask(1005).data, R"({"silent":false})");
   EXPECT_EQ(caller.Ask(1004, R"({"silent":true})").code, 0);
   EXPECT_EQ(caller.Ask(1005).data, R"({"silent":true})");
-  EXPECT_EQ(caller.Ask(1004, R"({"silent":1})").code, 7001);
+  EXPECT_EQ(caller.Ask(1004, R"({"silent":false})").code, 0);
+  EXPECT_EQ(caller.Ask(1005).data, R"({"silent":false})");
+  for (const char* parameter : {"", "{}", R"({"silent": 1})", "[]"}) {
+    EXPECT_EQ(caller.Ask(1004, parameter).code, 7001) << parameter;
+  }
 }
 
 TEST(ServiceTest, AnswersAnUnknownApiWith3203) {

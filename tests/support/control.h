@@ -23,6 +23,8 @@
 
 #include "emulator/inbox.h"
 #include "emulator/snapshot_mailbox.h"
+#include "tests/support/eventually.h"
+#include "tests/support/temporary_folder.h"
 
 namespace understudy::test {
 
@@ -47,27 +49,6 @@ class ScopedEnv {
 
   const char* name_;
   std::optional<std::string> before_;
-};
-
-// An empty folder, mode 0700, gone at the end.
-class TempFolder {
- public:
-  TempFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "understudy-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("mkdtemp");
-    path_ = name;
-  }
-  ~TempFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TempFolder(const TempFolder&) = delete;
-  TempFolder& operator=(const TempFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
 };
 
 // A stream socket, of Unix or TCP on this machine, without any manners.
@@ -206,15 +187,5 @@ class Showing {
   std::atomic<std::int64_t> shown_ = 0;
   std::thread thread_;
 };
-
-// Whether `holds` becomes true within kBound.
-inline bool Eventually(const std::function<bool()>& holds) {
-  const auto until = std::chrono::steady_clock::now() + kBound;
-  while (!holds()) {
-    if (std::chrono::steady_clock::now() > until) return false;
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
-  return true;
-}
 
 }  // namespace understudy::test

@@ -51,18 +51,6 @@ def test_a_g1_let_down_by_0_3_m_loses_weight_to_the_ground(play):
     robot.becomes(lambda now: now["crane"]["tension"] < before["crane"]["tension"] - 50)
 
 
-@pytest.mark.parametrize("robot", ["g1", "go2"])
-def test_released_from_the_crane_a_robot_drops(play, robot):
-    hanging = play(robot, "--start", "hanging")
-    before = settled(hanging)["base"]["height"]
-
-    hanging.ctl("crane", "release")
-
-    status = hanging.becomes(lambda now: now["base"]["height"] < before - 0.2)
-    assert not status["crane"]["attached"]
-    assert status["crane"]["tension"] == 0
-
-
 def test_a_robot_can_be_hung_up_where_it_lies_and_raised(play):
     robot = play("go2", "--set", "crane.speed=1")
     low = settled(robot)["base"]["height"]
@@ -71,23 +59,3 @@ def test_a_robot_can_be_hung_up_where_it_lies_and_raised(play):
     robot.ctl("crane", "raise", "0.2")
 
     robot.becomes(lambda now: now["base"]["height"] > low + 0.15)
-
-
-def test_a_robot_off_the_hook_cannot_be_lowered(play):
-    robot = play("go2")
-
-    with pytest.raises(AssertionError, match="does not hang from the crane"):
-        robot.ctl("crane", "lower", "0.1")
-
-
-def test_clamping_holds_the_base_until_it_is_let_go(play):
-    robot = play("go2", "--start", "hanging")
-    robot.ctl("clamp", "on")
-    robot.ctl("crane", "release")
-    held = settled(robot)
-
-    assert held["clamped"]
-    assert held["base"]["height"] > 0.5
-
-    robot.ctl("clamp", "off")
-    assert not robot.becomes(lambda now: now["base"]["height"] < 0.3)["clamped"]

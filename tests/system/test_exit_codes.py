@@ -28,50 +28,36 @@ def refused(done, code, *words):
         assert word in done.stderr
 
 
-def test_an_unknown_robot_is_answered_with_the_nearest(understudy):
-    refused(understudy("run", "gp2"), CONFIG, "gp2", "go2")
+@pytest.mark.parametrize(("arguments", "code", "words"), [
+    (["gp2"], CONFIG, ["gp2", "go2"]),
+    (["none/none.yaml"], CONFIG, ["none.yaml"]),
+    (["go2", "--set", "gate.time=0.5"], CONFIG, ["--set gate.time=0.5", "timeout"]),
+    *((["go2", f"--domain={domain}"], CONFIG, ["domain"]) for domain in ("-1", "233", "1.5", "one")),
+    (["go2", "--speed=fast"], CONFIG, ["fast"]),
+    (["go2", "--speed=nan"], CONFIG, ["nan"]),
+    (["go2", "--duration=-1"], CONFIG, ["-1"]),
+    (["go2", "--start=siting"], CONFIG, ["siting"]),
+    (["go2", "--dynamics=fited"], CONFIG, ["did you mean 'fitted'?"]),
+    (["h1", "--dynamics=fitted"], CONFIG, ["robot 'h1' has no fitted figures; choose catalogue"]),
+    (["go2", "--set", "robot.model=/none/no.xml"], MODEL, ["no.xml"]),
+    (["go2", "--scene", "flt"], MODEL, ["flt", "flat"]),
+    (["go2", "--scene", "ground.xml"], MODEL, ["ground.xml: no such file"]),
+    (["go2", "--interface", "l0"], BUS, ["l0", "lo"]),
+])
+def test_a_value_that_does_not_do_is_named_with_the_nearest_that_does(understudy, arguments, code, words):
+    refused(understudy("run", *arguments), code, *words)
 
 
-def test_a_robot_file_that_is_not_there_is_named(understudy, tmp_path):
-    refused(understudy("run", tmp_path / "none.yaml"), CONFIG, "none.yaml")
+@pytest.mark.parametrize(("text", "line", "words"), [
+    ("scene: flat\ngate:\n  tiemout: 1\n", ":3", ["tiemout", "timeout"]),
+    ("gate:\n  timeout: -1\n", ":2", ["gate.timeout"]),
+    ("gate: [", "", []), ("gate: {timeout: 1", "", []), ("\tgate: 1", "", []),
+])
+def test_what_is_wrong_in_a_file_is_named_with_file_and_line(understudy, tmp_path, text, line, words):
+    file = tmp_path / "extra.yaml"
+    file.write_text(text)
 
-
-def test_an_unknown_key_in_a_set_is_answered_with_the_nearest(understudy):
-    refused(understudy("run", "go2", "--set", "gate.time=0.5"), CONFIG, "--set gate.time=0.5",
-            "timeout")
-
-
-def test_an_unknown_key_in_a_file_is_named_with_file_and_line(understudy, tmp_path):
-    extra = tmp_path / "extra.yaml"
-    extra.write_text("scene: flat\ngate:\n  tiemout: 1\n")
-
-    refused(understudy("run", "go2", "--config", extra), CONFIG, f"{extra}:3", "tiemout", "timeout")
-
-
-def test_a_value_out_of_range_in_a_file_is_named_with_file_and_line(understudy, tmp_path):
-    extra = tmp_path / "extra.yaml"
-    extra.write_text("gate:\n  timeout: -1\n")
-
-    refused(understudy("run", "go2", "--config", extra), CONFIG, f"{extra}:2", "gate.timeout")
-
-
-@pytest.mark.parametrize("text", ["gate: [", "gate: {timeout: 1", "\tgate: 1"])
-def test_what_is_not_yaml_is_refused_with_its_file(understudy, tmp_path, text):
-    broken = tmp_path / "broken.yaml"
-    broken.write_text(text)
-
-    refused(understudy("run", "go2", "--config", broken), CONFIG, str(broken))
-
-
-@pytest.mark.parametrize("domain", ["-1", "233", "1.5", "one"])
-def test_a_domain_that_is_none_is_refused(understudy, domain):
-    refused(understudy("run", "go2", f"--domain={domain}"), CONFIG, "domain")
-
-
-@pytest.mark.parametrize(("option", "value"), [
-    ("--speed", "fast"), ("--duration", "-1"), ("--start", "siting"), ("--speed", "nan")])
-def test_an_options_value_that_is_none_is_refused(understudy, option, value):
-    refused(understudy("run", "go2", f"{option}={value}"), CONFIG, value)
+    refused(understudy("run", "go2", "--config", file), CONFIG, f"{file}{line}", *words)
 
 
 @pytest.mark.parametrize(("text", "word"), [
@@ -94,18 +80,6 @@ def test_an_integrator_that_cannot_be_split_is_refused(understudy, tmp_path):
     refused(understudy("run", "go2", "--set", f"robot.model={model}"), MODEL, str(model), "RK4")
 
 
-def test_a_model_that_is_not_there_is_named(understudy, tmp_path):
-    refused(understudy("run", "go2", "--set", f"robot.model={tmp_path}/no.xml"), MODEL, "no.xml")
-
-
-def test_an_unknown_scene_is_answered_with_the_nearest(understudy):
-    refused(understudy("run", "go2", "--scene", "flt"), MODEL, "flt", "flat")
-
-
-def test_a_scene_file_that_is_not_there_is_named(understudy):
-    refused(understudy("run", "go2", "--scene", "ground.xml"), MODEL, "ground.xml: no such file")
-
-
 @pytest.mark.parametrize(("arguments", "text"), [
     (("rnu", "go2"), "no command 'rnu' of `understudy`; did you mean 'run'?"),
     (("ctl", "--name", "dog", "stauts"), "no command 'stauts' of `understudy ctl`; did you mean 'status'?"),
@@ -119,10 +93,6 @@ def test_a_command_that_is_missing_or_none_is_answered_with_those_there_are(
     assert done.returncode == USAGE
     assert text in done.stderr
     assert "status" in done.stderr or "run" in done.stderr or "lower" in done.stderr
-
-
-def test_an_absent_interface_is_answered_with_the_nearest(understudy):
-    refused(understudy("run", "go2", "--interface", "l0"), BUS, "l0", "lo")
 
 
 @pytest.mark.parametrize("arguments", [

@@ -4,7 +4,6 @@ import os
 import re
 import signal
 import subprocess
-import time
 
 import pytest
 
@@ -105,68 +104,12 @@ def test_a_name_that_leads_out_of_the_folder_is_refused(understudy):
     assert "../robot" in done.stderr
 
 
-def test_wait_returns_when_the_robot_is_ready(play, understudy):
-    robot = play("go2", ready=False)
-
-    assert understudy("ctl", "wait", "--timeout", "10").returncode == 0
-    assert robot.status()["ready"]
-
-
-def test_wait_gives_up_when_told_and_says_what_is_missing(understudy):
-    started = time.monotonic()
-    done = understudy("ctl", "wait", "--timeout", "0.3")
-
-    assert done.returncode == 1
-    assert "no robot runs" in done.stderr
-    assert 0.3 <= time.monotonic() - started < 3
-
-
-def test_ctl_among_several_robots_names_them(play, understudy):
-    first, second = play("go2"), play("go2", "--domain", "1")
-    done = understudy("ctl", "status")
-
-    assert done.returncode == 1
-    assert first.name in done.stderr
-    assert second.name in done.stderr
-    assert "--name" in done.stderr
-
-
-def test_ctl_with_a_wrong_name_names_the_nearest(play, understudy):
-    robot = play("go2")
-    done = understudy("ctl", "--name", robot.name[:-1], "status")
-
-    assert done.returncode == 1
-    assert robot.name in done.stderr
-
-
-def test_ctl_list_shows_each_robot_with_its_process(play, understudy):
-    robot = play("go2")
-    lines = understudy("ctl", "list").stdout.splitlines()
-
-    assert lines[0].split() == ["NAME", "PROCESS", "SOCKET"]
-    assert lines[1].split()[:2] == [robot.name, str(robot.pid)]
-
-
-def test_ctl_status_in_words_says_that_it_is_ready(play):
-    assert "ready" in play("go2").ctl("status")
-
-
 def test_the_command_of_exec_finds_its_robot_without_a_name(play, understudy):
     play("go2")
     done = understudy("exec", "g1", "--", "sh", "-c", "$UNDERSTUDY ctl status --json")
 
     assert done.returncode == 0, done.stderr
     assert '"robot":"g1"' in done.stdout
-
-
-def test_reset_brings_a_robot_back_to_its_start_pose(play):
-    robot = play("go2", "--start", "clamped")
-    robot.ctl("clamp", "off")
-    robot.becomes(lambda status: status["base"]["height"] < 0.4)
-
-    robot.ctl("reset")
-
-    assert robot.becomes(lambda status: status["clamped"])["base"]["height"] > 0.5
 
 
 def test_a_reader_of_the_log_that_goes_away_does_not_end_the_run(play):

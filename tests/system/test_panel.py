@@ -2,6 +2,8 @@
 
 import struct
 
+import pytest
+
 from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
 from peers import GoLowCmd, go_command, listener, speaker
 from robots import eventually
@@ -252,3 +254,22 @@ def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play,
 
     page.becomes("document.body && !document.body.classList.contains('looking')")
     page.errors.clear()  # the browser reports a server that is not there and a token refused
+
+
+# What a picture may ask of a graphics card; *assumed*. 20 us for a call, with what WebGL checks and a laptop's driver does,
+# make 10 ms of 500. A laptop's graphics of ten years ago do some 500 triangles a microsecond.
+MOST_CALLS = 500
+MOST_TRIANGLES = 500_000
+
+
+@pytest.mark.parametrize("options", [["go2"], ["g1_29dof_dex3"], ["go2", "--scene", "rough"]], ids=" ".join)
+def test_a_picture_asks_little_of_the_graphics_card(play, visit, options):
+    drawn = visit(url_of(play(*options))).evaluate("""(() => {
+      const { view } = panel;
+      view.quality.level = 0;
+      view.quality.apply();
+      view.renderer.render(view.scene, view.camera);
+      return view.renderer.info.render;
+    })()""")
+    assert 10 < drawn["calls"] < MOST_CALLS
+    assert 10_000 < drawn["triangles"] < MOST_TRIANGLES

@@ -61,9 +61,3 @@ def test_debug_by_the_remote_leaves_the_motors_to_lowcmd(play):
     robot.ctl("remote", "press", "L2+R2")
     status = robot.becomes(lambda now: not now["motion"]["service"])
     assert status["commands"]["state"] == "damping"
-
-
-def test_a_push_moves_the_robot(play):
-    robot = play("go2", "--start", "hanging")
-    robot.ctl("push", "base_link", "-40", "0", "0", "--for", "0.5")
-    robot.becomes(lambda now: now["base"]["tilt"] > 0.02)

@@ -12,7 +12,7 @@ PROGRAM = pathlib.Path(__file__).parents[1] / "conformance" / "programs" / "lows
 def test_two_exec_at_the_same_time_do_not_hear_each_other():
     watches = [
         subprocess.Popen([os.environ["UNDERSTUDY"], "exec", robot, "--", sys.executable, PROGRAM,
-                          robot, "2", "--json"], stdout=subprocess.PIPE, text=True)
+                          robot, "2"], stdout=subprocess.PIPE, text=True)
         for robot in ("go2", "go2", "g1")
     ]  # fmt: skip
     heard = [watch.communicate(timeout=30)[0] for watch in watches]

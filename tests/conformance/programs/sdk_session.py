@@ -141,9 +141,9 @@ class Commander:
         motor.q, motor.dq, motor.tau = q, 0.0, 0.0
         motor.kp, motor.kd = kp, kd
 
-    def send(self, crc_error=0):
-        """Writes the message with its CRC, of which the bits in `crc_error` are flipped."""
-        self.message.crc = self._crc.Crc(self.message) ^ crc_error
+    def send(self):
+        """Writes the message with its CRC."""
+        self.message.crc = self._crc.Crc(self.message)
         self._publisher.Write(self.message)
 
 

@@ -1,26 +1,95 @@
 """Measures whether the panel leaves a laptop time to draw it 60 times a second, and the robot's tick alone. Not part of the
-tests, for its figures are those of the machine it runs on:
+tests, for its figures are those of the machine it runs on, where WebGL's draw calls do nothing, as if a graphics card took no
+time. All else is the page as it is: socket, JSON, scene, three.js, plots, tables, layout.
 
-    UNDERSTUDY=build/release/bin/understudy tests/run_pytest build/sdk-env tests/system/measure_panel.py
+    UNDERSTUDY=build/release/bin/understudy tests/run_pytest build/sdk-env tools/benchmark/measure_panel.py
 
 Machines are noisy and often slower than a desk's, but never too fast: of several tries the best counts.
 """
 
 import json
 import pathlib
+import sys
 import time
 
 import pytest
 
-from graphics_card import browser, visit
-from panel_page import url_of
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tests" / "system"))
+import namespaces
+from chromium import WITHOUT_A_CARD, Chromium
+from conftest import play, runtime_dir
+from panel_page import shown, url_of
+
+namespaces.enter_private_network()
 
 PICTURE = 1000 / 60  # ms from one refresh of the screen to the next
 TRIES = 30
 WINDOW = 2.0  # s
 
+LAPTOP = {"width": 1440, "height": 900}
+
+# A graphics card that takes no time. `spent` has, for every refresh of the screen,
+# the time [ms] that the page's own callbacks took since the one before: what came over the socket, and the picture.
+GRAPHICS_CARD = """(() => {
+  const nothing = () => {};
+  for (const { prototype } of [WebGLRenderingContext, WebGL2RenderingContext]) {
+    Object.assign(prototype, { drawElements: nothing, drawArrays: nothing, clear: nothing,
+      drawElementsInstanced: nothing, drawArraysInstanced: nothing });
+    const { getParameter, getExtension } = prototype;
+    const UNMASKED_RENDERER = 0x9246;
+    prototype.getParameter = function (name) {
+      return name === UNMASKED_RENDERER ? "a graphics card" : getParameter.call(this, name);
+    };
+    prototype.getExtension = function (name) {
+      const extension = getExtension.call(this, name);
+      if (name !== "ANGLE_instanced_arrays" || !extension) return extension;
+      return { drawElementsInstancedANGLE: nothing, drawArraysInstancedANGLE: nothing,
+        vertexAttribDivisorANGLE: extension.vertexAttribDivisorANGLE.bind(extension) };
+    };
+  }
+
+  window.spent = [];
+  let since = 0;
+  const timed = (callback) => function (...given) {
+    const begin = performance.now();
+    callback.apply(this, given);
+    since += performance.now() - begin;
+  };
+  const { requestAnimationFrame } = window;
+  window.requestAnimationFrame = (callback) => requestAnimationFrame((now) => {
+    timed(callback)(now);
+    spent.push(since);
+    since = 0;
+  });
+  const message = Object.getOwnPropertyDescriptor(WebSocket.prototype, "onmessage");
+  Object.defineProperty(WebSocket.prototype, "onmessage", {
+    set(callback) { message.set.call(this, timed(callback)); },
+  });
+})()"""
+
 COUNTS = """({ now: performance.now(), frames: panel.plots.history.end, pictures: panel.view.drawn,
               refreshes: spent.length })"""
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with Chromium(WITHOUT_A_CARD) as chromium:
+        yield chromium
+
+
+@pytest.fixture
+def visit(browser):
+    """visit(robot): a page of its panel, on a laptop whose graphics card takes no time."""
+    pages = []
+
+    def open_page(robot):
+        pages.append(shown(browser.page(url_of(robot), **LAPTOP, script=GRAPHICS_CARD)))
+        return pages[-1]
+
+    yield open_page
+    for page in pages:
+        page.close()
+        assert [error for error in page.errors if "GPU stall" not in error] == []
 
 
 def watch(browser, page):
