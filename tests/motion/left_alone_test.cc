@@ -1,0 +1,82 @@
+// A robot that nobody touches stays as it is.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/rig.h"
+#include "tests/support/robots.h"
+
+namespace understudy::motion {
+namespace {
+
+// What may happen in 300 s is 0.02 rad and 2 mm: a third of the time, a third of that.
+constexpr double kMinutes = 100, kJoint = 0.02 / 3, kBase = 0.002 / 3;  // s, rad, m
+constexpr double kDegree = std::numbers::pi / 180;
+
+struct Stillness {
+  std::vector<double> q;
+  Eigen::Vector3d base;
+
+  explicit Stillness(const MotionRig& rig)
+      : q(rig.world().robot().q().begin(), rig.world().robot().q().end()),
+        base(rig.world().robot().base().p_WB) {}
+
+  void ExpectKept(const MotionRig& rig) const {
+    const Stillness now(rig);
+    for (std::size_t i = 0; i < q.size(); ++i) EXPECT_NEAR(now.q[i], q[i], kJoint) << i;
+    EXPECT_LT((now.base - base).norm(), kBase);
+  }
+};
+
+class LeftAloneTest : public testing::TestWithParam<std::string> {};
+
+using QuadrupedTest = LeftAloneTest;
+
+TEST_P(QuadrupedTest, LiesStill) {
+  MotionRig rig(ConfigOf(GetParam()));
+  ASSERT_TRUE(rig.Run(2));
+  const Stillness before(rig);
+  ASSERT_TRUE(rig.Run(kMinutes));
+  before.ExpectKept(rig);
+}
+
+TEST_P(QuadrupedTest, StandsStillUnderItsService) {
+  MotionRig rig(ConfigOf(GetParam(), {"start.pose=standing"}));
+  ASSERT_TRUE(rig.Run(5));
+  const Stillness before(rig);
+  ASSERT_TRUE(rig.Run(kMinutes));
+  before.ExpectKept(rig);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedTest, testing::ValuesIn(test::Quadrupeds()),
+                         [](const auto& robot) { return robot.param; });
+
+using HumanoidTest = LeftAloneTest;
+
+TEST_P(HumanoidTest, HangsWithoutTurningOrSwinging) {
+  MotionRig rig(ConfigOf(GetParam()));
+  ASSERT_TRUE(rig.Run(30));
+  Eigen::Vector3d low = rig.rpy(), high = low, slow = low;
+  double turned = 0;
+  rig.watch = [&] {
+    const Eigen::Vector3d now = rig.rpy();
+    turned = std::max(turned, std::abs(now.z()));
+    // Limp limbs sink for minutes, and the trunk leans with them: that is no swing.
+    slow += (now - slow) * 2e-4;
+    low = low.cwiseMin(now - slow);
+    high = high.cwiseMax(now - slow);
+  };
+  low = high = {0, 0, 0};
+  ASSERT_TRUE(rig.Run(kMinutes - 30));
+  EXPECT_LT(turned, kDegree / 3);
+  EXPECT_LT((high - low).x() / 2, 0.2 * kDegree);
+  EXPECT_LT((high - low).y() / 2, 0.2 * kDegree);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, HumanoidTest, testing::ValuesIn(test::Humanoids()),
+                         [](const auto& robot) { return robot.param; });
+
+}  // namespace
+}  // namespace understudy::motion
