@@ -16,7 +16,7 @@
 #include "base/exit_code.h"
 #include "base/signals.h"
 #include "base/standard_error.h"
-#include "bus/cdr_writer.h"
+#include "bus/cdr.h"
 #include "bus/cyclone_log.h"
 #include "commands/log.h"
 #include "idl/type_table.h"
