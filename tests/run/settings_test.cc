@@ -1,7 +1,5 @@
 // No setting is without effect: for each a robot is played twice, once with the setting changed,
 // and what it says on the bus differs.
-#include "config/settings.h"
-
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -15,8 +13,8 @@
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
-#include "bus/cdr_reader.h"
-#include "bus/endpoint_watch.h"
+#include "bus/cdr.h"
+#include "bus/discovery.h"
 #include "bus/writer.h"
 #include "config/load.h"
 #include "config/reference.h"
