@@ -1,6 +1,5 @@
 // Command line -> configuration -> run.
 #include <cstdio>
-#include <functional>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -8,21 +7,11 @@
 #include "base/catch_errors.h"
 #include "base/exit_code.h"
 #include "base/standard_error.h"
+#include "commands/commands.h"
 #include "commands/companion.h"
-#include "commands/completions.h"
-#include "commands/inspect_commands.h"
 #include "commands/log.h"
-#include "commands/missing_command.h"
-#include "commands/play_command.h"
-#include "commands/plot_command.h"
-#include "commands/recording_command.h"
-#include "commands/run_command.h"
-#include "commands/terrain_command.h"
-#include "config/data_dir.h"
-#include "config/robot_file.h"
 #include "ctl/command.h"
 #include "remote/arguments.h"
-#include "server/request_docs.h"
 #include "version.h"
 #include "viewer/arguments.h"
 
@@ -50,20 +39,11 @@ int Main(int argc, char** argv) {
   app.footer(kFooter);
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("understudy ") + kVersion);
-  std::function<int()> chosen;
+  commands::Chosen chosen;
 
-  commands::RunArguments run_arguments, exec_arguments;
-  commands::AddRunCommand(&app, &run_arguments)->callback([&] {
-    chosen = [&] { return commands::RunCommand(run_arguments); };
-  });
-  commands::AddExecCommand(&app, &exec_arguments)->callback([&] {
-    chosen = [&] { return commands::ExecCommand(exec_arguments); };
-  });
+  commands::AddRunCommands(&app, &chosen);
   ctl::CtlCommand ctl(&app, &std::cout);
-  commands::TerrainArguments terrain_arguments;
-  commands::AddTerrainCommand(&app, &terrain_arguments)->callback([&] {
-    chosen = [&] { return commands::TerrainCommand(terrain_arguments); };
-  });
+  commands::AddTerrainCommand(&app, &chosen);
 
   viewer::ViewArguments view;
   viewer::SnapshotArguments snapshot;
@@ -77,87 +57,11 @@ int Main(int argc, char** argv) {
       {remote::AddRemoteCommand(&app, &remote), "understudy-remote", remote::kRemoteMissing},
   };
 
-  commands::PlayArguments play_arguments;
-  commands::AddPlayCommand(&app, &play_arguments)->callback([&] {
-    chosen = [&] { return commands::PlayCommand(play_arguments); };
-  });
-  commands::PlotArguments plot_arguments;
-  commands::AddPlotCommand(&app, &plot_arguments)->callback([&] {
-    chosen = [&] { return commands::PlotCommand(plot_arguments); };
-  });
-
-  bool json = false;
-  std::string recording_file;
-  CLI::App* recording = app.add_subcommand("recording", "Say what a recording holds");
-  recording->add_option("file", recording_file, "The recording, MCAP")
-      ->required()
-      ->type_name("FILE");
-  recording->add_flag("--json", json, "As a JSON object");
-  recording->footer(
-      "Examples:\n"
-      "  understudy recording walk.mcap         topics, counts, duration, robot\n"
-      "  understudy recording walk.mcap --json\n"
-      "A recording is made by understudy run ROBOT --record FILE.mcap.");
-  recording->callback(
-      [&] { chosen = [&] { return commands::RecordingCommand(recording_file, json); }; });
-
-  CLI::App* robots = app.add_subcommand("robots", "List the robots that can be played");
-  robots->add_flag("--json", json, "As a JSON array");
-  robots->footer(
-      "Example: understudy robots --json\n"
-      "A robot of your own: understudy run my_robot.yaml, checked by understudy check.");
-  robots->callback([&] { chosen = [&] { return commands::RobotsCommand(json); }; });
-
-  std::vector<std::string> files;
-  CLI::App* check =
-      app.add_subcommand("check", "Check robot descriptions (.yaml) and models (.xml)");
-  check->add_option("files", files, "Files to check")->required()->type_name("FILE...");
-  check->add_flag("--json", json, "As a JSON array");
-  check->footer(
-      "Example: understudy check my_robot.yaml my_robot.xml\n"
-      "Exits with 3 or 4, as `run` would, when a file is unsound.");
-  check->callback([&] { chosen = [&] { return commands::CheckCommand(files, json); }; });
-
-  CLI::App* version = app.add_subcommand("version", "Say which version this is");
-  version->add_flag("--json", json, "As a JSON object");
-  version->footer("Example: understudy version --json");
-  version->callback([&] { chosen = [&] { return commands::VersionCommand(json); }; });
-
-  CLI::App* services =
-      app.add_subcommand("services", "Print what every robot's services answer, as Markdown");
-  services->footer("Example: understudy services > docs/services.md");
-  services->callback([&] { chosen = [&] { return commands::ServicesCommand(); }; });
-
-  CLI::App* requests = app.add_subcommand(
-      "requests", "Print what can be asked of a running robot, as Markdown or for OpenAPI");
-  bool openapi = false;
-  requests->add_flag("--openapi", openapi, "The paths of docs/openapi.yaml");
-  requests->footer("Example: understudy requests > docs/requests.md");
-  requests->callback([&] {
-    chosen = [&] {
-      const std::string text = openapi ? server::RequestsOpenApi() : server::RequestsReference();
-      std::fputs(text.c_str(), stdout);
-      return 0;
-    };
-  });
-
-  std::string shell;
-  CLI::App* completions = app.add_subcommand("completions", "Print completions for a shell");
-  completions->add_option("shell", shell, "bash, zsh or fish")
-      ->required()
-      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
-  completions->footer(
-      "Examples:\n"
-      "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
-      "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
-      "  source <(understudy completions zsh)          in ~/.zshrc");
-  completions->callback([&] {
-    chosen = [&] {
-      std::fputs(commands::Completions(app, shell, config::RobotNames(config::DataDir())).c_str(),
-                 stdout);
-      return 0;
-    };
-  });
+  commands::AddPlayCommand(&app, &chosen);
+  commands::AddPlotCommand(&app, &chosen);
+  commands::AddRecordingCommand(&app, &chosen);
+  commands::AddInspectCommands(&app, &chosen);
+  commands::AddCompletionsCommand(&app, &chosen);
 
   try {
     app.parse(argc, argv);

@@ -1,9 +1,11 @@
-#include "commands/completions.h"
-
 #include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <sstream>
-#include <stdexcept>
 
+#include "commands/commands.h"
+#include "config/data_dir.h"
+#include "config/robot_file.h"
 #include "emulator/request.h"
 
 namespace understudy::commands {
@@ -104,15 +106,26 @@ std::string Fish(const std::string& name, const std::vector<Branch>& branches) {
 
 }  // namespace
 
-std::string Completions(const CLI::App& app, const std::string& shell,
-                        const std::vector<std::string>& robots) {
-  std::vector<Branch> branches;
-  Collect(app, "", robots, &branches);
-  const std::string& name = app.get_name();
-  if (shell == "bash") return Bash(name, branches);
-  if (shell == "zsh") return kZshPreamble + Bash(name, branches);
-  if (shell == "fish") return Fish(name, branches);
-  throw std::invalid_argument("no completions for '" + shell + "': bash, zsh or fish");
+void AddCompletionsCommand(CLI::App* app, Chosen* chosen) {
+  const auto shell = std::make_shared<std::string>();
+  CLI::App* completions = app->add_subcommand("completions", "Print completions for a shell");
+  completions->add_option("shell", *shell, "bash, zsh or fish")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}));
+  completions->footer(
+      "Examples:\n"
+      "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
+      "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
+      "  source <(understudy completions zsh)          in ~/.zshrc");
+  const auto print = [=] {
+    std::vector<Branch> branches;
+    Collect(*app, "", config::RobotNames(config::DataDir()), &branches);
+    const std::string name = app->get_name();
+    const std::string script = *shell == "fish" ? Fish(name, branches) : Bash(name, branches);
+    std::fputs(((*shell == "zsh" ? kZshPreamble : "") + script).c_str(), stdout);
+    return 0;
+  };
+  completions->callback([=] { *chosen = print; });
 }
 
 }  // namespace understudy::commands

@@ -1,13 +1,13 @@
-#include "commands/inspect_commands.h"
-
 #include <cstdio>
 #include <filesystem>
 #include <map>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
 #include "base/exit_code.h"
+#include "commands/commands.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/model_files.h"
@@ -15,6 +15,7 @@
 #include "mjcf/compile.h"
 #include "physics/world_model.h"
 #include "script/script.h"
+#include "server/request_docs.h"
 #include "services/robot_services.h"
 #include "version.h"
 
@@ -120,8 +121,6 @@ ExitCode CodeOf(const SetupError& error) {
   return dynamic_cast<const ModelError*>(&error) != nullptr ? ExitCode::kModel : ExitCode::kConfig;
 }
 
-}  // namespace
-
 int RobotsCommand(bool as_json) {
   const std::filesystem::path data = config::DataDir();
   json list = json::array();
@@ -170,6 +169,7 @@ int VersionCommand(bool as_json) {
   return 0;
 }
 
+// The exit code is that of the first file that cannot be used.
 int CheckCommand(const std::vector<std::string>& files, bool as_json) {
   ExitCode code = ExitCode::kOk;
   json list = json::array();
@@ -192,6 +192,50 @@ int CheckCommand(const std::vector<std::string>& files, bool as_json) {
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());
   return static_cast<int>(code);
+}
+
+int RequestsCommand(bool openapi) {
+  const std::string text = openapi ? server::RequestsOpenApi() : server::RequestsReference();
+  std::fputs(text.c_str(), stdout);
+  return 0;
+}
+
+}  // namespace
+
+void AddInspectCommands(CLI::App* app, Chosen* chosen) {
+  const auto flag = std::make_shared<bool>(false);  // of the one that was asked for
+  CLI::App* robots = app->add_subcommand("robots", "List the robots that can be played");
+  robots->add_flag("--json", *flag, "As a JSON array");
+  robots->footer(
+      "Example: understudy robots --json\n"
+      "A robot of your own: understudy run my_robot.yaml, checked by understudy check.");
+  robots->callback([=] { *chosen = [=] { return RobotsCommand(*flag); }; });
+
+  const auto files = std::make_shared<std::vector<std::string>>();
+  CLI::App* check =
+      app->add_subcommand("check", "Check robot descriptions (.yaml) and models (.xml)");
+  check->add_option("files", *files, "Files to check")->required()->type_name("FILE...");
+  check->add_flag("--json", *flag, "As a JSON array");
+  check->footer(
+      "Example: understudy check my_robot.yaml my_robot.xml\n"
+      "Exits with 3 or 4, as `run` would, when a file is unsound.");
+  check->callback([=] { *chosen = [=] { return CheckCommand(*files, *flag); }; });
+
+  CLI::App* version = app->add_subcommand("version", "Say which version this is");
+  version->add_flag("--json", *flag, "As a JSON object");
+  version->footer("Example: understudy version --json");
+  version->callback([=] { *chosen = [=] { return VersionCommand(*flag); }; });
+
+  CLI::App* services =
+      app->add_subcommand("services", "Print what every robot's services answer, as Markdown");
+  services->footer("Example: understudy services > docs/services.md");
+  services->callback([=] { *chosen = ServicesCommand; });
+
+  CLI::App* requests = app->add_subcommand(
+      "requests", "Print what can be asked of a running robot, as Markdown or for OpenAPI");
+  requests->add_flag("--openapi", *flag, "The paths of docs/openapi.yaml");
+  requests->footer("Example: understudy requests > docs/requests.md");
+  requests->callback([=] { *chosen = [=] { return RequestsCommand(*flag); }; });
 }
 
 }  // namespace understudy::commands

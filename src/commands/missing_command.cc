@@ -1,8 +1,7 @@
-#include "commands/missing_command.h"
-
 #include <vector>
 
 #include "base/nearest_word.h"
+#include "commands/commands.h"
 
 namespace understudy::commands {
 namespace {

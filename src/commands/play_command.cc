@@ -1,5 +1,3 @@
-#include "commands/play_command.h"
-
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -16,10 +14,13 @@
 #include "base/exit_code.h"
 #include "base/signals.h"
 #include "base/standard_error.h"
-#include "bus/cdr_writer.h"
+#include "bus/cdr.h"
 #include "bus/cyclone_log.h"
+#include "commands/commands.h"
 #include "commands/log.h"
+#include "config/config.h"
 #include "idl/type_table.h"
+#include "record/player.h"
 #include "run/alone.h"
 #include "time/clock.h"
 #include "time/pace.h"
@@ -27,6 +28,16 @@
 
 namespace understudy::commands {
 namespace {
+
+// The command line, as typed.
+struct PlayArguments {
+  std::string file;
+  bool commands = false;
+  std::string speed = "1";
+  record::PlayOptions options;
+  config::NetworkConfig network;
+  bool json = false;
+};
 
 using std::chrono::milliseconds;
 
@@ -127,44 +138,6 @@ void WaitForRobot(wire::StrangerWatch* watch, const bus::Participant& participan
   }
 }
 
-}  // namespace
-
-CLI::App* AddPlayCommand(CLI::App* app, PlayArguments* arguments) {
-  CLI::App* play = app->add_subcommand(
-      "play", "Say again what a recording's robot said, or what its clients commanded");
-  play->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
-  play->add_flag("--commands", arguments->commands,
-                 "The clients' commands and requests, to a robot that is there");
-  play->add_option("--speed", arguments->speed,
-                   "Recorded seconds per wall second; max = as fast as possible [1]")
-      ->type_name("X")
-      ->check(CheckSpeed);
-  play->add_flag("--loop", arguments->options.loop, "Again and again");
-  play->add_option("--from", arguments->options.from, "Seconds to begin after [0]")
-      ->type_name("S")
-      ->check(CLI::NonNegativeNumber);
-  play->add_option("--to", arguments->options.to, "Seconds to end after [the recording's end]")
-      ->type_name("S")
-      ->check(CLI::PositiveNumber);
-  play->add_option("--topics", arguments->options.topics, "Only these [all]")
-      ->type_name("TOPIC,...")
-      ->delimiter(',');
-  play->add_option("--interface", arguments->network.interface,
-                   "Network interface to speak on [lo]")
-      ->type_name("NAME");
-  play->add_option("--domain", arguments->network.domain, "DDS domain [0]")->type_name("N");
-  play->add_flag("--json", arguments->json, "Log as one JSON object a line");
-  play->footer(
-      "What the robot said is never said beside a live robot.\n"
-      "Examples:\n"
-      "  understudy play walk.mcap                          programs hear the robot of that day\n"
-      "  understudy play walk.mcap --speed 0.2 --loop --topics rt/lowstate\n"
-      "  understudy play walk.mcap --commands --from 3      the same commands, to a robot of "
-      "today\n"
-      "What a recording holds: understudy recording FILE");
-  return play;
-}
-
 int PlayCommand(const PlayArguments& arguments) {
   record::PlayOptions options = arguments.options;
   options.side = arguments.commands ? record::PlayedSide::kClients : record::PlayedSide::kRobot;
@@ -217,6 +190,45 @@ int PlayCommand(const PlayArguments& arguments) {
   }
   spdlog::info("{} messages were played", wire.sent());
   return static_cast<int>(code);
+}
+
+}  // namespace
+
+void AddPlayCommand(CLI::App* app, Chosen* chosen) {
+  const auto arguments = std::make_shared<PlayArguments>();
+  CLI::App* play = app->add_subcommand(
+      "play", "Say again what a recording's robot said, or what its clients commanded");
+  play->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
+  play->add_flag("--commands", arguments->commands,
+                 "The clients' commands and requests, to a robot that is there");
+  play->add_option("--speed", arguments->speed,
+                   "Recorded seconds per wall second; max = as fast as possible [1]")
+      ->type_name("X")
+      ->check(CheckSpeed);
+  play->add_flag("--loop", arguments->options.loop, "Again and again");
+  play->add_option("--from", arguments->options.from, "Seconds to begin after [0]")
+      ->type_name("S")
+      ->check(CLI::NonNegativeNumber);
+  play->add_option("--to", arguments->options.to, "Seconds to end after [the recording's end]")
+      ->type_name("S")
+      ->check(CLI::PositiveNumber);
+  play->add_option("--topics", arguments->options.topics, "Only these [all]")
+      ->type_name("TOPIC,...")
+      ->delimiter(',');
+  play->add_option("--interface", arguments->network.interface,
+                   "Network interface to speak on [lo]")
+      ->type_name("NAME");
+  play->add_option("--domain", arguments->network.domain, "DDS domain [0]")->type_name("N");
+  play->add_flag("--json", arguments->json, "Log as one JSON object a line");
+  play->footer(
+      "What the robot said is never said beside a live robot.\n"
+      "Examples:\n"
+      "  understudy play walk.mcap                          programs hear the robot of that day\n"
+      "  understudy play walk.mcap --speed 0.2 --loop --topics rt/lowstate\n"
+      "  understudy play walk.mcap --commands --from 3      the same commands, to a robot of "
+      "today\n"
+      "What a recording holds: understudy recording FILE");
+  play->callback([=] { *chosen = [=] { return PlayCommand(*arguments); }; });
 }
 
 }  // namespace understudy::commands

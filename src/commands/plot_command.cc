@@ -1,12 +1,21 @@
-#include "commands/plot_command.h"
-
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
+#include "commands/commands.h"
 #include "ctl/check.h"
+#include "record/plot.h"
 
 namespace understudy::commands {
 namespace {
+
+// The command line, as typed.
+struct PlotArguments {
+  std::string file;
+  std::string out;
+  std::string size;
+  record::PlotOptions options;
+};
 
 constexpr double kLongest = 1e9;  // s; a recording says where it ends
 constexpr int kLeastPixels = 400;
@@ -24,9 +33,23 @@ std::string ReadSize(const std::string& text, int* width, int* height) {
   return "expected WIDTHxHEIGHT, each from 400 to 10000 pixels, found '" + text + "'";
 }
 
+int PlotCommand(const PlotArguments& arguments) {
+  const std::filesystem::path picture =
+      arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(".png")
+                            : std::filesystem::path(arguments.out);
+  const record::McapReader reader(arguments.file);
+  if (!reader.contents().cut_short.empty()) {
+    std::fprintf(stderr, "the recording was cut short: %s\n", reader.contents().cut_short.c_str());
+  }
+  record::DrawPage(record::MakePage(reader, arguments.options), picture);
+  std::printf("%s\n", picture.c_str());
+  return 0;
+}
+
 }  // namespace
 
-CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
+void AddPlotCommand(CLI::App* app, Chosen* chosen) {
+  const auto arguments = std::make_shared<PlotArguments>();
   record::PlotOptions& options = arguments->options;
   CLI::App* plot = app->add_subcommand("plot", "Draw the picture of a recording");
   plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
@@ -62,20 +85,7 @@ CLI::App* AddPlotCommand(CLI::App* app, PlotArguments* arguments) {
       "  understudy plot walk.mcap\n"
       "  understudy plot walk.mcap --out stand.svg --motors FR_thigh,FR_calf --from 1 --to 4\n"
       "  understudy plot walk.mcap --fields q,dq --signals 'rt/lowstate:imu_state.gyroscope[2]'");
-  return plot;
-}
-
-int PlotCommand(const PlotArguments& arguments) {
-  const std::filesystem::path picture =
-      arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(".png")
-                            : std::filesystem::path(arguments.out);
-  const record::McapReader reader(arguments.file);
-  if (!reader.contents().cut_short.empty()) {
-    std::fprintf(stderr, "the recording was cut short: %s\n", reader.contents().cut_short.c_str());
-  }
-  record::DrawPage(record::MakePage(reader, arguments.options), picture);
-  std::printf("%s\n", picture.c_str());
-  return 0;
+  plot->callback([=] { *chosen = [=] { return PlotCommand(*arguments); }; });
 }
 
 }  // namespace understudy::commands

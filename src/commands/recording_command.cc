@@ -1,10 +1,10 @@
-#include "commands/recording_command.h"
-
 #include <algorithm>
 #include <cstdio>
+#include <memory>
 
 #include <nlohmann/json.hpp>
 
+#include "commands/commands.h"
 #include "record/mcap_reader.h"
 #include "record/player.h"
 
@@ -52,8 +52,6 @@ std::string TextOf(const ordered_json& object, const char* key) {
   return Harmless(object.value(key, ""));
 }
 
-}  // namespace
-
 int RecordingCommand(const std::string& file, bool json) {
   const record::McapReader reader(file);
   const ordered_json told = Describe(reader);
@@ -91,6 +89,22 @@ int RecordingCommand(const std::string& file, bool json) {
                 static_cast<unsigned long long>(attachment["bytes"].get<std::uint64_t>()));
   }
   return 0;
+}
+
+}  // namespace
+
+void AddRecordingCommand(CLI::App* app, Chosen* chosen) {
+  const auto file = std::make_shared<std::string>();
+  const auto json = std::make_shared<bool>(false);
+  CLI::App* recording = app->add_subcommand("recording", "Say what a recording holds");
+  recording->add_option("file", *file, "The recording, MCAP")->required()->type_name("FILE");
+  recording->add_flag("--json", *json, "As a JSON object");
+  recording->footer(
+      "Examples:\n"
+      "  understudy recording walk.mcap         topics, counts, duration, robot\n"
+      "  understudy recording walk.mcap --json\n"
+      "A recording is made by understudy run ROBOT --record FILE.mcap.");
+  recording->callback([=] { *chosen = [=] { return RecordingCommand(*file, *json); }; });
 }
 
 }  // namespace understudy::commands

@@ -1,5 +1,3 @@
-#include "commands/run_command.h"
-
 #include <cstdio>
 #include <deque>
 #include <filesystem>
@@ -12,8 +10,10 @@
 #include "base/errors.h"
 #include "base/signals.h"
 #include "client/control_folder.h"
-#include "commands/companion_process.h"
+#include "commands/commands.h"
+#include "commands/companion.h"
 #include "commands/log.h"
+#include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
@@ -27,6 +27,25 @@
 
 namespace understudy::commands {
 namespace {
+
+// The command line of a run, as typed.
+struct RunArguments : SetArguments {
+  std::string robot;
+  std::string name;
+  std::string script;
+  bool view = false;
+  std::string record;
+  bool overwrite = false;
+  bool print_config = false;
+  bool help_config = false;
+  bool json = false;
+  std::string log_level;
+  // run only
+  bool gamepad = false;
+  // exec only
+  std::string network = "private";
+  std::vector<std::string> command;
+};
 
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
@@ -143,50 +162,7 @@ std::filesystem::path MakeControlSocket(const RunArguments& arguments,
                                                       : arguments.name);
 }
 
-}  // namespace
-
-CLI::App* AddRunCommand(CLI::App* app, RunArguments* arguments) {
-  CLI::App* run = app->add_subcommand("run", "Play a robot on the network until Ctrl-C");
-  AddRunOptions(run, arguments);
-  run->add_flag("--gamepad", arguments->gamepad,
-                "Play with a gamepad, as `understudy remote --no-keyboard` beside it");
-  run->footer(
-      "Examples:\n"
-      "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
-      "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
-      "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
-      "  understudy run go2 --released             for programs that do not release it themselves\n"
-      "  understudy run go2 --speed 0.2            in slow motion\n"
-      "  understudy run go2 --view                 with a window to look at it and push it\n"
-      "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
-      "  understudy run go2 --record walk.mcap     all topics, truth and events: "
-      "docs/recording.md\n"
-      "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
-      "In another terminal: understudy ctl status --watch");
-  return run;
-}
-
-CLI::App* AddExecCommand(CLI::App* app, RunArguments* arguments) {
-  CLI::App* exec = app->add_subcommand(
-      "exec", "Play a robot in a private network, run a command beside it, exit with its code");
-  AddRunOptions(exec, arguments);
-  exec->add_option("--network", arguments->network,
-                   "private: a network namespace of its own; host: the machine's network")
-      ->check(CLI::IsMember({"private", "host"}));
-  exec->add_option("command", arguments->command, "The command and its arguments, after --")
-      ->type_name("CMD...")
-      ->required();
-  exec->footer(
-      "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
-      "Any number of these run side by side; none hears another, nor any real robot.\n"
-      "Examples:\n"
-      "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
-      "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
-      "Exits with the command's code, 128+n when signal n ended it, 126 or 127 when it could not\n"
-      "be run, or with one of our own codes when the robot could not be played.");
-  return exec;
-}
-
+// Throw SetupError. ExecCommand returns the command's own exit code.
 int RunCommand(const RunArguments& arguments) {
   if (arguments.help_config) {
     std::fputs(config::ConfigReference().c_str(), stdout);
@@ -265,6 +241,50 @@ int ExecCommand(const RunArguments& arguments) {
     code = child.Wait();
   }
   return robot == ExitCode::kOk ? *code : static_cast<int>(robot);
+}
+
+}  // namespace
+
+void AddRunCommands(CLI::App* app, Chosen* chosen) {
+  const auto run_arguments = std::make_shared<RunArguments>();
+  CLI::App* run = app->add_subcommand("run", "Play a robot on the network until Ctrl-C");
+  AddRunOptions(run, run_arguments.get());
+  run->add_flag("--gamepad", run_arguments->gamepad,
+                "Play with a gamepad, as `understudy remote --no-keyboard` beside it");
+  run->footer(
+      "Examples:\n"
+      "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
+      "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
+      "  understudy run go2 --released             for programs that do not release it themselves\n"
+      "  understudy run go2 --speed 0.2            in slow motion\n"
+      "  understudy run go2 --view                 with a window to look at it and push it\n"
+      "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
+      "  understudy run go2 --record walk.mcap     all topics, truth and events: "
+      "docs/recording.md\n"
+      "  understudy run go2 --scene rough --set terrain.difficulty=0.7\n"
+      "In another terminal: understudy ctl status --watch");
+  run->callback([=] { *chosen = [=] { return RunCommand(*run_arguments); }; });
+
+  const auto exec_arguments = std::make_shared<RunArguments>();
+  CLI::App* exec = app->add_subcommand(
+      "exec", "Play a robot in a private network, run a command beside it, exit with its code");
+  AddRunOptions(exec, exec_arguments.get());
+  exec->add_option("--network", exec_arguments->network,
+                   "private: a network namespace of its own; host: the machine's network")
+      ->check(CLI::IsMember({"private", "host"}));
+  exec->add_option("command", exec_arguments->command, "The command and its arguments, after --")
+      ->type_name("CMD...")
+      ->required();
+  exec->footer(
+      "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
+      "Any number of these run side by side; none hears another, nor any real robot.\n"
+      "Examples:\n"
+      "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
+      "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
+      "Exits with the command's code, 128+n when signal n ended it, 126 or 127 when it could not\n"
+      "be run, or with one of our own codes when the robot could not be played.");
+  exec->callback([=] { *chosen = [=] { return ExecCommand(*exec_arguments); }; });
 }
 
 }  // namespace understudy::commands

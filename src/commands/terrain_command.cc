@@ -1,43 +1,23 @@
-#include "commands/terrain_command.h"
-
 #include <cstdio>
 #include <filesystem>
+#include <memory>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "commands/commands.h"
+#include "commands/set_options.h"
 #include "config/load.h"
 #include "physics/world_model.h"
 #include "terrain/terrain.h"
 
 namespace understudy::commands {
+namespace {
 
-CLI::App* AddTerrainCommand(CLI::App* app, TerrainArguments* arguments) {
-  CLI::App* terrain = app->add_subcommand("terrain", "Write a run's ground as MJCF and pictures");
-  terrain->add_option("scene", arguments->scene, "A kind of terrain, row, or a YAML that holds one")
-      ->required()
-      ->type_name("SCENE");
-  terrain->add_option("--out", arguments->out, "Folder to write to; is made where it is missing")
-      ->required()
-      ->type_name("DIR");
-  AddShortOption(terrain, arguments, "--difficulty", "terrain.difficulty", "D",
-                 "From 0 to 1 [0.5]");
-  AddShortOption(terrain, arguments, "--friction", "terrain.friction", "MU",
-                 "Of every contact with the ground");
-  AddShortOption(terrain, arguments, "--seed", "terrain.seed", "N",
-                 "Of all that is random in it [1]");
-  AddShortOption(terrain, arguments, "--image", "terrain.image", "FILE",
-                 "Grey PNG or PGM of kind image");
-  AddSetOptions(terrain, arguments, "YAML file, as of a run", "terrain.size=[12,4]");
-  terrain->footer(
-      "Writes DIR/scene.xml, plain MJCF, and for each height field terrain_N.hf, which it names,\n"
-      "and terrain_N.png, the same heights in 16 bits of grey.\n"
-      "Examples:\n"
-      "  understudy terrain rough --difficulty 0.7 --seed 3 --out field\n"
-      "  understudy run go2 --scene field/scene.xml\n"
-      "Kinds: flat, rough, waves, slopes, stairs_up, stairs_down, floating_stairs, gaps,\n"
-      "stepping_stones, boxes, obstacles, image; row is terrain.patches, one after another.");
-  return terrain;
-}
+// The command line, as typed.
+struct TerrainArguments : SetArguments {
+  std::string scene;
+  std::string out;
+};
 
 int TerrainCommand(const TerrainArguments& arguments) {
   std::vector<std::string> sets = arguments.sets;
@@ -54,6 +34,37 @@ int TerrainCommand(const TerrainArguments& arguments) {
   physics::LoadModelFile(file);  // what we say is there loads
   std::printf("%s\n", file.c_str());
   return 0;
+}
+
+}  // namespace
+
+void AddTerrainCommand(CLI::App* app, Chosen* chosen) {
+  const auto arguments = std::make_shared<TerrainArguments>();
+  CLI::App* terrain = app->add_subcommand("terrain", "Write a run's ground as MJCF and pictures");
+  terrain->add_option("scene", arguments->scene, "A kind of terrain, row, or a YAML that holds one")
+      ->required()
+      ->type_name("SCENE");
+  terrain->add_option("--out", arguments->out, "Folder to write to; is made where it is missing")
+      ->required()
+      ->type_name("DIR");
+  AddShortOption(terrain, arguments.get(), "--difficulty", "terrain.difficulty", "D",
+                 "From 0 to 1 [0.5]");
+  AddShortOption(terrain, arguments.get(), "--friction", "terrain.friction", "MU",
+                 "Of every contact with the ground");
+  AddShortOption(terrain, arguments.get(), "--seed", "terrain.seed", "N",
+                 "Of all that is random in it [1]");
+  AddShortOption(terrain, arguments.get(), "--image", "terrain.image", "FILE",
+                 "Grey PNG or PGM of kind image");
+  AddSetOptions(terrain, arguments.get(), "YAML file, as of a run", "terrain.size=[12,4]");
+  terrain->footer(
+      "Writes DIR/scene.xml, plain MJCF, and for each height field terrain_N.hf, which it names,\n"
+      "and terrain_N.png, the same heights in 16 bits of grey.\n"
+      "Examples:\n"
+      "  understudy terrain rough --difficulty 0.7 --seed 3 --out field\n"
+      "  understudy run go2 --scene field/scene.xml\n"
+      "Kinds: flat, rough, waves, slopes, stairs_up, stairs_down, floating_stairs, gaps,\n"
+      "stepping_stones, boxes, obstacles, image; row is terrain.patches, one after another.");
+  terrain->callback([=] { *chosen = [=] { return TerrainCommand(*arguments); }; });
 }
 
 }  // namespace understudy::commands

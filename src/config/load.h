@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "emulator/settings.h"
 
 namespace understudy::config {
 
@@ -34,5 +35,9 @@ Config LoadScene(const Layers& layers);
 // All keys and values as YAML. Given as a --config file over the same robot it yields the same
 // configuration, number by number. With comments, meaning, unit and range stand above each key.
 std::string PrintConfig(const Config& config, bool with_comments);
+
+// What the emulator takes of a configuration, which has been validated.
+emulator::WorldSettings WorldSettingsOf(const Config& config);
+emulator::RobotSettings RobotSettingsOf(const Config& config);
 
 }  // namespace understudy::config

@@ -29,13 +29,6 @@ path NamedFile(const std::string& robot, const std::string& where, const path& d
   return data_dir / "config" / "robots" / (robot + ".yaml");
 }
 
-YamlValue* FindIn(YamlValue* map, std::string_view key) {
-  for (std::size_t i = 0; i < map->keys.size(); ++i) {
-    if (map->keys[i].text == key) return &map->items[i];
-  }
-  return nullptr;
-}
-
 // The value of a key, which the map has no longer.
 std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
   for (std::size_t i = 0; i < map->keys.size(); ++i) {
@@ -99,7 +92,7 @@ void AddFile(const path& file, const path& data_dir, std::vector<path>* seen, Ro
     }
     AddFile(parent, data_dir, seen, result);
   }
-  YamlValue* robot = FindIn(&tree, "robot");
+  YamlValue* robot = tree.Find("robot");
   if (robot != nullptr) {
     if (std::optional<YamlValue> revisions = TakeOut(robot, kRevisions)) {
       AddRevisions(std::move(*revisions), result);
@@ -136,8 +129,8 @@ std::vector<std::string> RobotNames(const path& data_dir) {
 
 YamlValue ReadLayer(const path& file) {
   YamlValue tree = ReadYamlFile(file);
-  YamlValue* robot = FindIn(&tree, "robot");
-  YamlValue* model = robot == nullptr ? nullptr : FindIn(robot, "model");
+  YamlValue* robot = tree.Find("robot");
+  YamlValue* model = robot == nullptr ? nullptr : robot->Find("model");
   if (model == nullptr || model->text.empty()) return tree;
   std::error_code error;
   const path beside = file.parent_path() / model->text;

@@ -9,7 +9,6 @@
 #include "authority/onboard.h"
 #include "base/nearest_word.h"
 #include "config/archive.h"
-#include "config/checker.h"
 #include "config/keys.h"
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"

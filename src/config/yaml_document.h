@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace understudy::config {
@@ -22,6 +23,9 @@ struct YamlValue {
 
   // The value of `key` in a map, null where there is none or this is no map.
   const YamlValue* Find(std::string_view key) const;
+  YamlValue* Find(std::string_view key) {
+    return const_cast<YamlValue*>(std::as_const(*this).Find(key));
+  }
 };
 
 // The mapping {key: value}, standing where the value stands.

@@ -11,7 +11,6 @@
 #include <unistd.h>
 
 #include "client/client.h"
-#include "client/control_stream.h"
 #include "ctl/ask.h"
 #include "ctl/check.h"
 #include "ctl/text.h"
@@ -32,10 +31,19 @@ constexpr std::chrono::hours kQuiet{24 * 365};
 constexpr double kLongestWait = 86'400;
 
 // "" when ready, else what is missing.
-std::string WhyNotReady(const std::string& status) {
-  const json read = json::parse(status);
-  if (read.at("silenced").get<bool>()) return "it was silenced: another robot is on this network";
-  return read.at("ready").get<bool>() ? "" : "it is starting";
+std::string WhyNotReady(const ordered_json& status) {
+  if (status.at("silenced").get<bool>()) return "it was silenced: another robot is on this network";
+  return status.at("ready").get<bool>() ? "" : "it is starting";
+}
+
+// What `use` makes of a reply. Throws ControlError where that is not made as expected.
+template <class Use>
+auto Read(const std::string& reply, Use use) {
+  try {
+    return use(ordered_json::parse(reply));
+  } catch (const json::exception& error) {
+    throw NotOurVersion(error);
+  }
 }
 
 std::string JsonLine(const ordered_json& reply) { return reply.dump() + "\n"; }
@@ -130,11 +138,7 @@ void CtlCommand::ShowStatus() const {
   const std::filesystem::path socket = client::ChosenSocket(robot_);
   if (watch_) return WatchStatus(socket);
   const std::string status = Ask(socket, "GET", "/status", "");
-  try {
-    *out_ << (json_ ? status : StatusText(ordered_json::parse(status)));
-  } catch (const json::exception& error) {
-    throw NotOurVersion(error);
-  }
+  *out_ << (json_ ? status : Read(status, StatusText));
 }
 
 void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
@@ -143,16 +147,13 @@ void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
   Watch watch;
   while (true) {
     const std::string status = Ask(socket, "GET", "/status", "");
-    try {
-      if (json_) {
-        *out_ << status << std::flush;
-      } else {
-        const std::string text =
-            watch.Text(ordered_json::parse(status), steady_clock::now().time_since_epoch());
-        *out_ << (terminal ? OverTheScreen(text) : text + "\n") << std::flush;
-      }
-    } catch (const json::exception& error) {
-      throw NotOurVersion(error);
+    if (json_) {
+      *out_ << status << std::flush;
+    } else {
+      const std::string text = Read(status, [&](const ordered_json& read) {
+        return watch.Text(read, steady_clock::now().time_since_epoch());
+      });
+      *out_ << (terminal ? OverTheScreen(text) : text + "\n") << std::flush;
     }
     std::this_thread::sleep_for(period);
   }
@@ -169,13 +170,9 @@ void CtlCommand::ShowFrames() const {
 void CtlCommand::ShowEvents() const {
   if (!watch_) return Show("/events", EventsText);
   client::ControlStream events(client::ChosenSocket(robot_), "/events", kQuiet);
-  try {
-    while (true) {
-      const std::string event = events.Next();
-      *out_ << (json_ ? event + "\n" : EventText(ordered_json::parse(event))) << std::flush;
-    }
-  } catch (const json::exception& error) {
-    throw NotOurVersion(error);
+  while (true) {
+    const std::string event = events.Next();
+    *out_ << (json_ ? event + "\n" : Read(event, EventText)) << std::flush;
   }
 }
 
@@ -192,7 +189,8 @@ void CtlCommand::AwaitReady() const {
       try {
         const auto left =
             std::chrono::duration_cast<milliseconds>(until - steady_clock::now()) + kWaitPoll;
-        why = WhyNotReady(Ask(*place.socket, "GET", "/status", "", std::min(left, kCallTimeout)));
+        why = WhyNotReady(ordered_json::parse(
+            Ask(*place.socket, "GET", "/status", "", std::min(left, kCallTimeout))));
         if (why.empty()) return;
       } catch (const ControlError& error) {
         why = error.what();
@@ -221,11 +219,7 @@ void CtlCommand::ShowRobots() const {
 
 void CtlCommand::Show(const std::string& path, Teller tell) const {
   const std::string reply = Ask(client::ChosenSocket(robot_), "GET", path, "");
-  try {
-    *out_ << (json_ ? reply : tell(ordered_json::parse(reply)));
-  } catch (const json::exception& error) {
-    throw NotOurVersion(error);
-  }
+  *out_ << (json_ ? reply : Read(reply, tell));
 }
 
 }  // namespace understudy::ctl

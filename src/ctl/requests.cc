@@ -1,5 +1,4 @@
 // The verbs of `understudy ctl` that ask something of a robot: one a row of the table.
-#include <algorithm>
 #include <chrono>
 #include <iostream>
 
@@ -20,13 +19,6 @@ using nlohmann::json;
 
 // Steps are answered when they are made, however slow the robot is.
 constexpr std::chrono::hours kStepPatience{24};
-
-std::string Capitals(std::string_view key) {
-  std::string capitals(key);
-  std::ranges::transform(capitals, capitals.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  return capitals;
-}
 
 // The value that the words on the command line stand for.
 json ValueOf(const Field& field, const std::vector<std::string>& words) {
@@ -73,7 +65,8 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
   std::vector<std::string>* const words = words_.emplace_back(row.fields.size()).data();
   for (std::size_t i = 0; i < row.fields.size(); ++i) {
     const Field& field = row.fields[i];
-    const std::string name = field.bare ? Capitals(field.key) : "--" + std::string(field.key);
+    const std::string name =
+        field.bare ? server::Capitals(field.key) : "--" + std::string(field.key);
     std::string help = std::string(field.does) + ": " + emulator::Expected(field);
     if (field.otherwise) help += " [" + emulator::NumberText(*field.otherwise) + "]";
     command->add_option(name, words[i], help)

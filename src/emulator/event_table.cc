@@ -73,220 +73,153 @@ std::string SayTimeout(const Event& event, std::uint64_t count) {
 constexpr EventLevel kSilent = EventLevel::kSilent, kInfo = EventLevel::kInfo,
                      kWarning = EventLevel::kWarning, kError = EventLevel::kError;
 
+constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, bool bursts,
+                       const std::array<EventField, 3>& fields,
+                       std::string (*say)(const Event& event, std::uint64_t count),
+                       std::string_view when) {
+  return {kind, name, level, bursts, fields, say, when};
+}
+
 constexpr std::array<EventRow, kEventKinds> kRows = {{
-    {EventKind::kRefused,
-     "refused",
-     kWarning,
-     true,
-     {{{"reason", kReason}, {"topic", kText}}},
-     [](const Event& e, std::uint64_t n) { return SayRefusal("refused", e, n); },
-     "a command is refused"},
-    {EventKind::kTolerated,
-     "tolerated",
-     kInfo,
-     true,
-     {{{"reason", kReason}, {"topic", kText}}},
-     [](const Event& e, std::uint64_t n) { return SayRefusal("took", e, n); },
-     "a lenient gate takes a command whose form is wrong"},
-    {EventKind::kTimeout,
-     "timeout",
-     kWarning,
-     true,
-     {{{"topic", kText}}},
-     SayTimeout,
-     "commands stop"},
-    {EventKind::kFollowing,
-     "following",
-     kInfo,
-     false,
-     {{{"topic", kText}}},
-     [](const Event& e, std::uint64_t) { return "following " + MessageOf(e); },
-     "the first command of a topic is taken"},
-    {EventKind::kGate,
-     "gate",
-     kSilent,
-     false,
-     {{{"state", kGate}}},
-     [](const Event& e, std::uint64_t) {
-       return "gate: " +
-              std::string(authority::Name(static_cast<authority::GateState>(e.numbers[0])));
-     },
-     "the gate of rt/lowcmd changes its state, and at the start"},
-    {EventKind::kMotionService,
-     "motion_service",
-     kInfo,
-     false,
-     {{{"service", kText}}},
-     [](const Event& e, std::uint64_t) {
-       return e.text[0] == '\0' ? "no motion service is on: motors follow rt/lowcmd"
-                                : "motion service " + What(e) + " moves the motors";
-     },
-     "another motion service is on, or none, and at the start"},
-    {EventKind::kMotion,
-     "motion",
-     kSilent,
-     false,
-     {{{"state", kInteger}, {"mode", kInteger}}},
-     [](const Event& e, std::uint64_t) { return "motion " + Text("%.0f", e.numbers[0]); },
-     "the motion service changes its state"},
-    {EventKind::kRemote,
-     "remote",
-     kSilent,
-     false,
-     {{{"keys", kKeys}}},
-     [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys let go"; },
-     "keys of the remote controller go down or up"},
-    {EventKind::kRequest,
-     "request",
-     kSilent,
-     false,
-     {},
-     [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
-     "people ask for something that is no other event; told under the name of "
-     "[the request](control.md), as `push`"},
-    {EventKind::kCrane,
-     "crane",
-     kSilent,
-     false,
-     {{{"attached", kBool}}},
-     [](const Event& e, std::uint64_t) -> std::string {
-       return On(e) ? "hangs from the crane" : "off the crane";
-     },
-     "the robot is attached to the crane or released"},
-    {EventKind::kClamp,
-     "clamp",
-     kSilent,
-     false,
-     {{{"on", kBool}}},
-     [](const Event& e, std::uint64_t) -> std::string { return On(e) ? "clamped" : "unclamped"; },
-     "the clamp closes or opens"},
-    {EventKind::kPause,
-     "pause",
-     kInfo,
-     false,
-     {{{"on", kBool}}},
-     [](const Event& e, std::uint64_t) {
-       return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";
-     },
-     "the robot is paused or resumed"},
-    {EventKind::kSpeed,
-     "speed",
-     kInfo,
-     false,
-     {{{"speed", kNumber}}},
-     [](const Event& e, std::uint64_t) {
-       return "speed " + (On(e) ? Text("%g", e.numbers[0]) : "as fast as possible");
-     },
-     "another speed is wanted"},
-    {EventKind::kScript,
-     "script",
-     kSilent,
-     false,
-     {{{"event", kInteger}, {"where", kText}}},
-     [](const Event& e, std::uint64_t) { return What(e); },
-     "a script's request is given"},
-    {EventKind::kScriptRefused,
-     "script_refused",
-     kWarning,
-     true,
-     {{{"why", kText}}},
-     [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
-     "a script's request is refused"},
-    {EventKind::kDivergence,
-     "divergence",
-     kError,
-     true,
-     {},
-     [](const Event& e, std::uint64_t n) {
-       return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
-     },
-     "the physics diverges"},
-    {EventKind::kSilence,
-     "silence",
-     kWarning,
-     false,
-     {{{"on", kBool}}},
-     [](const Event& e, std::uint64_t) -> std::string {
-       return On(e) ? "silent beside another robot" : "speaks again";
-     },
-     "the robot falls silent beside another robot, or speaks again"},
-    {EventKind::kWriters,
-     "writers",
-     kWarning,
-     true,
-     {{{"writers", kInteger}}},
-     [](const Event& e, std::uint64_t) {
-       return Text("%.0f", e.numbers[0]) +
-              " programs write rt/lowcmd; the robot follows whichever wrote last";
-     },
-     "two programs or more write rt/lowcmd"},
-    {EventKind::kUnusedSlot,
-     "unused_slot",
-     kWarning,
-     false,
-     {},
-     [](const Event&, std::uint64_t) -> std::string {
-       return "a LowCmd sets gains or torque in a slot without a motor; the robot ignores it. Is "
-              "the program's motor order this robot's?";
-     },
-     "a LowCmd sets gains or torque in a slot without a motor, the first time"},
-    {EventKind::kUnsetHead,
-     "unset_head",
-     kInfo,
-     false,
-     {},
-     [](const Event&, std::uint64_t) -> std::string {
-       return "LowCmd comes without head and level_flag; it is taken, though nobody has shown that "
-              "a real robot does";
-     },
-     "a LowCmd comes without head and level_flag, the first time"},
-    {EventKind::kWriteFailure,
-     "write_failure",
-     kError,
-     true,
-     {{{"messages", kSum}}},
-     [](const Event& e, std::uint64_t) { return Plural(e.numbers[0], "message") + " not sent"; },
-     "the bus does not take messages"},
-    {EventKind::kOverrun,
-     "overrun",
-     kSilent,
-     true,
-     {{{"worst", kWorst}}},
-     [](const Event& e, std::uint64_t n) {
-       return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
-              Text("%.1f", e.numbers[0] * 1e3) + " ms";
-     },
-     "a tick begins more than one period late"},
-    {EventKind::kStall,
-     "stall",
-     kWarning,
-     true,
-     {{{"seconds", kSum}}},
-     [](const Event& e, std::uint64_t) {
-       return Text("%.1f", e.numbers[0]) +
-              " s behind wall time, which is not made up for: simulated time goes on late";
-     },
-     "a tick begins so late that it is not made up for"},
-    {EventKind::kCall,
-     "call",
-     kSilent,
-     true,
-     {{{"api", kCause}, {"code", kCause}, {"service", kText}}},
-     [](const Event& e, std::uint64_t n) {
-       const auto api = static_cast<std::int64_t>(e.numbers[0]);
-       const auto code = static_cast<std::int64_t>(e.numbers[1]);
-       return What(e) + " " + std::to_string(api) + " answers " + std::to_string(code) + Times(n);
-     },
-     "a service is called, leases left aside"},
-    {EventKind::kLost,
-     "lost",
-     kWarning,
-     true,
-     {{{"events", kSum}}},
-     [](const Event& e, std::uint64_t) {
-       return Plural(e.numbers[0], "event") + " came too fast to be told";
-     },
-     "whoever tells of events was too slow"},
+    Row(
+        EventKind::kRefused, "refused", kWarning, true, {{{"reason", kReason}, {"topic", kText}}},
+        [](const Event& e, std::uint64_t n) { return SayRefusal("refused", e, n); },
+        "a command is refused"),
+    Row(
+        EventKind::kTolerated, "tolerated", kInfo, true, {{{"reason", kReason}, {"topic", kText}}},
+        [](const Event& e, std::uint64_t n) { return SayRefusal("took", e, n); },
+        "a lenient gate takes a command whose form is wrong"),
+    Row(EventKind::kTimeout, "timeout", kWarning, true, {{{"topic", kText}}}, SayTimeout,
+        "commands stop"),
+    Row(
+        EventKind::kFollowing, "following", kInfo, false, {{{"topic", kText}}},
+        [](const Event& e, std::uint64_t) { return "following " + MessageOf(e); },
+        "the first command of a topic is taken"),
+    Row(
+        EventKind::kGate, "gate", kSilent, false, {{{"state", kGate}}},
+        [](const Event& e, std::uint64_t) {
+          return "gate: " +
+                 std::string(authority::Name(static_cast<authority::GateState>(e.numbers[0])));
+        },
+        "the gate of rt/lowcmd changes its state, and at the start"),
+    Row(
+        EventKind::kMotionService, "motion_service", kInfo, false, {{{"service", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return e.text[0] == '\0' ? "no motion service is on: motors follow rt/lowcmd"
+                                   : "motion service " + What(e) + " moves the motors";
+        },
+        "another motion service is on, or none, and at the start"),
+    Row(
+        EventKind::kMotion, "motion", kSilent, false, {{{"state", kInteger}, {"mode", kInteger}}},
+        [](const Event& e, std::uint64_t) { return "motion " + Text("%.0f", e.numbers[0]); },
+        "the motion service changes its state"),
+    Row(
+        EventKind::kRemote, "remote", kSilent, false, {{{"keys", kKeys}}},
+        [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys let go"; },
+        "keys of the remote controller go down or up"),
+    Row(
+        EventKind::kRequest, "request", kSilent, false, {},
+        [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
+        "people ask for something that is no other event; told under the name of [the "
+        "request](control.md), as `push`"),
+    Row(
+        EventKind::kCrane, "crane", kSilent, false, {{{"attached", kBool}}},
+        [](const Event& e, std::uint64_t) -> std::string {
+          return On(e) ? "hangs from the crane" : "off the crane";
+        },
+        "the robot is attached to the crane or released"),
+    Row(
+        EventKind::kClamp, "clamp", kSilent, false, {{{"on", kBool}}},
+        [](const Event& e, std::uint64_t) -> std::string {
+          return On(e) ? "clamped" : "unclamped";
+        },
+        "the clamp closes or opens"),
+    Row(
+        EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
+        [](const Event& e, std::uint64_t) {
+          return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";
+        },
+        "the robot is paused or resumed"),
+    Row(
+        EventKind::kSpeed, "speed", kInfo, false, {{{"speed", kNumber}}},
+        [](const Event& e, std::uint64_t) {
+          return "speed " + (On(e) ? Text("%g", e.numbers[0]) : "as fast as possible");
+        },
+        "another speed is wanted"),
+    Row(
+        EventKind::kScript, "script", kSilent, false, {{{"event", kInteger}, {"where", kText}}},
+        [](const Event& e, std::uint64_t) { return What(e); }, "a script's request is given"),
+    Row(
+        EventKind::kScriptRefused, "script_refused", kWarning, true, {{{"why", kText}}},
+        [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
+        "a script's request is refused"),
+    Row(
+        EventKind::kDivergence, "divergence", kError, true, {},
+        [](const Event& e, std::uint64_t n) {
+          return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
+        },
+        "the physics diverges"),
+    Row(
+        EventKind::kSilence, "silence", kWarning, false, {{{"on", kBool}}},
+        [](const Event& e, std::uint64_t) -> std::string {
+          return On(e) ? "silent beside another robot" : "speaks again";
+        },
+        "the robot falls silent beside another robot, or speaks again"),
+    Row(
+        EventKind::kWriters, "writers", kWarning, true, {{{"writers", kInteger}}},
+        [](const Event& e, std::uint64_t) {
+          return Text("%.0f", e.numbers[0]) +
+                 " programs write rt/lowcmd; the robot follows whichever wrote last";
+        },
+        "two programs or more write rt/lowcmd"),
+    Row(
+        EventKind::kUnusedSlot, "unused_slot", kWarning, false, {},
+        [](const Event&, std::uint64_t) -> std::string {
+          return "a LowCmd sets gains or torque in a slot without a motor; the robot ignores it. "
+                 "Is the program's motor order this robot's?";
+        },
+        "a LowCmd sets gains or torque in a slot without a motor, the first time"),
+    Row(
+        EventKind::kUnsetHead, "unset_head", kInfo, false, {},
+        [](const Event&, std::uint64_t) -> std::string {
+          return "LowCmd comes without head and level_flag; it is taken, though nobody has shown "
+                 "that a real robot does";
+        },
+        "a LowCmd comes without head and level_flag, the first time"),
+    Row(
+        EventKind::kWriteFailure, "write_failure", kError, true, {{{"messages", kSum}}},
+        [](const Event& e, std::uint64_t) { return Plural(e.numbers[0], "message") + " not sent"; },
+        "the bus does not take messages"),
+    Row(
+        EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
+        [](const Event& e, std::uint64_t n) {
+          return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
+                 Text("%.1f", e.numbers[0] * 1e3) + " ms";
+        },
+        "a tick begins more than one period late"),
+    Row(
+        EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
+        [](const Event& e, std::uint64_t) {
+          return Text("%.1f", e.numbers[0]) +
+                 " s behind wall time, which is not made up for: simulated time goes on late";
+        },
+        "a tick begins so late that it is not made up for"),
+    Row(
+        EventKind::kCall, "call", kSilent, true,
+        {{{"api", kCause}, {"code", kCause}, {"service", kText}}},
+        [](const Event& e, std::uint64_t n) {
+          const auto api = static_cast<std::int64_t>(e.numbers[0]);
+          const auto code = static_cast<std::int64_t>(e.numbers[1]);
+          return What(e) + " " + std::to_string(api) + " answers " + std::to_string(code) +
+                 Times(n);
+        },
+        "a service is called, leases left aside"),
+    Row(
+        EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
+        [](const Event& e, std::uint64_t) {
+          return Plural(e.numbers[0], "event") + " came too fast to be told";
+        },
+        "whoever tells of events was too slow"),
 }};
 
 static_assert([] {

@@ -3,11 +3,16 @@
 #include <array>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <regex>
 
 #include <mujoco/mujoco.h>
+#include <sys/mman.h>
+#include <unistd.h>
 
 #include "base/errors.h"
+#include "mjcf/mujoco_hooks.h"
 
 namespace understudy::mjcf {
 namespace {
@@ -15,7 +20,7 @@ namespace {
 // A file that MuJoCo finds by name instead of on disk.
 class MemoryFile {
  public:
-  MemoryFile(const char* name, const std::string& text) : vfs_(std::make_unique<mjVFS>()) {
+  MemoryFile(const char* name, std::string_view text) : vfs_(std::make_unique<mjVFS>()) {
     mj_defaultVFS(vfs_.get());
     const int size = static_cast<int>(text.size());  // at most a few times ReadMjcf's bound
 #if mjVERSION_HEADER < 300
@@ -80,6 +85,9 @@ bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& n
 
 }  // namespace
 
+void ModelDeleter::operator()(mjModel* model) const { mj_deleteModel(model); }
+void DataDeleter::operator()(mjData* data) const { mj_deleteData(data); }
+
 ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning) {
   constexpr char kName[] = "understudy_world.xml";
   const MjcfText text = WriteMjcf(root);
@@ -120,6 +128,36 @@ std::vector<std::string> UnknownWords(MjcfElement root) {
       if (!taken) return unknown;
     }
   }
+}
+
+// By way of a file, in memory: into a buffer MuJoCo 2.2.2 writes less than it says it needs, does
+// not say how much, and loads nothing that has more behind it.
+std::string ModelBytes(const mjModel& model) {
+  const int fd = ::memfd_create("model.mjb", MFD_CLOEXEC);
+  if (fd < 0) throw ModelError("no memory for a copy of the model");
+  const std::string file = "/proc/self/fd/" + std::to_string(fd);
+  mj_saveModel(&model, file.c_str(), nullptr, 0);
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(std::istreambuf_iterator<char>(in), {});
+  ::close(fd);
+  if (bytes.empty()) throw ModelError("no copy of the model: MuJoCo cannot write to " + file);
+  return bytes;
+}
+
+ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
+  constexpr char kName[] = "model.mjb";
+  InstallMujocoHooks();
+  std::string why = "it is empty";
+  if (!bytes.empty()) {
+    try {
+      if (ModelHandle model{mj_loadModel(kName, MemoryFile(kName, bytes).get())}) return model;
+      const std::string_view warning = TakeMujocoWarning();
+      why = warning.empty() ? "no reason given" : warning;
+    } catch (const ModelError& error) {
+      why = error.what();
+    }
+  }
+  throw ModelError(what + ": not a model that MuJoCo " + mj_versionString() + " can read: " + why);
 }
 
 }  // namespace understudy::mjcf

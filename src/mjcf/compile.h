@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mjcf/document.h"
@@ -23,5 +24,12 @@ std::string CountsText(const mjModel& model);
 
 // Version of the library that this program runs with, such as "2.2.2".
 const char* MujocoVersion();
+
+// As mj_saveModel writes it: only the same version of MuJoCo reads it. Throws ModelError.
+std::string ModelBytes(const mjModel& model);
+
+// Reads what mj_saveModel wrote. Throws ModelError when this MuJoCo cannot read it; `what` names it
+// there.
+ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what);
 
 }  // namespace understudy::mjcf

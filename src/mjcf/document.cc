@@ -185,6 +185,15 @@ void MjcfElement::Drop(const std::string& attribute) {
   std::erase_if(attributes, [&](const auto& entry) { return entry.first == attribute; });
 }
 
+std::string CompilerSays(const MjcfElement& root, const std::string& attribute) {
+  std::string value;
+  for (const MjcfElement& section : root.children) {
+    const std::string* said = section.name == "compiler" ? section.Find(attribute) : nullptr;
+    if (said != nullptr) value = *said;
+  }
+  return value;
+}
+
 MjcfElement ReadMjcf(const std::filesystem::path& file) {
   MjcfElement root = Reader(file).ReadFile(file, "", 1);
   if (root.name != "mujoco") {

@@ -30,6 +30,9 @@ struct MjcfElement {
   void Drop(const std::string& attribute);
 };
 
+// What the <compiler> elements say of an attribute together, "" where they say nothing.
+std::string CompilerSays(const MjcfElement& root, const std::string& attribute);
+
 // XML and, for each of its lines, where that line's element came from: lines[0] is line 1.
 struct MjcfText {
   std::string xml;

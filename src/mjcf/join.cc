@@ -46,16 +46,6 @@ void SetIfMissing(const std::string& attribute, const std::string& value, MjcfEl
   if (element->Find(attribute) == nullptr) element->Set(attribute, value);
 }
 
-// What the <compiler> elements say of it together, "" where they say nothing.
-std::string Compiler(const MjcfElement& root, const std::string& attribute) {
-  std::string value;
-  for (const MjcfElement& section : root.children) {
-    const std::string* said = section.name == "compiler" ? section.Find(attribute) : nullptr;
-    if (said != nullptr) value = *said;
-  }
-  return value;
-}
-
 MjcfElement& ChildAtFront(const std::string& name, MjcfElement* parent) {
   auto child = std::ranges::find(parent->children, name, &MjcfElement::name);
   if (child == parent->children.end()) {
@@ -103,7 +93,7 @@ void NestDefaults(MjcfElement* root) {
   }
   std::erase_if(root->children, [](const MjcfElement& e) { return e.name == "default"; });
   nested.Set("class", name);
-  const std::string autolimits = Compiler(*root, "autolimits");
+  const std::string autolimits = CompilerSays(*root, "autolimits");
   if (autolimits == "false" || (autolimits.empty() && !kAutolimits)) SpellOutLimits(&nested);
   NameTopmostClass(name, root);
   ChildAtFront("default", root).children.push_back(std::move(nested));
@@ -131,7 +121,7 @@ void RequireSameReading(const MjcfElement& other, const MjcfElement& root) {
   for (const auto& [attribute, by_default] : kReading) {
     // Clang 14 has no structured bindings in lambdas.
     const auto value = [&, name = attribute, unsaid = by_default](const MjcfElement& of) {
-      const std::string said = Compiler(of, name);
+      const std::string said = CompilerSays(of, name);
       return said.empty() ? unsaid : said;
     };
     if (value(other) == value(root)) continue;

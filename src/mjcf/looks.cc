@@ -66,15 +66,6 @@ class Looks {
   std::set<const MjcfElement*> geoms_;
 };
 
-bool TakesInertiaFromGeoms(const MjcfElement& root) {
-  bool takes = false;
-  for (const MjcfElement& section : root.children) {
-    if (section.name != "compiler") continue;
-    if (const auto* word = section.Find("inertiafromgeom")) takes = *word == "true";
-  }
-  return takes;
-}
-
 // Copies what stays: moving would change the addresses that `gone` holds.
 MjcfElement Without(const MjcfElement& element, const std::set<const MjcfElement*>& gone) {
   MjcfElement rest{element.name, element.attributes, {}, element.place};
@@ -120,7 +111,7 @@ std::string LeftOutLooks::text() const {
 
 LeftOutLooks LeaveOutLooks(MjcfElement* root) {
   LeftOutLooks left_out;
-  if (!TakesInertiaFromGeoms(*root)) {
+  if (CompilerSays(*root, "inertiafromgeom") != "true") {
     const Looks looks(*root);
     left_out.geoms = static_cast<int>(looks.geoms().size());
     if (left_out.geoms > 0) *root = Without(*root, looks.geoms());

@@ -19,15 +19,6 @@ struct Pending {
   double kp, ratio;
 };
 
-bool InDegrees(const MjcfElement& root) {
-  std::string angle = "degree";
-  for (const MjcfElement& section : root.children) {
-    if (section.name == "compiler" && section.Find("angle") != nullptr)
-      angle = section.Get("angle");
-  }
-  return angle == "degree";
-}
-
 void SetGains(MjcfElement* actuator, double kp, double kv) {
   const double bias[] = {0, -kp, -kv};
   const double gain[] = {kp};
@@ -63,7 +54,8 @@ std::string InheritedRange(const MjcfElement& actuator, const MjcfJoint* joint, 
 
 void SpellOutPositionGains(MjcfElement* root, const MjcfDefaults& defaults, MjcfJoints* joints,
                            std::vector<Rewrite>* rewrites) {
-  const bool in_degrees = InDegrees(*root);
+  const std::string angle = CompilerSays(*root, "angle");
+  const bool in_degrees = angle.empty() || angle == "degree";
   std::vector<Pending> pending;
   for (std::size_t i = 0; i < joints->actuators.size(); ++i) {
     MjcfElement& actuator = *joints->actuators[i];

@@ -1,26 +1,15 @@
 #include "mjcf/revise.h"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <string>
 #include <vector>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "mjcf/joints.h"
 
 namespace understudy::mjcf {
 namespace {
-
-std::string Text(const std::vector<double>& values) {
-  std::string text;
-  for (const double value : values) {
-    std::array<char, 32> digits{};
-    char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    text += (text.empty() ? "" : " ") + std::string(digits.data(), end);
-  }
-  return text;
-}
 
 // The element of that kind and name below `parent`, null where there is none. Defaults and sections
 // that only refer to elements have none with a name.
@@ -53,7 +42,7 @@ MjcfElement& Require(MjcfElement* root, const std::string& kind, const std::stri
 
 void ReviseBody(const robot::BodySpec& spec, const std::string& key, MjcfElement* root) {
   MjcfElement& body = Require(root, "body", spec.name, key);
-  if (!spec.pos.empty()) body.Set("pos", Text(spec.pos));
+  if (!spec.pos.empty()) body.Set("pos", NumbersText(spec.pos));
   const bool all = spec.mass > 0 && !spec.com.empty() && !spec.inertia.empty();
   const bool none = spec.mass == 0 && spec.com.empty() && spec.inertia.empty();
   if (none) return;
@@ -68,13 +57,13 @@ void ReviseBody(const robot::BodySpec& spec, const std::string& key, MjcfElement
         {.name = "inertial", .attributes = {}, .children = {}, .place = body.place});
     inertial = body.children.begin();
   }
-  if (spec.mass > 0) inertial->Set("mass", Text({spec.mass}));
-  if (!spec.com.empty()) inertial->Set("pos", Text(spec.com));
+  if (spec.mass > 0) inertial->Set("mass", NumbersText({&spec.mass, 1}));
+  if (!spec.com.empty()) inertial->Set("pos", NumbersText(spec.com));
   if (spec.inertia.empty()) return;
   for (const char* other : {"diaginertia", "quat", "axisangle", "xyaxes", "zaxis", "euler"}) {
     inertial->Drop(other);
   }
-  inertial->Set("fullinertia", Text(spec.inertia));
+  inertial->Set("fullinertia", NumbersText(spec.inertia));
 }
 
 bool IsAny(const std::string* name, const std::vector<std::string>& names) {
@@ -112,13 +101,13 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
   for (std::size_t i = 0; i < spec.sites.size(); ++i) {
     const std::string key = "robot.sites." + std::to_string(i);
     Require(root, "site", spec.sites[i].name, key)
-        .Set("pos", Text({spec.sites[i].pos.begin(), spec.sites[i].pos.end()}));
+        .Set("pos", NumbersText({spec.sites[i].pos.data(), 3}));
   }
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
     if (motor->armature == 0) continue;
     // A joint that is missing is refused, or called otherwise, once the model is compiled.
     MjcfElement* joint = FindNamed(root, "joint", motor->joint);
-    if (joint != nullptr) joint->Set("armature", Text({motor->armature}));
+    if (joint != nullptr) joint->Set("armature", NumbersText({&motor->armature, 1}));
   }
   if (!spec.locked_joints.empty()) Lock(spec.locked_joints, root);
 }

@@ -8,7 +8,6 @@
 #include <mujoco/mujoco.h>
 
 #include "mjcf/compile.h"
-#include "mjcf/model_bytes.h"
 
 namespace understudy::physics {
 namespace {

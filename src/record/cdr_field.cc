@@ -24,14 +24,15 @@ std::size_t SizeOf(std::string_view primitive) {
 }
 
 [[noreturn]] void HasNoPlace(std::string_view type, const MessageField& field) {
-  throw RecordError(std::string(type) + "." + field.name +
+  throw RecordError(std::string(type) + "." + std::string(field.name) +
                     ": has no fixed place, and nothing after it");
 }
 
 // Moves `offset` past all elements of a field, or the first `count` of them.
 void Skip(std::string_view in, const MessageField& field, int count, std::size_t* offset) {
   const auto message = RosMessages().find(field.type);
-  if (field.is_sequence || (message == RosMessages().end() && SizeOf(field.type) == 0)) {
+  if (field.many == Many::kSequence ||
+      (message == RosMessages().end() && SizeOf(field.type) == 0)) {
     HasNoPlace(in, field);
   }
   for (int i = 0; i < count; ++i) {
@@ -68,7 +69,7 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
   const auto [name, index] = Split(path.substr(0, dot));
   std::vector<std::string> names;
   for (const MessageField& field : message->second) {
-    names.push_back(field.name);
+    names.emplace_back(field.name);
     if (field.name != name) {
       // A fault only for what is sought behind it.
       if (std::ranges::find(message->second, name, &MessageField::name) != message->second.end()) {
@@ -76,10 +77,10 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
       }
       continue;
     }
-    if (field.is_sequence || field.type == "string") HasNoPlace(type, field);
-    if (field.is_array != (index >= 0) || index >= field.count) {
+    if (field.many == Many::kSequence || field.type == "string") HasNoPlace(type, field);
+    if ((field.many == Many::kArray) != (index >= 0) || index >= field.count) {
       throw RecordError(std::string(type) + "." + name + ": " +
-                        (field.is_array
+                        ((field.many == Many::kArray)
                              ? "expected an index from 0 to " + std::to_string(field.count - 1)
                              : "is no array"));
     }
@@ -89,7 +90,7 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
     }
     if (dot != path.size()) throw RecordError(std::string(type) + "." + name + ": is a number");
     const std::size_t size = SizeOf(field.type);
-    return {.type = field.type, .offset = (offset + size - 1) / size * size};
+    return {.type = std::string(field.type), .offset = (offset + size - 1) / size * size};
   }
   throw RecordError(std::string(type) + " has no field '" + name + "'" + DidYouMean(name, names));
 }

@@ -1,14 +1,13 @@
 #include <algorithm>
 #include <array>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
 #include <sstream>
 #include <system_error>
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include "exec/command.h"
@@ -68,52 +67,6 @@ std::vector<int> Rows(const PlotPage& page, int* count) {
   }
   *count = static_cast<int>(free_from.size());
   return rows;
-}
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "understudy_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw RecordError(name + ": cannot be made");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-std::string TextOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-// Runs gnuplot on a script to its end; what it said goes to `said`. Its exit status.
-int Run(const std::string& program, const std::filesystem::path& script,
-        const std::filesystem::path& said) {
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, said.c_str(), O_WRONLY | O_CREAT, 0600);
-  posix_spawn_file_actions_adddup2(&actions, STDERR_FILENO, STDOUT_FILENO);
-  // -d: as anybody's, whatever ~/.gnuplot says.
-  std::string name = "gnuplot", defaults = "-d", file = script.string();
-  std::array<char*, 4> arguments = {name.data(), defaults.data(), file.data(), nullptr};
-  pid_t pid = -1;
-  const int error =
-      posix_spawn(&pid, program.c_str(), &actions, nullptr, arguments.data(), environ);
-  posix_spawn_file_actions_destroy(&actions);
-  if (error != 0) throw RecordError(program + ": " + std::generic_category().message(error));
-  int status = 0;
-  while (waitpid(pid, &status, 0) < 0 && errno == EINTR) {
-  }
-  return status;
 }
 
 }  // namespace
@@ -191,27 +144,30 @@ void DrawPage(const PlotPage& page, const std::filesystem::path& picture) {
   if (ending != ".png" && ending != ".svg") {
     throw RecordError(picture.string() + ": expected a name that ends in .png or .svg");
   }
-  std::string program;
   try {
     const char* path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
-    program = exec::FindProgram("gnuplot", path == nullptr ? "" : path);
+    exec::FindProgram("gnuplot", path == nullptr ? "" : path);
   } catch (const exec::CommandError&) {
     throw RecordError(
         "pictures are drawn by gnuplot, which is not there: apt-get install "
         "gnuplot-nox");
   }
-  const Folder folder;
-  const std::filesystem::path drawn = folder.path() / ("picture" + ending);
-  std::ofstream(folder.path() / "script") << GnuplotScript(page, ending == ".svg", drawn);
-  const int status = Run(program, folder.path() / "script", folder.path() / "said");
-  if (status != 0 || !std::filesystem::exists(drawn)) {
-    throw RecordError("gnuplot failed: " + TextOf(folder.path() / "said"));
-  }
   // Whole or not at all: the picture of before stays until then.
   const std::filesystem::path part = picture.string() + "." + std::to_string(getpid()) + ".part";
   std::error_code error, ignored;
-  std::filesystem::copy_file(drawn, part, error);
-  if (!error) std::filesystem::rename(part, picture, error);
+  if (!std::ofstream(part)) error = {errno, std::generic_category()};
+  if (!error) {
+    std::signal(SIGPIPE, SIG_IGN);  // should gnuplot end early, its exit status says so
+    // -d: as anybody's, whatever ~/.gnuplot says.
+    std::FILE* gnuplot = ::popen("exec gnuplot -d", "w");
+    if (gnuplot == nullptr) throw RecordError("gnuplot cannot be run");
+    std::fputs(GnuplotScript(page, ending == ".svg", part).c_str(), gnuplot);
+    if (::pclose(gnuplot) != 0 || std::filesystem::is_empty(part, ignored)) {
+      std::filesystem::remove(part, ignored);
+      throw RecordError("gnuplot failed");
+    }
+    std::filesystem::rename(part, picture, error);
+  }
   if (!error) return;
   std::filesystem::remove(part, ignored);
   throw RecordError(picture.string() + ": cannot be written: " + error.message());

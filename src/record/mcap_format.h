@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "record/bytes.h"
 
@@ -63,5 +64,15 @@ struct McapMessage {
 
 // CRC-32 of ISO 3309, going on from `crc`, which is 0 at the start.
 std::uint32_t Crc32(ByteSpan bytes, std::uint32_t crc = 0);
+
+// Each takes the whole content of such a record. Throws RecordError where it is shorter than it
+// says.
+McapMessage TakeMessage(BytesIn* in);  // its data points into what `in` reads
+McapSchema TakeSchema(BytesIn* in);
+McapChannel TakeChannel(BytesIn* in);
+
+// The records in a chunk of this content. Throws RecordError: too large, packed otherwise than by
+// zstd or not at all, another size or checksum than it says.
+std::vector<std::byte> UnpackChunk(ByteSpan content);
 
 }  // namespace understudy::record

@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 
-#include "record/mcap_records.h"
+#include "record/mcap_format.h"
 
 namespace understudy::record {
 namespace {

@@ -14,10 +14,10 @@
 #include "base/nearest_word.h"
 #include "record/cdr_field.h"
 #include "record/player.h"
-#include "record/plot_trace.h"
 #include "record/ros2msg.h"
 #include "record/truth.h"
 #include "robot/robot_values.h"
+#include "wire/imu_codec.h"
 
 namespace understudy::record {
 namespace {
@@ -64,6 +64,9 @@ struct Gathered {
   CdrField field;
   // Beyond is no value: kNoPosition and kNoVelocity of commands.
   double most = std::numeric_limits<double>::infinity();
+  // Of the line of a motor: which field and which motor, by index, and whether that was commanded.
+  std::size_t of = 0, motor = 0;
+  bool commanded = false;
   Trace trace{};
 };
 
@@ -129,12 +132,6 @@ class PageMaker {
   }
 
  private:
-  struct MotorLine {
-    std::size_t field, motor;  // indices
-    bool commanded;
-    std::size_t gathered;
-  };
-
   void FindMotors() {
     const auto type = types_.find("rt/lowstate");
     if (type == types_.end()) return;
@@ -192,11 +189,12 @@ class PageMaker {
     const auto type = types_.find(topic);
     if (type == types_.end()) return;
     if (path.ends_with("temperature") && type->second.starts_with("unitree_hg")) path += "[0]";
-    motor_lines_.push_back(
-        {.field = field, .motor = motor, .commanded = commanded, .gathered = gathered_.size()});
     gathered_.push_back({.topic = topic,
                          .field = FindField(type->second, path),
-                         .most = commanded ? robot::kNoVelocity : Gathered{}.most});
+                         .most = commanded ? robot::kNoVelocity : Gathered{}.most,
+                         .of = field,
+                         .motor = motor,
+                         .commanded = commanded});
   }
 
   void AskForSignals() {
@@ -204,7 +202,6 @@ class PageMaker {
     for (const auto& [topic, type] : types_) {
       if (RosMessages().contains(type)) topics.push_back(topic);
     }
-    first_signal_ = gathered_.size();
     for (const std::string& signal : options_.signals) {
       const std::size_t colon = signal.find(':');
       if (colon == std::string::npos) {
@@ -217,14 +214,16 @@ class PageMaker {
       if (type == types_.end() || !RosMessages().contains(type->second)) {
         throw RecordError("--signals: no topic '" + topic + "'" + DidYouMean(topic, topics));
       }
-      gathered_.push_back(
+      signals_.push_back(
           {.topic = topic, .field = FindField(type->second, signal.substr(colon + 1))});
     }
   }
 
   void Read() {
     std::map<std::string, std::vector<Gathered*>> by_topic;
-    for (Gathered& one : gathered_) by_topic[one.topic].push_back(&one);
+    for (std::vector<Gathered>* some : {&gathered_, &signals_}) {
+      for (Gathered& one : *some) by_topic[one.topic].push_back(&one);
+    }
     const auto from = beginning_ + static_cast<std::uint64_t>(page_.from * 1e9);
     const auto to = beginning_ + static_cast<std::uint64_t>(std::ceil(page_.to * 1e9));
     reader_.ReadMessages(from, to, [&](const McapChannel& channel, const McapMessage& message) {
@@ -250,11 +249,10 @@ class PageMaker {
   // A free joint stands first: its place and its attitude (w, x, y, z).
   void NoteTruth(double at, const Truth& truth) {
     if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
-    const double w = truth.qpos[3], x = truth.qpos[4], y = truth.qpos[5], z = truth.qpos[6];
+    const Eigen::Quaterniond R_WB(truth.qpos[3], truth.qpos[4], truth.qpos[5], truth.qpos[6]);
+    const Eigen::Vector3d rpy = kDegrees * wire::RollPitchYaw(R_WB);
     Note(at, truth.qpos[2], &height_);
-    Note(at, kDegrees * std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), rpy_.data());
-    Note(at, kDegrees * std::asin(std::clamp(2 * (w * y - z * x), -1.0, 1.0)), &rpy_[1]);
-    Note(at, kDegrees * std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)), &rpy_[2]);
+    for (std::size_t i = 0; i < 3; ++i) Note(at, rpy[static_cast<int>(i)], &rpy_[i]);
   }
 
   // Those of one kind that follow closely are one mark.
@@ -293,10 +291,10 @@ class PageMaker {
   std::set<std::size_t> Chosen() const {
     std::map<std::string, std::pair<double, std::size_t>> most;  // by kind: range, motor
     std::set<std::size_t> chosen;
-    for (const MotorLine& line : motor_lines_) {
+    for (const Gathered& line : gathered_) {
       if (!options_.motors.empty()) chosen.insert(line.motor);
-      if (line.field != 0 || line.commanded) continue;
-      const double range = Range(gathered_[line.gathered].trace.points());
+      if (line.of != 0 || line.commanded) continue;
+      const double range = Range(line.trace.points());
       const auto [kind, is_new] =
           most.try_emplace(KindOf(motors_[line.motor].name), range, line.motor);
       if (range > kind->second.first) kind->second = {range, line.motor};
@@ -318,15 +316,13 @@ class PageMaker {
       for (const bool commanded : {true, false}) {
         std::size_t color = 0;
         for (const std::size_t motor : chosen) {
-          const auto line = std::ranges::find_if(motor_lines_, [&](const MotorLine& one) {
-            return one.field == field && one.motor == motor && one.commanded == commanded;
+          const auto line = std::ranges::find_if(gathered_, [&](const Gathered& one) {
+            return one.of == field && one.motor == motor && one.commanded == commanded;
           });
           const std::size_t its_color = color++;
-          if (line == motor_lines_.end()) continue;
-          const Trace& trace = gathered_[line->gathered].trace;
-          if (trace.points().empty()) continue;
+          if (line == gathered_.end() || line->trace.points().empty()) continue;
           panel.lines.push_back(
-              Line(commanded ? "" : motors_[motor].name, its_color, trace, commanded));
+              Line(commanded ? "" : motors_[motor].name, its_color, line->trace, commanded));
         }
       }
       if (!panel.lines.empty()) page_.panels.push_back(std::move(panel));
@@ -337,7 +333,7 @@ class PageMaker {
     for (std::size_t i = 0; i < options_.signals.size(); ++i) {
       const std::string& signal = options_.signals[i];
       const std::string path = signal.substr(signal.find(':') + 1);
-      const Trace& trace = gathered_[first_signal_ + i].trace;
+      const Trace& trace = signals_[i].trace;
       if (trace.points().empty()) {
         throw RecordError("--signals: nothing says " + signal + " from " +
                           std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
@@ -356,9 +352,7 @@ class PageMaker {
   std::map<std::string, std::string> types_;  // by topic on the wire
   std::vector<Motor> known_, motors_;
   std::vector<MotorField> fields_;
-  std::vector<MotorLine> motor_lines_;
-  std::vector<Gathered> gathered_;
-  std::size_t first_signal_ = 0;
+  std::vector<Gathered> gathered_, signals_;  // of motors, and others
   Trace height_;
   std::array<Trace, 3> rpy_;
   // The last event of a kind: when, and its mark.
@@ -369,6 +363,32 @@ class PageMaker {
 
 PlotPage MakePage(const McapReader& reader, const PlotOptions& options) {
   return PageMaker(reader, options).Make();
+}
+
+TracePoints Thinned(const TracePoints& all, double from, double to) {
+  if (all.size() <= 2 * kTraceColumns) return all;
+  TracePoints thin;
+  const double width = (to - from) / static_cast<double>(kTraceColumns);
+  for (std::size_t begin = 0; begin < all.size();) {
+    const double column = std::floor((all[begin].first - from) / width);
+    std::size_t end = begin, least = begin, most = begin;
+    for (; end < all.size() && std::floor((all[end].first - from) / width) == column; ++end) {
+      if (all[end].second < all[least].second) least = end;
+      if (all[end].second > all[most].second) most = end;
+    }
+    thin.push_back(all[std::min(least, most)]);
+    if (least != most) thin.push_back(all[std::max(least, most)]);
+    begin = std::max(end, begin + 1);
+  }
+  return thin;
+}
+
+void Trace::Add(double at, double value, double from, double to) {
+  if (!std::isfinite(value)) return;
+  points_.emplace_back(at, value);
+  if (points_.size() < full_) return;
+  points_ = Thinned(points_, from, to);
+  full_ = std::max(kFull, 2 * points_.size());  // where times go back and forth it stays long
 }
 
 }  // namespace understudy::record

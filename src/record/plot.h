@@ -1,6 +1,7 @@
 // The picture of a run.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -9,6 +10,28 @@
 #include "record/mcap_reader.h"
 
 namespace understudy::record {
+
+using TracePoints = std::vector<std::pair<double, double>>;  // s, value
+
+// Columns of pixels of a line: of each the least and the most is drawn; *assumed*.
+inline constexpr std::size_t kTraceColumns = 1200;
+
+// `all`, of `from` to `to` [s], or of each column the least and the most, in order.
+TracePoints Thinned(const TracePoints& all, double from, double to);
+
+// No more than a few times what is drawn, however long the recording is.
+class Trace {
+ public:
+  // Adds `value` at `at` [s] of a line from `from` to `to`, but none that no line can go through.
+  void Add(double at, double value, double from, double to);
+  const TracePoints& points() const { return points_; }
+
+ private:
+  static constexpr std::size_t kFull = 16 * kTraceColumns;
+
+  TracePoints points_;
+  std::size_t full_ = kFull;
+};
 
 struct PlotOptions {
   std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
@@ -22,10 +45,9 @@ struct PlotOptions {
 
 struct PlotLine {
   std::string name;
-  int color = 0;        // of the palette
-  bool dashed = false;  // what was commanded
-  std::vector<std::pair<double, double>>
-      points{};  // s, value; one at least, few enough to be drawn
+  int color = 0;         // of the palette
+  bool dashed = false;   // what was commanded
+  TracePoints points{};  // one at least, few enough to be drawn
 };
 
 struct PlotPanel {
@@ -59,8 +81,8 @@ PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
 std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture);
 
 // Draws the page with gnuplot into a .png or .svg. Throws RecordError: another ending, no gnuplot
-// (with the package that brings it), what gnuplot said, or a picture that cannot be written; then
-// the one of before is still there.
+// (with the package that brings it), gnuplot's failure, of which it tells on standard error, or a
+// picture that cannot be written; then the one of before is still there.
 void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
 
 }  // namespace understudy::record

@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "base/spsc_ring.h"
-#include "bus/cdr_reader.h"
-#include "bus/endpoint_watch.h"
+#include "bus/cdr.h"
+#include "bus/discovery.h"
 #include "emulator/event_table.h"
 #include "emulator/status.h"
 #include "record/mcap_writer.h"

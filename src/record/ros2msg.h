@@ -8,20 +8,21 @@
 
 namespace understudy::record {
 
+enum class Many { kOne, kArray, kSequence };  // a sequence is of any length
+
 // One field of a message.
 struct MessageField {
-  std::string type;  // "float32" or another type's ROS name, "unitree_go/msg/MotorState"
-  std::string name;
-  int count = 1;             // elements; of an array, with is_array
-  bool is_array = false;     // of that fixed length
-  bool is_sequence = false;  // of any length
+  std::string_view type;  // "float32" or another type's ROS name, "unitree_go/msg/MotorState"
+  std::string_view name;
+  Many many = Many::kOne;
+  int count = 1;  // elements of an array
 };
 
 using MessageFields = std::vector<MessageField>;
 
-// All types of the 73 by their ROS names, read from idl/. HelloWorldData::Msg, which is in no ROS
-// package, is HelloWorldData/msg/Msg.
-const std::map<std::string, MessageFields, std::less<>>& RosMessages();
+// All types of the 73 by their ROS names. HelloWorldData::Msg, which is in no ROS package, is
+// HelloWorldData/msg/Msg.
+const std::map<std::string_view, MessageFields>& RosMessages();
 
 // "unitree_go::msg::dds_::LowState_" -> "unitree_go/msg/LowState".
 std::string RosTypeName(std::string_view type_on_wire);

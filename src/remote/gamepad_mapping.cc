@@ -4,26 +4,26 @@
 #include <cmath>
 #include <utility>
 
-#include "remote/remote_bits.h"
+#include "robot/remote_keys.h"
 
 namespace understudy::remote {
 namespace {
 
 constexpr std::pair<GamepadButton, std::uint16_t> kButtons[] = {
-    {GamepadButton::kA, RemoteBit("A")},
-    {GamepadButton::kB, RemoteBit("B")},
-    {GamepadButton::kX, RemoteBit("X")},
-    {GamepadButton::kY, RemoteBit("Y")},
-    {GamepadButton::kBack, RemoteBit("SELECT")},
-    {GamepadButton::kStart, RemoteBit("START")},
-    {GamepadButton::kLeftStick, RemoteBit("F1")},
-    {GamepadButton::kRightStick, RemoteBit("F2")},
-    {GamepadButton::kLeftShoulder, RemoteBit("L1")},
-    {GamepadButton::kRightShoulder, RemoteBit("R1")},
-    {GamepadButton::kUp, RemoteBit("UP")},
-    {GamepadButton::kDown, RemoteBit("DOWN")},
-    {GamepadButton::kLeft, RemoteBit("LEFT")},
-    {GamepadButton::kRight, RemoteBit("RIGHT")},
+    {GamepadButton::kA, robot::RemoteBit("A")},
+    {GamepadButton::kB, robot::RemoteBit("B")},
+    {GamepadButton::kX, robot::RemoteBit("X")},
+    {GamepadButton::kY, robot::RemoteBit("Y")},
+    {GamepadButton::kBack, robot::RemoteBit("SELECT")},
+    {GamepadButton::kStart, robot::RemoteBit("START")},
+    {GamepadButton::kLeftStick, robot::RemoteBit("F1")},
+    {GamepadButton::kRightStick, robot::RemoteBit("F2")},
+    {GamepadButton::kLeftShoulder, robot::RemoteBit("L1")},
+    {GamepadButton::kRightShoulder, robot::RemoteBit("R1")},
+    {GamepadButton::kUp, robot::RemoteBit("UP")},
+    {GamepadButton::kDown, robot::RemoteBit("DOWN")},
+    {GamepadButton::kLeft, robot::RemoteBit("LEFT")},
+    {GamepadButton::kRight, robot::RemoteBit("RIGHT")},
 };
 
 struct StickPlace {
@@ -50,8 +50,8 @@ robot::RemoteReading ReadGamepad(const GamepadState& gamepad, double dead_zone,
   for (const auto& [button, key] : kButtons) {
     if (gamepad.pressed[static_cast<std::size_t>(button)]) keys |= key;
   }
-  keys |= TriggerKey(gamepad.left_trigger, RemoteBit("L2"), before);
-  keys |= TriggerKey(gamepad.right_trigger, RemoteBit("R2"), before);
+  keys |= TriggerKey(gamepad.left_trigger, robot::RemoteBit("L2"), before);
+  keys |= TriggerKey(gamepad.right_trigger, robot::RemoteBit("R2"), before);
   const StickPlace left = BeyondDeadZone(gamepad.left_x, gamepad.left_y, dead_zone);
   const StickPlace right = BeyondDeadZone(gamepad.right_x, gamepad.right_y, dead_zone);
   // 0 - y, not -y: a stick in its middle is 0 and not -0.

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "remote/remote_bits.h"
 #include "remote/terminal_decoder.h"
+#include "robot/remote_keys.h"
 #include "robot/robot_values.h"
 
 namespace understudy::remote {
@@ -22,22 +22,22 @@ struct KeyBinding {
 
 // Letters are the keys of that name; the sticks lie under the fingers of either hand.
 inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
-    {U'q', "q", RemoteBit("L1")},
-    {U'w', "w", RemoteBit("L2")},
-    {U'p', "p", RemoteBit("R1")},
-    {U'o', "o", RemoteBit("R2")},
-    {U'a', "a", RemoteBit("A")},
-    {U'b', "b", RemoteBit("B")},
-    {U'x', "x", RemoteBit("X")},
-    {U'y', "y", RemoteBit("Y")},
-    {kUpKey, "up", RemoteBit("UP")},
-    {kDownKey, "down", RemoteBit("DOWN")},
-    {kLeftKey, "left", RemoteBit("LEFT")},
-    {kRightKey, "right", RemoteBit("RIGHT")},
-    {kEnterKey, "Enter", RemoteBit("START")},
-    {kTabKey, "Tab", RemoteBit("SELECT")},
-    {U'1', "1", RemoteBit("F1")},
-    {U'2', "2", RemoteBit("F2")},
+    {U'q', "q", robot::RemoteBit("L1")},
+    {U'w', "w", robot::RemoteBit("L2")},
+    {U'p', "p", robot::RemoteBit("R1")},
+    {U'o', "o", robot::RemoteBit("R2")},
+    {U'a', "a", robot::RemoteBit("A")},
+    {U'b', "b", robot::RemoteBit("B")},
+    {U'x', "x", robot::RemoteBit("X")},
+    {U'y', "y", robot::RemoteBit("Y")},
+    {kUpKey, "up", robot::RemoteBit("UP")},
+    {kDownKey, "down", robot::RemoteBit("DOWN")},
+    {kLeftKey, "left", robot::RemoteBit("LEFT")},
+    {kRightKey, "right", robot::RemoteBit("RIGHT")},
+    {kEnterKey, "Enter", robot::RemoteBit("START")},
+    {kTabKey, "Tab", robot::RemoteBit("SELECT")},
+    {U'1', "1", robot::RemoteBit("F1")},
+    {U'2', "2", robot::RemoteBit("F2")},
     {U'e', "e", 0, &robot::RemoteReading::ly, 1},
     {U'd', "d", 0, &robot::RemoteReading::ly, -1},
     {U's', "s", 0, &robot::RemoteReading::lx, -1},

@@ -26,12 +26,14 @@ struct KeyPlace {
 };
 
 constexpr KeyPlace kKeyPlaces[] = {
-    {RemoteBit("L2"), {2, 2}},   {RemoteBit("R2"), {2, 50}},     {RemoteBit("L1"), {3, 2}},
-    {RemoteBit("R1"), {3, 50}},  {RemoteBit("SELECT"), {5, 15}}, {RemoteBit("START"), {5, 31}},
-    {RemoteBit("F1"), {6, 15}},  {RemoteBit("F2"), {6, 31}},     {RemoteBit("UP"), {8, 7}},
-    {RemoteBit("LEFT"), {9, 1}}, {RemoteBit("RIGHT"), {9, 12}},  {RemoteBit("DOWN"), {10, 6}},
-    {RemoteBit("Y"), {8, 48}},   {RemoteBit("X"), {9, 43}},      {RemoteBit("B"), {9, 53}},
-    {RemoteBit("A"), {10, 48}},
+    {robot::RemoteBit("L2"), {2, 2}},      {robot::RemoteBit("R2"), {2, 50}},
+    {robot::RemoteBit("L1"), {3, 2}},      {robot::RemoteBit("R1"), {3, 50}},
+    {robot::RemoteBit("SELECT"), {5, 15}}, {robot::RemoteBit("START"), {5, 31}},
+    {robot::RemoteBit("F1"), {6, 15}},     {robot::RemoteBit("F2"), {6, 31}},
+    {robot::RemoteBit("UP"), {8, 7}},      {robot::RemoteBit("LEFT"), {9, 1}},
+    {robot::RemoteBit("RIGHT"), {9, 12}},  {robot::RemoteBit("DOWN"), {10, 6}},
+    {robot::RemoteBit("Y"), {8, 48}},      {robot::RemoteBit("X"), {9, 43}},
+    {robot::RemoteBit("B"), {9, 53}},      {robot::RemoteBit("A"), {10, 48}},
 };
 constexpr Place kLeftStick{12, 8};
 constexpr Place kRightStick{12, 38};

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,6 +15,14 @@ namespace understudy::robot {
 inline constexpr std::array<std::string_view, 16> kRemoteKeys = {
     "R1", "L1", "START", "SELECT", "R2", "L2",    "F1",   "F2",
     "A",  "B",  "X",     "Y",      "UP", "RIGHT", "DOWN", "LEFT"};
+
+// The bit of a key, when the program is compiled: a name that is none does not compile.
+consteval std::uint16_t RemoteBit(std::string_view name) {
+  for (std::size_t bit = 0; bit < kRemoteKeys.size(); ++bit) {
+    if (kRemoteKeys[bit] == name) return static_cast<std::uint16_t>(1U << bit);
+  }
+  throw "no such key of the remote controller";
+}
 
 // The bits of keys joined by "+": 0x220 for "L2+B". nullopt for what is no key.
 std::optional<std::uint16_t> RemoteKeys(std::string_view chord);

@@ -11,7 +11,6 @@
 
 #include "config/load.h"
 #include "mjcf/compile.h"
-#include "mjcf/model_bytes.h"
 #include "physics/world_reading.h"
 #include "run/make_world.h"
 #include "version.h"

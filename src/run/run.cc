@@ -16,7 +16,7 @@
 #include "bus/cyclone_log.h"
 #include "bus/participant.h"
 #include "config/data_dir.h"
-#include "config/settings.h"
+#include "config/load.h"
 #include "emulator/world.h"
 #include "mjcf/mujoco_hooks.h"
 #include "physics/scene_reader.h"

@@ -1,201 +1,125 @@
-// Written without a document in between: it is made many times a second.
 #include "server/frame_json.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
+#include <functional>
+#include <iterator>
 #include <span>
-#include <type_traits>
 
 #include <nlohmann/json.hpp>
 
 #include "robot/remote_keys.h"
+#include "server/http.h"
 
 namespace understudy::server {
 namespace {
 
-template <class Number>
-void Put(Number number, std::string* text) {
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(number)) {
-      *text += "null";
-      return;
-    }
-  }
+using nlohmann::ordered_json;
+
+// A float's precision in its fewest digits: half the text, since frames go out many times a second.
+double Short(double number) {
   char digits[32];
-  const auto end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
-  text->append(digits, end);
+  const auto end =
+      std::to_chars(std::begin(digits), std::end(digits), static_cast<float>(number)).ptr;
+  std::from_chars(digits, end, number);
+  return number;
 }
 
-// Objects and arrays, whose commas it knows.
-class Writer {
- public:
-  explicit Writer(std::string* text) : text_(text) {}
-
-  Writer& Key(std::string_view name) {
-    Separate();
-    *text_ += '"';
-    *text_ += name;  // ours, nothing to escape
-    *text_ += "\":";
-    fresh_ = true;
-    return *this;
-  }
-  Writer& Begin(char bracket) {
-    Separate();
-    *text_ += bracket;
-    fresh_ = true;
-    return *this;
-  }
-  Writer& End(char bracket) {
-    *text_ += bracket;
-    fresh_ = false;
-    return *this;
-  }
-  Writer& Exact(double number) {
-    Separate();
-    Put(number, text_);
-    return *this;
-  }
-  Writer& Number(double number) {
-    Separate();
-    Put(static_cast<float>(number), text_);
-    return *this;
-  }
-  Writer& Integer(std::int64_t number) {
-    Separate();
-    Put(number, text_);
-    return *this;
-  }
-  Writer& Bool(bool value) {
-    Separate();
-    *text_ += value ? "true" : "false";
-    return *this;
-  }
-  Writer& Text(std::string_view value) {
-    Separate();
-    using nlohmann::json;
-    *text_ += json(value).dump(-1, ' ', false, json::error_handler_t::replace);
-    return *this;
-  }
-  Writer& Numbers(std::span<const double> numbers) {
-    Begin('[');
-    for (const double number : numbers) Number(number);
-    return End(']');
-  }
-
- private:
-  void Separate() {
-    if (!fresh_) *text_ += ',';
-    fresh_ = false;
-  }
-
-  std::string* text_;
-  bool fresh_ = true;
-};
-
-void PutContact(const physics::ContactReading& contact, Writer* to) {
-  to->Begin('{').Key("at").Numbers(contact.at).Key("force").Numbers(contact.force);
-  const auto put = [&](std::string_view name, const std::array<int, 2>& ids) {
-    to->Key(name).Begin('[').Integer(ids[0]).Integer(ids[1]).End(']');
-  };
-  put("geoms", contact.geoms);
-  put("bodies", contact.bodies);
-  to->End('}');
+template <class Values, class Tell>
+ordered_json List(const Values& values, Tell tell) {
+  ordered_json list = ordered_json::array();
+  for (const auto& value : values) list.push_back(std::invoke(tell, value));
+  return list;
 }
 
-void PutCrane(const emulator::FrameCrane& crane, Writer* to) {
-  to->Begin('{').Key("attached").Bool(crane.attached).Key("hook").Numbers(crane.hook);
-  to->Key("top").Numbers(crane.top).Key("tension").Number(crane.tension).End('}');
+ordered_json Numbers(std::span<const double> numbers) { return List(numbers, Short); }
+
+ordered_json Contact(const physics::ContactReading& contact) {
+  return {{"at", Numbers(contact.at)},
+          {"force", Numbers(contact.force)},
+          {"geoms", contact.geoms},
+          {"bodies", contact.bodies}};
 }
 
-void PutPush(const emulator::Frame& frame, const emulator::FramePush& push, Writer* to) {
-  to->Begin('{').Key("body").Text(frame.body_names[static_cast<std::size_t>(push.body)]);
-  to->Key("at").Numbers(push.at);
-  to->Key("force").Numbers(push.force).End('}');
+ordered_json Crane(const emulator::FrameCrane& crane) {
+  return {{"attached", crane.attached},
+          {"hook", Numbers(crane.hook)},
+          {"top", Numbers(crane.top)},
+          {"tension", Short(crane.tension)}};
 }
 
 // No fault of a motor is played, so that there are no errors.
-void PutMotor(const robot::MotorReading& motor, Writer* to) {
-  to->Begin('{').Key("q").Number(motor.q).Key("dq").Number(motor.dq).Key("tau").Number(motor.tau);
-  to->Key("casing").Number(motor.casing_c).Key("winding").Number(motor.winding_c);
-  to->Key("mode").Integer(motor.enabled ? 1 : 0).Key("errors").Integer(0);
-  to->Key("enabled").Bool(motor.enabled).End('}');
+ordered_json Motor(const robot::MotorReading& motor) {
+  return {{"q", Short(motor.q)},
+          {"dq", Short(motor.dq)},
+          {"tau", Short(motor.tau)},
+          {"casing", Short(motor.casing_c)},
+          {"winding", Short(motor.winding_c)},
+          {"mode", motor.enabled ? 1 : 0},
+          {"errors", 0},
+          {"enabled", motor.enabled}};
 }
 
-void PutImu(const robot::ImuReading& imu, Writer* to) {
+ordered_json Imu(const robot::ImuReading& imu) {
   const Eigen::Quaterniond& q = imu.R_WI;
-  const double quaternion[] = {q.w(), q.x(), q.y(), q.z()};
-  to->Begin('{').Key("quaternion").Numbers(quaternion);
-  to->Key("gyroscope").Numbers({imu.w_WI_I.data(), 3});
-  to->Key("accelerometer").Numbers({imu.f_WI_I.data(), 3});
-  to->Key("temperature").Number(imu.temperature_c).End('}');
+  return {{"quaternion", {Short(q.w()), Short(q.x()), Short(q.y()), Short(q.z())}},
+          {"gyroscope", Numbers({imu.w_WI_I.data(), 3})},
+          {"accelerometer", Numbers({imu.f_WI_I.data(), 3})},
+          {"temperature", Short(imu.temperature_c)}};
 }
 
-void PutBattery(const robot::BatteryReading& battery, Writer* to) {
-  to->Begin('{').Key("voltage").Number(battery.voltage).Key("current").Number(battery.current);
-  to->Key("soc").Number(battery.soc).Key("temperature").Number(battery.temperature_c).End('}');
+ordered_json Battery(const robot::BatteryReading& battery) {
+  return {{"voltage", Short(battery.voltage)},
+          {"current", Short(battery.current)},
+          {"soc", Short(battery.soc)},
+          {"temperature", Short(battery.temperature_c)}};
 }
 
-void PutRemote(const robot::RemoteReading& remote, Writer* to) {
-  to->Begin('{')
-      .Key("there")
-      .Bool(remote.there)
-      .Key("keys")
-      .Text(robot::RemoteKeyNames(remote.keys));
-  to->Key("lx").Number(remote.lx).Key("ly").Number(remote.ly);
-  to->Key("rx").Number(remote.rx).Key("ry").Number(remote.ry).End('}');
+ordered_json Remote(const robot::RemoteReading& remote) {
+  return {{"there", remote.there},  {"keys", robot::RemoteKeyNames(remote.keys)},
+          {"lx", Short(remote.lx)}, {"ly", Short(remote.ly)},
+          {"rx", Short(remote.rx)}, {"ry", Short(remote.ry)}};
 }
 
-void PutCommand(const robot::MotorCommand& command, Writer* to) {
-  to->Begin('{').Key("q").Number(command.q).Key("dq").Number(command.dq);
-  to->Key("kp").Number(command.kp).Key("kd").Number(command.kd).Key("tau").Number(command.tau);
-  to->Key("enabled").Bool(command.enabled).End('}');
+ordered_json Command(const robot::MotorCommand& command) {
+  return {{"q", Short(command.q)},   {"dq", Short(command.dq)},   {"kp", Short(command.kp)},
+          {"kd", Short(command.kd)}, {"tau", Short(command.tau)}, {"enabled", command.enabled}};
 }
 
-template <class Values, class PutOne>
-void PutAll(const Values& values, PutOne put, Writer* to) {
-  to->Begin('[');
-  for (const auto& value : values) put(value, to);
-  to->End(']');
-}
-
-void PutPart(const emulator::Frame& frame, emulator::FramePart part, Writer* to) {
+ordered_json Part(const emulator::Frame& frame, emulator::FramePart part) {
   switch (part) {
     case emulator::kPartPositions:
-      return PutAll(
-          frame.positions, [](double q, Writer* w) { w->Exact(q); }, to);
+      return frame.positions;
     case emulator::kPartBodies:
-      return PutAll(
-          frame.bodies, [](const physics::BodyPose& pose, Writer* w) { w->Numbers(pose); }, to);
+      return List(frame.bodies, Numbers);
     case emulator::kPartContacts:
-      return PutAll(frame.contacts, PutContact, to);
+      return List(frame.contacts, Contact);
     case emulator::kPartCom:
-      to->Numbers(frame.com);
-      return;
+      return Numbers(frame.com);
     case emulator::kPartCrane:
-      return PutCrane(frame.crane, to);
+      return Crane(frame.crane);
     case emulator::kPartPushes:
-      return PutAll(
-          frame.pushes,
-          [&](const emulator::FramePush& push, Writer* w) { PutPush(frame, push, w); }, to);
+      return List(frame.pushes, [&](const emulator::FramePush& push) -> ordered_json {
+        return {{"body", frame.body_names[static_cast<std::size_t>(push.body)]},
+                {"at", Numbers(push.at)},
+                {"force", Numbers(push.force)}};
+      });
     case emulator::kPartMotors:
-      return PutAll(frame.motors, PutMotor, to);
+      return List(frame.motors, Motor);
     case emulator::kPartImus:
-      return PutAll(std::span(frame.imus).first(frame.imu_count), PutImu, to);
+      return List(std::span(frame.imus).first(frame.imu_count), Imu);
     case emulator::kPartBattery:
-      return PutBattery(frame.battery, to);
+      return Battery(frame.battery);
     case emulator::kPartFeet:
-      to->Numbers(frame.feet);
-      return;
+      return Numbers(frame.feet);
     case emulator::kPartRemote:
-      return PutRemote(frame.remote, to);
+      return Remote(frame.remote);
     case emulator::kPartWirelessRemote:
-      return PutAll(
-          frame.wireless_remote, [](std::uint8_t b, Writer* w) { w->Integer(b); }, to);
+      return frame.wireless_remote;
     case emulator::kPartCommand:
-      return PutAll(frame.command, PutCommand, to);
+      return List(frame.command, Command);
   }
+  return nullptr;
 }
 
 }  // namespace
@@ -218,17 +142,15 @@ std::optional<emulator::FrameParts> ReadFrameParts(std::string_view list, std::s
 }
 
 std::string FrameJson(const emulator::Frame& frame, emulator::FrameParts parts) {
-  std::string text;
-  text.reserve(8192);
-  Writer writer(&text);
-  writer.Begin('{').Key("step").Integer(frame.step).Key("time").Exact(frame.time);
-  writer.Key("speed").Number(frame.speed).Key("paused").Bool(frame.paused);
+  ordered_json json{{"step", frame.step},
+                    {"time", frame.time},
+                    {"speed", Short(frame.speed)},
+                    {"paused", frame.paused}};
   for (const emulator::FramePartName& part : emulator::kFrameParts) {
-    if ((parts & frame.parts & part.part) == 0) continue;
-    PutPart(frame, part.part, &writer.Key(part.name));
+    if ((parts & frame.parts & part.part) != 0)
+      json[std::string(part.name)] = Part(frame, part.part);
   }
-  writer.End('}');
-  return text;
+  return JsonText(json);
 }
 
 }  // namespace understudy::server

@@ -27,11 +27,12 @@ std::string Unescaped(std::string_view text) {
 
 }  // namespace
 
+std::string JsonText(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 HttpReply ErrorReply(unsigned status, std::string_view why) {
-  const nlohmann::ordered_json body{{"error", why}};
-  using nlohmann::json;
-  return {.status = status,
-          .body = body.dump(-1, ' ', false, json::error_handler_t::replace) + "\n"};
+  return {.status = status, .body = JsonText({{"error", why}}) + "\n"};
 }
 
 std::string_view PathOf(const HttpRequest& request) {

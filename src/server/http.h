@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 namespace understudy::server {
 
 struct HttpRequest {
@@ -33,6 +35,9 @@ struct HttpReply {
 
   const std::string& content() const { return shared ? *shared : body; }
 };
+
+// On one line, whatever bytes its texts hold.
+std::string JsonText(const nlohmann::ordered_json& json);
 
 // {"error": why}, whatever bytes `why` holds.
 HttpReply ErrorReply(unsigned status, std::string_view why);

@@ -33,14 +33,6 @@ constexpr std::string_view kFoot =
     "do stands in the robot's YAML, `robot.remote.chords`. The remote controller is there from its "
     "first request on.\n";
 
-std::string Upper(std::string_view key) {
-  std::string upper(key);
-  std::ranges::transform(upper, upper.begin(), [](char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-  });
-  return upper;
-}
-
 std::string DefaultOf(const Field& field) {
   if (field.required) return "needed";
   if (!field.otherwise) return "";
@@ -118,7 +110,7 @@ std::string OperationId(const RequestRow& row) {
     if (c == '.' || c == '_') {
       upper = true;
     } else {
-      id += upper ? Upper({&c, 1}) : std::string(1, c);
+      id += upper ? Capitals({&c, 1}) : std::string(1, c);
       upper = false;
     }
   }
@@ -126,6 +118,14 @@ std::string OperationId(const RequestRow& row) {
 }
 
 }  // namespace
+
+std::string Capitals(std::string_view key) {
+  std::string upper(key);
+  std::ranges::transform(upper, upper.begin(), [](char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+  });
+  return upper;
+}
 
 std::string RequestPath(const RequestRow& row) {
   std::string path = "/" + std::string(row.name);
@@ -155,7 +155,7 @@ std::string RequestsReference() {
     text += "| `" + std::string(row.name) + "` | | | | " + std::string(row.does) +
             std::string(from) + " |\n";
     for (const Field& field : row.fields) {
-      const std::string key = field.bare ? Upper(field.key) : std::string(field.key);
+      const std::string key = field.bare ? Capitals(field.key) : std::string(field.key);
       text += "| | `" + key + "` | " + emulator::Expected(field) + " | " + DefaultOf(field) +
               " | " + std::string(field.does) + " |\n";
     }

@@ -2,12 +2,16 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include <nlohmann/json.hpp>
 
 #include "emulator/request.h"
 
 namespace understudy::server {
+
+// "BODY" of "body", as documents and the command line write a bare value.
+std::string Capitals(std::string_view key);
 
 // Where it is POSTed: "/crane/lower".
 std::string RequestPath(const emulator::RequestRow& row);

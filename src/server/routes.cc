@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <charconv>
 #include <fstream>
+#include <functional>
 #include <iterator>
 #include <optional>
 
 #include "base/nearest_word.h"
 #include "server/frame_json.h"
 #include "server/metrics.h"
-#include "server/report_json.h"
 #include "server/request_docs.h"
 
 namespace understudy::server {
@@ -19,9 +19,7 @@ using nlohmann::ordered_json;
 
 constexpr double kLeastHz = 1, kMostHz = 240;  // of frames; *assumed*, more than screens show
 
-std::string Text(const ordered_json& value) {
-  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
-}
+HttpReply JsonReply(const ordered_json& value) { return {.body = JsonText(value) + "\n"}; }
 
 // A request that came as a POST.
 Routed Posted(const emulator::RequestRow& row, std::string_view body) {
@@ -42,7 +40,7 @@ Routed Posted(const emulator::RequestRow& row, std::string_view body) {
 }
 
 Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
-  return HttpReply{.body = Text(StatusJson(plane.identity, plane.board->Read()))};
+  return JsonReply(StatusJson(plane.identity, plane.board->Read()));
 }
 
 // The parts that a request names, or all; else why it cannot be read.
@@ -89,7 +87,7 @@ Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
 }
 
 Routed GetTimings(const HttpRequest&, std::string_view, Plane& plane) {
-  return HttpReply{.body = Text(TimingsJson(plane.board->Read()))};
+  return JsonReply(TimingsJson(plane.board->Read()));
 }
 
 // The document is small and rarely asked for.
@@ -117,28 +115,22 @@ Routed GetFrames(const HttpRequest& request, std::string_view, Plane&) {
 
 Routed GetEvents(const HttpRequest& request, std::string_view, Plane& plane) {
   if (request.upgrade) return WatchEvents{};
-  return HttpReply{.body = Text(EventsJson(plane.events))};
+  return JsonReply(EventsJson(plane.events));
 }
 
 Routed GetRequests(const HttpRequest& request, std::string_view, Plane&) {
   if (request.upgrade) return TakeRequests{};
-  return HttpReply{.body = Text(RequestsJson())};
+  return JsonReply(RequestsJson());
 }
 
-Routed GetScene(const HttpRequest&, std::string_view, Plane& plane) {
-  return plane.scene ? plane.scene->Scene() : ErrorReply(404, "there is no scene");
-}
-
-Routed GetMesh(const HttpRequest&, std::string_view index, Plane& plane) {
-  return plane.scene ? plane.scene->Mesh(index) : ErrorReply(404, "there is no scene");
-}
-
-Routed GetHeightField(const HttpRequest&, std::string_view index, Plane& plane) {
-  return plane.scene ? plane.scene->HeightField(index) : ErrorReply(404, "there is no scene");
-}
-
-Routed GetModel(const HttpRequest&, std::string_view, Plane& plane) {
-  return plane.scene ? plane.scene->Model() : ErrorReply(404, "there is no scene");
+template <auto kMake>
+Routed FromScene(const HttpRequest&, std::string_view index, Plane& plane) {
+  if (!plane.scene) return ErrorReply(404, "there is no scene");
+  if constexpr (std::is_invocable_v<decltype(kMake), SceneFiles&>) {
+    return std::invoke(kMake, *plane.scene);
+  } else {
+    return std::invoke(kMake, *plane.scene, index);
+  }
 }
 
 Routed GetIndex(const HttpRequest& request, std::string_view, Plane& plane) {
@@ -152,31 +144,31 @@ Routed GetFile(const HttpRequest& request, std::string_view path, Plane& plane) 
 Routed GetPanel(const HttpRequest&, std::string_view, Plane& plane) {
   if (plane.url.empty())
     return ErrorReply(404, "this robot has no panel, for it serves nothing on TCP");
-  return HttpReply{.body = Text({{"url", plane.url}})};
+  return JsonReply({{"url", plane.url}});
 }
 
+// What is read by GET; requests, which are POSTed, have rows of their own.
 struct Row {
-  std::string_view path;    // what is in braces at the end stands for all the rest
-  std::string_view method;  // requests, which are POSTed, have rows of their own
+  std::string_view path;  // what is in braces at the end stands for all the rest
   Routed (*answer)(const HttpRequest& request, std::string_view rest, Plane& plane);
 };
 
 constexpr Row kRoutes[] = {
-    {"/status", "GET", GetStatus},
-    {"/requests", "GET", GetRequests},
-    {"/frame", "GET", GetFrame},
-    {"/frames", "GET", GetFrames},
-    {"/events", "GET", GetEvents},
-    {"/timings", "GET", GetTimings},
-    {"/metrics", "GET", GetMetrics},
-    {"/scene", "GET", GetScene},
-    {"/scene/mesh/{index}", "GET", GetMesh},
-    {"/scene/hfield/{index}", "GET", GetHeightField},
-    {"/scene/model", "GET", GetModel},
-    {"/openapi.yaml", "GET", GetOpenApi},
-    {"/panel", "GET", GetPanel},
-    {"/", "GET", GetIndex},
-    {"/panel/{file}", "GET", GetFile},
+    {"/status", GetStatus},
+    {"/requests", GetRequests},
+    {"/frame", GetFrame},
+    {"/frames", GetFrames},
+    {"/events", GetEvents},
+    {"/timings", GetTimings},
+    {"/metrics", GetMetrics},
+    {"/scene", FromScene<&SceneFiles::Scene>},
+    {"/scene/mesh/{index}", FromScene<&SceneFiles::Mesh>},
+    {"/scene/hfield/{index}", FromScene<&SceneFiles::HeightField>},
+    {"/scene/model", FromScene<&SceneFiles::Model>},
+    {"/openapi.yaml", GetOpenApi},
+    {"/panel", GetPanel},
+    {"/", GetIndex},
+    {"/panel/{file}", GetFile},
 };
 
 // What `path` has where the row has braces; nullopt where it is not this row's.
@@ -213,7 +205,7 @@ HttpReply NoSuchPath(std::string_view path) {
 
 HttpReply AnswerReply(const emulator::Answer& answer) {
   if (!answer) return ErrorReply(409, answer.why());
-  return {.body = Text({{"ok", true}})};
+  return JsonReply({{"ok", true}});
 }
 
 Routed Route(const HttpRequest& request, Plane& plane) {
@@ -221,14 +213,12 @@ Routed Route(const HttpRequest& request, Plane& plane) {
   for (const Row& row : kRoutes) {
     const auto rest = RestOf(path, row);
     if (!rest) continue;
-    if (row.method == request.method) {
-      Routed routed = row.answer(request, *rest, plane);
-      if (plane.frames == nullptr && WantsFrames(routed)) {
-        return ErrorReply(404, "there is nothing to be seen");
-      }
-      return routed;
+    if (request.method != "GET") return WrongMethod(request, "GET");
+    Routed routed = row.answer(request, *rest, plane);
+    if (plane.frames == nullptr && WantsFrames(routed)) {
+      return ErrorReply(404, "there is nothing to be seen");
     }
-    return WrongMethod(request, row.method);
+    return routed;
   }
   for (const emulator::RequestRow& row : emulator::RequestRows()) {
     if (path != RequestPath(row)) continue;
@@ -239,7 +229,7 @@ Routed Route(const HttpRequest& request, Plane& plane) {
 
 std::vector<RouteName> AllRoutes() {
   std::vector<RouteName> routes;
-  for (const Row& row : kRoutes) routes.push_back({std::string(row.method), std::string(row.path)});
+  for (const Row& row : kRoutes) routes.push_back({"GET", std::string(row.path)});
   for (const emulator::RequestRow& row : emulator::RequestRows()) {
     routes.push_back({"POST", RequestPath(row)});
   }

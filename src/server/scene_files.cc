@@ -146,7 +146,7 @@ std::string SceneFiles::SceneText() {
        List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},
       {"poses", robot::kStartPoses},
   };
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+  return JsonText(json) + "\n";
 }
 
 }  // namespace understudy::server

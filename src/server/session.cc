@@ -3,10 +3,10 @@
 #include <exception>
 #include <utility>
 
-#include "server/event_watch.h"
-#include "server/frame_watch.h"
+#include <boost/beast/websocket/rfc6455.hpp>
+
 #include "server/request_desk.h"
-#include "server/request_line.h"
+#include "server/web_sockets.h"
 
 namespace understudy::server {
 namespace {
@@ -138,16 +138,8 @@ void Session::Upgrade(const Routed& routed) {
   const std::shared_ptr<Session> self = Self();  // its list lets go of it here
   stream_.expires_never();
   Leave();
-  if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
-    connections_->Add(std::make_shared<FrameWatch>(std::move(stream_), parser_->release(), *watch,
-                                                   connections_, shared_));
-  } else if (std::holds_alternative<WatchEvents>(routed)) {
-    connections_->Add(std::make_shared<EventWatch>(std::move(stream_), parser_->release(),
-                                                   connections_, shared_));
-  } else {
-    connections_->Add(std::make_shared<RequestLine>(std::move(stream_), parser_->release(),
-                                                    connections_, shared_));
-  }
+  connections_->Add(
+      MakeWebSocket(std::move(stream_), parser_->release(), routed, connections_, shared_));
 }
 
 void Session::Write(HttpReply reply) {

@@ -1,5 +1,6 @@
 #include "server/status_json.h"
 
+#include <numeric>
 #include <string>
 
 #include "robot/remote_keys.h"
@@ -7,8 +8,10 @@
 namespace understudy::server {
 namespace {
 
-nlohmann::ordered_json RefusedJson(const authority::GateCounts& counts) {
-  nlohmann::ordered_json refused;
+using nlohmann::ordered_json;
+
+ordered_json RefusedJson(const authority::GateCounts& counts) {
+  ordered_json refused;
   for (std::size_t i = 1; i < robot::kRefusals; ++i) {
     refused[std::string{robot::Name(static_cast<robot::Refusal>(i))}] = counts.refused[i];
   }
@@ -17,9 +20,9 @@ nlohmann::ordered_json RefusedJson(const authority::GateCounts& counts) {
 
 // {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
 // nothing was drawn.
-nlohmann::ordered_json DrawsJson(const robot::Draws& draws) {
+ordered_json DrawsJson(const robot::Draws& draws) {
   if (draws.seed < 0) return nullptr;
-  nlohmann::ordered_json drawn = nlohmann::ordered_json::object();
+  ordered_json drawn = ordered_json::object();
   for (const robot::Drawn& one : draws.values) {
     if (one.element.empty()) {
       drawn[one.quantity] = one.value;
@@ -31,8 +34,8 @@ nlohmann::ordered_json DrawsJson(const robot::Draws& draws) {
 }
 
 // One object per hand that the robot has.
-nlohmann::ordered_json HandsJson(const emulator::Status& status) {
-  nlohmann::ordered_json hands = nlohmann::ordered_json::array();
+ordered_json HandsJson(const emulator::Status& status) {
+  ordered_json hands = ordered_json::array();
   for (const emulator::HandStatus& hand : status.hands) {
     if (hand.name[0] == '\0') continue;
     hands.push_back({{"name", hand.name.data()},
@@ -43,9 +46,22 @@ nlohmann::ordered_json HandsJson(const emulator::Status& status) {
   return hands;
 }
 
+ordered_json HistogramJson(const time::Histogram& histogram) {
+  ordered_json buckets = ordered_json::array();
+  for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+    ordered_json bucket{{"count", histogram.counts[i]}};
+    if (i < time::kHistogramBounds.size()) bucket["le"] = time::kHistogramBounds[i];
+    buckets.push_back(bucket);
+  }
+  const auto count =
+      std::accumulate(histogram.counts.begin(), histogram.counts.end(), std::uint64_t{0});
+  const double mean = count == 0 ? 0 : histogram.sum / static_cast<double>(count);
+  return {{"count", count}, {"mean", mean}, {"sum", histogram.sum}, {"buckets", buckets}};
+}
+
 }  // namespace
 
-nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status) {
+ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status) {
   return {
       {"robot", identity.robot},
       {"version", identity.version},
@@ -109,6 +125,21 @@ nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator:
         {"dropped", status.recording.dropped}}},
       {"randomization", DrawsJson(identity.draws)},
   };
+}
+
+ordered_json TimingsJson(const emulator::Status& status) {
+  return {{"time", status.time},
+          {"steps", status.steps},
+          {"speed", status.speed},
+          {"paused", status.paused},
+          {"real_time_factor", status.pace.real_time_factor},
+          {"overruns", status.pace.overruns},
+          {"lateness", status.pace.lateness},
+          {"worst_lateness", status.pace.worst_lateness},
+          {"shifts", status.pace.shifts},
+          {"shifted", status.pace.shifted},
+          {"tick", HistogramJson(status.ticks)},
+          {"late", HistogramJson(status.pace.latenesses)}};
 }
 
 }  // namespace understudy::server

@@ -1,4 +1,4 @@
-// What GET /status answers.
+// What GET /status and GET /timings answer.
 #pragma once
 
 #include <string>
@@ -21,5 +21,9 @@ struct RobotIdentity {
 // Every field of `status` in SI units, keys in a fixed order. A number that is not finite becomes
 // null, for JSON has no word for it.
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status);
+
+// How long ticks took and how late they began, in s of wall time. `buckets` of a histogram are not
+// added up; the last has no `le`.
+nlohmann::ordered_json TimingsJson(const emulator::Status& status);
 
 }  // namespace understudy::server

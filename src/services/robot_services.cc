@@ -17,13 +17,6 @@ constexpr MoveLimits kGo2Move{
     .vx_min = -2.5, .vx_max = 3.8, .vy = 1.0, .yaw_rate = 4.0, .hold = 1.0};
 constexpr MoveLimits kGo2wMove{
     .vx_min = -1.5, .vx_max = 1.5, .vy = 0.6, .yaw_rate = 1.0, .hold = 1.0};
-constexpr MoveLimits B2Move(double hold) {
-  return {.vx_min = -kUnlimited,
-          .vx_max = kUnlimited,
-          .vy = kUnlimited,
-          .yaw_rate = kUnlimited,
-          .hold = hold};
-}
 
 struct NamedTable {
   std::string_view name;
@@ -37,8 +30,8 @@ constexpr NamedTable kTables[] = {
     {"robot_state", &RobotStateLongTable},
     {"sport_go2", [] { return Go2SportTable("sport of Go2", kGo2Move); }},
     {"sport_go2w", [] { return Go2SportTable("sport of Go2-W", kGo2wMove); }},
-    {"sport_b2", [] { return B2SportTable("sport of B2", B2Move(1.0)); }},
-    {"sport_b2w", [] { return B2SportTable("sport of B2-W", B2Move(0.5)); }},
+    {"sport_b2", [] { return B2SportTable("sport of B2", 1.0); }},
+    {"sport_b2w", [] { return B2SportTable("sport of B2-W", 0.5); }},
     {"sport_a2", &A2SportTable},
     {"sport_g1", &G1SportTable},
     {"sport_h2", &H2SportTable},

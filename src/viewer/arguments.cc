@@ -44,6 +44,14 @@ std::optional<PictureSize> ReadSize(const std::string& text) {
   return size;
 }
 
+template <class Number>
+CLI::Option* AddNumber(CLI::App* command, const char* option, Number* value, const char* help,
+                       double least, double most, const char* type) {
+  return command->add_option(option, *value, help)
+      ->check(ctl::NumberWithin(least, most))
+      ->type_name(type);
+}
+
 void AddSize(CLI::App* command, PictureSize* size, const char* what) {
   command
       ->add_option_function<std::string>(
@@ -60,17 +68,15 @@ void AddSize(CLI::App* command, PictureSize* size, const char* what) {
 void AddCamera(CLI::App* command, CameraChoice* camera) {
   CLI::Option* name =
       command->add_option("--camera", camera->name, "A camera of the model, by name");
-  const auto add = [&](const char* option, std::optional<double>* value, const char* help,
-                       double least, double most) {
-    command->add_option(option, *value, help)
-        ->check(ctl::NumberWithin(least, most))
-        ->excludes(name)
-        ->type_name("X");
-  };
-  add("--azimuth", &camera->azimuth, "Degrees; 0 looks along x, 90 along y [135]", -3600, 3600);
-  add("--elevation", &camera->elevation, "Degrees; negative looks down [-18]", -90, 90);
-  add("--distance", &camera->distance, "m from what is looked at [so that the robot fills it]",
-      0.01, 1000);
+  AddNumber(command, "--azimuth", &camera->azimuth, "Degrees; 0 looks along x, 90 along y [135]",
+            -3600, 3600, "X")
+      ->excludes(name);
+  AddNumber(command, "--elevation", &camera->elevation, "Degrees; negative looks down [-18]", -90,
+            90, "X")
+      ->excludes(name);
+  AddNumber(command, "--distance", &camera->distance,
+            "m from what is looked at [so that the robot fills it]", 0.01, 1000, "X")
+      ->excludes(name);
   CLI::Option* lookat =
       command->add_option("--lookat", camera->lookat, "X Y Z: a point of the world to look at, m")
           ->expected(3)
@@ -165,9 +171,8 @@ CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments) {
   CLI::App* snapshot = app->add_subcommand(
       "snapshot", "Draw a picture of a running robot, or of a recording; needs no display");
   AddPicture(snapshot, &arguments->picture, ".png");
-  snapshot->add_option("--at", arguments->at, "Second of simulated time in the recording [its end]")
-      ->check(ctl::NumberWithin(0, kLongestRun))
-      ->type_name("S")
+  AddNumber(snapshot, "--at", &arguments->at, "Second of simulated time in the recording [its end]",
+            0, kLongestRun, "S")
       ->needs("--recording");
   snapshot->footer(
       "Examples:\n"
@@ -181,30 +186,20 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   CLI::App* film = app->add_subcommand(
       "film", "Film a running robot, or a recording, through ffmpeg; needs no display");
   AddPicture(film, &arguments->picture, ".mp4");
-  film->add_option("--seconds", arguments->seconds,
-                   "Simulated seconds of a running robot to film [10]")
-      ->check(ctl::NumberWithin(0.1, kLongest))
-      ->type_name("S")
+  AddNumber(film, "--seconds", &arguments->seconds,
+            "Simulated seconds of a running robot to film [10]", 0.1, kLongest, "S")
       ->excludes("--recording");
-  film->add_option("--from", arguments->from, "Second of the recording to begin at [its begin]")
-      ->check(ctl::NumberWithin(0, kLongestRun))
-      ->type_name("S")
+  AddNumber(film, "--from", &arguments->from, "Second of the recording to begin at [its begin]", 0,
+            kLongestRun, "S")
       ->needs("--recording");
-  film->add_option("--to", arguments->to, "Second of the recording to end at [its end]")
-      ->check(ctl::NumberWithin(0, kLongestRun))
-      ->type_name("S")
+  AddNumber(film, "--to", &arguments->to, "Second of the recording to end at [its end]", 0,
+            kLongestRun, "S")
       ->needs("--recording");
-  film->add_option("--fps", arguments->fps, "Frames per second of the film [30]")
-      ->check(ctl::NumberWithin(1, 120))
-      ->type_name("N");
-  film->add_option("--speed", arguments->speed,
-                   "Simulated seconds per second of the film; 0.25 is slow motion [1]")
-      ->check(ctl::NumberWithin(0.01, 100))
-      ->type_name("X");
-  film->add_option("--orbit", arguments->orbit,
-                   "Degrees per second that the camera goes round what it looks at [0]")
-      ->check(ctl::NumberWithin(-360, 360))
-      ->type_name("X")
+  AddNumber(film, "--fps", &arguments->fps, "Frames per second of the film [30]", 1, 120, "N");
+  AddNumber(film, "--speed", &arguments->speed,
+            "Simulated seconds per second of the film; 0.25 is slow motion [1]", 0.01, 100, "X");
+  AddNumber(film, "--orbit", &arguments->orbit,
+            "Degrees per second that the camera goes round what it looks at [0]", -360, 360, "X")
       ->excludes("--camera");
   film->footer(
       "Examples:\n"

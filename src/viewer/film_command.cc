@@ -1,10 +1,11 @@
+#include "viewer/film_command.h"
+
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
 #include <limits>
 
 #include "base/errors.h"
-#include "viewer/commands.h"
 #include "viewer/film_maker.h"
 #include "viewer/headless_gl.h"
 #include "viewer/live_robot.h"

@@ -4,7 +4,7 @@
 
 #include "base/errors.h"
 #include "client/client.h"
-#include "client/control_stream.h"
+#include "mjcf/compile.h"
 
 namespace understudy::viewer {
 namespace {
@@ -26,7 +26,7 @@ std::string Get(const std::filesystem::path& socket, const std::string& path) {
 }  // namespace
 
 mjcf::ModelHandle FetchModel(const std::filesystem::path& socket) {
-  return ReadBinaryModel(Get(socket, "/scene/model"), "the robot's model");
+  return mjcf::ReadBinaryModel(Get(socket, "/scene/model"), "the robot's model");
 }
 
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq) {

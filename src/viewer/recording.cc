@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/errors.h"
+#include "mjcf/compile.h"
 #include "record/truth.h"
 
 namespace understudy::viewer {
@@ -52,8 +53,8 @@ Recording::Recording(const std::filesystem::path& file) : reader_(file) {
 
 mjcf::ModelHandle Recording::ReadModel() const {
   const std::vector<std::byte> bytes = reader_.ReadAttachment(kModelName);
-  return ReadBinaryModel({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
-                         reader_.path().string() + ", " + kModelName);
+  return mjcf::ReadBinaryModel({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
+                               reader_.path().string() + ", " + kModelName);
 }
 
 void Recording::Refuse(double time) const {

@@ -7,7 +7,6 @@
 
 #include "base/errors.h"
 #include "client/client.h"
-#include "client/control_stream.h"
 
 namespace understudy::viewer {
 namespace {

@@ -11,7 +11,6 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
-#include "mjcf/mujoco_hooks.h"
 #include "physics/geom_extent.h"
 
 namespace understudy::viewer {
@@ -64,36 +63,7 @@ int FindByName(const mjModel& model, mjtObj type, int count, const char* what,
                    (names.empty() ? " and no other" : DidYouMean(name, names)));
 }
 
-mjModel* Load(std::string_view bytes) {
-  constexpr char kName[] = "model.mjb";
-  const auto folder = std::make_unique<mjVFS>();
-  mj_defaultVFS(folder.get());
-  mjModel* model = nullptr;
-  if (mj_makeEmptyFileVFS(folder.get(), kName, static_cast<int>(bytes.size())) == 0) {
-    const int file = mj_findFileVFS(folder.get(), kName);
-    std::copy(bytes.begin(), bytes.end(), static_cast<char*>(folder->filedata[file]));
-    model = mj_loadModel(kName, folder.get());
-  }
-  mj_deleteVFS(folder.get());
-  return model;
-}
-
 }  // namespace
-
-mjcf::ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what) {
-  mjcf::InstallMujocoHooks();
-  std::string why = "it is empty";
-  if (!bytes.empty()) {
-    try {
-      if (mjcf::ModelHandle model{Load(bytes)}) return model;
-      const std::string_view warning = mjcf::TakeMujocoWarning();
-      why = warning.empty() ? "no reason given" : warning;
-    } catch (const ModelError& error) {
-      why = error.what();
-    }
-  }
-  throw ModelError(what + ": not a model that MuJoCo " + mj_versionString() + " can read: " + why);
-}
 
 Stage::Stage(mjcf::ModelHandle model) : model_(std::move(model)), data_(mj_makeData(model_.get())) {
   mjv_defaultScene(&scene_);

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include <mujoco/mujoco.h>
 
@@ -12,10 +11,6 @@
 #include "viewer/scene_state.h"
 
 namespace understudy::viewer {
-
-// Reads what mj_saveModel wrote. Throws ModelError when this MuJoCo cannot read it; `what` names it
-// there.
-mjcf::ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what);
 
 // A ball around something: what a camera has to see of it.
 struct Ball {

@@ -8,7 +8,7 @@
 
 #include "base/unique_fd.h"
 #include "viewer/arguments.h"
-#include "viewer/image.h"
+#include "viewer/canvas.h"
 
 namespace understudy::viewer {
 

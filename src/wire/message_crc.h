@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
@@ -19,5 +20,10 @@ std::uint32_t MessageCrc(const unitree_go_msg_dds__LowCmd_& message);
 std::uint32_t MessageCrc(const unitree_go_msg_dds__LowState_& message);
 std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowCmd_& message);
 std::uint32_t MessageCrc(const unitree_hg_msg_dds__LowState_& message);
+
+// CRC of 32-bit words, each taken from its most significant bit: polynomial 0x04C11DB7, start value
+// 0xFFFFFFFF, nothing reflected, no final xor (CRC-32/MPEG-2 over the words' bytes, high byte
+// first; unitree_sdk2 dds_wrapper/common/crc.h). 0xFFFFFFFF for no words.
+std::uint32_t Crc32(std::span<const std::uint32_t> words);
 
 }  // namespace understudy::wire

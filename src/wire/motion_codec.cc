@@ -4,7 +4,10 @@
 #include <cstdint>
 #include <cstdio>
 #include <iterator>
+#include <string_view>
+#include <utility>
 
+#include "robot/arm_actions.h"
 #include "robot/firmware.h"
 #include "wire/imu_codec.h"
 #include "wire/rounded.h"
@@ -19,18 +22,6 @@ constexpr std::uint8_t kGait = 1;
 constexpr float kFootRaise = 0.09F;     // m
 constexpr float kBodyHeight = 0.32F;    // m
 constexpr float kRangeObstacle = 2.0F;  // m
-
-struct ArmAction {
-  int id;
-  const char* name;
-};
-
-// unitree_sdk2_python g1_arm_action_client
-constexpr ArmAction kArmActions[] = {
-    {99, "release arm"}, {11, "two-hand kiss"}, {12, "left kiss"}, {13, "right kiss"},
-    {15, "hands up"},    {17, "clap"},          {18, "high five"}, {19, "hug"},
-    {20, "heart"},       {21, "right heart"},   {22, "reject"},    {23, "right hand up"},
-    {24, "x-ray"},       {25, "face wave"},     {26, "high wave"}, {27, "shake hand"}};
 
 }  // namespace
 
@@ -75,11 +66,12 @@ void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeStat
 }
 
 std::array<char, 96> ArmActionText(const robot::MotionState& motion) {
-  const auto* action = std::ranges::find(kArmActions, motion.arm_action, &ArmAction::id);
+  const auto* action = std::ranges::find(robot::kArmActions, motion.arm_action,
+                                         &std::pair<int, std::string_view>::first);
   std::array<char, 96> text{};
   std::snprintf(text.data(), text.size(), R"({"holding":%s,"id":%d,"name":"%s"})",
                 motion.arm_holding ? "true" : "false", motion.arm_action,
-                action == std::end(kArmActions) ? "" : action->name);
+                action == robot::kArmActions.end() ? "" : action->second.data());
   return text;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "bus/neighbours.h"
+#include "bus/discovery.h"
 #include "bus/reader.h"
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"

@@ -1,12 +1,12 @@
 // Messages as bytes, in and out.
+#include "bus/cdr.h"
+
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 
-#include "bus/cdr_reader.h"
-#include "bus/cdr_writer.h"
-#include "bus/endpoint_watch.h"
+#include "bus/discovery.h"
 #include "bus/reader.h"
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"

@@ -1,10 +1,9 @@
-#include "bus/neighbours.h"
-
 #include <string>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "bus/discovery.h"
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"

@@ -13,6 +13,29 @@ TEST_F(ValidateTest, NamesThePlaceOfWhatDoesNotFit) {
             "of physics steps of 0.001 s, got 300");
 }
 
+TEST_F(ValidateTest, TellsWhatDoesNotFitAndWhatDoes) {
+  const std::pair<std::string, std::string> rows[] = {
+      {"robot.motors.1.slot=0",
+       "robot.motors.1.slot: expected more than 0, as slots ascend and no two are alike, "
+       "got 0"},
+      {"robot.motors.1.joint=a", "robot.motors.1.joint: 'a' has a motor already"},
+      {"robot.motors.1.torque_limit=0", "robot.motors.1.torque_limit: expected more than 0 N·m"},
+      {"robot.motors.0.knee_speed=8",
+       "robot.motors.0.knee_speed: expected less than no_load_speed 8 rad/s, got 8"},
+      {"robot.standing.q=[0]", "robot.standing.q: expected one angle per motor, 2, got 1"},
+      {"robot.motion.humanoid.balance=[1.5]",
+       "robot.motion.humanoid.balance.0: expected a whole number from -1 to 1000, got '1.5'"},
+      {"robot.rates.lf_hz=30",
+       "robot.rates.lf_hz: expected a rate that divides lowstate_hz 500, got 30"},
+      {"robot.rates.motion_hz=1000",
+       "robot.rates.motion_hz: expected a rate that divides lowstate_hz 500, got 1000"},
+      {"robot.battery.cell_empty_v=4.2",
+       "robot.battery.cell_empty_v: expected less than cell_full_v"},
+      {"robot.battery.cells=0", "robot.battery.cells: expected at least one cell"},
+  };
+  for (const auto& [set, error] : rows) EXPECT_EQ(SetError(set), "--set " + set + ": " + error);
+}
+
 TEST_F(ValidateTest, NeedsARobot) {
   EXPECT_EQ(ErrorOf([] { Validate(Config{}); }), "robot.name: expected a name");
   EXPECT_EQ(SetError("robot.motors=[]"),
@@ -21,39 +44,11 @@ TEST_F(ValidateTest, NeedsARobot) {
             "--set robot.imu.site='': robot.imu.site: expected the name of a site");
 }
 
-TEST_F(ValidateTest, RefusesSlotsThatDoNotAscend) {
-  EXPECT_EQ(SetError("robot.motors.1.slot=0"),
-            "--set robot.motors.1.slot=0: robot.motors.1.slot: expected more than 0, as slots "
-            "ascend and no two are alike, got 0");
-}
-
 TEST_F(ValidateTest, RefusesASlotTheFamilyLacks) {
   EXPECT_EQ(SetError("robot.motors.1.slot=20"),
             "--set robot.motors.1.slot=20: robot.motors.1.slot: expected 0 to 19 for this family, "
             "got 20");
   EXPECT_EQ(Load({}, {"robot.family=hg", "robot.motors.1.slot=34"}).robot.motors[1].slot, 34);
-}
-
-TEST_F(ValidateTest, RefusesTwoMotorsOnOneJoint) {
-  EXPECT_EQ(SetError("robot.motors.1.joint=a"),
-            "--set robot.motors.1.joint=a: robot.motors.1.joint: 'a' has a motor already");
-}
-
-TEST_F(ValidateTest, RefusesAMotorWithoutTorque) {
-  EXPECT_EQ(SetError("robot.motors.1.torque_limit=0"),
-            "--set robot.motors.1.torque_limit=0: robot.motors.1.torque_limit: expected more than "
-            "0 N·m");
-}
-
-TEST_F(ValidateTest, RefusesAKneeAboveTheNoLoadSpeed) {
-  EXPECT_EQ(SetError("robot.motors.0.knee_speed=8"),
-            "--set robot.motors.0.knee_speed=8: robot.motors.0.knee_speed: expected less than "
-            "no_load_speed 8 rad/s, got 8");
-}
-
-TEST_F(ValidateTest, RefusesAPoseWithTooFewAngles) {
-  EXPECT_EQ(SetError("robot.standing.q=[0]"),
-            "--set robot.standing.q=[0]: robot.standing.q: expected one angle per motor, 2, got 1");
 }
 
 TEST_F(ValidateTest, RefusesASquatWithoutItsPose) {
@@ -153,12 +148,6 @@ TEST_F(HandsTest, AreToldAtARateThatDividesLowstates) {
               testing::HasSubstr("robot.rates.hand_hz: expected a rate that divides lowstate_hz"));
 }
 
-TEST_F(ValidateTest, RefusesStatesThatAreNotWholeNumbers) {
-  EXPECT_EQ(SetError("robot.motion.humanoid.balance=[1.5]"),
-            "--set robot.motion.humanoid.balance=[1.5]: robot.motion.humanoid.balance.0: expected "
-            "a whole number from -1 to 1000, got '1.5'");
-}
-
 TEST_F(ValidateTest, RefusesAPairOfMotorsThatAreNotThere) {
   EXPECT_EQ(FileError("robot:\n  parallel:\n    - {pitch: 0, roll: 2}\n"),
             "run.yaml:3: robot.parallel.0.roll: expected 0 to 1, as there are 2 motors, got 2");
@@ -169,28 +158,11 @@ TEST_F(ValidateTest, RefusesAMotorInTwoPairs) {
             "run.yaml:1: robot.parallel.0.roll: motor 0 is in a pair already");
 }
 
-TEST_F(ValidateTest, RefusesARateThatDoesNotDivideLowstates) {
-  EXPECT_EQ(SetError("robot.rates.lf_hz=30"),
-            "--set robot.rates.lf_hz=30: robot.rates.lf_hz: expected a rate that divides "
-            "lowstate_hz 500, got 30");
-  EXPECT_EQ(SetError("robot.rates.motion_hz=1000"),
-            "--set robot.rates.motion_hz=1000: robot.rates.motion_hz: expected a rate that divides "
-            "lowstate_hz 500, got 1000");
-}
-
 TEST_F(ValidateTest, RefusesATimestepThatTheRateDoesNotFit) {
   EXPECT_EQ(SetError("physics.timestep=0.003"),
             "robot.rates.lowstate_hz: expected a rate whose period is a whole number of physics "
             "steps of 0.003 s, got 500");
   EXPECT_EQ(Load({}, {"physics.timestep=0.0005"}).physics.timestep, 0.0005);
-}
-
-TEST_F(ValidateTest, RefusesABatteryThatIsEmptyWhenFull) {
-  EXPECT_EQ(SetError("robot.battery.cell_empty_v=4.2"),
-            "--set robot.battery.cell_empty_v=4.2: robot.battery.cell_empty_v: expected less than "
-            "cell_full_v");
-  EXPECT_EQ(SetError("robot.battery.cells=0"),
-            "--set robot.battery.cells=0: robot.battery.cells: expected at least one cell");
 }
 
 TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "config/settings.h"
+#include "config/load.h"
 #include "emulator/event_table.h"
 #include "emulator/world.h"
 #include "tests/support/fake_port.h"

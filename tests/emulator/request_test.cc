@@ -95,18 +95,6 @@ TEST(RequestTest, ReadsAPushByForceOrImpulse) {
   EXPECT_EQ(impulse.number("for"), 0.1);
 }
 
-TEST(RequestTest, RefusesAPushWithoutForceOrWithTwo) {
-  EXPECT_EQ(Refusal("push", "{}"), "expected either force or impulse");
-  EXPECT_EQ(Refusal("push", R"({"force": [1, 2, 3], "impulse": [1, 2, 3]})"),
-            "expected either force or impulse");
-  EXPECT_EQ(Refusal("push", R"({"force": [1, 2]})"),
-            "force: expected three numbers from -1000000 to 1000000 N, got an array");
-  EXPECT_EQ(Refusal("push", R"({"force": [1, 2, "x"]})"),
-            R"(force: expected three numbers from -1000000 to 1000000 N, got "x")");
-  EXPECT_EQ(Refusal("push", R"({"force": [1, 2, 3], "for": 0})"),
-            "for: expected a number from 0.0001 to 1000000 s, got 0");
-}
-
 TEST(RequestTest, ReadsACallOfAService) {
   const Request call = RequestOf(
       "service.call", {{"service", "sport"}, {"api", 1008}, {"parameter", R"({"x":0.3})"}});
@@ -161,20 +149,6 @@ TEST(RequestTest, ReadsARemoteOnWhichNothingIsHeld) {
   EXPECT_EQ(RequestOf("remote.set", {{"keys", ""}, {"for", 1}}).number("keys"), 0);
 }
 
-TEST(RequestTest, RefusesAWholeRemoteThatNobodyWouldLetGo) {
-  EXPECT_EQ(Refusal("remote.set", R"({"keys": "A"})"),
-            "for: missing; expected a number from 0.0001 to 1000000 s");
-}
-
-TEST(RequestTest, RefusesAWholeRemoteWithWhatIsNone) {
-  EXPECT_EQ(Refusal("remote.set", R"({"keys": "L3", "for": 1})"),
-            R"(keys: expected keys of the remote controller, as in L2+B, got "L3")");
-  EXPECT_EQ(Refusal("remote.set", R"({"lz": 0, "for": 1})"),
-            R"(unknown key "lz"; did you mean 'lx'? (valid: keys, lx, ly, rx, ry, for))");
-  EXPECT_EQ(Refusal("remote.set", R"({"lx": 1.5, "for": 1})"),
-            "lx: expected a number from -1 to 1, got 1.5");
-}
-
 TEST(RequestTest, ResetsToThePosesThatARobotCanStartIn) {
   const auto pose = [](const char* word) {
     return static_cast<robot::StartPose>(RequestOf("reset", {{"pose", word}}).number("pose"));
@@ -185,15 +159,6 @@ TEST(RequestTest, ResetsToThePosesThatARobotCanStartIn) {
   EXPECT_EQ(pose("clamped"), robot::StartPose::kClamped);
   EXPECT_FALSE(RequestOf("reset", json::object()).has("pose"));
   EXPECT_FALSE(RequestOf("reset").has("pose"));
-}
-
-TEST(RequestTest, RefusesAPoseThatIsNone) {
-  EXPECT_EQ(Refusal("reset", R"({"pose": "standin"})"),
-            "pose: expected one of lying, standing, hanging, clamped, got \"standin\"; did you "
-            "mean 'standing'?");
-  EXPECT_EQ(Refusal("reset", R"({"pose": 1})"),
-            "pose: expected one of lying, standing, hanging, clamped, got 1");
-  EXPECT_EQ(Refusal("reset", R"({"hard": true})"), R"(unknown key "hard"; valid: pose)");
 }
 
 TEST(RequestTest, ReadsADrag) {
@@ -281,14 +246,34 @@ TEST(RequestTest, RefusesALengthThatIsMissingNoNumberOrBeyondTheLimit) {
             "by: expected a number from -10 to 10 m, got 10.5");
 }
 
-TEST(RequestTest, RefusesAClampThatIsNeitherOnNorOff) {
-  EXPECT_EQ(Refusal("clamp", R"({"on": 1})"), "on: expected true or false, got 1");
-  EXPECT_EQ(Refusal("clamp", "{}"), "on: missing; expected true or false");
-  EXPECT_EQ(Refusal("clamp", R"({"on": "yes"})"), "on: expected true or false, got \"yes\"");
-}
-
-TEST(RequestTest, RefusesWhatIsNoObject) {
-  EXPECT_EQ(Refusal("clamp", "[true]"), "on: expected true or false, got an array");
+TEST(RequestTest, TellsWhatIsMissingUnknownOrOutOfRange) {
+  const std::tuple<const char*, const char*, const char*> rows[] = {
+      {"push", "{}", "expected either force or impulse"},
+      {"push", R"({"force": [1, 2, 3], "impulse": [1, 2, 3]})", "expected either force or impulse"},
+      {"push", R"({"force": [1, 2]})",
+       "force: expected three numbers from -1000000 to 1000000 N, got an array"},
+      {"push", R"({"force": [1, 2, "x"]})",
+       R"(force: expected three numbers from -1000000 to 1000000 N, got "x")"},
+      {"push", R"({"force": [1, 2, 3], "for": 0})",
+       "for: expected a number from 0.0001 to 1000000 s, got 0"},
+      {"remote.set", R"({"keys": "A"})",
+       "for: missing; expected a number from 0.0001 to 1000000 s"},
+      {"remote.set", R"({"keys": "L3", "for": 1})",
+       R"(keys: expected keys of the remote controller, as in L2+B, got "L3")"},
+      {"remote.set", R"({"lz": 0, "for": 1})",
+       R"(unknown key "lz"; did you mean 'lx'? (valid: keys, lx, ly, rx, ry, for))"},
+      {"remote.set", R"({"lx": 1.5, "for": 1})", "lx: expected a number from -1 to 1, got 1.5"},
+      {"reset", R"({"pose": "standin"})",
+       "pose: expected one of lying, standing, hanging, clamped, got \"standin\"; did you "
+       "mean 'standing'?"},
+      {"reset", R"({"pose": 1})", "pose: expected one of lying, standing, hanging, clamped, got 1"},
+      {"reset", R"({"hard": true})", R"(unknown key "hard"; valid: pose)"},
+      {"clamp", R"({"on": 1})", "on: expected true or false, got 1"},
+      {"clamp", "{}", "on: missing; expected true or false"},
+      {"clamp", R"({"on": "yes"})", "on: expected true or false, got \"yes\""},
+      {"clamp", "[true]", "on: expected true or false, got an array"},
+  };
+  for (const auto& [name, values, why] : rows) EXPECT_EQ(Refusal(name, values), why);
 }
 
 // As deep as a body may be long, in every request, on a stack too small for any recursion over it.

@@ -6,7 +6,6 @@
 #include "bus/reader.h"
 #include "bus/writer.h"
 #include "config/load.h"
-#include "config/settings.h"
 #include "emulator/world.h"
 #include "idl/unitree_api.h"
 #include "physics/world_model.h"

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "config/load.h"
-#include "config/settings.h"
 #include "physics/world_model.h"
 #include "tests/support/requests.h"
 

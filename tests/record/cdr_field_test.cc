@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bus/cdr_reader.h"
+#include "bus/cdr.h"
 #include "bus/writer.h"
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"

@@ -1,7 +1,5 @@
 // No setting is without effect: for each a robot is played twice, once with the setting changed,
 // and what it says on the bus differs.
-#include "config/settings.h"
-
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -15,8 +13,8 @@
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
-#include "bus/cdr_reader.h"
-#include "bus/endpoint_watch.h"
+#include "bus/cdr.h"
+#include "bus/discovery.h"
 #include "bus/writer.h"
 #include "config/load.h"
 #include "config/reference.h"
@@ -160,7 +158,8 @@ Acts MovesElbow(const bus::Topic<HgCmd>& topic) {
   });
 }
 
-// A left hand opens and, being watched, closes, is locked in between, and is left alone at last.
+// A left hand opens and, being watched, closes, is locked in between, is pressed by all terms of
+// the motor law, and is left alone at last.
 void UsesHand(Played* played) {
   static const bus::Topic<unitree_hg_msg_dds__HandCmd_> kTopic{"rt/dex3/left/cmd",
                                                                &unitree_hg_msg_dds__HandCmd__desc};
@@ -171,6 +170,11 @@ void UsesHand(Played* played) {
   for (std::size_t i = 0; i < motors.size(); ++i) {
     motors[i].mode = static_cast<std::uint8_t>(i | (locked ? 0U : 1U << 4U) | 1U << 7U);
     motors[i].tau = ms < 200 ? 1 : -1;
+    if (ms < 400) continue;
+    motors[i].kp = 0.5;
+    motors[i].q = -2.57F;
+    motors[i].kd = 0.1F;
+    motors[i].dq = -4;
   }
   unitree_hg_msg_dds__HandCmd_ message{};
   message.motor_cmd = {._maximum = 7, ._length = 7, ._buffer = motors.data(), ._release = false};

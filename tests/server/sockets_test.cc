@@ -6,7 +6,6 @@
 
 #include "base/errors.h"
 #include "client/client.h"
-#include "client/control_stream.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "server/server.h"

@@ -1,8 +1,7 @@
-#include "services/lease.h"
-
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "services/service.h"
 #include "tests/services/services_fixture.h"
 
 namespace understudy::services {

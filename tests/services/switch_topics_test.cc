@@ -1,9 +1,8 @@
-#include "services/switch_topics.h"
-
 #include <gtest/gtest.h>
 
 #include "bus/participant.h"
 #include "bus/writer.h"
+#include "services/service_host.h"
 #include "tests/services/services_fixture.h"
 #include "tests/support/new_domain.h"
 

@@ -1,5 +1,3 @@
-#include "viewer/image.h"
-
 #include <filesystem>
 #include <fstream>
 
@@ -7,6 +5,7 @@
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "tests/support/temporary_folder.h"
+#include "viewer/canvas.h"
 
 namespace understudy::viewer {
 namespace {

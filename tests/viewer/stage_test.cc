@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "gmock/gmock.h"
+#include "mjcf/compile.h"
 #include "viewer_test.h"
 
 namespace understudy::viewer {
@@ -100,7 +101,7 @@ TEST_F(StageTest, NamesTheNearestBodyAndCamera) {
 TEST_F(StageTest, RefusesWhatIsNoModel) {
   for (const std::string& bytes :
        {std::string(), std::string("no model"), std::string(50'000, 'x')}) {
-    EXPECT_THAT([&] { ReadBinaryModel(bytes, "run.mcap, model.mjb"); },
+    EXPECT_THAT([&] { mjcf::ReadBinaryModel(bytes, "run.mcap, model.mjb"); },
                 ThrowsMessage<ModelError>(HasSubstr("run.mcap, model.mjb")));
     mjcf::TakeMujocoWarning();
   }
@@ -108,7 +109,7 @@ TEST_F(StageTest, RefusesWhatIsNoModel) {
 
 TEST_F(StageTest, RefusesHalfAModel) {
   const std::string whole = BinaryModel(kBallWorld);
-  EXPECT_THROW(ReadBinaryModel(std::string_view(whole).substr(0, whole.size() / 4), "x"),
+  EXPECT_THROW(mjcf::ReadBinaryModel(std::string_view(whole).substr(0, whole.size() / 4), "x"),
                ModelError);
   mjcf::TakeMujocoWarning();
 }

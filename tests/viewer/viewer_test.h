@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "mjcf/compile.h"
 #include "physics/world_model.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -40,7 +41,7 @@ inline std::string BinaryModel(const std::string& text) {
 }
 
 inline mjcf::ModelHandle BallModel() {
-  return ReadBinaryModel(BinaryModel(kBallWorld), "the test's");
+  return mjcf::ReadBinaryModel(BinaryModel(kBallWorld), "the test's");
 }
 
 // The ball there at that second.

@@ -1,10 +1,10 @@
-#include "wire/crc32.h"
-
 #include <cstdint>
 #include <random>
 #include <vector>
 
 #include <gmock/gmock.h>
+
+#include "wire/message_crc.h"
 
 namespace understudy::wire {
 namespace {

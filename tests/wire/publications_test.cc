@@ -5,7 +5,7 @@
 
 #include <gmock/gmock.h>
 
-#include "bus/cdr_reader.h"
+#include "bus/cdr.h"
 #include "config/load.h"
 #include "config/robot_file.h"
 #include "robot/firmware.h"

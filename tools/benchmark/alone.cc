@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "config/load.h"
 #include "config/model_files.h"
-#include "config/settings.h"
 #include "physics/world_model.h"
 
 namespace understudy::bench {

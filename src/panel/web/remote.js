@@ -26,7 +26,7 @@ export class Remote {
     const sticks = [...this.root.querySelectorAll("[data-stick]")];
     this.sticks = sticks.map((node) => this.addStick(node));
     byId("remote-off").addEventListener("click", () => this.request("remote.off"));
-    byId("latch").addEventListener("change", () => this.unlatch());
+    byId("latch").addEventListener("change", () => this.latched.clear());
     this.listenToKeyboard();
     window.addEventListener("blur", () => this.letGo());
     document.addEventListener("visibilitychange", () => document.hidden && this.putDown());
@@ -106,14 +106,10 @@ export class Remote {
     });
   }
 
-  unlatch() {
-    this.latched.clear();
-  }
-
   // Out of sight nothing stays down: browsers call us too seldom there to renew it in time.
   putDown() {
     this.letGo();
-    this.unlatch();
+    this.latched.clear();
   }
 
   letGo() {

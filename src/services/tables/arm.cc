@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "robot/arm_actions.h"
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
@@ -16,16 +17,6 @@ constexpr std::int32_t kBusy = 7400;
 constexpr std::int32_t kHolding = 7401;
 constexpr std::int32_t kBadAction = 7402;
 constexpr std::int32_t kBadState = 7404;
-constexpr int kRelease = 99;
-
-// [docs] G1 arm action interface; names of 13 and those of more than one word: [py].
-constexpr std::array kArmActions = {
-    std::pair{99, "release arm"}, std::pair{11, "two-hand kiss"}, std::pair{12, "left kiss"},
-    std::pair{13, "right kiss"},  std::pair{15, "hands up"},      std::pair{17, "clap"},
-    std::pair{18, "high five"},   std::pair{19, "hug"},           std::pair{20, "heart"},
-    std::pair{21, "right heart"}, std::pair{22, "reject"},        std::pair{23, "right hand up"},
-    std::pair{24, "x-ray"},       std::pair{25, "face wave"},     std::pair{26, "high wave"},
-    std::pair{27, "shake hand"}};
 
 // As seen on a G1, a reply comes when the action has ended or is held.
 bool IsSettled(const robot::MotionState& state) {
@@ -73,7 +64,7 @@ ServiceReply Stop(const ServiceCall& call) {
 
 ServiceReply List(const ServiceCall&) {
   nlohmann::json list = nlohmann::json::array();
-  for (const auto& [id, name] : kArmActions) list.push_back({{"id", id}, {"name", name}});
+  for (const auto& [id, name] : robot::kArmActions) list.push_back({{"id", id}, {"name", name}});
   return {.data = list.dump()};
 }
 
@@ -92,26 +83,15 @@ ServiceTable G1ArmTable() {
       .needs_motion = true,
       .rows =
           {
-              {7106,
-               "ExecuteAction",
-               {action},
-               Special{&Execute},
-               "begins an action; answered when it has ended or is held; 7400 busy, 7401 held, "
-               "7402 unknown, 7404 not in this state",
-               "[sdk] g1/arm, [py]: two keys; [seen] answered after 4.19 s for a wave"},
-              {7107,
-               "GetActionList",
-               {},
-               Special{&List, true},
-               "ids and names",
-               "[sdk] g1/arm; its form is not published: assumed"},
-              {7108,
-               "ExecuteCustomAction",
-               {Text("action_name")},
-               Special{&ExecuteByName},
-               "7402: no action has been taught",
-               "[sdk] g1/arm"},
-              {7113, "StopCustomAction", {}, Special{&Stop}, "lets the arms go", "[sdk] g1/arm"},
+              Row(7106, "ExecuteAction", {action}, Special{&Execute},
+                  "begins an action; answered when it has ended or is held; 7400 busy, 7401 held, "
+                  "7402 unknown, 7404 not in this state",
+                  "[sdk] g1/arm, [py]: two keys; [seen] answered after 4.19 s for a wave"),
+              Row(7107, "GetActionList", {}, Special{&List, true}, "ids and names",
+                  "[sdk] g1/arm; its form is not published: assumed"),
+              Row(7108, "ExecuteCustomAction", {Text("action_name")}, Special{&ExecuteByName},
+                  "7402: no action has been taught", "[sdk] g1/arm"),
+              Row(7113, "StopCustomAction", {}, Special{&Stop}, "lets the arms go", "[sdk] g1/arm"),
           },
       .note = "Belongs to the motion service: answers nothing while that is off ([docs])."};
 }

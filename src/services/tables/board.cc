@@ -94,25 +94,16 @@ ServiceReply ServiceList(const ServiceCall& call) {
 
 std::vector<ApiRow> RobotStateRows() {
   return {
-      {1001,
-       "ServiceSwitch",
-       {Text("name"), Int("switch", 0, 1)},
-       Special{&ServiceSwitch},
-       "1 switches on, 0 off; answers the status that follows: 0 on, 1 off, 5 protected "
-       "(clients say 5202), 2 failed (clients say 5201)",
-       "[sdk] robot_state; [docs] Go2 RobotStateClient; [seen] 5; that 2 means failure is assumed"},
-      {1002,
-       "SetReportFreq",
-       {Int("interval", 0), Int("duration", 0)},
-       KeepSetting{"report"},
-       "kept; rt/servicestate is not written",
-       "[sdk] robot_state"},
-      {1003,
-       "ServiceList",
-       {},
-       Special{&ServiceList, true},
-       "an array of name, status (0 on, 1 off), protect",
-       "[sdk] robot_state; [seen] bare array"},
+      Row(1001, "ServiceSwitch", {Text("name"), Int("switch", 0, 1)}, Special{&ServiceSwitch},
+          "1 switches on, 0 off; answers the status that follows: 0 on, 1 off, 5 protected "
+          "(clients say 5202), 2 failed (clients say 5201)",
+          "[sdk] robot_state; [docs] Go2 RobotStateClient; [seen] 5; that 2 means failure is "
+          "assumed"),
+      Row(1002, "SetReportFreq", {Int("interval", 0), Int("duration", 0)}, KeepSetting{"report"},
+          "kept; rt/servicestate is not written", "[sdk] robot_state"),
+      Row(1003, "ServiceList", {}, Special{&ServiceList, true},
+          "an array of name, status (0 on, 1 off), protect",
+          "[sdk] robot_state; [seen] bare array"),
   };
 }
 
@@ -205,27 +196,18 @@ ServiceTable MotionSwitcherTable() {
       .parameter_code = 7001,
       .rows =
           {
-              {1001,
-               "CheckMode",
-               {},
-               Special{&CheckMode, true},
-               "form and name of the motion service that is on; \"\" when rt/lowcmd moves the "
-               "motors",
-               "[sdk] motion_switcher; [docs] Go2, G1"},
-              {1002,
-               "SelectMode",
-               {Text("name")},
-               Special{&SelectMode},
-               "starts a motion service; 7004 unknown name, 7007 not played here",
-               "[sdk] motion_switcher; [seen] 7004 on a G1"},
-              {1003, "ReleaseMode", {}, Special{&ReleaseMode}, "the motors obey rt/lowcmd", kSdk},
-              {1004,
-               "SetSilent",
-               {Bool("silent")},
-               Special{&SetSilent},
-               "kept for the run: start no motion service at boot",
-               kSdk},
-              {1005, "GetSilent", {}, Special{&GetSilent, true}, "what was set", kSdk},
+              Row(1001, "CheckMode", {}, Special{&CheckMode, true},
+                  "form and name of the motion service that is on; \"\" when rt/lowcmd moves the "
+                  "motors",
+                  "[sdk] motion_switcher; [docs] Go2, G1"),
+              Row(1002, "SelectMode", {Text("name")}, Special{&SelectMode},
+                  "starts a motion service; 7004 unknown name, 7007 not played here",
+                  "[sdk] motion_switcher; [seen] 7004 on a G1"),
+              Row(1003, "ReleaseMode", {}, Special{&ReleaseMode}, "the motors obey rt/lowcmd",
+                  kSdk),
+              Row(1004, "SetSilent", {Bool("silent")}, Special{&SetSilent},
+                  "kept for the run: start no motion service at boot", kSdk),
+              Row(1005, "GetSilent", {}, Special{&GetSilent, true}, "what was set", kSdk),
           },
       .note = "7001 for a bad parameter."};
 }
@@ -254,18 +236,10 @@ ServiceTable RobotStateLongTable() {
                         .does = "not played",
                         .source = "[sdk] b2/robot_state: 5203",
                         .unable_code = 5203});
-  table.rows.push_back({1005,
-                        "LowPowerStatus",
-                        {},
-                        GiveSetting{"low_power", "status"},
-                        "1, off (assumed to be as a service's status)",
-                        kSdk});
-  table.rows.push_back({1006,
-                        "GetPkgVersion",
-                        {},
-                        Special{&GiveVersions, true},
-                        "packageVersion understudy, no modules",
-                        kSdk});
+  table.rows.push_back(Row(1005, "LowPowerStatus", {}, GiveSetting{"low_power", "status"},
+                           "1, off (assumed to be as a service's status)", kSdk));
+  table.rows.push_back(Row(1006, "GetPkgVersion", {}, Special{&GiveVersions, true},
+                           "packageVersion understudy, no modules", kSdk));
   return table;
 }
 
@@ -278,26 +252,15 @@ ServiceTable ConfigTable() {
           .tells_changes = true,
           .rows =
               {
-                  {1001,
-                   "Set",
-                   {Text("name"), Text("content")},
-                   Special{&SetConfig},
-                   "keeps a text for the run; 8203 empty name, 8204 name over 64 bytes or more "
-                   "than 256 of them (assumed)",
-                   kSdk},
-                  {1002,
-                   "Get",
-                   {Text("name")},
-                   Special{&GetConfig, true},
-                   "the content; 8202 when there is none",
-                   kSdk},
-                  {1003, "Del", {Text("name")}, Special{&DeleteConfig}, "forgets it", kSdk},
-                  {1004,
-                   "Meta",
-                   {Text("name")},
-                   Special{&GetMeta, true},
-                   "name, lastModified, size, epoch (assumed: seconds since 1970)",
-                   kSdk},
+                  Row(1001, "Set", {Text("name"), Text("content")}, Special{&SetConfig},
+                      "keeps a text for the run; 8203 empty name, 8204 name over 64 bytes or more "
+                      "than 256 of them (assumed)",
+                      kSdk),
+                  Row(1002, "Get", {Text("name")}, Special{&GetConfig, true},
+                      "the content; 8202 when there is none", kSdk),
+                  Row(1003, "Del", {Text("name")}, Special{&DeleteConfig}, "forgets it", kSdk),
+                  Row(1004, "Meta", {Text("name")}, Special{&GetMeta, true},
+                      "name, lastModified, size, epoch (assumed: seconds since 1970)", kSdk),
               },
           .note =
               "rt/config_change_status tells what was set, and with an empty content what was "

@@ -72,127 +72,95 @@ ServiceTable ObstaclesAvoidTable() {
       .program = "obstacles_avoidance",
       .rows =
           {
-              {1001, "SwitchSet", {Bool("enable")}, KeepSetting{"enable"}, "kept", kSdk},
-              {1002,
-               "SwitchGet",
-               {},
-               GiveSetting{"enable", "enable"},
-               "what was set; false at the start (assumed)",
-               kSdk},
-              {1003,
-               "Move",
-               {Clamped("x", 2.0), Clamped("y", 2.0), Clamped("yaw", 1.57), Int("mode", 0, 2)},
-               Special{&AvoidingMove},
-               "mode 0: velocity for 1 s, obstacles unseen; 1 and 2, to a place: not played, 3202",
-               "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped is assumed"},
-              {1004,
-               "UseRemoteCommandFromApi",
-               {Bool("is_remote_commands_from_api")},
-               KeepSetting{"remote_from_api"},
-               "kept; Move is ignored without it",
-               "[sdk] go2/obstacles_avoid; [docs]"},
+              Row(1001, "SwitchSet", {Bool("enable")}, KeepSetting{"enable"}, "kept", kSdk),
+              Row(1002, "SwitchGet", {}, GiveSetting{"enable", "enable"},
+                  "what was set; false at the start (assumed)", kSdk),
+              Row(1003, "Move",
+                  {Clamped("x", 2.0), Clamped("y", 2.0), Clamped("yaw", 1.57), Int("mode", 0, 2)},
+                  Special{&AvoidingMove},
+                  "mode 0: velocity for 1 s, obstacles unseen; 1 and 2, to a place: not played, "
+                  "3202",
+                  "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped is assumed"),
+              Row(1004, "UseRemoteCommandFromApi", {Bool("is_remote_commands_from_api")},
+                  KeepSetting{"remote_from_api"}, "kept; Move is ignored without it",
+                  "[sdk] go2/obstacles_avoid; [docs]"),
           },
       .settings = {{"enable", "false"}, {"remote_from_api", "false"}}};
 }
 
 ServiceTable VuiTable() {
   constexpr std::string_view kSdk = "[sdk] go2/vui; [docs] ranges, 100";
-  return {.name = "vui",
-          .title = "vui of Go2, Go2-W, B2, B2-W",
-          .api_version = "1.0.0.1",
-          .parameter_code = kDeviceError,
-          .program = "vui_service",
-          .rows =
-              {
-                  {1001, "SetSwitch", {Int("enable", 0, 1)}, KeepSetting{"enable"}, "kept", kSdk},
-                  {1002, "GetSwitch", {}, GiveSetting{"enable", "enable"}, "what was set", kSdk},
-                  {1003, "SetVolume", {Int("volume", 0, 10)}, KeepSetting{"volume"}, "kept", kSdk},
-                  {1004, "GetVolume", {}, GiveSetting{"volume", "volume"}, "what was set", kSdk},
-                  {1005,
-                   "SetBrightness",
-                   {Int("brightness", 0, 10)},
-                   KeepSetting{"brightness"},
-                   "kept",
-                   kSdk},
-                  {1006,
-                   "GetBrightness",
-                   {},
-                   GiveSetting{"brightness", "brightness"},
-                   "what was set",
-                   kSdk},
-              },
-          // Assumed: no start values are published.
-          .settings = {{"enable", "1"}, {"volume", "5"}, {"brightness", "5"}},
-          .note = "100 for a bad parameter. Start values (1, 5, 5) are assumed."};
+  return {
+      .name = "vui",
+      .title = "vui of Go2, Go2-W, B2, B2-W",
+      .api_version = "1.0.0.1",
+      .parameter_code = kDeviceError,
+      .program = "vui_service",
+      .rows =
+          {
+              Row(1001, "SetSwitch", {Int("enable", 0, 1)}, KeepSetting{"enable"}, "kept", kSdk),
+              Row(1002, "GetSwitch", {}, GiveSetting{"enable", "enable"}, "what was set", kSdk),
+              Row(1003, "SetVolume", {Int("volume", 0, 10)}, KeepSetting{"volume"}, "kept", kSdk),
+              Row(1004, "GetVolume", {}, GiveSetting{"volume", "volume"}, "what was set", kSdk),
+              Row(1005, "SetBrightness", {Int("brightness", 0, 10)}, KeepSetting{"brightness"},
+                  "kept", kSdk),
+              Row(1006, "GetBrightness", {}, GiveSetting{"brightness", "brightness"},
+                  "what was set", kSdk),
+          },
+      // Assumed: no start values are published.
+      .settings = {{"enable", "1"}, {"volume", "5"}, {"brightness", "5"}},
+      .note = "100 for a bad parameter. Start values (1, 5, 5) are assumed."};
 }
 
 ServiceTable VoiceTable() {
   constexpr std::string_view kSdk = "[sdk] g1/audio; [docs] G1 VuiClient";
-  return {.name = "voice",
-          .title = "voice of G1, R1, A2",
-          .api_version = "1.0.0.0",
-          .parameter_code = kDeviceError,
-          .codes = {.unable = kDeviceError},
-          .program = "vui_service",
-          .rows =
-              {
-                  {1001,
-                   "TtsMaker",
-                   {Int("index"), Int("speaker_id"), Text("text")},
-                   Special{&Speak},
-                   "the text goes to the log; nothing is heard",
-                   kSdk},
-                  {1002, "Asr", {}, NoController{}, "no microphone is modelled", "[sdk] g1/audio"},
-                  {.id = 1003,
-                   .name = "PlayStream",
-                   .fields = {Text("app_name"), Text("stream_id")},
-                   .effect = Special{&PlayChunk},
-                   .does = "takes up to 96000 bytes of sound and logs it; nothing is heard",
-                   .source = "[sdk] g1/audio; its example sends 96000 bytes at once",
-                   .takes_binary = true},
-                  {1004,
-                   "PlayStop",
-                   {Text("app_name")},
-                   Special{&StopPlaying},
-                   "nothing plays on",
-                   kSdk},
-                  {1005, "GetVolume", {}, GiveSetting{"volume", "volume"}, "what was set", kSdk},
-                  {1006, "SetVolume", {Int("volume", 0, 100)}, KeepSetting{"volume"}, "kept", kSdk},
-                  {1010,
-                   "LedControl",
-                   {Int("R", 0, 255), Int("G", 0, 255), Int("B", 0, 255)},
-                   KeepSetting{"led"},
-                   "kept",
-                   kSdk},
-              },
-          .settings = {{"volume", "50"}},  // assumed
-          .note = "100 for a bad parameter. The start volume, 50, is assumed."};
+  return {
+      .name = "voice",
+      .title = "voice of G1, R1, A2",
+      .api_version = "1.0.0.0",
+      .parameter_code = kDeviceError,
+      .codes = {.unable = kDeviceError},
+      .program = "vui_service",
+      .rows =
+          {
+              Row(1001, "TtsMaker", {Int("index"), Int("speaker_id"), Text("text")},
+                  Special{&Speak}, "the text goes to the log; nothing is heard", kSdk),
+              Row(1002, "Asr", {}, NoController{}, "no microphone is modelled", "[sdk] g1/audio"),
+              {.id = 1003,
+               .name = "PlayStream",
+               .fields = {Text("app_name"), Text("stream_id")},
+               .effect = Special{&PlayChunk},
+               .does = "takes up to 96000 bytes of sound and logs it; nothing is heard",
+               .source = "[sdk] g1/audio; its example sends 96000 bytes at once",
+               .takes_binary = true},
+              Row(1004, "PlayStop", {Text("app_name")}, Special{&StopPlaying}, "nothing plays on",
+                  kSdk),
+              Row(1005, "GetVolume", {}, GiveSetting{"volume", "volume"}, "what was set", kSdk),
+              Row(1006, "SetVolume", {Int("volume", 0, 100)}, KeepSetting{"volume"}, "kept", kSdk),
+              Row(1010, "LedControl", {Int("R", 0, 255), Int("G", 0, 255), Int("B", 0, 255)},
+                  KeepSetting{"led"}, "kept", kSdk),
+          },
+      .settings = {{"volume", "50"}},  // assumed
+      .note = "100 for a bad parameter. The start volume, 50, is assumed."};
 }
 
 ServiceTable UwbSwitchTable() {
   constexpr std::string_view kSdk = "[sdk] go2/utrack";
-  return {.name = "uwbswitch",
-          .title = "uwbswitch of Go2",
-          .api_version = "1.0.0.1",
-          .program = "utrack",
-          .has_switch_topics = true,
-          .rows =
-              {
-                  {1001, "SwitchSet", {Int("enable", 0, 1)}, KeepSetting{"enable"}, "kept", kSdk},
-                  {1002,
-                   "SwitchGet",
-                   {},
-                   GiveSetting{"enable", "enable"},
-                   "what was set; 0 at the start (assumed)",
-                   kSdk},
-                  {1003,
-                   "IsTracking",
-                   {},
-                   GiveSetting{"tracking", "enable"},
-                   "0: there is no beacon to track",
-                   kSdk},
-              },
-          .settings = {{"enable", "0"}, {"tracking", "0"}}};
+  return {
+      .name = "uwbswitch",
+      .title = "uwbswitch of Go2",
+      .api_version = "1.0.0.1",
+      .program = "utrack",
+      .has_switch_topics = true,
+      .rows =
+          {
+              Row(1001, "SwitchSet", {Int("enable", 0, 1)}, KeepSetting{"enable"}, "kept", kSdk),
+              Row(1002, "SwitchGet", {}, GiveSetting{"enable", "enable"},
+                  "what was set; 0 at the start (assumed)", kSdk),
+              Row(1003, "IsTracking", {}, GiveSetting{"tracking", "enable"},
+                  "0: there is no beacon to track", kSdk),
+          },
+      .settings = {{"enable", "0"}, {"tracking", "0"}}};
 }
 
 ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version) {

@@ -41,21 +41,15 @@ inline Field Optional(Field field) {
   return field;
 }
 
-// What the robot could do and nothing here can.
-inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view source,
-                        std::vector<Field> schema = {}) {
-  return {.id = id,
-          .name = name,
-          .fields = std::move(schema),
-          .effect = NoController{},
-          .does = "not played",
-          .source = source};
+inline ApiRow Row(std::int64_t id, std::string_view name, std::vector<Field> fields, Effect effect,
+                  std::string_view does, std::string_view source) {
+  return {id, name, std::move(fields), std::move(effect), does, source};
 }
 
-// Of the rows SwitchJoystick.
-inline ServiceReply SwitchSticks(const ServiceCall& call) {
-  call.owner->SetSticks(call.parameter.at("data").get<bool>());
-  return {};
+// What the robot could do and nothing here can.
+inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view source,
+                        std::vector<Field> fields = {}) {
+  return Row(id, name, std::move(fields), NoController{}, "not played", source);
 }
 
 }  // namespace understudy::services::fields

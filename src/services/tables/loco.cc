@@ -29,36 +29,27 @@ const std::vector<int>& WalkingIds() {
 }
 
 ApiRow GetId(const Loco& l) {
-  return {l.get + 1,         "GetFsmId", {}, GiveState{StateWord::kId, "data"},
-          "id of the state", l.source};
+  return Row(l.get + 1, "GetFsmId", {}, GiveState{StateWord::kId, "data"}, "id of the state",
+             l.source);
 }
 ApiRow GetMode(const Loco& l) {
-  return {l.get + 2, "GetFsmMode", {}, GiveState{StateWord::kMode, "data"}, "0 static, 1 moving",
-          l.source};
+  return Row(l.get + 2, "GetFsmMode", {}, GiveState{StateWord::kMode, "data"}, "0 static, 1 moving",
+             l.source);
 }
 ApiRow SetId(const Loco& l, std::string_view source) {
-  return {l.set + 1,
-          "SetFsmId",
-          {Int()},
-          AskGoal{.goal = To<goal::SetFsm>, .not_now = kRpcOk, .unknown = kRpcOk},
-          "asks for a state; an unknown or unreachable one is answered 0 and ignored",
-          source};
+  return Row(l.set + 1, "SetFsmId", {Int()},
+             AskGoal{.goal = To<goal::SetFsm>, .not_now = kRpcOk, .unknown = kRpcOk},
+             "asks for a state; an unknown or unreachable one is answered 0 and ignored", source);
 }
 ApiRow SetVelocity(const Loco& l) {
-  return {l.set + 5,
-          "SetVelocity",
-          {Numbers("velocity", 3), Number("duration", 0)},
-          AskGoal{.goal = To<goal::Move>, .not_now = kRpcOk},
-          "vx, vy m/s, yaw rate rad/s, for so many s; ignored where the robot cannot walk",
-          "[sdk] loco; [seen] 0 and no walking; no range is published"};
+  return Row(l.set + 5, "SetVelocity", {Numbers("velocity", 3), Number("duration", 0)},
+             AskGoal{.goal = To<goal::Move>, .not_now = kRpcOk},
+             "vx, vy m/s, yaw rate rad/s, for so many s; ignored where the robot cannot walk",
+             "[sdk] loco; [seen] 0 and no walking; no range is published");
 }
 ApiRow SetSpeedMode(const Loco& l) {
-  return {l.set + 7,
-          "SetSpeedMode",
-          {Int("data", 0, 3)},
-          KeepSetting{"speed_mode"},
-          "kept; highest speed of running: 1.0, 2.0, 2.7, 3.0 m/s",
-          "[sdk] loco; [docs] G1"};
+  return Row(l.set + 7, "SetSpeedMode", {Int("data", 0, 3)}, KeepSetting{"speed_mode"},
+             "kept; highest speed of running: 1.0, 2.0, 2.7, 3.0 m/s", "[sdk] loco; [docs] G1");
 }
 
 ApiRow Getter(const Loco& l, std::int64_t id, std::string_view name, std::string_view setting,
@@ -86,24 +77,16 @@ std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
       Getter(l, 4, "GetSwingHeight", "swing_height", refused_walking),
       Getter(l, 5, "GetStandHeight", "stand_height", refused_walking),
       Getter(l, 6, "GetPhase", "phase", refused_walking),
-      {l.set + 2,
-       "SetBalanceMode",
-       {Int("data", 0, 1)},
-       AskGoal{.goal = To<goal::SetBalanceMode>, .keep = "balance_mode", .not_now = kRpcOk},
-       "0 steps only when needed, 1 keeps stepping",
-       "[sdk] loco; [docs] G1; that more is refused is assumed"},
-      {l.set + 3,
-       "SetSwingHeight",
-       {Number()},
-       KeepSetting{"swing_height"},
-       "kept; no range is published",
-       l.source},
-      {l.set + 4,
-       "SetStandHeight",
-       {Clamped("data", 0, 1)},
-       AskGoal{.goal = To<goal::SetStandHeight>, .keep = "stand_height", .not_now = kRpcOk},
-       "0 lowest to 1 highest; HighStand sends 4294967295",
-       "[sdk] loco: saturates; that 1 is the highest is assumed"},
+      Row(l.set + 2, "SetBalanceMode", {Int("data", 0, 1)},
+          AskGoal{.goal = To<goal::SetBalanceMode>, .keep = "balance_mode", .not_now = kRpcOk},
+          "0 steps only when needed, 1 keeps stepping",
+          "[sdk] loco; [docs] G1; that more is refused is assumed"),
+      Row(l.set + 3, "SetSwingHeight", {Number()}, KeepSetting{"swing_height"},
+          "kept; no range is published", l.source),
+      Row(l.set + 4, "SetStandHeight", {Clamped("data", 0, 1)},
+          AskGoal{.goal = To<goal::SetStandHeight>, .keep = "stand_height", .not_now = kRpcOk},
+          "0 lowest to 1 highest; HighStand sends 4294967295",
+          "[sdk] loco: saturates; that 1 is the highest is assumed"),
       SetVelocity(l),
   };
 }
@@ -192,18 +175,23 @@ constexpr std::string_view kNote =
     "Codes as robots sent them: an unknown or unreachable state is answered 0 and nothing happens, "
     "though the header has 7302; GetFsmId tells the truth. 7301 for what is not played.";
 
+ServiceTable HumanoidSport(std::string_view title, std::vector<ApiRow> rows,
+                           std::vector<std::pair<std::string_view, std::string_view>> settings) {
+  return {.name = "sport",
+          .title = title,
+          .api_version = "1.0.0.0",
+          .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
+          .needs_motion = true,
+          .rows = std::move(rows),
+          .settings = std::move(settings),
+          .note = kNote};
+}
+
 }  // namespace
 
 ServiceTable G1SportTable() {
   const Loco l{.source = "[sdk] g1/loco"};
-  ServiceTable table{.name = "sport",
-                     .title = "sport of G1",
-                     .api_version = "1.0.0.0",
-                     .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
-                     .needs_motion = true,
-                     .rows = CommonRows(l, true),
-                     .settings = CommonSettings(),
-                     .note = kNote};
+  ServiceTable table = HumanoidSport("sport of G1", CommonRows(l, true), CommonSettings());
   table.rows.push_back(SetId(l, "[sdk] g1/loco; [seen] 99999 answered 0, impossible ones ignored"));
   table.rows.push_back(
       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
@@ -225,44 +213,29 @@ ServiceTable G1SportTable() {
 
 ServiceTable H2SportTable() {
   const Loco l{.source = "[sdk] h2/loco"};
-  ServiceTable table{.name = "sport",
-                     .title = "sport of H2",
-                     .api_version = "1.0.0.0",
-                     .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
-                     .needs_motion = true,
-                     .rows = CommonRows(l, false),
-                     .settings = CommonSettings(),
-                     .note = kNote};
+  ServiceTable table = HumanoidSport("sport of H2", CommonRows(l, false), CommonSettings());
   table.settings.emplace_back("arm_sdk", "false");
   table.rows.push_back(
-      {7007, "GetArmSdkStatus", {}, GiveSetting{"arm_sdk", "data"}, "what was set", l.source});
-  table.rows.push_back({7008,
-                        "GetAvailableFsmIds",
-                        {},
-                        Special{&GiveH2Ids, true},
-                        "ids and names of an H2; not all are played",
-                        "[sdk] h2/loco; [seen] the list of an H2"});
+      Row(7007, "GetArmSdkStatus", {}, GiveSetting{"arm_sdk", "data"}, "what was set", l.source));
+  table.rows.push_back(Row(7008, "GetAvailableFsmIds", {}, Special{&GiveH2Ids, true},
+                           "ids and names of an H2; not all are played",
+                           "[sdk] h2/loco; [seen] the list of an H2"));
   table.rows.push_back(SetId(l, "[sdk] h2/loco; codes as a G1's, assumed"));
   table.rows.push_back(
       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
   table.rows.push_back(SetSpeedMode(l));
   table.rows.push_back(NotPlayed(7108, "SetPunch", l.source, {Numbers("data", 0)}));
   table.rows.push_back(
-      {7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "kept", l.source});
+      Row(7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "kept", l.source));
   return table;
 }
 
 ServiceTable R1SportTable() {
   const Loco l{.source = "[sdk] r1/loco"};
-  return {.name = "sport",
-          .title = "sport of R1",
-          .api_version = "1.0.0.0",
-          .codes = {.not_now = kRpcOk, .unknown = 7302, .unable = 7301},
-          .needs_motion = true,
-          .rows = {GetId(l), GetMode(l), SetId(l, "[sdk] r1/loco; codes as a G1's, assumed"),
-                   SetVelocity(l), SetSpeedMode(l)},
-          .settings = {{"speed_mode", "0"}},
-          .note = kNote};
+  return HumanoidSport("sport of R1",
+                       {GetId(l), GetMode(l), SetId(l, "[sdk] r1/loco; codes as a G1's, assumed"),
+                        SetVelocity(l), SetSpeedMode(l)},
+                       {{"speed_mode", "0"}});
 }
 
 ServiceTable H1LocoTable() {
@@ -282,19 +255,16 @@ ServiceTable H1LocoTable() {
   table.settings.emplace_back("odometry", "false");
   table.rows.push_back(SetId(l, "[sdk] h1/loco; [seen] H1-2: 0 without effect"));
   table.rows.push_back(
-      {8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "kept", l.source});
+      Row(8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "kept", l.source));
   table.rows.push_back(SetTask(l, 8107, &SetH1Task, "0 wave, 1 handshake, 2 end of it"));
   table.rows.push_back(NotPlayed(8201, "EnableOdom", l.source));
   table.rows.push_back(NotPlayed(8202, "DisableOdom", l.source));
   for (ApiRow& row : table.rows) {
     if (row.id == 8201 || row.id == 8202) row.unable_code = 8303;
   }
-  table.rows.push_back({8203,
-                        "GetOdom",
-                        {},
-                        Special{&GiveNoOdometry, true},
-                        "8303 and zeros: the service's own odometry is not played",
-                        "[sdk] h1/loco; [seen] H1-2: zeros"});
+  table.rows.push_back(Row(8203, "GetOdom", {}, Special{&GiveNoOdometry, true},
+                           "8303 and zeros: the service's own odometry is not played",
+                           "[sdk] h1/loco; [seen] H1-2: zeros"));
   table.rows.push_back(NotPlayed(8204, "SetTargetPosition", l.source,
                                  {Number("x"), Number("y"), Number("yaw"), Bool("relative")}));
   return table;

@@ -7,12 +7,11 @@
 
 namespace understudy::services {
 
-// What a sport service lets Move ask for: m/s, rad/s, and how long one call holds in s. Beyond is
-// clamped.
+// What the Go2s' sport lets Move ask for: m/s, rad/s, beyond which it is clamped, and how long one
+// call holds in s; the B2s' has a hold only.
 struct MoveLimits {
   double vx_min, vx_max, vy, yaw_rate, hold;
 };
-inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 
 ServiceTable MotionSwitcherTable();
 ServiceTable RobotStateTable();      // three calls, version 1.0.0.1
@@ -20,7 +19,7 @@ ServiceTable RobotStateLongTable();  // six calls, version 1.0.0.2
 ServiceTable ConfigTable();
 
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits);
-ServiceTable B2SportTable(std::string_view title, const MoveLimits& limits);
+ServiceTable B2SportTable(std::string_view title, double hold);
 ServiceTable A2SportTable();
 
 ServiceTable G1SportTable();

@@ -1,4 +1,4 @@
-#include "record/mcap_records.h"
+#include "record/mcap_format.h"
 
 #include <zstd.h>
 

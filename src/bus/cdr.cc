@@ -1,13 +1,21 @@
-#include "bus/cdr_reader.h"
+#include "bus/cdr.h"
 
+#include <algorithm>
+#include <limits>
 #include <memory>
 
 #include <dds/dds.h>
+#include <dds/ddsi/ddsi_cdrstream.h>
 #include <dds/ddsi/ddsi_serdata.h>
 
 #include "bus/qos.h"
 
 namespace understudy::bus {
+namespace {
+
+constexpr std::size_t kHead = 4;  // of a message, which says how it is encoded
+
+}  // namespace
 
 CdrSample::CdrSample(ddsi_serdata* owned, WriterHandle writer)
     : serdata_(owned), source_time_(owned->timestamp.v), writer_(writer) {
@@ -57,6 +65,45 @@ int CdrReader::TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid) {
     if (infos[i].valid_data) (*samples)[static_cast<std::size_t>((*valid)++)] = std::move(sample);
   }
   return count;
+}
+
+CdrWriter::CdrWriter(const Participant& participant, const std::string& topic,
+                     const dds_topic_descriptor& descriptor)
+    : descriptor_(descriptor),
+      topic_(dds_create_topic(participant.handle(), &descriptor, topic.c_str(), nullptr, nullptr),
+             "create topic " + topic),
+      writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(), nullptr),
+              "write topic " + topic) {}
+
+int CdrWriter::matched_readers() const {
+  return std::max(0, dds_get_matched_subscriptions(writer_.handle(), nullptr, 0));
+}
+
+bool CdrWriter::Write(std::span<const std::byte> bytes) {
+  if (bytes.size() < kHead || bytes.size() > std::numeric_limits<std::uint32_t>::max()) {
+    return false;
+  }
+  // 00 00 and 00 01 are XCDR1, 00 06 and 00 07 XCDR2; the odd ones little-endian.
+  const auto encoding = static_cast<unsigned>(bytes[1]);
+  const bool is_xcdr2 = encoding == 6 || encoding == 7;
+  if (bytes[0] != std::byte{0} || (encoding > 1 && !is_xcdr2)) return false;
+  const std::uint32_t version = is_xcdr2 ? CDR_ENC_VERSION_2 : CDR_ENC_VERSION_1;
+
+  const auto* begin = reinterpret_cast<const char*>(bytes.data());
+  encoded_.assign(begin + kHead, begin + bytes.size());
+  const auto size = static_cast<std::uint32_t>(encoded_.size());
+  std::uint32_t used = 0;
+  if (dds_stream_normalize_data(encoded_.data(), &used, size, encoding % 2 == 0, version,
+                                descriptor_.m_ops) == nullptr) {
+    return false;
+  }
+  message_.assign(descriptor_.m_size, '\0');
+  dds_istream_t stream;
+  dds_istream_init(&stream, size, encoded_.data(), version);
+  dds_stream_read(&stream, message_.data(), descriptor_.m_ops);
+  const bool written = dds_write(writer_.handle(), message_.data()) == DDS_RETCODE_OK;
+  dds_stream_free_sample(message_.data(), descriptor_.m_ops);
+  return written;
 }
 
 }  // namespace understudy::bus

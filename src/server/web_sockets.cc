@@ -1,0 +1,228 @@
+// The only file of the server that compiles Beast's WebSocket.
+#include "server/web_sockets.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include <boost/asio/buffer.hpp>
+#include <boost/asio/steady_timer.hpp>
+#include <boost/beast/websocket.hpp>
+#include <nlohmann/json.hpp>
+
+#include "server/request_desk.h"
+
+namespace understudy::server {
+namespace {
+
+using boost::system::error_code;
+using nlohmann::json;
+using nlohmann::ordered_json;
+
+// What they have in common. An operation that is pending holds the connection by a shared pointer.
+class WebSocket : public Connection {
+ public:
+  WebSocket(Stream stream, Handshake handshake, Connections* connections, Shared* shared)
+      : shared_(shared),
+        handshake_(std::move(handshake)),
+        connections_(connections),
+        stream_(std::move(stream)),
+        timer_(stream_.get_executor()) {}
+
+  // A client that neither reads nor answers pings is hung up on.
+  void Begin() override {
+    stream_.set_option(
+        boost::beast::websocket::stream_base::timeout{.handshake_timeout = shared_->limits.idle,
+                                                      .idle_timeout = shared_->limits.idle,
+                                                      .keep_alive_pings = true});
+    stream_.read_message_max(shared_->limits.body_bytes);
+    stream_.auto_fragment(false);
+    stream_.text(true);
+    stream_.async_accept(handshake_, [this, self = shared_from_this()](const error_code& error) {
+      if (error) return Leave();
+      Listen();
+      OnOpen();
+    });
+  }
+  void OnFrame(ShownFrame*) override {}
+
+ protected:
+  virtual void OnOpen() {}
+  virtual void OnMessage(std::string_view) { Listen(); }
+  virtual void OnSent() = 0;
+
+  void Listen() {
+    heard_.clear();
+    stream_.async_read(
+        heard_, [this, self = shared_from_this()](const error_code& error, std::size_t) {
+          if (error) return Leave();
+          OnMessage({static_cast<const char*>(heard_.cdata().data()), heard_.size()});
+        });
+  }
+
+  // One at a time.
+  void Send(std::shared_ptr<const std::string> text) {
+    sending_ = std::move(text);
+    stream_.async_write(boost::asio::buffer(*sending_),
+                        [this, self = shared_from_this()](const error_code& error, std::size_t) {
+                          sending_.reset();
+                          if (error) return Leave();
+                          OnSent();
+                        });
+  }
+  void Send(const ordered_json& message) {
+    Send(std::make_shared<const std::string>(JsonText(message)));
+  }
+
+  template <class Function>
+  void At(std::chrono::steady_clock::time_point due, Function function) {
+    timer_.expires_at(due);
+    timer_.async_wait([self = shared_from_this(), function](const error_code& error) {
+      if (!error) function();
+    });
+  }
+
+  bool open() const { return stream_.is_open(); }
+
+  Shared* const shared_;
+
+ private:
+  // Whatever is under way on the socket ends with an error.
+  void Leave() {
+    timer_.cancel();
+    error_code ignored;
+    boost::beast::get_lowest_layer(stream_).socket().close(ignored);
+    connections_->Remove(this);
+  }
+
+  Handshake handshake_;
+  Connections* connections_;
+  // Without compression, which nobody asks for here and which takes long to compile.
+  boost::beast::websocket::stream<Stream, false> stream_;
+  boost::asio::steady_timer timer_;
+  boost::beast::flat_buffer heard_;
+  std::shared_ptr<const std::string> sending_;
+};
+
+class FrameWatch final : public WebSocket {
+ public:
+  FrameWatch(Stream stream, Handshake handshake, const WatchFrames& wanted,
+             Connections* connections, Shared* shared)
+      : WebSocket(std::move(stream), std::move(handshake), connections, shared),
+        parts_(wanted.parts),
+        period_(std::chrono::duration_cast<Clock::duration>(
+            std::chrono::duration<double>(1 / wanted.hz))) {}
+
+  void OnFrame(ShownFrame* shown) override {
+    if (open()) Send(shown->Json(parts_));
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void OnOpen() override {
+    due_ = Clock::now();
+    OnSent();
+  }
+  void OnSent() override {
+    At(due_, [this] {
+      // One that has fallen behind goes on from now.
+      due_ = std::max(due_ + period_, Clock::now());
+      shared_->pump->Ask(parts_, shared_from_this());
+    });
+  }
+
+  emulator::FrameParts parts_;
+  Clock::duration period_;
+  Clock::time_point due_;
+};
+
+class EventWatch final : public WebSocket {
+ public:
+  using WebSocket::WebSocket;
+
+ private:
+  void OnOpen() override { OnSent(); }
+  // A client too slow for the history goes on with the oldest that is kept.
+  void OnSent() override {
+    const auto& newest = shared_->plane.events.newest();
+    const auto event = std::ranges::find_if(
+        newest, [this](const KnownEvent& known) { return known.number >= next_; });
+    if (event == newest.end()) {
+      return At(std::chrono::steady_clock::now() + kEventsEvery, [this] { OnSent(); });
+    }
+    next_ = event->number + 1;
+    Send(EventJson(*event));
+  }
+
+  std::uint64_t next_ = 0;  // number of the next event to be sent
+};
+
+// The request of a message, and in `id` what its answer is to be known by. Never recurses: a client
+// chooses how deep a message is.
+Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id) {
+  const json said = json::parse(message, nullptr, false);
+  const Error form{R"(expected {"NAME": {...}, "id": text or number})"};
+  if (!said.is_object() || said.empty() || said.size() > 2) return form;
+  const json* values = nullptr;
+  std::string name;
+  for (const auto& item : said.items()) {
+    if (item.key() == "id") {
+      if (item.value().is_structured()) return form;
+      *id = item.value();
+    } else if (values == nullptr) {
+      name = item.key();
+      values = &item.value();
+    } else {
+      return form;
+    }
+  }
+  return values != nullptr ? emulator::ReadRequest(name, *values) : form;
+}
+
+class RequestLine final : public WebSocket {
+ public:
+  using WebSocket::WebSocket;
+
+ private:
+  void OnMessage(std::string_view message) override {
+    try {
+      ordered_json id;
+      const auto request = ReadMessage(message, &id);
+      if (!request) return Answer(id, ErrorReply(400, request.why()));
+      shared_->desk->Ask(*request, [this, self = shared_from_this(), id](const HttpReply& reply) {
+        Answer(id, reply);
+      });
+    } catch (const std::exception& failure) {  // no memory for it
+      Answer(nullptr, ErrorReply(500, failure.what()));
+    }
+  }
+  void OnSent() override { Listen(); }
+
+  void Answer(const ordered_json& id, const HttpReply& reply) {
+    ordered_json answer{{"id", id}, {"status", reply.status}};
+    answer.update(ordered_json::parse(reply.content()));
+    Send(answer);
+  }
+};
+
+}  // namespace
+
+std::shared_ptr<Connection> MakeWebSocket(Stream stream, Handshake handshake, const Routed& routed,
+                                          Connections* connections, Shared* shared) {
+  if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
+    return std::make_shared<FrameWatch>(std::move(stream), std::move(handshake), *watch,
+                                        connections, shared);
+  }
+  if (std::holds_alternative<WatchEvents>(routed)) {
+    return std::make_shared<EventWatch>(std::move(stream), std::move(handshake), connections,
+                                        shared);
+  }
+  return std::make_shared<RequestLine>(std::move(stream), std::move(handshake), connections,
+                                       shared);
+}
+
+}  // namespace understudy::server
