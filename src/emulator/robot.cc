@@ -195,6 +195,7 @@ void Robot::Report(double t, Status* status) const {
   status->arm_commands = router_.counts(robot::kArmSdkTopic);
   status->user_commands = router_.counts(robot::kUserLowCmdTopic);
   status->port = port_->counts();
+  status->command_writers = port_->command_writers();
   if (services_ != nullptr) status->services = services_->counts();
   status->published = status->port.lowstates;
   for (std::size_t i = 0; i < spec_.hands.size(); ++i) {

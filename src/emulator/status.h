@@ -39,16 +39,23 @@ struct RecordingStatus {
   std::uint64_t dropped = 0;  // moments that are not in it, since its thread was too far behind
 };
 
+// What only the loop around the tick knows.
+struct LoopReading {
+  bool ready = false;  // the first LowState is out
+  time::PaceReading pace;
+  time::Histogram ticks;  // wall time of each, since start
+  RecordingStatus recording;
+};
+
+// What is so now, filled in by World::status() alone.
 struct Status {
-  bool ready = false;     // the first LowState is out
+  LoopReading loop;
   bool silenced = false;  // another robot appeared and we stopped sending
   double time = 0;        // simulated s
   std::int64_t steps = 0;
   double speed = 1;  // wanted; 0 = as fast as possible
   bool paused = false;
   std::int64_t steps_left = 0;  // to be made although paused
-  time::PaceReading pace;
-  time::Histogram ticks;  // wall time of each, since start
   services::ServiceCounts services;
   authority::GateState gate = authority::GateState::kStart;
   std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
@@ -72,7 +79,6 @@ struct Status {
   bool clamped = false;
   double base_height = 0;  // m
   double tilt = 0;         // rad between the base's up and the world's
-  RecordingStatus recording;
 };
 
 // What came by that topic.

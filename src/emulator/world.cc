@@ -74,8 +74,9 @@ void World::Reset(Robot* robot, robot::StartPose pose) {
   robot->Reset(pose);
 }
 
-Status World::status() const {
+Status World::status(const LoopReading& loop) const {
   Status status;
+  status.loop = loop;
   status.time = time();
   status.steps = step_;
   status.speed = pace_.speed;

@@ -51,8 +51,7 @@ class World {
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
-  // Everything of Status but what only the run loop knows: ready and its punctuality.
-  Status status() const;
+  Status status(const LoopReading& loop = {}) const;
 
   // What happened so far, for readers in any thread. Whoever calls Tick may add what only it knows,
   // such as late ticks.

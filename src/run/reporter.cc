@@ -50,7 +50,7 @@ void Reporter::LogEvents(WallTime now) {
 }
 
 void Reporter::DrawStatusLine(const emulator::Status& status, WallTime now) {
-  const bool started = line_drawn_ || status.pace.real_time_factor > 0;
+  const bool started = line_drawn_ || status.loop.pace.real_time_factor > 0;
   if (started && now - drawn_at_ < milliseconds(500)) return;
   if (started) {
     const double wall = std::chrono::duration<double>(now - drawn_at_).count();

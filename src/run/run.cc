@@ -257,12 +257,8 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     const bool posts = world.step() % kStepsPerPost == 0 || world.pace().stands_still();
     if (due && !posts && !diverged) continue;
 
-    emulator::Status status = world.status();
-    status.ready = true;
-    status.command_writers = port.command_writers();
-    status.pace = pacer.reading();
-    status.ticks = ticks;
-    status.recording = recording.status();
+    const emulator::Status status = world.status(
+        {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()});
     notes.Port(status.port, status.command_writers);
     board.Post(status);
     world.robot().Silence(housekeeper.must_silence());

@@ -87,12 +87,12 @@ void AddPace(const emulator::Status& status, Page* page) {
   page->Gauge("speed", "Simulated seconds wanted per wall second; 0 is as fast as possible.",
               status.speed);
   page->Gauge("real_time_factor", "Simulated seconds per wall second over the last second.",
-              status.pace.real_time_factor);
+              status.loop.pace.real_time_factor);
   page->Gauge("paused", "1 while the robot is paused.", status.paused ? 1 : 0);
   page->Counter("overruns_total", "Ticks that began more than one period late.",
-                status.pace.overruns);
-  page->Distribution("lateness_seconds", "How late ticks began.", status.pace.latenesses);
-  page->Distribution("tick_seconds", "How long ticks took.", status.ticks);
+                status.loop.pace.overruns);
+  page->Distribution("lateness_seconds", "How late ticks began.", status.loop.pace.latenesses);
+  page->Distribution("tick_seconds", "How long ticks took.", status.loop.ticks);
   page->Counter("divergences_total", "Times that the physics diverged.", status.divergences);
 }
 

@@ -22,7 +22,7 @@ using ::testing::ThrowsMessage;
 
 emulator::Status Ready() {
   emulator::Status status;
-  status.ready = true;
+  status.loop.ready = true;
   status.steps = 5;
   return status;
 }

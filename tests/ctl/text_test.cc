@@ -15,9 +15,9 @@ std::string TextOf(const emulator::Status& status) {
 
 TEST(CtlTextTest, StatusIsLinesOfLabelValueAndUnit) {
   emulator::Status status;
-  status.ready = true;
+  status.loop.ready = true;
   status.time = 12.5;
-  status.pace.worst_lateness = 0.00025;
+  status.loop.pace.worst_lateness = 0.00025;
   status.crane_tension = 340.25;
   EXPECT_EQ(TextOf(status), R"(robot              g1
 process            42
@@ -72,7 +72,7 @@ TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {
 
 TEST(CtlTextTest, SaysThatARobotWasSilenced) {
   emulator::Status status;
-  status.ready = true;
+  status.loop.ready = true;
   status.silenced = true;
   EXPECT_THAT(TextOf(status), HasSubstr("silenced: another robot"));
 }

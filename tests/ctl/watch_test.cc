@@ -17,10 +17,10 @@ nlohmann::ordered_json Json(const emulator::Status& status) {
 
 emulator::Status Running() {
   emulator::Status status;
-  status.ready = true;
+  status.loop.ready = true;
   status.time = 12.5;
   status.steps = 12'500;
-  status.pace.real_time_factor = 0.75;
+  status.loop.pace.real_time_factor = 0.75;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
   return status;
 }

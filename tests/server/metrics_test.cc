@@ -49,7 +49,7 @@ TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {
 }
 
 TEST_F(MetricsTest, BucketsAddUpToTheCount) {
-  for (const double late : {1e-6, 3e-5, 3e-5, 9.0}) status_.pace.latenesses.Add(late);
+  for (const double late : {1e-6, 3e-5, 3e-5, 9.0}) status_.loop.pace.latenesses.Add(late);
   const std::string text = Dut();
   EXPECT_THAT(text, HasSubstr("understudy_lateness_seconds_bucket{le=\"5e-06\"} 1\n"));
   EXPECT_THAT(text, HasSubstr("understudy_lateness_seconds_bucket{le=\"5e-05\"} 3\n"));

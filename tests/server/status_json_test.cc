@@ -12,20 +12,20 @@ const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42};
 
 emulator::Status EveryFieldSet() {
   emulator::Status status;
-  status.ready = true;
+  status.loop.ready = true;
   status.silenced = true;
   status.time = 12.5;
   status.steps = 12500;
   status.speed = 0.5;
   status.paused = true;
   status.steps_left = 9;
-  status.pace = {.overruns = 3,
-                 .lateness = 0.25,
-                 .worst_lateness = 0.75,
-                 .latenesses = {},
-                 .shifts = 2,
-                 .shifted = 1.5,
-                 .real_time_factor = 0.9375};
+  status.loop.pace = {.overruns = 3,
+                      .lateness = 0.25,
+                      .worst_lateness = 0.75,
+                      .latenesses = {},
+                      .shifts = 2,
+                      .shifted = 1.5,
+                      .real_time_factor = 0.9375};
   status.gate = authority::GateState::kFollowing;
   status.commands.accepted = 100;
   status.commands.timeouts = 2;
@@ -51,7 +51,7 @@ emulator::Status EveryFieldSet() {
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
-  status.recording = {
+  status.loop.recording = {
       .state = emulator::RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
   return status;
 }
@@ -122,9 +122,9 @@ TEST(StatusJsonTest, TellsWhatTheRunLeftToChance) {
 TEST(TimingsJsonTest, TellsWhatIsMeasured) {
   emulator::Status status;
   status.steps = 2;
-  status.pace.overruns = 1;
-  status.ticks.Add(15e-6);
-  status.ticks.Add(1);
+  status.loop.pace.overruns = 1;
+  status.loop.ticks.Add(15e-6);
+  status.loop.ticks.Add(1);
   using nlohmann::json;
   const json timings = TimingsJson(status);
   EXPECT_EQ(timings["steps"], 2);
