@@ -248,6 +248,22 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   a.Key(UNDERSTUDY_NVP(h.arm_actions), {"Whether arms wave, shake hands and so on"});
 }
 
+void DescribeWalk(Archive& a, robot::WalkSpec& w) {
+  a.Key(UNDERSTUDY_NVP(w.period), {"s", {0.1, 2}, "Stride at rest and at the most speed forwards"});
+  a.Key(UNDERSTUDY_NVP(w.duty), {"", {0.5, 0.9}, "Part of it that a foot stands, likewise"});
+  a.Key(UNDERSTUDY_NVP(w.foot_raise), {"m", {0, 0.5}, "How far a swinging foot is lifted"});
+  a.Key(UNDERSTUDY_NVP(w.friction), {"", {0.05, 2}, "Friction of the ground that it counts on"});
+  a.Key(UNDERSTUDY_NVP(w.least_speed),
+        {"m/s, m/s, rad/s", {-10, 0}, "Least forward, left, turn that it takes of a command"});
+  a.Key(UNDERSTUDY_NVP(w.most_speed), {"m/s, m/s, rad/s", {0, 10}, "Most of these"});
+  a.Key(UNDERSTUDY_NVP(w.dead_band),
+        {"m/s, m/s, rad/s", {0, 1}, "A command that is within all of these is none"});
+  a.Key(UNDERSTUDY_NVP(w.gain), {"", {0, 2}, "Velocity over the command, forward, left, turn"});
+  a.Key(UNDERSTUDY_NVP(w.time_constant), {"s", {0.01, 5}, "In which it follows, likewise"});
+  a.Key(UNDERSTUDY_NVP(w.dead_time), {"s", {0, 0.25}, "Until it begins to"});
+  a.Key(UNDERSTUDY_NVP(w.turn_scrub), {"", {0.5, 5}, "How much faster wheels run in a turn"});
+}
+
 void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.stand_height), {"m", {0, 2}, "Height of the base standing"});
   a.Key(UNDERSTUDY_NVP(m.foot_x), {"m", {-1, 1}, "How far the feet stand ahead of the hips"});
@@ -264,6 +280,7 @@ void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.wheel_kp),
         {"N·m/rad", kNotNegative, "Gain that keeps wheels in place while balancing"});
   a.Key(UNDERSTUDY_NVP(m.wheel_kd), {"N·m·s/rad", kNotNegative, "Damping that brakes wheels"});
+  a.Section(UNDERSTUDY_NVP(m.walk), {"How it walks"}, DescribeWalk);
 }
 
 void DescribeMotion(Archive& a, robot::MotionSpec& m) {

@@ -213,6 +213,21 @@ struct HumanoidMotionSpec {
   bool arm_actions = false;  // waves, shakes hands ...
 };
 
+// How a quadruped walks. Axes of the vectors are forward and left m/s, turn rad/s.
+struct WalkSpec {
+  std::array<double, 2> period = {0.5, 0.5};  // s of a stride, at rest and at most_speed forwards
+  std::array<double, 2> duty = {0.55, 0.55};  // part of it that a foot stands, likewise
+  double foot_raise = 0.08;                   // m that a swinging foot is lifted by
+  double friction = 0.5;                      // of the ground that it counts on
+  Eigen::Vector3d least_speed{-1, -0.4, -1};  // what it takes of a command
+  Eigen::Vector3d most_speed{1, 0.4, 1};      // likewise
+  Eigen::Vector3d dead_band{0, 0, 0};         // commands within are none
+  Eigen::Vector3d gain{1, 1, 1};              // of the velocity on the command
+  Eigen::Vector3d time_constant{0.4, 0.4, 0.4};  // s in which the velocity follows
+  double dead_time = 0;                          // s until it begins to
+  double turn_scrub = 1;                         // of wheels: how much faster they run in a turn
+};
+
 // How the motion service of a quadruped stands and moves.
 struct QuadrupedMotionSpec {
   double stand_height = 0;                      // m, of the base over the ground
@@ -225,6 +240,7 @@ struct QuadrupedMotionSpec {
   double damping_kd = 0;         // N·m·s/rad when damped, at all joints
   double wheel_kp = 0;           // N·m/rad that keeps a balanced robot's wheels where they stand
   double wheel_kd = 0;           // N·m·s/rad that brakes them
+  WalkSpec walk;
 };
 
 // What the robot's own motion service is like.

@@ -1,6 +1,7 @@
 // What a robot is told and what it tells, as plain values in SI units. Quaternions are w, x, y, z.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -86,8 +87,14 @@ struct MotionState {
   int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
-  // m/s, of the base, as a quadruped's service estimates it; 0 of every other.
-  Eigen::Vector3d v_WB_W{0, 0, 0};
+  // As a quadruped's service estimates it; 0 of every other. World axes; the place counts from
+  // where the service began and drifts with the steps.
+  Eigen::Vector3d v_WB_W{0, 0, 0};              // m/s, of the base
+  Eigen::Vector3d p_WB{0, 0, 0};                // m, likewise
+  int gait = 0;                                 // 0 idle, 1 trot, 2 run
+  double foot_raise = 0;                        // m that its gait lifts a foot by
+  std::array<Eigen::Vector3d, 4> feet{};        // m, in the base, FR FL RR RL
+  std::array<Eigen::Vector3d, 4> feet_speed{};  // m/s, against the base and in it
 };
 
 // What the remote controller sends. Sticks -1..1: right, forward and clockwise are positive.

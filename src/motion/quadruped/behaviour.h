@@ -11,7 +11,7 @@ struct LegCommand {
   PerLeg q, dq, tau;  // rad, rad/s, N·m
 };
 
-// Leads the legs. A gait will be one of them.
+// Leads the legs.
 using Behaviour = BehaviourOf<QuadrupedReading, LegCommand>;
 
 }  // namespace understudy::motion

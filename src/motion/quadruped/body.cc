@@ -70,6 +70,14 @@ double QuadrupedBody::Depth(const Vector3d& up) const {
   return depth;
 }
 
+Matrix3d QuadrupedBody::Inertia(const QuadrupedReading& reading) const {
+  Matrix3d inertia = trunk_.inertia + PointInertia(trunk_.mass, trunk_.com - reading.com);
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+    inertia += legs_[leg].InertiaAbout(reading.places[leg], reading.com);
+  }
+  return inertia;
+}
+
 // Forces s along `up` with sum m g and no moment about the centre of mass: A s = b. With the
 // diagonal matrix W of loads, s = W A' (A W A')^-1 b has the least sum of squares over load.
 std::array<double, 4> QuadrupedBody::FootForces(const QuadrupedReading& reading,

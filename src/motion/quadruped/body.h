@@ -53,6 +53,9 @@ class QuadrupedBody {
   PerLeg SupportTorque(const QuadrupedReading& reading, const std::array<double, 4>& load,
                        double share) const;
 
+  // Of the whole robot about its centre of mass, kg·m², in the base.
+  Eigen::Matrix3d Inertia(const QuadrupedReading& reading) const;
+
   const QuadrupedLeg& leg(std::size_t i) const { return legs_[i]; }
   // m, thigh and calf: what postures are scaled with.
   double leg_length() const { return legs_[0].length(); }

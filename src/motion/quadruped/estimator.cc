@@ -32,14 +32,16 @@ void QuadrupedEstimator::Begin(const QuadrupedReading& reading) {
   P_.setZero();
   P_.diagonal() << Squared(kStartRate), Vector5::Constant(Squared(kPlace)).head<4>();
   trust_.fill(1);
+  p_WB_.setZero();
   Tell(reading, 0);
 }
 
-void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt) {
+void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
+                              const std::array<double, 4>& stands) {
   const double weight = body_.mass() * body_.gravity();
   for (std::size_t leg = 0; leg < 4; ++leg) {
     const double share = reading.foot_force[leg] / weight;
-    trust_[leg] = std::clamp((share - kUnloaded) / (kLoaded - kUnloaded), 0.0, 1.0);
+    trust_[leg] = stands[leg] * std::clamp((share - kUnloaded) / (kLoaded - kUnloaded), 0.0, 1.0);
     const Vector3d w_W = reading.R_WB * (reading.w_WB_B + reading.turn[leg]);
     u_[leg] = w_W.cross(body_.radius() * Vector3d::UnitZ());
   }
@@ -83,6 +85,7 @@ void QuadrupedEstimator::Correct(Eigen::Index i, const Eigen::RowVector3d& measu
 void QuadrupedEstimator::Tell(const QuadrupedReading& reading, double dt) {
   const Vector3d p_BI_W = reading.R_WB * body_.p_BI();
   v_WB_W_ = x_.row(0).transpose() - (reading.R_WB * reading.w_WB_B).cross(p_BI_W);
+  p_WB_ += dt * v_WB_W_;
   const double trust = std::accumulate(trust_.begin(), trust_.end(), 0.0);
   if (trust == 0) {
     height_ += dt * v_WB_W_.z();

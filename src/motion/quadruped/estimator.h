@@ -31,12 +31,18 @@ class QuadrupedEstimator {
   // At rest, with the ground under all four feet. Before the first Begin: all is 0.
   void Begin(const QuadrupedReading& reading);
 
-  // One step of dt [s], at whose end `reading` was taken.
-  void Step(const QuadrupedReading& reading, double dt);
+  // One step of dt [s], at whose end `reading` was taken. `stands` from 0 to 1 says how far a foot
+  // may be believed to stand: 0 while a gait swings it.
+  void Step(const QuadrupedReading& reading, double dt,
+            const std::array<double, 4>& stands = {1, 1, 1, 1});
 
   // m/s, of the base's origin. While no foot carries load it comes from the inertial unit alone and
   // fades within seconds.
   const Eigen::Vector3d& v_WB_W() const { return v_WB_W_; }
+
+  // m, of the base's origin from where it was at Begin, in the world's axes: drifts with every step
+  // a foot takes.
+  const Eigen::Vector3d& p_WB() const { return p_WB_; }
 
   // m, of the base's origin over the mean of the ground under the feet that carry load; while none
   // does, over where they last were.
@@ -56,6 +62,7 @@ class QuadrupedEstimator {
   std::array<double, 4> trust_{};  // that a foot stands, 0 to 1
   PerLeg u_;                       // m/s
   Eigen::Vector3d v_WB_W_{0, 0, 0};
+  Eigen::Vector3d p_WB_{0, 0, 0};
   double height_ = 0;
 };
 

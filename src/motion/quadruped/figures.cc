@@ -28,6 +28,15 @@ Eigen::Vector3d InAncestor(const mjModel& model, int body, int ancestor, Eigen::
   return point;
 }
 
+// Likewise a rotation.
+Eigen::Quaterniond TurnInAncestor(const mjModel& model, int body, int ancestor,
+                                  Eigen::Quaterniond turn) {
+  for (; body != ancestor; body = model.body_parentid[body]) {
+    turn = Quaternion(model.body_quat + 4 * body) * turn;
+  }
+  return turn;
+}
+
 bool HangsOn(const mjModel& model, int body, int ancestor) {
   while (body != 0 && body != ancestor) body = model.body_parentid[body];
   return body == ancestor;
@@ -38,6 +47,7 @@ template <class Without>
 LinkMass Lump(const mjModel& model, int root, const Without& without) {
   LinkMass lump;
   Eigen::Vector3d moment(0, 0, 0);
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();  // about the root's origin
   for (int body = root; body < model.nbody; ++body) {
     if (!HangsOn(model, body, root)) continue;
     if (std::any_of(without.begin(), without.end(),
@@ -45,10 +55,17 @@ LinkMass Lump(const mjModel& model, int root, const Without& without) {
       continue;
     }
     const double mass = model.body_mass[body];
-    moment += mass * InAncestor(model, body, root, Vector(model.body_ipos + 3 * body));
+    const Eigen::Vector3d com = InAncestor(model, body, root, Vector(model.body_ipos + 3 * body));
+    const Eigen::Matrix3d R =
+        TurnInAncestor(model, body, root, Quaternion(model.body_iquat + 4 * body))
+            .toRotationMatrix();
+    inertia += R * Vector(model.body_inertia + 3 * body).asDiagonal() * R.transpose() +
+               PointInertia(mass, com);
+    moment += mass * com;
     lump.mass += mass;
   }
   if (lump.mass > 0) lump.com = moment / lump.mass;
+  lump.inertia = inertia - PointInertia(lump.mass, lump.com);
   return lump;
 }
 
@@ -83,10 +100,8 @@ std::vector<TrunkShape> TrunkShapes(const mjModel& model, int base,
     const bool of_leg =
         std::any_of(hips.begin(), hips.end(), [&](int hip) { return HangsOn(model, body, hip); });
     if (!collides || of_leg || !HangsOn(model, body, base)) continue;
-    Eigen::Quaterniond turn = Quaternion(model.geom_quat + 4 * geom);
-    for (int b = body; b != base; b = model.body_parentid[b]) {
-      turn = Quaternion(model.body_quat + 4 * b) * turn;
-    }
+    const Eigen::Quaterniond turn =
+        TurnInAncestor(model, body, base, Quaternion(model.geom_quat + 4 * geom));
     const Eigen::Vector3d middle = InAncestor(model, body, base, Vector(model.geom_pos + 3 * geom));
     const Half half = HalfOf(model, geom);
     const Eigen::Vector3d reach = turn.toRotationMatrix().cwiseAbs() * half.size;
@@ -122,6 +137,11 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
     constexpr double kFree = std::numeric_limits<double>::infinity();
     figures.low[i] = limited ? model.jnt_range[2 * joint] : -kFree;
     figures.high[i] = limited ? model.jnt_range[2 * joint + 1] : kFree;
+    const int dof = model.jnt_dofadr[joint];
+    const auto at = static_cast<Eigen::Index>(i);
+    figures.armature[at] = model.dof_armature[dof];
+    figures.damping[at] = model.dof_damping[dof];
+    figures.friction[at] = model.dof_frictionloss[dof];
     if (!HangsOn(model, bodies[i], i == 0 ? base : bodies[i - 1])) {
       throw ModelError("joint '" + name + "': the motion service expects it to hang on the base " +
                        "or on the joint before it");
@@ -150,6 +170,10 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
 
 }  // namespace
 
+Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& p) {
+  return mass * (p.squaredNorm() * Eigen::Matrix3d::Identity() - p * p.transpose());
+}
+
 QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
   const robot::RobotSpec& spec = robot.spec();
   const bool wheeled = spec.kind == robot::RobotKind::kWheeled;
@@ -172,13 +196,10 @@ QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
   figures.mass = model.body_subtreemass[base];
   figures.gravity = -model.opt.gravity[2];
   const int site = mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str());
-  figures.R_BI = Quaternion(model.site_quat + 4 * site);
+  figures.R_BI =
+      TurnInAncestor(model, model.site_bodyid[site], base, Quaternion(model.site_quat + 4 * site));
   figures.p_BI =
       InAncestor(model, model.site_bodyid[site], base, Vector(model.site_pos + 3 * site));
-  for (int body = model.site_bodyid[site]; body != base && body != 0;
-       body = model.body_parentid[body]) {
-    figures.R_BI = Quaternion(model.body_quat + 4 * body) * figures.R_BI;
-  }
   return figures;
 }
 

@@ -17,7 +17,12 @@ namespace understudy::motion {
 struct LinkMass {
   double mass = 0;               // kg
   Eigen::Vector3d com{0, 0, 0};  // m, in the frame of the link
+  // kg·m², about the centre of mass, along the link's axes.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 };
+
+// What a point of that mass at p [m] adds to the inertia about the origin, kg·m².
+Eigen::Matrix3d PointInertia(double mass, const Eigen::Vector3d& p);
 
 // All within `rounding` of a box along the base's axes, m.
 struct TrunkShape {
@@ -35,6 +40,8 @@ struct LegFigures {
   double radius = 0;                    // m, of that ball or tyre
   std::array<LinkMass, 3> links;        // hip, thigh, calf with all that hangs on it
   std::array<double, 3> low{}, high{};  // rad, range of the joints
+  // Of motors and joints: kg·m², N·m·s/rad, N·m.
+  Eigen::Vector3d armature{0, 0, 0}, damping{0, 0, 0}, friction{0, 0, 0};
 };
 
 struct QuadrupedFigures {

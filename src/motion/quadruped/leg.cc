@@ -52,19 +52,57 @@ LegPlaces QuadrupedLeg::Place(const Vector3d& q) const {
   return places;
 }
 
-Matrix3d FootJacobian(const LegPlaces& places) {
+Matrix3d CalfJacobian(const LegPlaces& places, const Vector3d& point) {
   const Vector3d swing = places.R_hip.col(1);  // the axis of thigh and calf
   Matrix3d jacobian;
-  jacobian << Vector3d::UnitX().cross(places.foot - places.hip),
-      swing.cross(places.foot - places.thigh), swing.cross(places.foot - places.calf);
+  jacobian << Vector3d::UnitX().cross(point - places.hip), swing.cross(point - places.thigh),
+      swing.cross(point - places.calf);
   return jacobian;
 }
+
+Matrix3d FootJacobian(const LegPlaces& places) { return CalfJacobian(places, places.foot); }
 
 Vector3d QuadrupedLeg::MassMoment(const LegPlaces& places) const {
   const auto& links = figures_.links;
   return links[0].mass * (places.hip + places.R_hip * links[0].com) +
          links[1].mass * (places.thigh + places.R_thigh * links[1].com) +
          links[2].mass * (places.calf + places.R_calf * links[2].com);
+}
+
+Matrix3d QuadrupedLeg::MassMatrix(const LegPlaces& places) const {
+  const std::array<const Vector3d*, 3> origins{&places.hip, &places.thigh, &places.calf};
+  const std::array<const Matrix3d*, 3> turns{&places.R_hip, &places.R_thigh, &places.R_calf};
+  const Vector3d swing = places.R_hip.col(1);
+  Matrix3d mass = figures_.armature.asDiagonal();
+  for (int link = 0; link < 3; ++link) {
+    const auto at = static_cast<std::size_t>(link);
+    const LinkMass& lump = figures_.links[at];
+    const Vector3d com = *origins[at] + *turns[at] * lump.com;
+    Matrix3d linear = Matrix3d::Zero(), angular = Matrix3d::Zero();
+    for (int joint = 0; joint <= link; ++joint) {
+      const Vector3d axis = joint == 0 ? Vector3d::UnitX() : swing;
+      angular.col(joint) = axis;
+      linear.col(joint) = axis.cross(com - *origins[static_cast<std::size_t>(joint)]);
+    }
+    const Matrix3d inertia = *turns[at] * lump.inertia * turns[at]->transpose();
+    mass += lump.mass * linear.transpose() * linear + angular.transpose() * inertia * angular;
+  }
+  return mass;
+}
+
+Matrix3d QuadrupedLeg::InertiaAbout(const LegPlaces& places, const Vector3d& p) const {
+  const auto of = [&](std::size_t link, const Vector3d& origin, const Matrix3d& R) -> Matrix3d {
+    const LinkMass& lump = figures_.links[link];
+    return R * lump.inertia * R.transpose() + PointInertia(lump.mass, origin + R * lump.com - p);
+  };
+  return of(0, places.hip, places.R_hip) + of(1, places.thigh, places.R_thigh) +
+         of(2, places.calf, places.R_calf);
+}
+
+Vector3d QuadrupedLeg::FrictionTorque(const Vector3d& dq) const {
+  constexpr double kCreep = 0.3;  // rad/s within which it changes its sign, assumed
+  const Vector3d part = (dq / kCreep).array().tanh();
+  return figures_.damping.cwiseProduct(dq) + figures_.friction.cwiseProduct(part);
 }
 
 Vector3d QuadrupedLeg::HoldingTorque(const LegPlaces& places, const Vector3d& up,

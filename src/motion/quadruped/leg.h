@@ -14,7 +14,8 @@ struct LegPlaces {
   Eigen::Vector3d hip, thigh, calf, foot;
 };
 
-// How the foot moves per angle, m/rad, a column per joint.
+// How a point of the calf moves per angle, m/rad, a column per joint; the foot's centre likewise.
+Eigen::Matrix3d CalfJacobian(const LegPlaces& places, const Eigen::Vector3d& point);
 Eigen::Matrix3d FootJacobian(const LegPlaces& places);
 
 // Angles are hip, thigh, calf [rad]; points are in the base's frame [m]. The foot is the centre of
@@ -28,6 +29,15 @@ class QuadrupedLeg {
 
   // The sum of mass times place of its links, kg·m.
   Eigen::Vector3d MassMoment(const LegPlaces& places) const;
+
+  // Inertia of joints, links and motors while the base stands still, kg·m².
+  Eigen::Matrix3d MassMatrix(const LegPlaces& places) const;
+
+  // What its links add to the base's inertia about the point p [m], kg·m².
+  Eigen::Matrix3d InertiaAbout(const LegPlaces& places, const Eigen::Vector3d& p) const;
+
+  // Torques [N·m] that joints turning with dq [rad/s] lose by friction.
+  Eigen::Vector3d FrictionTorque(const Eigen::Vector3d& dq) const;
 
   // Torques [N·m] that hold the leg's own links where gravity pulls along -`up` with `gravity`
   // m/s².

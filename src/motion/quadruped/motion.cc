@@ -17,11 +17,15 @@ constexpr double kCrouch = 0.25;         // feet under the hips, of the leg's le
 constexpr double kBalanceTime = 1.0;     // s to a balanced stand
 constexpr double kSitTime = 1.8;         // s
 constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
+constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
 
 bool IsFinite(const authority::MotionGoal& goal) {
   if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
     return std::isfinite(euler->roll) && std::isfinite(euler->pitch) && std::isfinite(euler->yaw);
+  }
+  if (const auto* move = std::get_if<goal::Move>(&goal)) {
+    return std::isfinite(move->vx) && std::isfinite(move->vy) && std::isfinite(move->yaw_rate);
   }
   const auto* height = std::get_if<goal::BodyHeight>(&goal);
   return height == nullptr || std::isfinite(height->height);
@@ -37,7 +41,9 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       feet_(body_),
       stance_(body_),
       gesture_(&stance_, body_.leg_length(), figures_.stand_height),
-      recovery_(body_) {}
+      recovery_(body_),
+      trot_(body_, estimator_, figures_),
+      drive_(body_, estimator_, &stance_, figures_) {}
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
@@ -50,8 +56,17 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
   const auto rows = QuadrupedTransitions();
   const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
   if (!known || !IsFinite(goal)) return authority::MotionVerdict::kUnknown;
-  const QuadrupedTransition* row =
-      Find(rows, goal.index(), state_, [this](QuadrupedWhen when) { return Holds(when); });
+  const auto holds = [this](QuadrupedWhen when) { return Holds(when); };
+  const QuadrupedTransition* row = Find(rows, goal.index(), state_, holds);
+  if (row == nullptr && kMovingStates.Has(state_)) {
+    // What a balanced stand leads to is done once it has stopped.
+    row = Find(rows, goal.index(), kBalance, holds);
+    if (row != nullptr && row->verdict == authority::MotionVerdict::kTaken) {
+      then_ = goal;
+      move_.setZero();
+      return row->verdict;
+    }
+  }
   if (row == nullptr) return authority::MotionVerdict::kNotNow;
   if (row->verdict == authority::MotionVerdict::kTaken) {
     if (row->to) Enter(*row->to);
@@ -74,9 +89,11 @@ bool QuadrupedMotion::Holds(QuadrupedWhen when) const {
 
 void QuadrupedMotion::Enter(State state) {
   const State from = std::exchange(state_, state);
+  if (!kStanceStates.Has(state) && state != kWalking) move_.setZero();
   switch (state) {
     case kDamped:
       fallen_for_ = 0;
+      then_.reset();
       now_ = nullptr;
       break;
     case kLocked:
@@ -149,24 +166,54 @@ void QuadrupedMotion::Enter(State state) {
       recovery_.Begin(reading_);
       now_ = &recovery_;
       break;
+    case kWalking:
+      wheel_angles_.fill(robot::kNoPosition);
+      trot_.Begin(reading_, Under(figures_.stand_height - body_.radius()));
+      trot_.Carry(wanted_.place.z(), wanted_.rpy);
+      now_ = &trot_;
+      break;
+    case kDriving:
+      drive_.Begin();
+      now_ = &drive_;
+      break;
   }
+}
+
+// Wheels roll ahead and through wide bends. What goes sideways or turns on the spot, where tyres
+// would have to slip, is stepped with the wheels braked.
+void QuadrupedMotion::Move(double dt) {
+  move_for_ -= dt;
+  if (move_for_ <= 0) move_.setZero();
+  const Vector3d taken = trot_.Taken(move_);
+  const bool steps = !wheeled() || std::abs(taken.y()) > figures_.walk.dead_band.y() ||
+                     std::abs(taken.z()) > kSharpest * std::abs(taken.x());
+  trot_.Ask(steps ? taken : Vector3d::Zero());
+  drive_.Ask(steps ? Vector3d::Zero() : taken);
+  if (state_ == kBalance && stance_.over() && !taken.isZero(0)) Enter(steps ? kWalking : kDriving);
 }
 
 void QuadrupedMotion::Balance(State from) {
   now_ = &stance_;
-  if (kGestureStates.Has(from)) return;
+  if (kGestureStates.Has(from) || from == kDriving) return;
   if (kStanceStates.Has(from)) {
     Follow(Default());
     return;
   }
   stance_.Begin(reading_);
-  wanted_ = Default();
+  if (from != kWalking) wanted_ = Default();
   stance_.MoveTo(stance_.Feasible(wanted_), kBalanceTime);
   wheel_angles_.fill(robot::kNoPosition);
 }
 
 void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
   if (const auto* recovery = std::get_if<goal::AutoRecovery>(&goal)) auto_recovery_ = recovery->on;
+  if (const auto* move = std::get_if<goal::Move>(&goal);
+      move != nullptr && (state_ == kBalance || kMovingStates.Has(state_))) {
+    move_ = {move->vx, move->vy, move->yaw_rate};
+    move_for_ = move->hold;
+    then_.reset();
+  }
+  if (std::holds_alternative<goal::StopMove>(goal)) move_.setZero();
   StancePose wanted = wanted_;
   if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
     const auto& most = figures_.euler_range;
@@ -183,23 +230,37 @@ void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
 
 void QuadrupedMotion::Follow(const StancePose& pose) {
   wanted_ = pose;
-  stance_.Follow(stance_.Feasible(wanted_));
+  if (state_ == kWalking) {
+    trot_.Carry(wanted_.place.z(), wanted_.rpy);
+  } else {
+    stance_.Follow(stance_.Feasible(wanted_));
+  }
 }
 
 robot::MotionState QuadrupedMotion::state() const {
   const QuadrupedStateRow& row = RowOf(state_);
-  return {.id = row.id,
-          .mode = row.mode,
-          .progress = row.progress,
-          .body_height = estimator_.height(),
-          .v_WB_W = estimator_.v_WB_W()};
+  robot::MotionState state{.id = row.id,
+                           .mode = row.mode,
+                           .progress = row.progress,
+                           .body_height = estimator_.height(),
+                           .v_WB_W = estimator_.v_WB_W(),
+                           .p_WB = estimator_.p_WB(),
+                           .gait = kMovingStates.Has(state_) ? 1 : 0,
+                           .foot_raise = figures_.walk.foot_raise};
+  for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
+    state.feet[leg] = reading_.feet[leg];
+    state.feet_speed[leg] = FootJacobian(reading_.places[leg]) * reading_.dq[leg];
+  }
+  return state;
 }
 
 void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
                            robot::RobotCommand* command) {
   reading_ = body_.Read(input);
-  estimator_.Step(reading_, dt);
+  estimator_.Step(reading_, dt,
+                  state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
   WatchForFalls(dt);
+  Move(dt);
   if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
   command->joint_space = robot::JointSpace::kPitchRoll;
   if (state_ == kDamped) {
@@ -212,6 +273,7 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   }
   const State next = RowOf(state_).next;
   if (next != state_ && now_->over()) Enter(next);
+  if (state_ == kBalance && then_) Ask(*std::exchange(then_, std::nullopt));
 }
 
 void QuadrupedMotion::WatchForFalls(double dt) {
@@ -242,9 +304,18 @@ void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCo
     robot::MotorCommand& wheel = command->motors[i];
     wheel = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.wheel_kd};
     const std::size_t leg = i - 12;
-    if (!kStanceStates.Has(state_) || leg >= wheel_angles_.size()) continue;
+    if (leg >= wheel_angles_.size()) continue;
+    if (state_ == kDriving) {
+      const double carried = stance_.held_rate().y() + legs_.dq[leg][1] + legs_.dq[leg][2];
+      wheel.dq = drive_.rates()[leg] - carried;
+      wheel_angles_[leg] = robot::kNoPosition;
+      continue;
+    }
+    if (!kStanceStates.Has(state_) && state_ != kWalking) continue;
     // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
-    const double carried = stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
+    // That of a leg that steps keeps its place on the calf.
+    const double carried =
+        state_ == kWalking ? 0 : stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
     if (wheel_angles_[leg] == robot::kNoPosition) {
       wheel_angles_[leg] = input.motors[i].q + carried;
     }

@@ -1,23 +1,26 @@
-// The motion service of a quadruped, as far as it needs no walking.
+// The motion service of a quadruped.
 #pragma once
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "authority/motion.h"
 #include "motion/quadruped/body.h"
+#include "motion/quadruped/drive.h"
 #include "motion/quadruped/estimator.h"
 #include "motion/quadruped/gestures.h"
 #include "motion/quadruped/moves.h"
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
 #include "motion/quadruped/states.h"
+#include "motion/quadruped/trot.h"
 #include "physics/robot_body.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::motion {
 
-// Stands, lies, sits, gestures and gets up. Its state machine is the table of states.h; a state has
+// Stands, lies, sits, gestures, gets up, walks and drives. Its state machine is the table of states.h; a state has
 // one behaviour that leads the legs.
 class QuadrupedMotion : public authority::Motion {
  public:
@@ -45,6 +48,7 @@ class QuadrupedMotion : public authority::Motion {
   void Keep(const authority::MotionGoal& goal);  // what a goal sets beside the state
   void Follow(const StancePose& pose);
 
+  void Move(double dt);  // begins to walk or drive, and ends what was not renewed
   // Of a step: falls and what comes of them; what the motors are told.
   void WatchForFalls(double dt);
   void Legs(robot::RobotCommand* command) const;
@@ -65,11 +69,16 @@ class QuadrupedMotion : public authority::Motion {
   Stance stance_;
   Gesture gesture_;
   QuadrupedRecovery recovery_;
+  Trot trot_;
+  Drive drive_;
 
   State state_ = State::kDamped;
-  Behaviour* now_ = nullptr;    // what leads the legs; none: they stay as they are, or brake
-  bool auto_recovery_ = false;  // outlives Start, as the services' settings do
-  double fallen_for_ = 0;       // s in kDamped because of a fall; 0 when damped by a goal
+  Behaviour* now_ = nullptr;       // what leads the legs; none: they stay as they are, or brake
+  bool auto_recovery_ = false;     // outlives Start, as the services' settings do
+  Eigen::Vector3d move_{0, 0, 0};  // of the last Move: m/s, rad/s
+  double move_for_ = 0;            // s that it still counts
+  std::optional<authority::MotionGoal> then_;  // what it stops walking for
+  double fallen_for_ = 0;  // s in kDamped because of a fall; 0 when damped by a goal
   QuadrupedReading reading_;
   StancePose wanted_;                     // by Euler and body height
   LegCommand legs_;                       // as of the last step

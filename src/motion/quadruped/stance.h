@@ -51,6 +51,8 @@ class Stance final : public Behaviour {
   const StancePose& measured() const { return measured_; }
   // How it is being held.
   const StancePose& held() const { return held_; }
+  // rad/s, how fast roll, pitch and yaw of that change while it follows.
+  const Eigen::Vector3d& held_rate() const { return v_rpy_; }
 
  private:
   void Measure(const QuadrupedReading& reading, double paw_load);

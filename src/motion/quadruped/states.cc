@@ -26,6 +26,8 @@ const QuadrupedStateRow& RowOf(QuadrupedState state) {
       QuadrupedStateRow{kRisingSit, 1006, 1, 1, kBalance},
       QuadrupedStateRow{kPosing, 1091, 2, 0, kPosing},
       QuadrupedStateRow{kRecovering, 2006, 8, 0, kFoldingOn},
+      QuadrupedStateRow{kWalking, 100, 3, 0, kBalance},
+      QuadrupedStateRow{kDriving, 100, 3, 0, kBalance},
   };
   return kRows[static_cast<std::size_t>(state)];
 }
@@ -37,9 +39,9 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
   using authority::kGoal;
   namespace goal = authority::goal;
   static constexpr StateSet<QuadrupedState> kAny{
-      kDamped,    kFolding,       kRising,      kLocked,  kFoldingOn, kRisingOn,
-      kLowering,  kUnfolding,     kLying,       kBalance, kHello,     kStretch,
-      kRisingSit, kEndingGesture, kSittingDown, kSitting, kPosing,    kRecovering};
+      kDamped,      kFolding, kRising,  kLocked,     kFoldingOn, kRisingOn,  kLowering,
+      kUnfolding,   kLying,   kBalance, kHello,      kStretch,   kRisingSit, kEndingGesture,
+      kSittingDown, kSitting, kPosing,  kRecovering, kWalking,   kDriving};
   static constexpr QuadrupedTransition kRows[] = {
       {kGoal<goal::Damp>, kAny, kAlways, kTaken, kDamped},
       {kGoal<goal::AutoRecovery>, kAny, kAlways, kTaken},
@@ -76,15 +78,15 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       {kGoal<goal::Stretch>, {kBalance}, kAlways, kTaken, kStretch},
       {kGoal<goal::Pose>, {kBalance, kPosing}, kAlways, kTaken, kPosing},
       {kGoal<goal::EndPose>, {kBalance, kPosing}, kAlways, kTaken, kBalance},
-      {kGoal<goal::Euler>, {kBalance, kPosing}, kAlways, kTaken},
-      {kGoal<goal::BodyHeight>, {kBalance, kPosing}, kAlways, kTaken},
+      {kGoal<goal::Euler>, {kBalance, kPosing, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::BodyHeight>, {kBalance, kPosing, kWalking, kDriving}, kAlways, kTaken},
 
       {kGoal<goal::StopMove>, {kHello, kStretch}, kAlways, kTaken, kEndingGesture},
       {kGoal<goal::StopMove>, {kBalance, kPosing}, kAlways, kTaken, kBalance},
       {kGoal<goal::StopMove>, kAny, kAlways, kTaken},
       // After StandUp taken and without effect, as on a real Go2.
       {kGoal<goal::Move>, {kRising, kRisingOn, kLocked}, kAlways, kTaken},
-      {kGoal<goal::Move>, {kBalance, kPosing}, kAlways, kUnable},
+      {kGoal<goal::Move>, {kBalance, kWalking, kDriving}, kAlways, kTaken},
   };
   return kRows;
 }

@@ -28,6 +28,8 @@ enum class QuadrupedState : std::uint8_t {
   kRisingSit,
   kPosing,
   kRecovering,
+  kWalking,
+  kDriving,  // on wheels
 };
 
 inline constexpr StateSet<QuadrupedState> kGestureStates{
@@ -37,7 +39,9 @@ inline constexpr StateSet<QuadrupedState> kGestureStates{
 inline constexpr StateSet<QuadrupedState> kStanceStates{
     QuadrupedState::kBalance,     QuadrupedState::kPosing,        QuadrupedState::kHello,
     QuadrupedState::kStretch,     QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit,
-    QuadrupedState::kSittingDown, QuadrupedState::kSitting};
+    QuadrupedState::kSittingDown, QuadrupedState::kSitting,       QuadrupedState::kDriving};
+inline constexpr StateSet<QuadrupedState> kMovingStates{QuadrupedState::kWalking,
+                                                        QuadrupedState::kDriving};
 
 // What it tells of a state, and the state that follows once its behaviour is over. Ids and modes
 // are the vendor's (Go2 motion services V2.0); recovering is in neither of its lists: the crouch

@@ -80,13 +80,15 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
   const double x = rig_.world().robot().base().p_WB.x();
-  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), authority::MotionVerdict::kTaken);
   rig_.Run(1);
   EXPECT_NEAR(rig_.world().robot().base().p_WB.x(), x, 0.01);
   EXPECT_EQ(rig_.state().id, kLocked);
   rig_.Ask(goal::BalanceStand{});
-  rig_.Run(1);
-  EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kUnable);
+  rig_.Run(2);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.5, 0, 0, 1}), authority::MotionVerdict::kTaken);
+  rig_.Run(2);
+  EXPECT_GT(rig_.world().robot().base().p_WB.x(), x + 0.2);
 }
 
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {

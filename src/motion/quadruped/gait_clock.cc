@@ -1,0 +1,29 @@
+#include "motion/quadruped/gait_clock.h"
+
+#include <cmath>
+
+namespace understudy::motion {
+
+void GaitClock::Begin(const Gait& gait, double wait) {
+  gait_ = gait;
+  phase_ = 0;
+  wait_ = wait;
+  halted_ = false;
+}
+
+void GaitClock::Advance(double dt, const Gait& gait, bool halt) {
+  wait_ -= dt;
+  halted_ = halt && stands(0) && stands(1);
+  if (wait_ > 0 || halted_) return;
+  const double before = phase_;
+  phase_ += dt / gait_.period;
+  if (phase_ >= 1 || (before < 0.5 && phase_ >= 0.5)) gait_ = gait;
+  phase_ -= std::floor(phase_);
+}
+
+double GaitClock::phase(std::size_t leg) const {
+  const double phase = leg == 0 || leg == 3 ? phase_ : phase_ + 0.5;
+  return phase - std::floor(phase);
+}
+
+}  // namespace understudy::motion

@@ -1,0 +1,37 @@
+#include "motion/quadruped/velocity_wish.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace understudy::motion {
+
+using Eigen::Vector3d;
+
+void VelocityWish::Begin() {
+  delayed_.fill(Vector3d::Zero());
+  velocity_.setZero();
+  acceleration_.setZero();
+}
+
+Vector3d VelocityWish::Taken(const Vector3d& wish) const {
+  const Vector3d cut = wish.cwiseMax(spec_.least_speed).cwiseMin(spec_.most_speed);
+  const bool none = (cut.cwiseAbs().array() <= spec_.dead_band.array()).all();
+  return none ? Vector3d(0, 0, 0) : cut;
+}
+
+void VelocityWish::Step(double dt) {
+  const auto late = static_cast<std::size_t>(std::lround(spec_.dead_time / dt));
+  delayed_[next_] = wish_;
+  const Vector3d& due = delayed_[(next_ + kDelayed - std::min(late, kDelayed - 1)) % kDelayed];
+  next_ = (next_ + 1) % kDelayed;
+  acceleration_ = (spec_.gain.cwiseProduct(due) - velocity_).cwiseQuotient(spec_.time_constant);
+  acceleration_ = acceleration_.cwiseMax(-hurry_).cwiseMin(hurry_);
+  velocity_ += dt * acceleration_;
+}
+
+bool VelocityWish::at_rest() const {
+  constexpr double kRest = 0.02;  // of what follows the wish, m/s and rad/s; assumed
+  return wish_.isZero(0) && velocity_.isZero(kRest);
+}
+
+}  // namespace understudy::motion

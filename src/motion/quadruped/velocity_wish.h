@@ -1,0 +1,45 @@
+// How a walking robot takes what it is told to.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include <Eigen/Core>
+
+#include "robot/robot_spec.h"
+
+namespace understudy::motion {
+
+// Turns commanded velocities into those that the gait is to have: cut to what the gait is good
+// for, nothing where all are within the dead band, then dead time, gain and a lag of first order,
+// per axis. Axes are forward and left m/s, turn rad/s. Allocates nothing.
+class VelocityWish {
+ public:
+  // `hurry` is the most acceleration, m/s² and rad/s².
+  explicit VelocityWish(const robot::WalkSpec& spec, double hurry = 1e3)
+      : spec_(spec), hurry_(hurry) {}
+
+  void Begin();
+  void Ask(const Eigen::Vector3d& wish) { wish_ = Taken(wish); }
+  void Step(double dt);
+
+  // What the gait would take of that wish; nothing where it is not worth a step.
+  Eigen::Vector3d Taken(const Eigen::Vector3d& wish) const;
+  // As of the last Step.
+  const Eigen::Vector3d& velocity() const { return velocity_; }
+  const Eigen::Vector3d& acceleration() const { return acceleration_; }
+  // Nothing is asked for or still to come.
+  bool at_rest() const;
+
+ private:
+  static constexpr std::size_t kDelayed = 256;
+
+  const robot::WalkSpec& spec_;
+  double hurry_;
+  Eigen::Vector3d wish_{0, 0, 0};
+  std::array<Eigen::Vector3d, kDelayed> delayed_;  // a ring of wishes, one a step
+  std::size_t next_ = 0;
+  Eigen::Vector3d velocity_{0, 0, 0}, acceleration_{0, 0, 0};
+};
+
+}  // namespace understudy::motion

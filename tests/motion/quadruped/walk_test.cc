@@ -1,0 +1,274 @@
+// How quadrupeds walk and drive.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/quadruped/rig.h"
+#include "tests/support/allocations.h"
+#include "tests/support/robots.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy::motion {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr int kLying = 1004, kBalance = 1013, kWalking = 100;
+
+std::vector<std::string> Legged() {
+  return test::RobotsThat(
+      [](const robot::RobotSpec& spec) { return spec.kind == robot::RobotKind::kQuadruped; });
+}
+
+// A plane whose height grows by these slopes along x and y.
+std::filesystem::path SlopeIn(test::TemporaryFolder& folder, double x, double y) {
+  return folder.Write("slope.xml",
+                      "<mujoco><worldbody><geom type='plane' size='0 0 1' condim='3' "
+                      "friction='0.8 0.005 0.0001' zaxis='" +
+                          std::to_string(-x) + " " + std::to_string(-y) +
+                          " 1'/></worldbody></mujoco>");
+}
+
+// A robot that is told again and again how to move, as a client does.
+class WalkingRig : public QuadrupedRig {
+ public:
+  using QuadrupedRig::QuadrupedRig;
+
+  void Walk(const Vector3d& wish, double seconds) {
+    for (double t = 0; t < seconds - 1e-9; t += kEvery) {
+      Ask(goal::Move{wish.x(), wish.y(), wish.z(), 1});
+      Run(kEvery);
+    }
+  }
+
+  // Mean of the base's velocity in its own heading, m/s and rad/s.
+  Vector3d Speed(const Vector3d& wish, double seconds) {
+    Vector3d way(0, 0, 0);
+    for (double t = 0; t < seconds - 1e-9; t += kEvery) {
+      const Vector3d from = world().robot().base().p_WB;
+      const double yaw = rpy().z();
+      Walk(wish, kEvery);
+      const double turn = std::remainder(rpy().z() - yaw, 2 * M_PI);
+      const Vector3d moved = Eigen::AngleAxisd(-yaw - turn / 2, Vector3d::UnitZ()) *
+                             (world().robot().base().p_WB - from);
+      way += Vector3d(moved.x(), moved.y(), turn);
+    }
+    return way / seconds;
+  }
+
+  static constexpr double kEvery = 0.02;  // s
+};
+
+class WalkTest : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { rig_.BalanceStand(); }
+  const robot::WalkSpec& walk() const { return rig_.spec().motion.quadruped.walk; }
+  double mass() { return rig_.world().robot().weight() / 9.81; }
+
+  // Within a tenth of what is wanted, or 0.03 of m/s or rad/s.
+  void ExpectFollows(const Vector3d& wish) {
+    rig_.Walk(wish, 2);
+    const Vector3d speed = rig_.Speed(wish, 3);
+    for (int i = 0; i < 3; ++i) {
+      const double wanted = walk().gain[i] * wish[i];
+      EXPECT_NEAR(speed[i], wanted, std::max(0.03, 0.1 * std::abs(wanted)))
+          << "axis " << i << " of " << wish.transpose();
+    }
+    EXPECT_LT(rig_.tilt(), 0.2);
+  }
+
+  WalkingRig rig_{GetParam()};
+};
+
+TEST_P(WalkTest, FollowsWhatMoveAsksFor) {
+  for (const Vector3d& wish : {Vector3d(0.3, 0, 0), Vector3d(1, 0, 0), Vector3d(-0.5, 0, 0),
+                               Vector3d(0, 0.3, 0), Vector3d(0, -0.3, 0), Vector3d(0, 0, 0.8),
+                               Vector3d(0, 0, -0.8), Vector3d(0.5, 0.15, 0.5)}) {
+    ExpectFollows(wish);
+  }
+}
+
+TEST_P(WalkTest, IsAsFastAsItsFiguresSay) {
+  for (int axis = 0; axis < 3; ++axis) {
+    ExpectFollows(walk().most_speed[axis] * Vector3d::Unit(axis));
+    ExpectFollows(walk().least_speed[axis] * Vector3d::Unit(axis));
+  }
+}
+
+TEST_P(WalkTest, GoesNoFasterThanItsFiguresSay) {
+  rig_.Walk({100, 0, 0}, 3);
+  EXPECT_LT(rig_.Speed({100, 0, 0}, 1).x(), 1.1 * walk().most_speed.x());
+}
+
+TEST_P(WalkTest, MarchesAMinute) {
+  const Vector3d slow(0.5 * walk().most_speed.x() / 10 + walk().dead_band.x(), 0, 0);
+  rig_.Walk(slow, 60);
+  EXPECT_EQ(rig_.state().id, kWalking);
+  EXPECT_LT(rig_.tilt(), 0.1);
+  EXPECT_LT(std::abs(rig_.world().robot().base().p_WB.y()), 0.5);
+}
+
+TEST_P(WalkTest, StartsAndStopsWithoutATwitch) {
+  rig_.Run(1);
+  const double stand = rig_.height();
+  double low = stand, high = stand, tilt = 0;
+  rig_.watch = [&] {
+    low = std::min(low, rig_.height());
+    high = std::max(high, rig_.height());
+    tilt = std::max(tilt, rig_.tilt());
+  };
+  rig_.Walk({0.4, 0, 0}, 3);
+  EXPECT_EQ(rig_.Ask(goal::StopMove{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kBalance, 4));
+  const Vector3d before = rig_.world().robot().base().p_WB;
+  rig_.Run(2);
+  EXPECT_LT((rig_.world().robot().base().p_WB - before).norm(), 0.03);
+  EXPECT_LT(rig_.fastest(), 0.1) << "an idle robot stands still";
+  EXPECT_LT(high - low, 0.04 * stand);
+  EXPECT_LT(tilt, 0.08);
+}
+
+TEST_P(WalkTest, EndsAMoveThatIsNotRenewed) {
+  rig_.Walk({0.5, 0, 0}, 2);
+  EXPECT_EQ(rig_.state().id, kWalking);
+  rig_.Run(0.9);
+  EXPECT_GT(rig_.state().v_WB_W.x(), 0.3) << "holds for a second";
+  EXPECT_TRUE(rig_.RunUntil(kBalance, 4));
+}
+
+TEST_P(WalkTest, StaysWhereItIsForACommandInTheDeadBand) {
+  const Vector3d before = rig_.world().robot().base().p_WB;
+  rig_.Walk(0.9 * walk().dead_band, 2);
+  EXPECT_EQ(rig_.state().id, kBalance);
+  EXPECT_LT((rig_.world().robot().base().p_WB - before).norm(), 0.01);
+}
+
+TEST_P(WalkTest, StopsBeforeItDoesWhatOnlyAStandAllows) {
+  rig_.Walk({0.4, 0, 0}, 2);
+  EXPECT_EQ(rig_.Ask(goal::StandDown{}), authority::MotionVerdict::kTaken);
+  EXPECT_TRUE(rig_.RunUntil(kLying, 5));
+  rig_.Run(4);
+  EXPECT_NEAR(rig_.height(), rig_.spec().lying.height, 0.03);
+}
+
+TEST_P(WalkTest, TakesAPushFromAnySide) {
+  for (int side = 0; side < 8; ++side) {
+    rig_.Walk({0.4, 0, 0}, 1.5 + 0.06 * side);
+    const double way = side * M_PI / 4 + rig_.rpy().z();
+    rig_.Push(9 * mass() * Vector3d(std::cos(way), std::sin(way), 0), 0.1);
+    rig_.Walk({0.4, 0, 0}, 2);
+    ASSERT_EQ(rig_.state().id, kWalking) << "0.9 N·s/kg from side " << side;
+  }
+}
+
+TEST_P(WalkTest, CarriesTheBodyAsAsked) {
+  rig_.Walk({0.3, 0, 0}, 1);
+  rig_.Ask(goal::Euler{0, 0.15, 0});
+  rig_.Ask(goal::BodyHeight{-0.04});
+  rig_.Walk({0.3, 0, 0}, 3);
+  EXPECT_NEAR(rig_.rpy().y(), 0.15, 0.04);
+  EXPECT_NEAR(rig_.height(), rig_.spec().motion.quadruped.stand_height - 0.04, 0.02);
+}
+
+TEST_P(WalkTest, TellsHowItMovesAsItFeelsIt) {
+  const Vector3d from = rig_.world().robot().base().p_WB, told_from = rig_.state().p_WB;
+  double error = 0;
+  int steps = 0;
+  rig_.watch = [&] {
+    error += (rig_.state().v_WB_W - rig_.world().robot().base().v_WB_W).squaredNorm();
+    ++steps;
+  };
+  rig_.Walk({0.5, 0.1, 0.3}, 5);
+  EXPECT_LT(std::sqrt(error / steps), 0.05);
+  EXPECT_EQ(rig_.state().gait, 1);
+  const Vector3d way = rig_.world().robot().base().p_WB - from;
+  EXPECT_LT((rig_.state().p_WB - told_from - way).norm(), 0.05 * 2.5);
+}
+
+TEST_P(WalkTest, WalksUpDownAndAcrossASlope) {
+  test::TemporaryFolder folder;
+  for (const auto& [x, y] : {std::pair(0.17, 0.0), std::pair(-0.17, 0.0), std::pair(0.0, 0.17)}) {
+    WalkingRig rig(GetParam(), {}, SlopeIn(folder, x, y));
+    rig.BalanceStand();
+    rig.Walk({0.5, 0, 0}, 3);
+    EXPECT_NEAR(rig.Speed({0.5, 0, 0}, 4).x(), 0.5, 0.1);
+    EXPECT_EQ(rig.state().id, kWalking);
+  }
+}
+
+TEST_P(WalkTest, IsTheSameAgain) {
+  WalkingRig other(GetParam());
+  other.BalanceStand();
+  for (WalkingRig* rig : {&rig_, &other}) {
+    rig->Walk({0.5, 0.1, 0.3}, 2);
+    rig->Push({0, 5 * mass(), 0}, 0.1);
+    rig->Walk({-0.3, 0, 0}, 2);
+  }
+  EXPECT_EQ(rig_.command().motors, other.command().motors);
+  EXPECT_EQ(rig_.world().robot().base().p_WB, other.world().robot().base().p_WB);
+}
+
+TEST_P(WalkTest, StepAllocatesNothing) {
+  rig_.Walk({0.1, 0, 0}, 0.1);
+  const std::uint64_t before = test::Allocations();
+  rig_.Ask(goal::Move{0.5, 0.1, 0.3, 1});
+  rig_.Run(4);
+  EXPECT_EQ(test::Allocations(), before);
+}
+
+class DriveTest : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override { rig_.BalanceStand(); }
+  WalkingRig rig_{GetParam()};
+};
+
+TEST_P(DriveTest, RollsAheadAndBackAndThroughBends) {
+  for (const Vector3d& wish :
+       {Vector3d(0.5, 0, 0), Vector3d(1.2, 0, 0), Vector3d(-1, 0, 0), Vector3d(0.8, 0, 0.15)}) {
+    rig_.Walk(wish, 5);
+    const Vector3d speed = rig_.Speed(wish, 3);
+    EXPECT_NEAR(speed.x(), wish.x(), std::max(0.03, 0.1 * std::abs(wish.x())));
+    EXPECT_NEAR(speed.z(), wish.z(), 0.06);
+    EXPECT_LT(rig_.tilt(), 0.1);
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      EXPECT_NEAR(rig_.world().robot().q()[3 * leg + 1], rig_.spec().standing.q[1], 0.4)
+          << "legs stand, they do not step";
+    }
+  }
+}
+
+TEST_P(DriveTest, StepsSidewaysAndThroughSharpBendsWithBrakedWheels) {
+  for (const Vector3d& wish :
+       {Vector3d(0, 0.3, 0), Vector3d(0, -0.3, 0), Vector3d(0, 0, 0.8), Vector3d(0.4, 0, 0.5)}) {
+    rig_.Walk(wish, 4);
+    const Vector3d speed = rig_.Speed(wish, 3);
+    EXPECT_NEAR(speed.x(), wish.x(), 0.05);
+    EXPECT_NEAR(speed.y(), wish.y(), 0.04);
+    EXPECT_NEAR(speed.z(), wish.z(), 0.08);
+    EXPECT_LT(rig_.tilt(), 0.1);
+  }
+}
+
+TEST_P(DriveTest, ComesToRestAndStaysThere) {
+  rig_.Walk({0.8, 0, 0}, 3);
+  rig_.Ask(goal::StopMove{});
+  EXPECT_TRUE(rig_.RunUntil(kBalance, 5));
+  rig_.Run(1);
+  const Vector3d before = rig_.world().robot().base().p_WB;
+  rig_.Run(2);
+  EXPECT_LT((rig_.world().robot().base().p_WB - before).norm(), 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, DriveTest, testing::ValuesIn(test::WheeledRobots()),
+                         [](const auto& test) { return test.param; });
+
+INSTANTIATE_TEST_SUITE_P(Robots, WalkTest, testing::ValuesIn(Legged()),
+                         [](const auto& test) { return test.param; });
+
+}  // namespace
+}  // namespace understudy::motion
