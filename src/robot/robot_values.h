@@ -87,8 +87,9 @@ struct MotionState {
   int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
-  // As a quadruped's service estimates it; 0 of every other. World axes; the place counts from
-  // where the service began and drifts with the steps.
+  // Whether the service estimates the following, as a quadruped's does; else they are 0. World
+  // axes; the place counts from where the service began and drifts with the steps.
+  bool estimates = false;
   Eigen::Vector3d v_WB_W{0, 0, 0};              // m/s, of the base
   Eigen::Vector3d p_WB{0, 0, 0};                // m, likewise
   int gait = 0;                                 // 0 idle, 1 trot, 2 run

@@ -23,6 +23,17 @@ constexpr float kFootRaise = 0.09F;     // m
 constexpr float kBodyHeight = 0.32F;    // m
 constexpr float kRangeObstacle = 2.0F;  // m
 
+void EncodeFeet(const robot::MotionState& motion, unitree_go_msg_dds__SportModeState_* message) {
+  if (motion.foot_raise > 0) message->foot_raise_height = static_cast<float>(motion.foot_raise);
+  for (std::size_t foot = 0; foot < motion.feet.size(); ++foot) {
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::size_t slot = 3 * foot + static_cast<std::size_t>(axis);
+      message->foot_position_body[slot] = static_cast<float>(motion.feet[foot][axis]);
+      message->foot_speed_body[slot] = static_cast<float>(motion.feet_speed[foot][axis]);
+    }
+  }
+}
+
 }  // namespace
 
 MotionFields MotionFieldsOf(const robot::RobotSpec& spec) {
@@ -37,9 +48,14 @@ void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, 
   message->stamp.sec = static_cast<std::int32_t>(state.tick_ms / 1000);
   message->stamp.nanosec = static_cast<std::uint32_t>(state.tick_ms % 1000) * 1'000'000;
   EncodeImu(state.imu, &message->imu_state);
+  Eigen::Vector3d position = state.base.p_WB, velocity = state.base.v_WB_W;
+  if (state.motion && state.motion->estimates) {
+    position << state.motion->p_WB.head<2>(), state.motion->body_height;
+    velocity = state.motion->v_WB_W;
+  }
   for (int i = 0; i < 3; ++i) {
-    message->position[i] = static_cast<float>(state.base.p_WB[i]);
-    message->velocity[i] = static_cast<float>(state.base.v_WB_W[i]);
+    message->position[i] = static_cast<float>(position[i]);
+    message->velocity[i] = static_cast<float>(velocity[i]);
   }
   message->body_height = message->position[2];
   message->yaw_speed = message->imu_state.gyroscope[2];
@@ -53,6 +69,7 @@ void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, 
     message->foot_raise_height = kFootRaise;
     message->body_height = kBodyHeight;
     std::ranges::fill(message->range_obstacle, kRangeObstacle);
+    if (state.motion && state.motion->estimates) EncodeFeet(*state.motion, message);
     const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
     for (std::size_t i = 0; i < feet; ++i) {
       message->foot_force[i] = FootCounts(state.foot_force[i], spec.foot_sensor);

@@ -25,6 +25,29 @@ TEST(MotionCodecTest, WritesWhereTheBaseIs) {
   EXPECT_THAT(message.velocity, ElementsAre(-1, 0.5F, 0));
 }
 
+TEST(MotionCodecTest, WritesWhatTheServiceEstimatesOnceItDoes) {
+  robot::RobotState state;
+  state.base.p_WB = {1, 2, 0.25};
+  state.base.v_WB_W = {-1, 0.5, 0};
+  state.motion = {.body_height = 0.3,
+                  .estimates = true,
+                  .v_WB_W = {-0.75, 0.5, 0.125},
+                  .p_WB = {5, 6, 7},
+                  .foot_raise = 0.0625};
+  state.motion->feet[1] = {0.25, 0.125, -0.5};
+  state.motion->feet_speed[3] = {1, 2, 3};
+  Message message{};
+  EncodeMotion(state, {}, MotionFields::kMode, &message);
+  EXPECT_THAT(message.position, ElementsAre(5, 6, 0.3F));
+  EXPECT_THAT(message.velocity, ElementsAre(-0.75F, 0.5F, 0.125F));
+  EXPECT_EQ(message.foot_raise_height, 0.0625F);
+  EXPECT_EQ(message.foot_position_body[5], -0.5F);
+  EXPECT_EQ(message.foot_speed_body[9], 1);
+  state.motion->estimates = false;
+  EncodeMotion(state, {}, MotionFields::kMode, &message);
+  EXPECT_THAT(message.position, ElementsAre(1, 2, 0.25F));
+}
+
 TEST(MotionCodecTest, RepeatsTheGyrosZBitForBit) {
   robot::RobotState state;
   state.imu.w_WI_I = {0, 0, 0.1};

@@ -243,6 +243,7 @@ robot::MotionState QuadrupedMotion::state() const {
                            .mode = row.mode,
                            .progress = row.progress,
                            .body_height = estimator_.height(),
+                           .estimates = true,
                            .v_WB_W = estimator_.v_WB_W(),
                            .p_WB = estimator_.p_WB(),
                            .gait = kMovingStates.Has(state_) ? 1 : 0,
