@@ -10,6 +10,7 @@
 
 #include "robot/remote_keys.h"
 #include "server/http.h"
+#include "server/json_list.h"
 
 namespace understudy::server {
 namespace {
@@ -23,13 +24,6 @@ double Short(double number) {
       std::to_chars(std::begin(digits), std::end(digits), static_cast<float>(number)).ptr;
   std::from_chars(digits, end, number);
   return number;
-}
-
-template <class Values, class Tell>
-ordered_json List(const Values& values, Tell tell) {
-  ordered_json list = ordered_json::array();
-  for (const auto& value : values) list.push_back(std::invoke(tell, value));
-  return list;
 }
 
 ordered_json Numbers(std::span<const double> numbers) { return List(numbers, Short); }

@@ -9,6 +9,7 @@
 
 #include "mjcf/compile.h"
 #include "robot/start_pose.h"
+#include "server/json_list.h"
 
 namespace understudy::server {
 namespace {
@@ -16,14 +17,6 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr char kBytes[] = "application/octet-stream";
-
-// An array of what `to_json` makes of each.
-template <class Values, class ToJson>
-ordered_json List(const Values& values, ToJson to_json) {
-  ordered_json list = ordered_json::array();
-  for (const auto& value : values) list.push_back(to_json(value));
-  return list;
-}
 
 ordered_json GeomJson(const physics::SceneGeom& geom) {
   return {{"name", geom.name}, {"body", geom.body},    {"type", geom.type},

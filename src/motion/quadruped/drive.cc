@@ -8,7 +8,7 @@ namespace {
 
 // All assumed, found by trying in simulation.
 constexpr double kCatchUp = 2;          // 1/s, of a way that is missing
-constexpr double kTurn = 2;             // of a turn rate that is missing
+constexpr double kTurnGain = 2;         // of a turn rate that is missing
 constexpr double kTurnCatchUp = 4;      // 1/s, of an angle
 constexpr double kMostMissing = 0.5;    // m
 constexpr double kMostMissingTurn = 2;  // rad: most of a turn on the spot is slip
@@ -35,7 +35,7 @@ void Drive::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   missing_ = (missing_ + dt * error).cwiseMax(-most).cwiseMin(most);
   const double ahead = wanted.x() + kCatchUp * missing_.x();
   const double turn =
-      spec_.turn_scrub * wanted.z() + kTurn * error.z() + kTurnCatchUp * missing_.z();
+      spec_.turn_scrub * wanted.z() + kTurnGain * error.z() + kTurnCatchUp * missing_.z();
   for (std::size_t leg = 0; leg < rates_.size(); ++leg) {
     const double side = (sensed.R_TB * sensed.feet[leg]).y();
     rates_[leg] = (ahead - turn * side) / body_.radius();

@@ -21,7 +21,7 @@ using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, k
 constexpr int kIterations = 40;
 constexpr double kTolerance = 1e-9;  // of the weight
 // unitree_guide's, but that the level forces count half of theirs: assumed.
-constexpr double kLevel = 10, kLift = 50, kTurn = 82;
+constexpr double kLevelWeight = 10, kLiftWeight = 50, kTurnWeight = 82;
 constexpr double kEffort = 0.01, kChange = 0.3;
 
 // n' f >= b of the force f of one foot.
@@ -131,7 +131,8 @@ PerLeg ShareForces(const ForceTask& task) {
   PerLeg forces;
   forces.fill(Vector3d::Zero());
   if (feet == 0) return forces;
-  const Eigen::Matrix<double, 6, 1> weights{kLevel, kLevel, kLift, kTurn, kTurn, kTurn};
+  const Eigen::Matrix<double, 6, 1> weights{kLevelWeight, kLevelWeight, kLiftWeight,
+                                            kTurnWeight,  kTurnWeight,  kTurnWeight};
   Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, kMost> A(6, 3 * feet);
   Forces last(3 * feet);
   for (Eigen::Index i = 0; i < feet; ++i) {

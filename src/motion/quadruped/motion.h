@@ -20,8 +20,8 @@
 
 namespace understudy::motion {
 
-// Stands, lies, sits, gestures, gets up, walks and drives. Its state machine is the table of states.h; a state has
-// one behaviour that leads the legs.
+// Stands, lies, sits, gestures, gets up, walks and drives. Its state machine is the table of
+// states.h; a state has one behaviour that leads the legs.
 class QuadrupedMotion : public authority::Motion {
  public:
   // `spec` must outlive it.

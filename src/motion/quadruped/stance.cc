@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include "motion/joint_move.h"
+#include "motion/quadruped/rotations.h"
 
 namespace understudy::motion {
 namespace {
@@ -26,22 +27,6 @@ constexpr double kKneeClear = 0.08;
 constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
 constexpr int kTilts = 20;            // from the wanted tilt down to none, likewise
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
-
-Matrix3d FromRollPitchYaw(const Vector3d& rpy) {
-  return (AngleAxisd(rpy[2], Vector3d::UnitZ()) * AngleAxisd(rpy[1], Vector3d::UnitY()) *
-          AngleAxisd(rpy[0], Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-Vector3d RollPitchYaw(const Matrix3d& R) {
-  return {std::atan2(R(2, 1), R(2, 2)), std::asin(std::clamp(-R(2, 0), -1.0, 1.0)),
-          std::atan2(R(1, 0), R(0, 0))};
-}
-
-Vector3d RotationVector(const Matrix3d& R) {
-  const AngleAxisd turn(R);
-  return turn.angle() * turn.axis();
-}
 
 Vector3d Mean(const PerLeg& points) { return (points[0] + points[1] + points[2] + points[3]) / 4; }
 

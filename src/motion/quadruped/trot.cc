@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "motion/quadruped/force_qp.h"
+#include "motion/quadruped/rotations.h"
 #include "motion/quadruped/swing.h"
 
 namespace understudy::motion {
@@ -28,33 +29,22 @@ constexpr double kFelt = 0.06;        // of the weight: a foot feels the ground
 constexpr double kMayLand = 0.6;      // part of a swing from when on that ends it
 constexpr double kMayLift = 0.5;      // and until when one may begin that is late
 constexpr double kTrustTime = 0.03;   // s after touchdown and before lifting that a foot is doubted
-constexpr double kLoadTime = 0.03;    // s in which it takes the load over and gives it up
+constexpr double kRampTime = 0.03;    // s in which it takes the load over and gives it up
 constexpr double kLeastLoad = 0.05;   // of its most, as it touches down
 constexpr double kMostForce = 1.2;    // of the weight, a foot
 constexpr double kLeastForce = 0.03;  // likewise
-constexpr double kPlace = 0.5, kSpeed = 1.6;   // level gains
-constexpr double kHeight = 4, kLiftSpeed = 3;  // vertical gains
-constexpr double kTilt = 14, kTiltRate = 7;    // of roll and pitch
+constexpr double kPlaceGain = 0.5, kSpeedGain = 1.6;  // level gains
+constexpr double kHeight = 4, kLiftSpeed = 3;         // vertical gains
+constexpr double kTilt = 14, kTiltRateGain = 7;       // of roll and pitch
 constexpr double kYaw = 3, kYawRate = 3;
-constexpr double kMostPush = 4, kMostLift = 5;  // m/s²
-constexpr double kMostTurn = 200;               // rad/s²
+constexpr double kMostPushed = 4, kMostLifted = 5;  // m/s²
+constexpr double kMostTurn = 200;                   // rad/s²
 constexpr double kReach = 0.7;           // of the leg's length, most a foothold is off its rest
 constexpr double kBehind = 0.5;          // m a foothold is moved back per m that the body lags
 constexpr double kSink = 0.005;          // m a foot aims under the ground
 constexpr double kFriction = 0.9;        // part of the joints' friction that is given ahead
 constexpr double kMostRate = 20;         // rad/s
 constexpr double kMostRateChange = 500;  // rad/s²
-
-Matrix3d FromRollPitchYaw(const Vector3d& rpy) {
-  return (AngleAxisd(rpy[2], Vector3d::UnitZ()) * AngleAxisd(rpy[1], Vector3d::UnitY()) *
-          AngleAxisd(rpy[0], Vector3d::UnitX()))
-      .toRotationMatrix();
-}
-
-Vector3d RotationVector(const Matrix3d& R) {
-  const AngleAxisd turn(R);
-  return turn.angle() * turn.axis();
-}
 
 Vector3d Level(const Vector3d& v) { return {v.x(), v.y(), 0}; }
 
@@ -179,19 +169,20 @@ void Trot::Watch(const QuadrupedReading& sensed) {
 double Trot::Load(std::size_t leg) const {
   if (feet_[leg].swings) return 0;
   if (!clock_.stands(leg) || clock_.halted()) return 1;
-  const double since = begins_ ? kLoadTime : clock_.stood(leg) + kLeastLoad * kLoadTime;
-  return std::clamp(std::min(since, clock_.stands_for(leg)) / kLoadTime, kLeastLoad, 1.0);
+  const double since = begins_ ? kRampTime : clock_.stood(leg) + kLeastLoad * kRampTime;
+  return std::clamp(std::min(since, clock_.stands_for(leg)) / kRampTime, kLeastLoad, 1.0);
 }
 
 Vector3d Trot::Acceleration() const {
   const Matrix3d R_TW = R_WT_.transpose();
   const Vector3d missing = Level(wish_.velocity()) - R_TW * Level(v_com_);
-  const Vector3d push =
-      omega_ * (omega_ * kPlace * R_TW * ahead_ + kSpeed * missing) + Level(wish_.acceleration());
+  const Vector3d push = omega_ * (omega_ * kPlaceGain * R_TW * ahead_ + kSpeedGain * missing) +
+                        Level(wish_.acceleration());
   const double climb = ground_.slope().dot(v_com_);
   const double lift = omega_ * (omega_ * kHeight * (height_ - estimator_.height()) -
                                 kLiftSpeed * (v_com_.z() - climb));
-  return NoLonger(push, kMostPush) + std::clamp(lift, -kMostLift, kMostLift) * Vector3d::UnitZ();
+  return NoLonger(push, kMostPushed) +
+         std::clamp(lift, -kMostLifted, kMostLifted) * Vector3d::UnitZ();
 }
 
 // The body is as level as the ground is, turned as it is to be carried.
@@ -201,7 +192,7 @@ Vector3d Trot::TurnRate(const QuadrupedReading& sensed) const {
                      0);
   const Vector3d turn = RotationVector(FromRollPitchYaw(rpy) * sensed.R_TB.transpose());
   const Vector3d rate = sensed.R_TB * sensed.w_WB_B;
-  Vector3d alpha = omega_ * (omega_ * kTilt * turn - kTiltRate * rate);
+  Vector3d alpha = omega_ * (omega_ * kTilt * turn - kTiltRateGain * rate);
   alpha.z() = omega_ * (omega_ * kYaw * yaw_ahead_ + kYawRate * (wish_.velocity().z() - turns_));
   return Within(alpha, kMostTurn);
 }
