@@ -152,13 +152,12 @@ void Trot::Watch(const QuadrupedReading& sensed) {
     Foot& foot = feet_[leg];
     const bool felt = sensed.foot_force[leg] > kFelt * body_.mass() * body_.gravity();
     const Vector3d p = estimator_.p_WB() + sensed.R_WB * sensed.feet[leg];
-    if (clock_.stands(leg)) {
+    const bool landed = foot.swings && felt && clock_.swing_part(leg) > kMayLand;
+    if (clock_.stands(leg) || landed) {
       foot.swings = false;
     } else if (!foot.swings && clock_.swing_part(leg) < kMayLift) {
       foot = {.swings = true, .felt = false, .from = p, .on = foot.on};
       begins_ = false;
-    } else if (foot.swings && felt && clock_.swing_part(leg) > kMayLand) {
-      foot.swings = false;
     }
     if (foot.swings || !felt) continue;
     foot.felt = true;

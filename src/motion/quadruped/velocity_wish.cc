@@ -30,8 +30,8 @@ void VelocityWish::Step(double dt) {
 }
 
 bool VelocityWish::at_rest() const {
-  constexpr double kRest = 0.02;  // of what follows the wish, m/s and rad/s; assumed
-  return wish_.isZero(0) && velocity_.isZero(kRest);
+  constexpr double kUnmoved = 0.02;  // of what follows the wish, m/s and rad/s; assumed
+  return wish_.isZero(0) && velocity_.isZero(kUnmoved);
 }
 
 }  // namespace understudy::motion
