@@ -1,4 +1,4 @@
-// Command line -> configuration -> run.
+// The program `understudy`: parses the command line and runs the chosen command.
 #include <cstdio>
 #include <iostream>
 
@@ -20,39 +20,47 @@ namespace {
 
 constexpr char kFooter[] =
     "First steps:\n"
-    "  understudy run go2                      play a Go2 on lo, domain 0\n"
-    "  understudy exec go2 -- python3 prog.py  play one for the time of a program\n"
-    "  understudy ctl status --watch           look at it from another terminal\n"
-    "  understudy view                         look at it in a window\n"
-    "  understudy remote                       hold its remote controller\n"
-    "`understudy COMMAND --help` tells more.\n"
-    "Exit codes: 0 done; 1 a bug, or a request refused; 2 command line; 3 configuration; 4 model;\n"
-    "5 network; 6 another robot is on the network; 7 the physics diverged;\n"
-    "8 the robot's name is in use, or its control socket not to be had; 9 a recording that cannot\n"
-    "be written or read; exec: the command's own.";
+    "  understudy run go2                      simulate a Go2 on lo, domain 0\n"
+    "  understudy exec go2 -- python3 prog.py  simulate one while a program runs\n"
+    "  understudy ctl status --watch           show its state in another terminal\n"
+    "  understudy view                         show it in a window\n"
+    "  understudy remote                       use its remote controller\n"
+    "`understudy COMMAND --help` has details.\n"
+    "Exit codes: 0 done; 1 a bug, a request refused, output not written; 2 command line;\n"
+    "3 configuration; 4 model; 5 network; 6 another robot on the network; 7 the physics diverged;\n"
+    "8 the robot's name or control socket is in use or unusable; 9 a recording that cannot be\n"
+    "written or read; exec: the command's code.";
+
+// Prints what is wrong with the command line, if that was found.
+bool Explained(const std::string& why) {
+  if (why.empty()) return false;
+  std::fprintf(stderr, "%s\nRun with --help for more information.\n", why.c_str());
+  return true;
+}
 
 int Main(int argc, char** argv) {
   CLI::App app(
-      "Understudy plays a Unitree robot: programs written with Unitree SDK 2 run against it\n"
-      "without a change.",
+      "Understudy simulates a Unitree robot: programs written with Unitree SDK 2 run against it\n"
+      "unchanged.",
       "understudy");
   app.footer(kFooter);
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string("understudy ") + kVersion);
   commands::Chosen chosen;
 
+  // Commands of this program and of the companions.
   commands::AddRunCommands(&app, &chosen);
   ctl::CtlCommand ctl(&app, &std::cout);
   commands::AddTerrainCommand(&app, &chosen);
 
   viewer::ViewArguments view;
-  viewer::SnapshotArguments snapshot;
+  viewer::PictureArguments picture;
   viewer::FilmArguments film;
   remote::RemoteArguments remote;
   constexpr char kView[] = "understudy-view";
   const commands::Companion companions[] = {
       {viewer::AddViewCommand(&app, &view), kView, viewer::kViewerMissing},
-      {viewer::AddSnapshotCommand(&app, &snapshot), kView, viewer::kViewerMissing},
+      {viewer::AddPictureCommand(&app, &picture), kView, viewer::kViewerMissing},
       {viewer::AddFilmCommand(&app, &film), kView, viewer::kViewerMissing},
       {remote::AddRemoteCommand(&app, &remote), "understudy-remote", remote::kRemoteMissing},
   };
@@ -63,22 +71,24 @@ int Main(int argc, char** argv) {
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);
 
+  // Command line.
   try {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (argc == 1) {
       std::fputs(app.help().c_str(), stderr);
-    } else if (const std::string missing = commands::MissingCommand(app, argc, argv);
-               !missing.empty()) {
-      std::fprintf(stderr, "%s\nRun with --help for more information.\n", missing.c_str());
-    } else {
+    } else if (!Explained(commands::MissingCommand(app, argc, argv))) {
       app.exit(error);
     }
+    return static_cast<int>(ExitCode::kUsage);
+  } catch (const CLI::ExtrasError& error) {
+    if (!Explained(commands::UnknownOption(app, argc, argv))) app.exit(error);
     return static_cast<int>(ExitCode::kUsage);
   } catch (const CLI::ParseError& error) {
     const int code = app.exit(error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }
+  // Run the chosen command.
   for (const commands::Companion& companion : companions) {
     if (companion.command->parsed()) commands::BecomeCompanion(companion, argv);
   }
@@ -87,7 +97,7 @@ int Main(int argc, char** argv) {
   return 0;
 }
 
-// What a full disk has not taken of the output fails whatever command wrote it.
+// Fails every command whose output could not be written completely, as to a full disk.
 int CheckOutput() {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return 0;

@@ -1,4 +1,4 @@
-"""What both suites of Python tests need: the understudy that is to be tested."""
+"""Fixtures of both suites of Python tests: the understudy under test."""
 
 import os
 import pathlib

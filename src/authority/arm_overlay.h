@@ -1,4 +1,4 @@
-// rt/arm_sdk: commands for some joints, mixed over those of the motion service.
+// Blends the commands of rt/arm_sdk with those of the motion service.
 #pragma once
 
 #include <vector>
@@ -9,27 +9,26 @@
 
 namespace understudy::authority {
 
-// The command under which a motor gives `weight` of the torque of `over` and the rest of that of
-// `under`, whatever its angle and rate. Exact: the sum of two lines is a line. A disabled command
-// gives none.
+// Returns the command whose torque is `weight` times that of `over` plus 1 - `weight` times that of
+// `under`, at every angle and rate. This is exact, since both torques are linear in angle and rate.
+// A disabled command has no torque.
 robot::MotorCommand Mix(const robot::MotorCommand& under, const robot::MotorCommand& over,
                         double weight);
 
-// Keeps the newest command of rt/arm_sdk. Only the motors of ArmSdkSpec::slots follow it. The
-// weight counts at once, as does its end: clients ramp it themselves (unitree_sdk2 g1_arm7_sdk
-// example).
+// Keeps the newest command of rt/arm_sdk, which only the motors of ArmSdkSpec::slots follow. A
+// change of the weight acts immediately: clients ramp it (unitree_sdk2 g1_arm7_sdk example).
 class ArmOverlay {
  public:
   explicit ArmOverlay(const robot::RobotSpec& spec);
 
-  // A command of time t [s]; its weight is cut to 0..1. One that would harm (HarmIn), or whose
-  // weight is not finite, is left out; returns why, or kNone.
+  // Takes a command at time t [s] and clamps its weight to 0..1. Refuses one with harmful values
+  // (HarmIn) or a weight that is not finite. Returns the reason, or kNone.
   robot::Refusal Offer(const robot::RobotCommand& command, double t);
   void Clear() { weight_ = 0; }
 
-  // The weight that counts at time t [s].
+  // Returns the effective weight at time t [s].
   double weight(double t) const;
-  // Mixes it over `command`, which is in joint space.
+  // Blends it into `command`, which is in joint space, at time t [s].
   void MixOver(double t, robot::RobotCommand* command) const;
 
  private:

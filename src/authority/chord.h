@@ -1,4 +1,4 @@
-// What the remote controller's keys ask of the robot.
+// Finds chords in the keys of the remote controller and makes goals of them.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace understudy::authority {
 
-// A chord of the robot's table, ready to act.
+// A chord of the robot's description, decoded.
 struct Chord {
   std::uint16_t keys = 0;
   int clicks = 1;
-  std::optional<MotionGoal> goal;  // none: the motion service lets go (debug mode)
-  std::vector<int> from;           // ids of states it works in; none = in all
+  std::optional<MotionGoal> goal;  // nullopt: releases the motion service (debug mode)
+  std::vector<int> from;           // ids of the states in which it works; empty = all
 };
 
-// The words of ChordSpec::does: "debug", and the goals that a key may ask for.
+// Returns the valid words of ChordSpec::does: "debug" and the names of goals.
 const std::vector<std::string>& ChordActions();
 
-// Throws ConfigError for keys or a word that do not exist; `where` begins what it says.
+// Decodes a chord. Throws ConfigError, beginning with `where`, for unknown keys or an unknown word.
 Chord MakeChord(const robot::ChordSpec& spec, const std::string& where);
 
-// Finds chords in the keys as they are pressed. A chord is there when a key goes down and exactly
-// its keys are down; one of two clicks when that happens twice within kDoubleClick. Where a chord
-// has a variant of two clicks, both the first and the second click act.
+// Detects chords. A chord occurs when a key goes down and then exactly its keys are down; a chord
+// of two clicks when that happens twice within kDoubleClick. If the same keys have chords of one
+// and of two clicks, the first click triggers one and the second the other.
 class ChordReader {
  public:
   static constexpr double kDoubleClick = 0.5;  // s, *assumed*
 
   explicit ChordReader(std::vector<Chord> chords) : chords_(std::move(chords)) {}
 
-  // The keys that are down at time t [s], not before the last call's t, while the state machine is
-  // in `state`. Null when no chord came to be.
+  // Takes the keys that are down at time t [s], which must not go back, and the id of the present
+  // state. Returns the chord that occurred, or null.
   const Chord* Read(std::uint16_t keys, int state, double t);
 
-  // Whether the table holds a way into debug mode.
+  // Returns whether a chord leads to debug mode.
   bool knows_debug() const;
 
  private:

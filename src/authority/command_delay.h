@@ -1,4 +1,4 @@
-// Motors that follow commands some steps late.
+// Delays commands by a number of steps.
 #pragma once
 
 #include <algorithm>
@@ -10,14 +10,14 @@
 
 namespace understudy::authority {
 
-// Allocates in the constructor only, as long as every command is for as many motors as `start`.
+// A delay line. Allocates only in the constructor if all commands have as many motors as `start`.
 class CommandDelay {
  public:
-  // `start`: what motors follow until the first command has got through.
+  // `start` is the output until the first command has passed.
   CommandDelay(std::size_t steps, const robot::RobotCommand& start)
       : out_(start), waiting_(steps, start) {}
 
-  // The command of `steps` calls ago for that of now. Valid until the next call.
+  // Takes the present command and returns that of `steps` calls before. Valid until the next call.
   const robot::RobotCommand& Pass(const robot::RobotCommand& command) {
     if (waiting_.empty()) return command;
     std::swap(out_, waiting_[next_]);
@@ -26,7 +26,7 @@ class CommandDelay {
     return out_;
   }
 
-  // Forgets what waits; `start` as at the beginning.
+  // Fills the delay with `start`, as at the beginning.
   void Restart(const robot::RobotCommand& start) { std::ranges::fill(waiting_, start); }
 
  private:

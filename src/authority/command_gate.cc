@@ -4,7 +4,8 @@
 #include <utility>
 
 namespace understudy::authority {
-// What no program can mean. That a robot refuses it too is assumed: nothing is published.
+// Values that no program can intend. That a robot refuses them too is assumed, as it is not
+// documented.
 robot::Refusal HarmIn(const robot::MotorCommand& m) {
   if (!std::isfinite(m.q) || !std::isfinite(m.dq) || !std::isfinite(m.tau) ||
       !std::isfinite(m.kp) || !std::isfinite(m.kd)) {

@@ -1,4 +1,4 @@
-// Decides which command the motors follow.
+// Decides which rt/lowcmd command the motors follow.
 #pragma once
 
 #include <array>
@@ -11,55 +11,55 @@
 namespace understudy::authority {
 
 struct GateConfig {
-  bool lenient = false;   // of every topic's Intake
+  bool lenient = false;   // mode of the Intake of every topic
   double timeout = 0.2;   // s without a taken command until damping; assumed
   double damping_kd = 2;  // N·m·s/rad of that damping; assumed
 };
 
-// Who moves the motors now.
+// What the motors follow.
 enum class GateState : std::uint8_t {
   kStart,      // the start command: nobody has commanded yet
   kFollowing,  // the last taken command
-  kDamping,    // commands stopped, or nobody has commanded since the motion service let go
-  kLimp,       // the same without torque, on the remote controller's wish
-  kClosed,     // the robot's own motion service
+  kDamping,    // damping: commands stopped, or none came since the motion service's release
+  kLimp,       // no torque, requested by the remote controller
+  kClosed,     // the motion service
 };
 
-// The word that the status line and the control plane use.
+// Returns the state's word in the status line and the control plane.
 constexpr std::string_view Name(GateState state) {
   constexpr std::array<std::string_view, 5> kNames = {"start", "following", "damping", "limp",
                                                       "motion_service"};
   return kNames[static_cast<std::size_t>(state)];
 }
 
-// Takes commands or refuses them with a reason. There is always a current command, never "none":
-// the start command until one is taken, the last one taken while it is fresh, damping after that. A
-// refused command changes nothing. Values that would harm (kNotFinite, kGain) are refused.
+// Takes commands or refuses them with a reason. There is always a current command: the start
+// command until one is taken, then the last taken one, and damping after the timeout. A refused
+// command changes nothing. Harmful values (kNotFinite, kGain) are refused.
 //
-// Closed, it refuses every command, those without a fault as kMotionService.
+// While closed it refuses every command; valid ones with kMotionService.
 class CommandGate {
  public:
-  // `start` is what the motors do before the first command; its size is the number of motors.
+  // `start` is the command before the first taken one; its size is the number of motors.
   CommandGate(const GateConfig& config, robot::RobotCommand start);
 
-  // Offers a command that arrived at time t [s]. Returns kNone when taken, else the reason.
-  // `command` must hold as many motors as the start command.
+  // Takes or refuses a command that arrived at time t [s]. Returns kNone or the reason. `command`
+  // must have as many motors as the start command.
   robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
-  // What the motors follow at time t [s], not before the last call's t.
+  // Returns the command that the motors follow at time t [s], which must not go back.
   const robot::RobotCommand& Current(double t);
 
-  // Back to the start command, or to another one, and open.
+  // Opens with the start command, or with another one.
   void Restart();
   void Restart(const robot::RobotCommand& start);
 
-  // The motion service takes the motors; Current means nothing until it lets go.
+  // The motion service takes the motors. Current is meaningless until Rest or Restart.
   void Close() { state_ = GateState::kClosed; }
-  // The motors brake, or with `limp` give no torque, until a command is taken.
+  // Opens; the motors damp, or with `limp` have no torque, until a command is taken.
   void Rest(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
 
   GateState state() const { return state_; }
-  // Times that commands stopped, since it was made.
+  // Returns how often commands have stopped since construction.
   std::uint64_t timeouts() const { return timeouts_; }
 
  private:
@@ -73,11 +73,11 @@ class CommandGate {
   double taken_at_ = 0;
 };
 
-// The first thing in a command that would harm, whatever its form: kNotFinite, kGain, or kNone.
+// Returns the first harmful value in a command: kNotFinite, kGain, or kNone.
 robot::Refusal HarmIn(const robot::MotorCommand& command);
 robot::Refusal HarmIn(const robot::RobotCommand& command);
 
-// A command under which every motor only brakes: kd [N·m·s/rad] on its rate.
+// Returns a command that damps every motor with kd [N·m·s/rad].
 robot::RobotCommand DampingCommand(std::size_t motors, double kd);
 
 }  // namespace understudy::authority

@@ -1,6 +1,7 @@
 #include "authority/command_router.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -9,7 +10,9 @@
 namespace understudy::authority {
 namespace {
 
-constexpr double kStickHold = 0.1;  // s a wish of the sticks lasts, *assumed*; renewed each tick
+constexpr double kStickHold = 0.1;  // s, of a Move of the sticks, *assumed*; renewed each tick
+// Of full deflection: less is rest. As in the vendor's gamepad.hpp; that robots do so is *assumed*.
+constexpr double kStickRest = 0.01;
 
 std::vector<Chord> ChordsOf(const robot::RobotSpec& spec) {
   std::vector<Chord> chords;
@@ -57,7 +60,7 @@ robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand
   return intakes_[topic].Judge(form, [&] { return Put(topic, command, t); });
 }
 
-// Hands a command whose form does not matter any more to who is to follow it.
+// Passes a command on to the gate or overlay of its topic; its form has been judged.
 robot::Refusal CommandRouter::Put(std::size_t topic, const robot::RobotCommand& command, double t) {
   switch (topic) {
     case robot::kLowCmdTopic: {
@@ -100,14 +103,15 @@ void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
     owner_.Release();
     FollowOwner();
   }
-  const bool moved = owner_.sticks() && (remote.lx != 0 || remote.ly != 0 || remote.rx != 0);
   stick_wish_ = {};
-  if (moved) {
-    stick_wish_ = {stick_speed_[0] * remote.ly, -stick_speed_[1] * remote.lx,
-                   -stick_speed_[2] * remote.rx};
+  if (owner_.sticks()) {
+    const auto felt = [](double stick) { return std::abs(stick) < kStickRest ? 0 : stick; };
+    stick_wish_ = {stick_speed_[0] * felt(remote.ly), -stick_speed_[1] * felt(remote.lx),
+                   -stick_speed_[2] * felt(remote.rx)};
   }
+  const bool moved = std::ranges::any_of(stick_wish_, [](double wish) { return wish != 0; });
   if ((moved || sticks_moved_) && service_on()) {
-    owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold});
+    owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold, true});
   }
   sticks_moved_ = moved;
 }

@@ -1,5 +1,5 @@
-// Which commands the motors follow: those of the body the motion service's, rt/arm_sdk mixed over
-// it, rt/user_lowcmd or rt/lowcmd; those of a hand its own topic's.
+// Selects the commands that the motors follow. The body's motors follow the motion service, blended
+// with rt/arm_sdk, or rt/user_lowcmd or rt/lowcmd; a hand's motors follow the hand's topic.
 #pragma once
 
 #include <array>
@@ -18,53 +18,54 @@
 
 namespace understudy::authority {
 
-// While a motion service is on it moves the motors, the gate is closed and rt/arm_sdk counts; while
-// it has handed them over, rt/user_lowcmd. Once it lets go, motors brake until rt/lowcmd comes
-// (*assumed*: what a robot does in between is not documented).
+// While a motion service is on, the gate is closed, the service moves the motors and rt/arm_sdk is
+// blended in; while the service has handed the motors over, they follow rt/user_lowcmd. After its
+// release the motors damp until rt/lowcmd comes (*assumed*, as the robot's behaviour is not
+// documented).
 class CommandRouter {
  public:
-  // `spec` and `config` have been validated. `start` is what the motors do when no service is on
-  // and nobody has commanded.
+  // `spec` and `config` are validated. `start` is the command while no service is on and none has
+  // been taken.
   CommandRouter(const robot::RobotSpec& spec, const GateConfig& gate, const MotionConfig& config,
                 const robot::RobotCommand& start, std::unique_ptr<Motion> motion);
 
-  // The robot is back in a pose that it can start in, `start` is what its motors do there; whoever
-  // moves them begins anew.
+  // Call it after the robot was put back in a start pose, with the command that holds it there. The
+  // motion service or the gate restarts.
   void Restart(const robot::RobotCommand& start);
 
-  // A command of a topic that the robot has, at time t [s]; `form` and the answer as for
+  // Takes or refuses a command of a topic of the robot at time t [s]; `form` and result as for
   // Intake::Judge.
   robot::Refusal Offer(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                        double t);
-  // The remote controller at time t [s].
+  // Follows the keys and sticks of the remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
 
-  // What the motors, body and hands, follow at input.time. With `service_due` the motion service,
-  // if one is on, makes a step of `dt` seconds first. Valid until the next call or Restart.
+  // Returns the command to all motors at input.time. With `service_due` the motion service, if one
+  // is on, first makes a step of `dt` seconds. Valid until the next call or Restart.
   const robot::RobotCommand& Current(const MotionInput& input, bool service_due, double dt);
-  // The last Current; what they do at the start before the first.
+  // Returns the last result of Current; before, the start command.
   const robot::RobotCommand& command() const { return followed_; }
 
   MotorOwner& owner() { return owner_; }
   const MotorOwner& owner() const { return owner_; }
   bool service_on() const { return !owner_.active().empty(); }
-  // What the motion service tells; none while none is on.
+  // Returns the state of the motion service; nullopt while none is on.
   std::optional<robot::MotionState> motion() const {
     return service_on() ? std::optional(owner_.state()) : std::nullopt;
   }
   const CommandGate& gate() const { return gate_; }
-  // What became of the commands of a topic; nothing has where the robot has no such topic.
+  // Returns the counts of a topic; zeros if the robot does not have it.
   GateCounts counts(std::size_t topic) const;
-  // What the sticks ask for: forward, left m/s, turn rad/s.
+  // Returns the velocity that the sticks command: forward, left m/s, turn rad/s.
   const std::array<double, 3>& stick_wish() const { return stick_wish_; }
   double arm_weight(double t) const { return arms_.weight(t); }
 
  private:
   robot::Refusal Put(std::size_t topic, const robot::RobotCommand& command, double t);
   const robot::RobotCommand& OfBody(const MotionInput& input, bool service_due, double dt);
-  // Puts a command to the body and what hands follow at time t [s] into followed_.
+  // Assembles followed_ of a command to the body and those of the hands at time t [s].
   void Follow(const robot::RobotCommand& body, double t);
-  void FollowOwner();  // opens or closes the gate when the owner has changed
+  void FollowOwner();  // opens or closes the gate after a change of owner
 
   bool fight_;
   Eigen::Vector3d stick_speed_;
@@ -75,13 +76,13 @@ class CommandRouter {
   std::vector<HandGate> hands_;
   std::vector<Intake> intakes_;  // by topic
   ChordReader chords_;
-  robot::RobotCommand own_;    // the motion service's last
-  robot::RobotCommand mixed_;  // the same with the arms
+  robot::RobotCommand own_;    // the last one of the motion service
+  robot::RobotCommand mixed_;  // the same, blended with rt/arm_sdk
   robot::RobotCommand followed_;
   bool was_on_ = false;
   bool was_user_ = false;
-  bool fresh_lowcmd_ = false;  // one has been taken in this tick
-  bool fought_ = false;        // rt/lowcmd spoke after the service
+  bool fresh_lowcmd_ = false;  // one was taken in this tick
+  bool fought_ = false;        // rt/lowcmd is newer than the service's command
   bool sticks_moved_ = false;
   std::array<double, 3> stick_wish_{};
 };

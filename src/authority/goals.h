@@ -1,37 +1,38 @@
-// What services, the remote controller and scripts may ask of a motion service: a type per goal,
-// with what there is to know of it.
+// The goals that services, the remote controller and scripts can give a motion service, one type
+// each.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <type_traits>
 #include <variant>
+#include <vector>
 
 namespace understudy::authority {
 namespace goal {
 
-// The numbers of a call or a chord in the order of its schema; 0 where it has fewer. A bool is 1 or
-// 0.
+// The numbers of a call or a chord, in order; 0 for missing ones. A bool is 1 or 0.
 using Numbers = std::array<double, 4>;
 
-// Cut to what ids are; what is no number is -1, which is no id.
+// Truncates and clamps a number to an id; NaN becomes -1, which is no id.
 inline int Whole(double x) { return x > -1 ? static_cast<int>(std::min(x, 1e6)) : -1; }
 
 // clang-format off
 struct ZeroTorque { bool operator==(const ZeroTorque&) const = default; };
-struct Damp { bool operator==(const Damp&) const = default; };  // legal in every state
+struct Damp { bool operator==(const Damp&) const = default; };  // valid in every state
 struct StandUp { bool operator==(const StandUp&) const = default; };  // joints locked, no balance
 struct StandDown { bool operator==(const StandDown&) const = default; };
 struct BalanceStand { bool operator==(const BalanceStand&) const = default; };
-struct RecoveryStand { bool operator==(const RecoveryStand&) const = default; };  // however it lies
+struct RecoveryStand { bool operator==(const RecoveryStand&) const = default; };  // from any pose
 struct Sit { bool operator==(const Sit&) const = default; };
 struct RiseSit { bool operator==(const RiseSit&) const = default; };
-struct Hello { bool operator==(const Hello&) const = default; };
-struct Stretch { bool operator==(const Stretch&) const = default; };
 struct Pose { bool operator==(const Pose&) const = default; };
 struct EndPose { bool operator==(const EndPose&) const = default; };
 struct StopMove { bool operator==(const StopMove&) const = default; };
+struct ResetEstimator { bool operator==(const ResetEstimator&) const = default; };  // its place is 0
 struct StopArmAction { bool operator==(const StopArmAction&) const = default; };  // humanoids
 // clang-format on
 
@@ -42,26 +43,97 @@ struct Euler {
   bool operator==(const Euler&) const = default;
 };
 struct BodyHeight {
-  double height = 0;  // m over the robot's own standing height
+  double height = 0;  // m over the robot's standing height
   static BodyHeight From(const Numbers& x) { return {x[0]}; }
   bool operator==(const BodyHeight&) const = default;
 };
+// Of the body over the feet, which stay.
+struct BodyPosition {
+  double x = 0, y = 0, z = 0;  // m ahead, to the left, over the standing height
+  double yaw = 0;              // rad
+  static BodyPosition From(const Numbers& x) { return {x[0], x[1], x[2], x[3]}; }
+  bool operator==(const BodyPosition&) const = default;
+};
 struct AutoRecovery {
-  bool on = false;  // gets up by itself after a fall; off, as at the start: stays damped
+  bool on = false;  // gets up after a fall; off (the default): stays damped
   static AutoRecovery From(const Numbers& x) { return {x[0] != 0}; }
   bool operator==(const AutoRecovery&) const = default;
 };
 struct Move {
-  double vx = 0, vy = 0;  // m/s, in the body's frame
-  double yaw_rate = 0;    // rad/s
-  double hold = 0;        // s until it stops by itself
+  double vx = 0, vy = 0;   // m/s, in the body's frame
+  double yaw_rate = 0;     // rad/s
+  double hold = 0;         // s until it stops
+  bool by_sticks = false;  // of the remote controller: the speed level scales it
   static Move From(const Numbers& x) { return {x[0], x[1], x[2], x[3]}; }
   bool operator==(const Move&) const = default;
 };
 
-// Those below are of humanoids only.
+// Goals of quadrupeds only.
+enum class GestureName : std::uint8_t {
+  kHello,
+  kStretch,
+  kContent,
+  kDance1,
+  kDance2,
+  kScrape,
+  kHeart
+};
+struct Gesture {
+  GestureName name = GestureName::kHello;
+  bool operator==(const Gesture&) const = default;
+};
+enum class GaitName : std::uint8_t {
+  kTrot,
+  kFree,
+  kStatic,
+  kRun,
+  kEconomic,
+  kClassic,
+  kFast,
+  kStairs,
+  kNone
+};
+struct Gait {
+  GaitName name = GaitName::kFree;  // kNone is unknown everywhere
+  bool operator==(const Gait&) const = default;
+};
+struct SpeedLevel {
+  int level = 0;  // -1 slow, 0 normal, 1 fast; what is beyond counts as the nearest
+  static SpeedLevel From(const Numbers& x) {
+    return {static_cast<int>(std::clamp(x[0], -1.0, 1.0))};
+  }
+  bool operator==(const SpeedLevel&) const = default;
+};
+struct KeepStepping {
+  bool on = false;  // steps on the spot where it would stand
+  static KeepStepping From(const Numbers& x) { return {x[0] != 0}; }
+  bool operator==(const KeepStepping&) const = default;
+};
+struct LastingMoves {
+  bool on = false;  // a Move lasts until the next one or StopMove
+  static LastingMoves From(const Numbers& x) { return {x[0] != 0}; }
+  bool operator==(const LastingMoves&) const = default;
+};
+struct GoTo {
+  double x = 0, y = 0;     // m, by the service's own estimate
+  double yaw = 0;          // rad, likewise
+  bool from_here = false;  // counts from where the robot is, else from where its estimate began
+  static GoTo From(const Numbers& x) { return {x[0], x[1], x[2], x[3] != 0}; }
+  bool operator==(const GoTo&) const = default;
+};
+struct PathPoint {
+  double t = 0;         // s from the start of the path, ascending
+  double x = 0, y = 0;  // m, by the service's own estimate
+  double yaw = 0;       // rad, likewise
+};
+struct FollowPath {
+  std::shared_ptr<const std::vector<PathPoint>> points;
+  bool operator==(const FollowPath&) const = default;
+};
+
+// Goals of humanoids only.
 struct SetFsm {
-  int id = 0;  // the vendor's, of its state machine
+  int id = 0;  // of the vendor's state machine
   static SetFsm From(const Numbers& x) { return {Whole(x[0])}; }
   bool operator==(const SetFsm&) const = default;
 };
@@ -85,10 +157,12 @@ struct ArmAction {
 
 using MotionGoal =
     std::variant<goal::Damp, goal::ZeroTorque, goal::StandUp, goal::StandDown, goal::BalanceStand,
-                 goal::RecoveryStand, goal::Sit, goal::RiseSit, goal::Hello, goal::Stretch,
-                 goal::Pose, goal::EndPose, goal::Euler, goal::BodyHeight, goal::StopMove,
-                 goal::AutoRecovery, goal::Move, goal::SetFsm, goal::SetBalanceMode,
-                 goal::SetStandHeight, goal::ArmAction, goal::StopArmAction>;
+                 goal::RecoveryStand, goal::Sit, goal::RiseSit, goal::Gesture, goal::Pose,
+                 goal::EndPose, goal::Euler, goal::BodyHeight, goal::BodyPosition, goal::StopMove,
+                 goal::AutoRecovery, goal::Move, goal::Gait, goal::SpeedLevel, goal::KeepStepping,
+                 goal::LastingMoves, goal::GoTo, goal::FollowPath, goal::ResetEstimator,
+                 goal::SetFsm, goal::SetBalanceMode, goal::SetStandHeight, goal::ArmAction,
+                 goal::StopArmAction>;
 
 template <class Goal, class... Goals>
 constexpr std::size_t PlaceIn(const std::variant<Goals...>*) {
@@ -97,7 +171,7 @@ constexpr std::size_t PlaceIn(const std::variant<Goals...>*) {
   return place;
 }
 
-// MotionGoal::index() of that goal.
+// The MotionGoal::index() of a goal type.
 template <class Goal>
 inline constexpr std::size_t kGoal = PlaceIn<Goal>(static_cast<const MotionGoal*>(nullptr));
 
@@ -114,6 +188,21 @@ MotionGoal To(const goal::Numbers& numbers) {
   } else {
     return Goal::From(numbers);
   }
+}
+
+// Makes that goal whatever the numbers are.
+template <goal::GestureName name>
+MotionGoal To(const goal::Numbers&) {
+  return goal::Gesture{name};
+}
+template <goal::GaitName name>
+MotionGoal To(const goal::Numbers&) {
+  return goal::Gait{name};
+}
+// That gait for true and the default one for false.
+template <goal::GaitName name>
+MotionGoal ToIf(const goal::Numbers& numbers) {
+  return goal::Gait{numbers[0] != 0 ? name : goal::GaitName::kFree};
 }
 
 }  // namespace understudy::authority

@@ -1,4 +1,4 @@
-// Decides what the motors of a hand follow.
+// Decides which command the motors of a hand follow.
 #pragma once
 
 #include <cstdint>
@@ -8,31 +8,30 @@
 
 namespace understudy::authority {
 
-// Takes commands to a hand or refuses them with a reason. Before the first one its motors are
-// locked, as they are when a command says so: they are not enabled. After that each motor
-// follows its last taken command for as long as nobody sends another, unless that command had it
-// watched: then it locks once spec.timeout has passed without a taken command, and stays locked
-// until a command that does not have it watched ("must be cleared with 0": [docs] G1
-// dexterous hand). That a motor which has timed out locks rather than goes limp is
-// *assumed*.
+// Takes commands to a hand or refuses them with a reason. Motors are locked (not enabled) before
+// the first command. Then each follows its last taken command without limit, unless that command
+// has it watched: then it locks after spec.timeout without a taken command, until a command without
+// the watch bit ("must be cleared with 0": [docs] G1 dexterous hand). That a timed-out motor locks
+// rather than goes limp is *assumed*.
 //
-// No motion service holds a hand: commands count at any time.
+// Motion services do not move hands, so commands are taken at any time.
 class HandGate {
  public:
   explicit HandGate(const robot::HandSpec& spec);
 
-  // Offers a command that arrived at time t [s]. Returns kNone when taken, else the reason:
-  // kMotorCount for another number of motors, or what would harm. A refused command changes
-  // nothing.
+  // Takes or refuses a command that arrived at time t [s]. Returns kNone or the reason: kMotorCount
+  // for a wrong number of motors, or a harmful value. A refused command changes nothing.
   robot::Refusal Offer(const robot::RobotCommand& command, double t);
 
-  // What each motor follows at time t [s], not before the last call's t. Valid until the next call.
+  // Returns what the motors follow at time t [s], which must not go back. Valid until the next
+  // call.
   const robot::RobotCommand& Current(double t);
 
-  // As before the first command.
+  // Returns to the state before the first command.
   void Restart();
 
-  // Times that commands stopped, however many motors were watched, since it was made.
+  // Returns how often commands have stopped since construction, counted once for all watched
+  // motors.
   std::uint64_t timeouts() const { return timeouts_; }
 
  private:

@@ -1,4 +1,4 @@
-// Judges the commands of one topic and counts what became of them.
+// Checks the form of the commands of one topic and counts taken and refused ones.
 #pragma once
 
 #include <array>
@@ -10,25 +10,25 @@
 
 namespace understudy::authority {
 
-// Of one topic, since start.
+// Counts of one topic since the start.
 struct GateCounts {
   std::uint64_t accepted = 0;
   std::array<std::uint64_t, robot::kRefusals> refused{};  // by Refusal; kNone stays 0
-  std::uint64_t timeouts = 0;                             // times that commands stopped
+  std::uint64_t timeouts = 0;                             // how often commands stopped
 };
 
-// Strict, it refuses what is wrong in form (crc, head, mode_machine, mode_pr, motor mode). Lenient,
-// it lets that pass and counts it all the same, but not what could not be read: a command for
-// another number of motors, bytes of another type.
+// A strict intake refuses faults of form (crc, head, mode_machine, mode_pr, motor mode). A lenient
+// one only counts them, but still refuses what cannot be read: a wrong number of motors, bytes of
+// another type.
 class Intake {
  public:
-  // Taken of a topic in one tick, so that many commands do not make a long one; *assumed*.
+  // The most commands of a topic per tick, which bounds the length of a tick; *assumed*.
   static constexpr int kMostAtOnce = 8;
 
   explicit Intake(bool lenient) : lenient_(lenient) {}
 
-  // Returns kNone when the command is taken, else why not. `form` is what the port found wrong with
-  // it; robot::Refusal offer() hands it to whoever is to follow it, and refuses in its turn.
+  // Returns kNone if the command is taken, else the reason. `form` is the fault of form that the
+  // port found; robot::Refusal offer() passes the command on and may refuse it too.
   template <class Offer>
   robot::Refusal Judge(robot::Refusal form, Offer&& offer) {
     if (form != robot::Refusal::kNone) ++refused(form);
@@ -40,7 +40,7 @@ class Intake {
     return refusal;
   }
 
-  // `timeouts` is 0: gates know it.
+  // `timeouts` is 0, since gates count them.
   const GateCounts& counts() const { return counts_; }
 
  private:

@@ -1,4 +1,4 @@
-// The robot's own motion service, as the tick sees it: goals go in, a command comes out.
+// The interface of a motion service: it takes goals and computes commands.
 #pragma once
 
 #include <cstdint>
@@ -9,19 +9,19 @@
 
 namespace understudy::authority {
 
-// What became of a goal. Services turn it into the code their robot would send.
+// The result of a goal. Services answer with the robot's code for it.
 enum class MotionVerdict : std::uint8_t {
-  kTaken,    // under way; not a promise that it ends well
-  kNotNow,   // not from the present state
+  kTaken,    // started; it may still fail
+  kNotNow,   // not possible in the present state
   kUnknown,  // no such id
-  kUnable,   // the real robot could, no controller here can
+  kUnable,   // not simulated, though the real robot has it
 };
 
-// What a robot's own controller knows: one instant of its sensors, as they read.
+// The input of a motion service: the sensor readings of one instant.
 struct MotionInput {
   double time = 0;                              // simulated s
   std::span<const robot::MotorReading> motors;  // motor order
-  robot::ImuReading imu;                        // LowState's unit
+  robot::ImuReading imu;                        // of LowState
   std::span<const double> foot_force;           // N, RobotSpec::feet order
 };
 
@@ -29,15 +29,15 @@ class Motion {
  public:
   virtual ~Motion() = default;
 
-  // As after boot: no goal, the state a robot of this kind comes up in. Called before the first
-  // Step and whenever the service takes the motors over.
+  // Starts as after boot: without a goal, in the first state of this kind of robot. Called before
+  // the first Step and whenever the service takes over the motors.
   virtual void Start(const MotionInput& input) = 0;
 
-  // Begins `goal` or says why not; never acts itself.
+  // Takes or refuses a goal; it takes effect in the next Step.
   virtual MotionVerdict Ask(const MotionGoal& goal) = 0;
 
-  // Every dt seconds: what the motors are to do until the next call. `command` has the robot's
-  // size. Allocates nothing.
+  // Called every dt seconds: computes the command to the motors until the next call. `command` has
+  // the size of the body. Allocates nothing.
   virtual void Step(const MotionInput& input, double dt, robot::RobotCommand* command) = 0;
 
   virtual robot::MotionState state() const = 0;

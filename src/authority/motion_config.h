@@ -1,4 +1,4 @@
-// Who moves the motors when a run begins.
+// The `motion` keys of the configuration: who moves the motors at the start.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@ inline constexpr const char* kNoService = "none";
 
 struct MotionConfig {
   std::string service;  // alias; "" = the first that the firmware has, kNoService = none
-  bool fight = false;   // follow rt/lowcmd although a motion service is on
+  bool fight = false;   // also follow rt/lowcmd while a motion service is on
 };
 
 }  // namespace understudy::authority

@@ -1,4 +1,4 @@
-// The programs on a robot's own computer as a run begins.
+// Finds the programs on a robot's computer at the start of a run.
 #pragma once
 
 #include <string>
@@ -11,14 +11,15 @@
 
 namespace understudy::authority {
 
-// Aliases of the motion services that the robot's firmware has, in the order of its description.
+// Returns the aliases of the motion services of the robot's firmware, in the order of its
+// description.
 std::vector<std::string> MotionServices(const robot::RobotSpec& spec);
 
-// Which of them is on at the start; "" for none. `config.service` must be one of them, kNoService
-// or "".
+// Returns the one that is on at the start; "" for none. `config.service` must be one of them,
+// kNoService or "".
 std::string StartService(const robot::RobotSpec& spec, const MotionConfig& config);
 
-// All services of that firmware, of the motion services only the one `on` on.
+// Returns all programs of the firmware. Of the motion services only `on` is switched on.
 std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::string_view on);
 
 }  // namespace understudy::authority

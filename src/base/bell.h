@@ -10,7 +10,7 @@
 
 namespace understudy {
 
-// Any thread may ring it; none ever waits for it here.
+// Any thread may ring it. No function blocks; a waiting thread polls fd().
 class Bell {
  public:
   Bell() : fd_(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {}
@@ -19,12 +19,12 @@ class Bell {
     const std::uint64_t one = 1;
     [[maybe_unused]] const ssize_t written = ::write(fd_.get(), &one, sizeof one);
   }
-  // True when it has been rung since it was last answered.
+  // Returns whether it was rung since the last call.
   bool Answer() const {
     std::uint64_t rings = 0;
     return ::read(fd_.get(), &rings, sizeof rings) == sizeof rings;
   }
-  int fd() const { return fd_.get(); }  // readable once it has been rung
+  int fd() const { return fd_.get(); }  // readable while a ring is unanswered
 
  private:
   UniqueFd fd_;

@@ -33,7 +33,7 @@ int CatchErrors(const std::function<int()>& run) {
 
 void OpenClosedStreams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    // The lowest free number is this stream's, as those below it are open by now.
+    // open() takes the lowest free number, which is this stream's.
     if (::fcntl(stream, F_GETFD) < 0) static_cast<void>(::open("/dev/null", O_RDWR));
   }
 }

@@ -1,15 +1,16 @@
-// Turns exceptions into one line on stderr and an exit code, for every program here.
+// Turns exceptions into one line on standard error and an exit code.
 #pragma once
 
 #include <functional>
 
 namespace understudy {
 
-// What `run` returns, or the exit code of what it threw, which standard error then tells in a line.
+// Calls `run` and returns its result. If it throws, prints one line to standard error and returns
+// the error's exit code.
 int CatchErrors(const std::function<int()>& run);
 
-// A standard stream that our caller closed would give its number to the next socket, and the log
-// would be written into that: opens those that are closed. Before anything else is opened.
+// Opens /dev/null for each closed standard stream. Otherwise the next socket would get its number,
+// and the log would be written to that socket. Call it before anything else is opened.
 void OpenClosedStreams();
 
 }  // namespace understudy

@@ -1,5 +1,4 @@
-// Errors that end the setup of a run, each with the code that the program exits with. The loop
-// never throws.
+// Errors that end the setup of a run, each with its exit code. The loop never throws.
 #pragma once
 
 #include <stdexcept>
@@ -9,13 +8,13 @@
 
 namespace understudy {
 
-// Base of every error that a user can cause. what() is one line that names file, line, key or
-// value, what was expected, what was found, and the nearest valid word where there is one.
+// Base of all errors that a user can cause. what() is one line: file, line, key or value, what was
+// expected, what was found, and the nearest valid word if there is one.
 class SetupError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 
-  // What the process should end with.
+  // The exit code of the process.
   virtual int exit_code() const { return static_cast<int>(ExitCode::kInternal); }
 };
 
@@ -26,43 +25,43 @@ class SetupErrorWithCode : public Base {
   int exit_code() const override { return static_cast<int>(kCode); }
 };
 
-// A configuration file or a --set option.
+// An invalid configuration file or --set option.
 class ConfigError : public SetupErrorWithCode<ExitCode::kConfig> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;
 };
 
-// A robot model or scene, or a robot description that does not fit its model.
+// An invalid robot model or scene, or a robot description that does not fit its model.
 class ModelError : public SetupErrorWithCode<ExitCode::kModel> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;
 };
 
-// The network: interface, domain, topics.
+// A fault of the network: interface, domain, topics.
 class BusError : public SetupErrorWithCode<ExitCode::kBus> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;
 };
 
-// Somebody else's robot is already on this network.
+// Another robot is already on this network.
 class NeighbourError : public SetupErrorWithCode<ExitCode::kNeighbour> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;
 };
 
-// A recording: not to be written, or not to be read.
+// A recording that cannot be written or read.
 class RecordError : public SetupErrorWithCode<ExitCode::kRecord> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;
 };
 
-// No running robot is there to be asked, or it refused.
+// No running robot was found, or it refused.
 class ControlError : public SetupError {
  public:
   using SetupError::SetupError;
 };
 
-// A robot's name is none or is in use, or the folder or file of a control socket cannot be used.
+// A robot's name is invalid or in use, or the folder or file of a control socket cannot be used.
 class SocketError : public SetupErrorWithCode<ExitCode::kSocket, ControlError> {
  public:
   using SetupErrorWithCode::SetupErrorWithCode;

@@ -11,7 +11,7 @@ namespace {
 
 char Lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
 
-// Levenshtein distance in which two swapped neighbours cost one, as typing does that often.
+// The Damerau-Levenshtein distance: two swapped neighbours, a frequent typing error, cost one.
 std::size_t EditDistance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before(b.size() + 1);
   std::vector<std::size_t> last(b.size() + 1);
@@ -36,13 +36,13 @@ std::size_t EditDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string NearestWord(std::string_view typed, const std::vector<std::string>& words) {
-  constexpr std::size_t kLongest = 64;  // no word of ours is longer; the table stays small
+  constexpr std::size_t kLongest = 64;  // longer than any valid word; bounds the table
   if (typed.size() > kLongest) return "";
   std::string nearest;
   std::size_t least = kLongest;
   for (const std::string& word : words) {
     const std::size_t allowed = std::max<std::size_t>(1, word.size() / 2);
-    // The tick looks for a word, too: what cannot be near by its length alone is left out.
+    // Skips words whose length alone rules them out, since the tick calls this too.
     if (typed.size() > word.size() + allowed || typed.size() + allowed < word.size()) continue;
     const std::size_t distance = EditDistance(typed, word);
     if (distance <= allowed && distance < least) {

@@ -7,13 +7,12 @@
 
 namespace understudy {
 
-// The word of `words` with the least edit distance to `typed`, the first of equals; "" when even
-// that one is further away than half of its letters (at least one letter may always be wrong).
-// Letter case does not count.
+// Returns the first of `words` with the least edit distance to `typed`; "" if that distance is more
+// than half of the word's letters (one wrong letter is always allowed). Ignores case.
 std::string NearestWord(std::string_view typed, const std::vector<std::string>& words);
 
-// How such a word ends an error line: "; did you mean 'timeout'? (valid: mode, timeout)".
-// The question is left out when no word is near.
+// Returns the end of an error line: "; did you mean 'timeout'? (valid: mode, timeout)", without the
+// question if no word is near.
 std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words);
 
 }  // namespace understudy

@@ -1,4 +1,4 @@
-// Makes one visitor of several lambdas.
+// Combines several lambdas into one visitor for std::visit.
 #pragma once
 
 namespace understudy {

@@ -6,7 +6,7 @@
 namespace understudy {
 namespace {
 
-// Signal handlers can reach nothing but a global.
+// A global, since signal handlers have no other access to state.
 std::atomic<int> stop_signal{0};
 
 void OnStopSignal(int signal) {
@@ -23,7 +23,7 @@ void CatchStopSignals() {
   action.sa_handler = OnStopSignal;
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
-  // `nohup` has it ignored.
+  // SIGHUP stays ignored under `nohup`.
   struct sigaction hangup {};
   sigaction(SIGHUP, nullptr, &hangup);
   if (hangup.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);

@@ -1,14 +1,13 @@
-// SIGINT, SIGTERM and SIGHUP as a flag.
+// Turns SIGINT, SIGTERM and SIGHUP into a flag.
 #pragma once
 
 namespace understudy {
 
-// From now on SIGINT, SIGTERM and SIGHUP, unless `nohup` has that ignored, only raise the flag,
-// once; a second one ends the process the ordinary way. SIGPIPE and SIGXFSZ are ignored: who writes
-// learns of it by itself.
+// Makes the first SIGINT, SIGTERM or SIGHUP set the flag; a second one ends the process as usual.
+// SIGHUP stays ignored under `nohup`. Ignores SIGPIPE and SIGXFSZ: write() reports those errors.
 void CatchStopSignals();
 
-// The signal that asked us to stop, 0 for none yet.
+// Returns the signal that set the flag, 0 before.
 int StopSignal();
 
 }  // namespace understudy

@@ -1,4 +1,4 @@
-// A queue between two threads, of slots that are made once.
+// A wait-free queue from one thread to another, with preallocated slots.
 #pragma once
 
 #include <atomic>
@@ -8,15 +8,16 @@
 
 namespace understudy {
 
-// One thread fills slots, one empties them; neither ever waits. What a slot holds (memory of
-// vectors, say) is kept for its next use.
+// One thread fills slots, another empties them; neither ever waits. A slot keeps its memory (of
+// vectors, for example) for its next use.
 template <typename Slot>
 class SpscRing {
  public:
-  // `slots` of them, each a copy of `prototype`.
+  // Makes `slots` slots, each a copy of `prototype`.
   explicit SpscRing(std::size_t slots, const Slot& prototype = {}) : slots_(slots, prototype) {}
 
-  // The writer: the slot to fill next, or nullptr, counted as dropped, when all are full.
+  // For the writer: returns the slot to fill next; if all are full, counts a drop and returns
+  // nullptr.
   Slot* Claim() {
     if (size() == slots_.size()) {
       dropped_.fetch_add(1, std::memory_order_relaxed);
@@ -26,7 +27,7 @@ class SpscRing {
   }
   void Commit() { written_.fetch_add(1, std::memory_order_release); }
 
-  // The reader: the oldest full slot, or nullptr.
+  // For the reader: returns the oldest full slot, or nullptr.
   const Slot* Front() const {
     const std::uint64_t read = read_.load(std::memory_order_relaxed);
     if (read == written_.load(std::memory_order_acquire)) return nullptr;
@@ -34,7 +35,7 @@ class SpscRing {
   }
   void Pop() { read_.fetch_add(1, std::memory_order_release); }
 
-  // Either thread, and others for a rough answer.
+  // Exact for the two threads, approximate for others.
   std::size_t size() const {
     const std::uint64_t read = read_.load(std::memory_order_acquire);
     return written_.load(std::memory_order_acquire) - read;

@@ -1,5 +1,6 @@
 #include "base/standard_error.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <mutex>
 
@@ -15,6 +16,8 @@ namespace understudy {
 namespace {
 
 constexpr int kPatience = 200;  // ms, *assumed*
+// A pipe that poll() calls writable takes this much without blocking (pipe(7): PIPE_BUF).
+constexpr std::size_t kNeverBlocks = 4096;
 
 class Stream {
  public:
@@ -23,8 +26,9 @@ class Stream {
     if (::fstat(STDERR_FILENO, &about) != 0) return;
     socket_ = S_ISSOCK(about.st_mode);
     if (!S_ISFIFO(about.st_mode) && !S_ISCHR(about.st_mode)) return;
-    // Opened anew, since what is set for descriptor 2 is set for whoever has inherited it as well.
+    // Opened anew, since flags of descriptor 2 would also apply to processes that share it.
     own_ = UniqueFd(::open("/proc/self/fd/2", O_WRONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC));
+    may_block_ = !own_.valid();  // another user's, as after `su`
   }
 
   bool Write(std::string_view text) {
@@ -55,20 +59,30 @@ class Stream {
   ssize_t SendSome(std::string_view text) const {
     if (socket_)
       return ::send(STDERR_FILENO, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
-    return ::write(own_.valid() ? own_.get() : STDERR_FILENO, text.data(), text.size());
+    if (!may_block_) {
+      return ::write(own_.valid() ? own_.get() : STDERR_FILENO, text.data(), text.size());
+    }
+    if (HasRoom(0)) return ::write(STDERR_FILENO, text.data(), std::min(text.size(), kNeverBlocks));
+    errno = EAGAIN;
+    return -1;
+  }
+
+  static bool HasRoom(int patience) {
+    pollfd room{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+    return ::poll(&room, 1, patience) == 1;
   }
 
   bool Wait() {
-    pollfd room{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
-    stuck_ = stuck_ || ::poll(&room, 1, kPatience) != 1;
+    stuck_ = stuck_ || !HasRoom(kPatience);
     return !stuck_;
   }
 
   std::mutex mutex_;
   bool socket_ = false;
+  bool may_block_ = false;
   UniqueFd own_;
-  bool stuck_ = false;  // nobody has read for as long as we wait
-  bool cut_ = false;    // the last text ended in the middle
+  bool stuck_ = false;  // the last wait timed out
+  bool cut_ = false;    // the last text was cut off
 };
 
 }  // namespace

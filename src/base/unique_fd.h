@@ -7,8 +7,7 @@
 
 namespace understudy {
 
-// Owns one descriptor, or none (-1). Closing errors are ignored: whoever writes a file learns
-// of its errors from write().
+// Owns one descriptor, or none (-1). Ignores errors of close(): write() reports those of a file.
 class UniqueFd {
  public:
   UniqueFd() = default;

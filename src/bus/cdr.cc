@@ -13,7 +13,7 @@
 namespace understudy::bus {
 namespace {
 
-constexpr std::size_t kHead = 4;  // of a message, which says how it is encoded
+constexpr std::size_t kHead = 4;  // bytes at the front of a message that name its encoding
 
 }  // namespace
 

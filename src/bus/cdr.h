@@ -1,4 +1,4 @@
-// Readers and writers of messages that stay as they are on the wire: bytes.
+// Reads and writes messages as serialized bytes.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ struct ddsi_serdata;
 
 namespace understudy::bus {
 
-// One message as bytes, shared with Cyclone, not copied.
+// One serialized message. It shares Cyclone's buffer.
 class CdrSample {
  public:
   CdrSample() = default;
@@ -27,9 +27,10 @@ class CdrSample {
   CdrSample& operator=(CdrSample&& other) noexcept;
   ~CdrSample();
 
-  // Four bytes that name the encoding (00 01: little-endian XCDR1), then the message.
+  // The four bytes of the encoding (00 01: little-endian XCDR1), then the message. Empty if default
+  // constructed or moved from.
   std::span<const std::byte> bytes() const { return bytes_; }
-  // When its writer wrote it, by that machine's clock; ns since 1970.
+  // The source timestamp: when it was written, by the writer's clock; ns since 1970.
   std::int64_t source_time() const { return source_time_; }
   WriterHandle writer() const { return writer_; }
 
@@ -40,19 +41,18 @@ class CdrSample {
   WriterHandle writer_ = 0;
 };
 
-// Receives all that anybody writes to a topic, our own participant included, and keeps it until it
-// is taken, however much that is. Best effort, so that it hears what a robot hears and no writer
-// waits for it.
+// Receives everything that is written to a topic, by our own participant too, and keeps it until it
+// is taken, without limit. Best effort, as a robot's readers, so that no writer waits for it.
 //
-// A writer of this process hands its messages over in its own thread. It shares a lock with Take,
-// which is held for as long as it takes to move 32 pointers.
+// A writer of this process delivers its messages in its own thread. It shares a lock with Take,
+// which holds it only while it moves up to 32 pointers.
 class CdrReader {
  public:
   // Throws BusError when Cyclone refuses.
   CdrReader(const Participant& participant, const std::string& topic,
             const dds_topic_descriptor& descriptor);
 
-  // Takes all that waits, oldest first, and calls visit(CdrSample) with each. Never blocks.
+  // Takes all waiting messages, oldest first, and calls visit(CdrSample) with each. Never blocks.
   template <typename Visit>
   void Take(Visit&& visit) {
     std::array<CdrSample, kAtOnce> samples;
@@ -63,31 +63,31 @@ class CdrReader {
     }
   }
 
-  // Whose a taken sample is; nullopt when the writer has gone meanwhile.
+  // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
   std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const;
 
  private:
   static constexpr std::size_t kAtOnce = 32;
 
-  // How many were taken, and how many of those are messages.
+  // Returns how many samples it took; sets `valid` to how many of them are messages.
   int TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid);
 
   Entity topic_;
   Entity reader_;
 };
 
-// Sends as a Writer does: reliable, and nobody holds it up.
+// Sends serialized messages, reliable and without blocking, as Writer does.
 class CdrWriter {
  public:
-  // Throws BusError when Cyclone refuses. `descriptor` must outlive the writer.
+  // Throws BusError if Cyclone refuses. `descriptor` must outlive the writer.
   CdrWriter(const Participant& participant, const std::string& topic,
             const dds_topic_descriptor& descriptor);
 
-  // Readers matched now.
+  // Returns how many readers are matched now.
   int matched_readers() const;
 
-  // One message as CdrSample::bytes() has it. The bytes may come from anywhere: those that are no
-  // message of the type are not sent, and the answer is false.
+  // Sends one message, in the form of CdrSample::bytes(). Returns false, and sends nothing, if the
+  // bytes are not a valid message of the type.
   bool Write(std::span<const std::byte> bytes);
 
  private:

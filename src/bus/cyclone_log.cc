@@ -12,10 +12,10 @@ namespace understudy::bus {
 namespace {
 
 constexpr std::size_t kMostKinds = 16;
-// Cyclone 0.10.2 says of a sample "...: deserialization TOPIC/TYPE failed (why)".
+// Cyclone 0.10.2 logs "...: deserialization TOPIC/TYPE failed (why)".
 constexpr std::string_view kUndecoded = "deserialization ";
 
-// What lines of one kind have in common: all but their numbers, which may be hexadecimal.
+// Removes the digits, also hexadecimal ones: the rest is the same for lines of one kind.
 std::string KindOf(std::string_view line) {
   std::string kind;
   for (const char letter : line) {
@@ -67,23 +67,23 @@ class CycloneLog {
     kinds_.push_back({.name = name, .notice = {.line = std::string(line), .count = before + 1}});
   }
 
-  // Of topics that somebody reads here.
+  // Counts only topics that this process reads.
   void CountUndecoded(std::string_view line) {
     const std::size_t at = line.find(kUndecoded);
     if (at == std::string_view::npos) return;
     line.remove_prefix(at + kUndecoded.size());
-    // A name of a topic may have slashes, one of a type has none.
+    // A topic's name may have slashes, a type's name has none.
     const std::string_view topic = line.substr(0, line.substr(0, line.find(" failed")).rfind('/'));
     const auto counted = undecoded_.find(topic);
     if (counted != undecoded_.end()) ++counted->second;
   }
 
   std::mutex mutex_;
-  std::vector<Kind> kinds_;  // as they were last said
+  std::vector<Kind> kinds_;  // by their last line
   std::map<std::string, std::atomic<std::uint64_t>, std::less<>> undecoded_;
 };
 
-// Never destroyed: Cyclone's threads may speak until the end.
+// Never destroyed, as Cyclone's threads may log until the process ends.
 CycloneLog& Log() {
   static CycloneLog* const log = new CycloneLog;
   return *log;

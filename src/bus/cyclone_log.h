@@ -1,5 +1,4 @@
-// What Cyclone says by itself. From the first participant on, until the process ends, none of it
-// reaches standard error.
+// Collects Cyclone's log lines. From the first participant on none of them reaches standard error.
 #pragma once
 
 #include <atomic>
@@ -10,7 +9,7 @@
 
 namespace understudy::bus {
 
-// A line of Cyclone's, and how many there were that differ from it in numbers only.
+// A log line, and how many lines there were that differ from it only in numbers.
 struct CycloneNotice {
   std::string line;
   std::uint64_t count = 1;
@@ -20,12 +19,12 @@ struct CycloneNotice {
   }
 };
 
-// What was said since this was last called, the last line of each kind, newest last, at most 16
-// kinds; what there is beyond is counted as one more. Any thread.
+// Returns the lines since the last call: of each kind the last one, newest last. Lines of one kind
+// differ only in numbers. Beyond 16 kinds all others count as one. Any thread.
 std::vector<CycloneNotice> TakeCycloneNotices();
 
-// The samples of a topic that Cyclone received and could not decode, since the
-// first participant. Valid for the rest of the process.
+// Returns how many samples of a topic Cyclone received and could not decode since the first
+// participant. The reference is valid until the process ends.
 const std::atomic<std::uint64_t>& UndecodedSamples(std::string_view topic);
 
 }  // namespace understudy::bus

@@ -20,7 +20,7 @@ std::string Property(const dds_qos_t* qos, const char* name) {
   return text;
 }
 
-// Adds what the neighbour's participant tells of itself.
+// Adds the properties that the neighbour's participant announces.
 void Introduce(dds_entity_t participants, Neighbour* neighbour) {
   dds_builtintopic_participant_t key{};
   std::ranges::copy(neighbour->participant, key.key.v);
@@ -41,7 +41,7 @@ void Introduce(dds_entity_t participants, Neighbour* neighbour) {
 
 constexpr std::size_t kAtOnce = 16;
 
-// Types of the topics that discovery itself consists of; those are among our own readers.
+// Prefix of the types of discovery's built-in topics, which our participant reads too.
 constexpr std::string_view kBuiltin = "org::eclipse::cyclonedds::builtin::";
 
 template <typename Visit>

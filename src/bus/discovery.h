@@ -1,4 +1,4 @@
-// What DDS discovery tells: topics, and who else writes what only one robot may write.
+// Watches DDS discovery: which topics there are, and who else writes a topic.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace understudy::bus {
 
-// A foreign writer. Of its participant's properties, those it does not tell are "": Cyclone's tell
-// all of them, other DDS implementations and the vendor's robots may not.
+// A writer of another participant. A property that its participant does not announce is "": Cyclone
+// announces all of them, other DDS implementations and the vendor's robots may not.
 struct Neighbour {
   ParticipantKey writer{};       // GUID of the writer itself
   ParticipantKey participant{};  // GUID of the participant it belongs to
@@ -21,20 +21,18 @@ struct Neighbour {
   std::string addresses{};  // comma separated
 };
 
-// One line for a log: "process 123 (name) on host (addresses)", as far as known.
+// Returns one line for a log: "process 123 (name) on host (addresses)", without what is unknown.
 std::string Describe(const Neighbour& neighbour);
 
-// Watches DDS discovery for writers of one topic that are not of our own participant, whatever
-// their message type.
+// Watches for writers of one topic in other participants, of any message type.
 class NeighbourWatch {
  public:
-  // Throws BusError when Cyclone refuses.
+  // Throws BusError if Cyclone refuses.
   NeighbourWatch(const Participant& participant, std::string topic);
 
-  // The foreign writers there are now, in the order in which they were discovered; empty until
-  // discovery has heard of one, which takes some 0.1 s on a quiet network. Never blocks. While
-  // nothing changes a call costs about 0.1 µs and does not allocate. The list is valid until the
-  // next call.
+  // Returns the current foreign writers in the order of their discovery, which takes some 0.1 s on
+  // a quiet network; empty before. Never blocks. While nothing changes a call takes about 0.1 µs
+  // and does not allocate. The list is valid until the next call.
   const std::vector<Neighbour>& Poll();
 
  private:
@@ -47,7 +45,7 @@ class NeighbourWatch {
   std::vector<Neighbour> neighbours_;
 };
 
-// A topic under one type. Names are as on the wire.
+// A topic and its type, named as on the wire.
 struct TopicOnBus {
   std::string topic;  // "rt/lowstate"
   std::string type;   // "unitree_go::msg::dds_::LowState_"
@@ -58,14 +56,14 @@ struct TopicOnBus {
   }
 };
 
-// Follows DDS discovery.
+// Watches for topics.
 class EndpointWatch {
  public:
   // Throws BusError when Cyclone refuses.
   explicit EndpointWatch(const Participant& participant);
 
-  // Of the writers of everybody and the readers of our own participant that have come since the
-  // last call, the topics; one may come several times. Never blocks.
+  // Returns the topics of the endpoints discovered since the last call: writers of all participants
+  // and readers of our own. A topic may appear several times. Never blocks.
   std::vector<TopicOnBus> Poll();
 
  private:

@@ -1,4 +1,4 @@
-// One entity of the Cyclone DDS C API.
+// Owns an entity of the Cyclone DDS C API.
 #pragma once
 
 #include <cstdint>
@@ -7,11 +7,11 @@
 
 namespace understudy::bus {
 
-// Owns one Cyclone entity and deletes it, and with it the entities created below it. Deleting after
-// the parent has gone is harmless.
+// Owns one Cyclone entity. The destructor deletes it and its children; this is harmless if its
+// parent was deleted before.
 class Entity {
  public:
-  // Takes what a dds_create_*() returned. Throws BusError "cannot <what>: <Cyclone's reason>" when
+  // Takes the result of a dds_create_*(). Throws BusError "cannot <what>: <Cyclone's reason>" if
   // that is an error.
   Entity(std::int32_t created, const std::string& what);
   ~Entity();

@@ -1,4 +1,4 @@
-// The machine's network interfaces, as far as DDS cares.
+// Lists the machine's network interfaces that DDS can use.
 #pragma once
 
 #include <string>
@@ -9,15 +9,16 @@ namespace understudy::bus {
 struct NetworkInterface {
   std::string name;
   bool up = false;
-  bool multicast = false;  // has the MULTICAST flag; Debian's `lo` has not
+  bool multicast = false;  // has the MULTICAST flag, which Debian's `lo` does not
   bool ipv4 = false;       // has an IPv4 address, which Cyclone needs
 };
 
-// In the kernel's order, each name once. Throws BusError when the kernel does not tell.
+// Returns all interfaces in the kernel's order, each name once. Throws BusError if the kernel does
+// not list them.
 std::vector<NetworkInterface> ListInterfaces();
 
-// The interface of that name, fit to be used: up and with an IPv4 address. Throws BusError that
-// names what is wrong, the interfaces there are and the nearest of them.
+// Returns the interface of that name. Throws BusError if there is none, it is down or has no IPv4
+// address; the error lists all interfaces and the nearest name.
 NetworkInterface FindInterface(const std::string& name);
 
 }  // namespace understudy::bus

@@ -26,7 +26,7 @@ Entity CreateDomain(const std::string& interface, int domain) {
   if (created == DDS_RETCODE_PRECONDITION_NOT_MET) {
     throw BusError("this process is in DDS domain " + std::to_string(domain) + " already");
   }
-  // Of what it warns of at the start, "not multicast-capable" is told by multicast().
+  // Drops Cyclone's warnings of the start; multicast() replaces "not multicast-capable".
   const std::vector<CycloneNotice> said = TakeCycloneNotices();
   if (created < 0 && !said.empty()) {
     const std::string& why = said.back().line;

@@ -1,4 +1,4 @@
-// Our place on the bus: one DDS domain on one network interface.
+// Joins one DDS domain on one network interface.
 #pragma once
 
 #include <array>
@@ -10,23 +10,21 @@
 
 namespace understudy::bus {
 
-// Names a participant on the whole network: its DDS GUID.
+// The DDS GUID of a participant, unique on the network.
 using ParticipantKey = std::array<std::uint8_t, 16>;
 
-// The last domain whose ports fit into 16 bits (DDSI 2.2, section 9.6.1: 7400 + 250 · domain).
+// The last domain whose ports fit into 16 bits (DDSI-RTPS 2.2, section 9.6.1: 7400 + 250 · domain).
 inline constexpr int kLastDomain = 232;
 
-// A domain and the one participant in it. Configured like the vendor's SDK by explicit XML
-// (docs/sources.md#dds), so that CYCLONEDDS_URI does not count. Must outlive the readers and
-// writers made with it.
+// A domain and our participant in it. Configured by explicit XML like the vendor's SDK
+// (docs/sources.md#dds), so CYCLONEDDS_URI has no effect. Must outlive its readers and writers.
 //
-// Without the MULTICAST flag Cyclone discovers others by unicast, on this machine only, and a
-// domain has room for nine programs (measured, Cyclone 0.10.2): see multicast().
+// On an interface without the MULTICAST flag (see multicast()) Cyclone discovers by unicast, on
+// this machine only, and a domain has room for nine programs (measured, Cyclone 0.10.2).
 class Participant {
  public:
-  // Throws BusError when the interface is absent, down or without IPv4 address, when the domain id
-  // is outside 0..kLastDomain, when this process has the domain already, and when Cyclone refuses,
-  // with Cyclone's own words.
+  // Throws BusError if FindInterface does, if the domain is outside 0..kLastDomain or already in
+  // use in this process, and, with Cyclone's message, if Cyclone refuses.
   Participant(const std::string& interface, int domain);
 
   const std::string& interface() const { return interface_.name; }

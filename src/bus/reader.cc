@@ -15,7 +15,7 @@ namespace {
 
 using ListenerPtr = std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)>;
 
-// On a thread of Cyclone. Named in cmake/tsan.supp.
+// Called by a thread of Cyclone. Named in cmake/tsan.supp.
 void NoteArrival(dds_entity_t, void* flag) {
   static_cast<std::atomic<bool>*>(flag)->store(true, std::memory_order_release);
 }
@@ -58,7 +58,7 @@ std::optional<ParticipantKey> ReaderCore::ParticipantOf(WriterHandle writer) con
 ReaderCore::Loan::Loan(std::int32_t reader, int max) noexcept : reader_(reader) {
   std::array<dds_sample_info_t, kMaxTake> infos;
   const int bounded = std::clamp(max, 1, kMaxTake);
-  // A null pointer in front asks for a loan. Cyclone keeps its memory from one loan to the next.
+  // A null first pointer asks for a loan. Cyclone keeps the memory from one loan to the next.
   size_ =
       std::max(0, dds_take(reader, samples_.data(), infos.data(), static_cast<std::size_t>(bounded),
                            static_cast<std::uint32_t>(bounded)));

@@ -1,4 +1,4 @@
-// Readers, polled: no thread of ours.
+// Reads messages of one topic by polling.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 
 namespace understudy::bus {
 
-// Names a matched writer within this process.
+// The handle of a matched writer, valid in this process.
 using WriterHandle = std::uint64_t;
 
 // The most samples that one Take visits.
@@ -22,32 +22,34 @@ inline constexpr int kMaxTake = 16;
 inline constexpr int kKeepAll = 0;
 
 struct ReaderOptions {
-  int depth = kMaxTake;       // samples kept until taken, the oldest goes first; or kKeepAll
-  bool reliable = false;      // best effort, as the robot's, accepts every writer
-  bool foreign_only = false;  // leave out what our own participant writes
+  int depth =
+      kMaxTake;  // most samples kept until taken, newer ones replace older ones; or kKeepAll
+  bool reliable = false;      // false: best effort, as a robot's readers, matches every writer
+  bool foreign_only = false;  // ignores what our own participant writes
 };
 
-// The part of Reader that does not know the message.
+// The part of Reader that does not depend on the message type.
 class ReaderCore {
  public:
-  // Throws BusError when Cyclone refuses. `message_size` is checked against the descriptor's.
+  // Throws BusError if Cyclone refuses or if `message_size` is not that of the descriptor.
   ReaderCore(const Participant& participant, const char* topic,
              const dds_topic_descriptor& descriptor, std::size_t message_size,
              const ReaderOptions& options);
 
-  // Writers matched now, of any participant, ours included. Does not allocate.
+  // Returns how many writers are matched now, including our own participant's. Does not allocate.
   int matched_writers() const;
 
-  // Samples of its topic that came and could not be decoded.
+  // Returns how many samples of the topic were received and could not be decoded.
   std::uint64_t undecoded() const { return undecoded_->load(std::memory_order_relaxed); }
 
   ReaderCore(ReaderCore&& other) = default;
 
-  // Whose a taken sample is; nullopt when the writer has gone meanwhile. Allocates.
+  // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
+  // Allocates.
   std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const;
 
  protected:
-  // Samples lent by Cyclone, oldest first, given back at the end of the scope.
+  // Samples on loan from Cyclone, oldest first. The destructor returns them.
   class Loan {
    public:
     Loan(std::int32_t reader, int max) noexcept;
@@ -56,7 +58,7 @@ class ReaderCore {
     Loan& operator=(const Loan&) = delete;
 
     int size() const { return size_; }
-    // nullptr where Cyclone only tells that a writer has gone.
+    // Returns nullptr if the sample only reports that a writer has gone.
     const void* sample(int i) const {
       return valid_[static_cast<std::size_t>(i)] ? samples_[static_cast<std::size_t>(i)] : nullptr;
     }
@@ -72,13 +74,13 @@ class ReaderCore {
 
   std::int32_t handle() const { return reader_.handle(); }
 
-  // Whether anything may have come since this was last asked and answered with yes. Of what comes
-  // meanwhile the next call tells. An empty take locks three mutexes; this is a load.
+  // Returns whether samples may have arrived since it last returned true. It only loads a flag,
+  // whereas an empty take locks three mutexes.
   bool MayHoldSamples() {
     return arrived_->load(std::memory_order_relaxed) &&
            arrived_->exchange(false, std::memory_order_acquire);
   }
-  // Something may be left: the next MayHoldSamples says yes.
+  // Samples may be left: makes the next MayHoldSamples return true.
   void LeaveSamples() { arrived_->store(true, std::memory_order_relaxed); }
 
  private:
@@ -95,10 +97,10 @@ class Reader : public ReaderCore {
   Reader(const Participant& participant, const Topic<Msg>& topic, const ReaderOptions& options = {})
       : ReaderCore(participant, topic.name, *topic.descriptor, sizeof(Msg), options) {}
 
-  // Takes what waits, oldest first, at most `max` (1..kMaxTake) samples, and calls
-  // visit(const Msg&, WriterHandle) with each. The message is Cyclone's and is gone after the call.
-  // Returns how many were visited. Never blocks, and costs next to nothing while nothing waits.
-  // What `visit` throws passes through, and the samples it has not seen are lost.
+  // Takes at most `max` (1..kMaxTake) waiting samples, oldest first, and calls visit(const Msg&,
+  // WriterHandle) with each. The message belongs to Cyclone and is valid during the call. Returns
+  // how many were visited. Never blocks; while nothing waits it only loads a flag. An exception of
+  // `visit` passes through, and the remaining samples are lost.
   template <typename Visit>
   int Take(Visit&& visit, int max = kMaxTake) {
     if (!MayHoldSamples()) return 0;

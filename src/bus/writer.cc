@@ -17,7 +17,7 @@ namespace {
 using Readers = std::atomic<std::uint32_t>;
 using ListenerPtr = std::unique_ptr<dds_listener_t, decltype(&dds_delete_listener)>;
 
-// On a thread of Cyclone. Named in cmake/tsan.supp.
+// Called by a thread of Cyclone. Named in cmake/tsan.supp.
 void NoteMatch(dds_entity_t, dds_publication_matched_status_t status, void* count) {
   static_cast<Readers*>(count)->store(status.current_count, std::memory_order_relaxed);
 }
@@ -42,8 +42,8 @@ WriterCore::WriterCore(const Participant& participant, const char* topic,
     throw BusError(std::string("topic ") + topic + ": " + descriptor.m_typename +
                    " is not the type of the writer's messages");
   }
-  // Our topics have no key, hence one instance. Unless it is registered, Cyclone makes it anew for
-  // each message and wakes a thread to throw it away. Nothing is sent.
+  // Our topics have no key, hence one instance. Registering it sends nothing. Without it Cyclone
+  // creates the instance for each message and wakes a thread to delete it.
   const std::vector<std::byte> any_message(message_size);
   dds_instance_handle_t instance = DDS_HANDLE_NIL;
   dds_register_instance(writer_.handle(), &instance, any_message.data());
@@ -56,7 +56,7 @@ int WriterCore::matched_readers() const {
 bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
   std::vector<dds_instance_handle_t> readers(static_cast<std::size_t>(matched_readers()));
   const int count = dds_get_matched_subscriptions(writer_.handle(), readers.data(), readers.size());
-  // More may have matched since we asked for their number.
+  // The number of matched readers may have grown since.
   readers.resize(std::min(readers.size(), static_cast<std::size_t>(std::max(0, count))));
   return std::ranges::any_of(readers, [&](dds_instance_handle_t reader) {
     const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
@@ -67,9 +67,7 @@ bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
 }
 
 bool WriterCore::WriteMessage(const void* message) noexcept {
-  const bool written = dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
-  if (!written) ++failures_;
-  return written;
+  return dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
 }
 
 }  // namespace understudy::bus

@@ -1,4 +1,4 @@
-// Writers.
+// Writes messages of one topic.
 #pragma once
 
 #include <atomic>
@@ -10,28 +10,25 @@
 
 namespace understudy::bus {
 
-// The part of Writer that does not know the message.
+// The part of Writer that does not depend on the message type.
 class WriterCore {
  public:
-  // Throws BusError when Cyclone refuses. `message_size` is checked against the descriptor's.
+  // Throws BusError if Cyclone refuses or if `message_size` is not that of the descriptor.
   WriterCore(const Participant& participant, const char* topic,
              const dds_topic_descriptor& descriptor, std::size_t message_size);
 
   WriterCore(WriterCore&& other) = default;
 
-  // Readers matched now, of any participant, ours included. Does not allocate.
+  // Returns how many readers are matched now, including our own participant's. Does not allocate.
   int matched_readers() const;
 
-  // Whether there is one: what nobody reads need not be made. A load; may trail matched_readers()
-  // by the moment that Cyclone's thread takes to tell.
+  // Returns whether a reader is matched, so that unread messages need not be made. Only loads a
+  // flag, which Cyclone's thread sets slightly later than matched_readers() changes.
   bool has_readers() const { return readers_->load(std::memory_order_relaxed) > 0; }
 
-  // Whether a reader of that participant is matched, so that what is written now reaches it.
-  // Allocates: for services, not for the tick.
+  // Returns whether a reader of that participant is matched, so that it receives what is written
+  // now. Allocates.
   bool ReachesParticipant(const ParticipantKey& key) const;
-
-  // Messages that Cyclone did not take, since start.
-  std::uint64_t failures() const { return failures_; }
 
  protected:
   bool WriteMessage(const void* message) noexcept;
@@ -41,24 +38,21 @@ class WriterCore {
       readers_;  // set by Cyclone's threads; outlives writer_
   Entity topic_;
   Entity writer_;
-  std::uint64_t failures_ = 0;
 };
 
 // Sends messages of one topic.
 //
-// Reliable, yet a reader that hangs or is slow does not hold us up: the history is KEEP_LAST 1, for
-// which Cyclone 0.10.2 never makes a writer wait (the next message replaces the one not yet
-// acknowledged), and the time that a write may block is 0. Such a reader loses messages; the others
-// get all of them.
+// The writer is reliable, but a reader that hangs or is slow does not block it: the history is
+// KEEP_LAST 1, for which Cyclone 0.10.2 never makes a writer wait (the next message replaces the
+// unacknowledged one), and the blocking time is 0. Such a reader loses messages; the others do not.
 template <typename Msg>
 class Writer : public WriterCore {
  public:
   Writer(const Participant& participant, const Topic<Msg>& topic)
       : WriterCore(participant, topic.name, *topic.descriptor, sizeof(Msg)) {}
 
-  // Sends one message to the readers matched now. False, and counted in failures(), when Cyclone
-  // refuses it. Without a reader it costs as much: ask has_readers() first. Allocates in Cyclone's
-  // C, not here.
+  // Sends one message to the readers matched now. If Cyclone refuses it, returns false. It takes as
+  // long without a reader: check has_readers() first. Only Cyclone allocates.
   bool Write(const Msg& message) noexcept { return WriteMessage(&message); }
 };
 

@@ -1,4 +1,5 @@
-// The only file of the client that sees Boost, which takes long to compile.
+// The HTTP and WebSocket client. Only this file of the client includes Boost, which compiles
+// slowly.
 #include "client/client.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ namespace websocket = boost::beast::websocket;
 using Protocol = asio::local::stream_protocol;
 using boost::system::error_code;
 
-constexpr std::size_t kLargestMessage = 16 << 20;  // *assumed*, a frame has some kB
+constexpr std::size_t kLargestMessage = 16 << 20;  // *assumed*, a snapshot has some kB
 
 }  // namespace
 
@@ -103,8 +104,8 @@ ControlReply Connection::Ask(const std::string& method, const std::string& path,
   error_code reading;
   const auto read = [&](const error_code& error, std::size_t) {
     reading = error;
-    // A server that turns a request away may hang up before it has taken all of it: what it said
-    // is there to be read all the same.
+    // A server that refuses a request may close before it has read all of it. Its reply can be read
+    // nevertheless.
     if (error == beast::error::timeout) return;
     http::async_read(stream_->stream, stream_->buffer, response,
                      [&](const error_code& failed, std::size_t) { reading = failed; });
@@ -170,7 +171,7 @@ class ControlStream::Impl {
  private:
   beast::basic_stream<Protocol>& Lowest() { return beast::get_lowest_layer(stream_); }
 
-  // Until what was begun is done, or has run out of time, which is set before, and failed.
+  // Runs the started operation until it is done or fails, at the latest when its timeout expires.
   void Run() {
     io_.restart();
     io_.run();

@@ -1,4 +1,4 @@
-// Finds running robots and asks them.
+// Finds running robots and sends them requests.
 #pragma once
 
 #include <chrono>
@@ -14,32 +14,32 @@ namespace understudy::client {
 struct RunningRobot {
   std::string name;
   std::filesystem::path socket;
-  pid_t pid = 0;  // 0 when it is out of sight (another process namespace) or too busy to tell
+  pid_t pid = 0;  // 0 if unknown: in another process namespace, or too busy
 };
 
-// Lists the robots whose sockets are in the control folder, by name; none when there is no such
-// folder. Removes the sockets of dead processes. Throws SocketError for a folder that is not this
-// user's alone.
+// Returns the robots whose sockets are in the control folder, sorted by name; none if there is no
+// such folder. Removes the sockets of dead processes. Throws SocketError if others may access the
+// folder.
 std::vector<RunningRobot> FindRobots();
 
 struct ControlReply {
-  unsigned status = 0;  // of HTTP
+  unsigned status = 0;  // HTTP status
   std::string body;
 };
 
-// A connection to a robot that carries one request after another. The robot closes it when no
-// request comes for ServerLimits::idle.
+// A connection to a robot for one request after another. The robot closes it after
+// ServerLimits::idle without a request.
 class Connection {
  public:
-  // Throws ControlError when nobody listens at `socket`.
+  // Throws ControlError if nothing listens at `socket`.
   Connection(const std::filesystem::path& socket, std::chrono::milliseconds timeout);
   ~Connection();
   Connection(const Connection&) = delete;
   Connection& operator=(const Connection&) = delete;
 
-  // Sends a request and returns the reply, whatever its status. Throws ControlError when no HTTP
-  // comes back within `timeout`. After that, or after `last`, which tells the robot so, the
-  // connection cannot be used.
+  // Sends a request and returns the reply, of any status. Throws ControlError if no HTTP reply
+  // comes within `timeout`; the connection is then unusable. `last` closes the connection after the
+  // reply.
   ControlReply Ask(const std::string& method, const std::string& path, const std::string& body,
                    std::chrono::milliseconds timeout, bool last = false);
 
@@ -49,7 +49,8 @@ class Connection {
   std::unique_ptr<Stream> stream_;
 };
 
-// Sends one request on a connection of its own, connecting and asking within `timeout` each.
+// Sends one request on a new connection. Connecting and asking may take `timeout` each. Throws
+// ControlError.
 ControlReply Call(const std::filesystem::path& socket, const std::string& method,
                   const std::string& path, const std::string& body,
                   std::chrono::milliseconds timeout);
@@ -57,16 +58,16 @@ ControlReply Call(const std::filesystem::path& socket, const std::string& method
 // One WebSocket, used by one thread.
 class ControlStream {
  public:
-  // `target`: "/frames?hz=60&parts=qpos,contacts" or "/requests". Throws ControlError when nobody
-  // listens at `socket` or it is refused (with the reason) or nothing comes within `timeout`, which
-  // also limits every later call.
+  // `target` is "/snapshots?hz=60&parts=qpos,contacts" or "/requests". Throws ControlError if
+  // nothing listens at `socket`, the robot refuses (with its reason) or nothing comes within
+  // `timeout`, which also limits each later call.
   ControlStream(const std::filesystem::path& socket, const std::string& target,
                 std::chrono::milliseconds timeout);
   ~ControlStream();
   ControlStream(ControlStream&& other) noexcept;
   ControlStream& operator=(ControlStream&& other) noexcept;
 
-  // Waits for the next message and returns it. Throws ControlError when the robot has gone or none
+  // Waits for the next message and returns it. Throws ControlError if the robot has gone or none
   // comes in time.
   std::string Next();
   void Send(const std::string& message);

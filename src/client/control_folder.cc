@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kLongestName = 64;
 constexpr std::size_t kLongestPath = sizeof(sockaddr_un::sun_path) - 1;
 
-// "" when unset.
+// Returns "" if it is unset.
 std::string Environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? std::string{} : std::string{value};

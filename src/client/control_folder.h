@@ -1,4 +1,4 @@
-// Finds the folder of this user's control sockets and names their files.
+// Finds the folder of this user's control sockets and names the sockets.
 #pragma once
 
 #include <filesystem>
@@ -7,11 +7,12 @@
 namespace understudy::client {
 
 // Returns the first of these: $UNDERSTUDY_RUNTIME_DIR; understudy/ in $XDG_RUNTIME_DIR if that is a
-// folder; understudy/ in /run/user/<uid> if that is ours; /tmp/understudy-<uid>. It need not exist.
+// folder; understudy/ in /run/user/<uid> if that is this user's; /tmp/understudy-<uid>. It may not
+// exist.
 std::filesystem::path ControlFolder();
 
-// Throws SocketError unless `folder` is a folder, not a link, of this user and nobody else may
-// look into it: whoever can write there could pose as a robot.
+// Throws SocketError unless `folder` is a folder (not a link) of this user without access for
+// others, who could otherwise impersonate a robot.
 void CheckControlFolder(const std::filesystem::path& folder);
 
 // Creates `folder`, mode 0700, if it is missing, then checks it as above.
@@ -21,7 +22,7 @@ void MakeControlFolder(const std::filesystem::path& folder);
 // not a dot; anything else throws SocketError.
 std::filesystem::path ControlSocket(const std::string& name);
 
-// Returns `<robot>-<pid of this process>`, the name of a robot that was given none.
+// Returns `<robot>-<pid of this process>`, the default name of a robot.
 std::string DefaultName(const std::string& robot);
 
 // Throws SocketError if `socket` has more bytes than the address of a Unix socket holds (107).

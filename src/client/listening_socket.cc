@@ -18,7 +18,7 @@
 namespace understudy::client {
 namespace {
 
-// Holds a folder against other processes; the kernel lets go when the descriptor closes.
+// Locks a folder against other processes until the descriptor closes.
 class FolderLock {
  public:
   enum class Patience { kWait, kTry };
@@ -47,7 +47,7 @@ sockaddr_un AddressOf(const std::filesystem::path& path) {
   return address;
 }
 
-// The socket interface takes every family's address through this one type.
+// The socket interface takes the addresses of all families as this type.
 const sockaddr* Generic(const sockaddr_un& address) {
   return reinterpret_cast<const sockaddr*>(&address);
 }
@@ -86,7 +86,7 @@ SocketProbe ProbeSocket(const std::filesystem::path& path) {
     return {.state = SocketState::kAlive, .pid = known ? peer.pid : 0};
   }
   switch (errno) {
-    case EAGAIN:  // its queue is full: it is there, and busy
+    case EAGAIN:  // its queue is full: alive, but busy
       return {.state = SocketState::kAlive};
     case ECONNREFUSED:
       return {.state = SocketState::kStale};
@@ -126,7 +126,7 @@ ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path
   if (!socket.valid() || ::bind(socket.get(), Generic(address), sizeof address) != 0) {
     RefuseBySystem(path_);
   }
-  // Nobody can connect before listen, so nobody gets in before the mode is right.
+  // Clients cannot connect before listen(), so the mode is set in time.
   struct stat created {};
   if (::chmod(path_.c_str(), S_IRUSR | S_IWUSR) != 0 || ::lstat(path_.c_str(), &created) != 0 ||
       ::listen(socket.get(), SOMAXCONN) != 0) {

@@ -1,5 +1,4 @@
-// Listens on the socket file of a running robot. One process claims a name; files of dead ones are
-// removed.
+// Listens on the socket file of a running robot and removes the files of dead ones.
 #pragma once
 
 #include <filesystem>
@@ -10,30 +9,30 @@ namespace understudy::client {
 
 enum class SocketState {
   kAbsent,   // no such file
-  kStale,    // a socket whose process is gone
-  kAlive,    // somebody listens
-  kUnknown,  // not a socket, or not ours to open
+  kStale,    // a socket whose process has ended
+  kAlive,    // a process listens
+  kUnknown,  // not a socket, or no permission
 };
 
 struct SocketProbe {
   SocketState state = SocketState::kAbsent;
-  pid_t pid = 0;  // of the listener; 0 when not alive, out of sight or too busy to tell
+  pid_t pid = 0;  // of the listener; 0 if not alive, or unknown as in RunningRobot
 };
 
-// Connects, asks the kernel who listens, and hangs up. Does not wait.
+// Connects, asks the kernel for the listener, and disconnects. Does not wait.
 SocketProbe ProbeSocket(const std::filesystem::path& path);
 
-// Removes the file at `path` if it is a stale socket, unless another process works in that folder
-// just now. Does not wait.
+// Removes the file at `path` if it is a stale socket, unless another process holds the folder's
+// lock. Does not wait.
 void RemoveIfStale(const std::filesystem::path& path);
 
-// A Unix stream socket that listens at `path`, mode 0600, from construction to destruction, when
-// its file goes too. A stale file is replaced. Claims and removals in one folder exclude each other
-// (flock on the folder), so that nobody takes a socket between its bind and its listen for stale.
+// A Unix stream socket that listens at `path`, mode 0600; the destructor closes it and removes the
+// file. A stale file is replaced. Creation and removal hold a flock on the folder, so a socket
+// between its bind and its listen is never taken for stale.
 class ListeningSocket {
  public:
-  // Throws SocketError when somebody listens at `path`, when something else than a socket is
-  // there, or when the system refuses.
+  // Throws SocketError if a process listens at `path`, if the file is not a socket, or if the
+  // system refuses.
   explicit ListeningSocket(const std::filesystem::path& path);
   ~ListeningSocket();
   ListeningSocket(const ListeningSocket&) = delete;

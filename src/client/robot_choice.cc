@@ -63,7 +63,7 @@ RobotPlace FindRobot(const RobotChoice& choice) {
   if (!named && from_environment != nullptr && *from_environment != '\0') {
     return {.socket = from_environment, .why = {}};
   }
-  if (named) ControlSocket(choice.name);  // throws for what can be no name
+  if (named) ControlSocket(choice.name);  // throws for an invalid name
 
   const std::vector<RunningRobot> robots = FindRobots();
   if (named) return FindNamed(choice.name, robots);

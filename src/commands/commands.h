@@ -1,4 +1,4 @@
-// The subcommands of `understudy`, but for `ctl` and those that are companions.
+// Adds the subcommands of `understudy`, except `ctl` and the companion programs.
 #pragma once
 
 #include <functional>
@@ -8,24 +8,29 @@
 
 namespace understudy::commands {
 
-// What the command line asks for: does it and returns the exit code. Throws SetupError.
+// Runs the chosen subcommand and returns the exit code. Throws SetupError.
 using Chosen = std::function<int()>;
 
-// Each adds subcommands to the command line; parsing sets `chosen`, which must outlive it, to the
-// one that was asked for.
+// Each adds subcommands to the command line. Parsing sets `chosen`, which must outlive it, if one
+// of them is used.
 void AddRunCommands(CLI::App* app, Chosen* chosen);       // run, exec
 void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's ground to files
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
-void AddPlotCommand(CLI::App* app, Chosen* chosen);       // draws curves of a recording
-void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists what a recording holds
-// robots, check, version, services, requests: what needs no running robot. Each prints to standard
-// output, as aligned text or as one JSON document.
+void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
+void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording
+// robots, check, version, services, requests. They need no running robot and print aligned text or
+// one JSON document to standard output.
 void AddInspectCommands(CLI::App* app, Chosen* chosen);
 void AddCompletionsCommand(CLI::App* app, Chosen* chosen);
 
-// Returns an error line when `app` needs a subcommand and the command line names none, with the
+// If `app` needs a subcommand and the command line has no valid one, returns an error line with the
 // nearest and all valid words: "no command 'stauts' of `understudy ctl`; did you mean 'status'?
-// (valid: ...)". "" for any other fault.
+// (valid: ...)". Returns "" otherwise.
 std::string MissingCommand(const CLI::App& app, int argc, const char* const* argv);
+
+// Returns an error line for the first word that looks like an option and is none, with the nearest
+// one: "no option '--strat' of `understudy run`; did you mean '--start'?". Returns "" if there is
+// none.
+std::string UnknownOption(const CLI::App& app, int argc, const char* const* argv);
 
 }  // namespace understudy::commands

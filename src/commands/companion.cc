@@ -15,7 +15,7 @@ namespace understudy::commands {
 
 namespace {
 
-// Whether it exists or not.
+// The path of a companion, which may not exist.
 std::filesystem::path CompanionFile(const std::string& program) {
   std::error_code ignored;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
@@ -68,9 +68,9 @@ void CompanionProcess::Watch() {
   if (!code) return;
   child_.reset();
   if (*code == 0) {
-    spdlog::info("{} was closed; the robot goes on", what_);
+    spdlog::info("{} was closed; the robot continues", what_);
   } else {
-    spdlog::warn("{} ended with code {}; the robot goes on without", what_, *code);
+    spdlog::warn("{} ended with code {}; the robot continues without it", what_, *code);
   }
 }
 

@@ -1,4 +1,4 @@
-// Runs the companion programs: they link libraries that the daemon does not.
+// Runs the companion programs, which link libraries that the daemon does not.
 #pragma once
 
 #include <optional>
@@ -13,36 +13,37 @@ class App;
 
 namespace understudy::commands {
 
-// A command that is a program of its own.
+// A command that is a separate program.
 struct Companion {
-  const CLI::App* command;  // has the options, for --help, completions and a first check
-  const char* program;      // in libexec/understudy, beside the bin of this program
-  const char* missing;      // what to do where it is not there
+  const CLI::App* command;  // its options, for --help, completions and a first check
+  const char* program;      // its name in libexec/understudy, beside bin
+  const char* missing;      // how to install it
 };
 
-// Replaces this process by the companion, which reads the same command line: its first argument is
-// the command's name. Throws SetupError when it is not there or cannot be run.
+// Replaces this process by the companion, with the same command line: the command's name is its
+// first argument. Throws SetupError if it is missing or cannot be run.
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
 
 // A companion beside a run: the window of `run --view`, the gamepad of `run --gamepad`. The robot
-// goes on whatever happens to it.
+// continues if it fails or ends.
 class CompanionProcess {
  public:
-  // Call it before any thread exists; the companion starts at Release(). `what`: how the log calls
-  // it, "the window". `words`: of its command line after the program; `missing`: what to do where
-  // that is not there.
+  // Call it before any thread exists; the companion starts at Release(). `what` is its name in the
+  // log, as in "the window"; `program` and `missing` are as in Companion; `words` are its
+  // arguments.
   CompanionProcess(std::string what, const char* program, const char* missing,
                    const std::vector<std::string>& words);
 
-  // Call it once the robot answers. Warns when the companion cannot be started.
+  // Starts the companion. Call it when the robot answers. Logs a warning if it cannot be started.
   void Release();
-  // Logs once that the companion has ended.
+  // Logs the end of the companion, once.
   void Watch();
 
  private:
   std::string what_;
-  std::optional<exec::ChildProcess> child_;  // nothing where there is nothing to watch (any more)
-  std::string why_not_;                      // it could not be started
+  std::optional<exec::ChildProcess>
+      child_;            // nullopt before the start failed or after the end was logged
+  std::string why_not_;  // the reason if it could not be started
 };
 
 }  // namespace understudy::commands

@@ -11,14 +11,14 @@
 namespace understudy::commands {
 namespace {
 
-// A subcommand as the user types it, with the words that may follow.
+// A subcommand as typed, with the words that may follow.
 struct Branch {
   std::string path;  // "ctl crane"; "" for the program itself
   std::vector<std::string> words;
   bool has_subcommands = false;
 };
 
-// What the first value of a request may be, where that is one of few words.
+// Adds the valid words of a request's first value, if it takes words.
 void AddValues(const std::string& path, std::vector<std::string>* words) {
   constexpr std::string_view kCtl = "ctl ";
   if (!path.starts_with(kCtl)) return;
@@ -55,10 +55,10 @@ std::string Join(const std::vector<std::string>& words) {
   return text;
 }
 
-// All shells walk the words typed so far down the subcommands they know.
+// The scripts of all shells find the subcommand by matching the words typed so far.
 std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
   std::ostringstream out;
-  // No `path` and no `mapfile`: zsh keeps its PATH in the one and has not the other.
+  // Uses neither a variable `path`, which is PATH in zsh, nor `mapfile`, which zsh lacks.
   out << "_" << name << "() {\n  local typed=\"\" word words\n"
       << "  for word in \"${COMP_WORDS[@]:1:$((COMP_CWORD - 1))}\"; do\n"
       << "    [[ $word == -* ]] && continue\n    case \"${typed:+$typed }$word\" in\n";
@@ -76,7 +76,7 @@ std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
   return out.str();
 }
 
-// zsh runs bash completions by a layer of its own, which needs the completion system started.
+// zsh runs bash completions through bashcompinit, which needs compinit.
 constexpr char kZshPreamble[] =
     "(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
     "autoload -U +X bashcompinit && bashcompinit\n";
@@ -94,7 +94,7 @@ std::string Fish(const std::string& name, const std::vector<Branch>& branches) {
   for (const Branch& branch : branches) {
     const std::string begin =
         "complete -c " + name + " -n 'test (" + path + ") = \"" + branch.path + "\"' ";
-    // Where subcommands follow no file does.
+    // No file names where a subcommand must follow.
     if (branch.has_subcommands) out << begin << "-f\n";
     for (const std::string& word : branch.words) {
       const bool option = word.starts_with("--");

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -28,7 +29,7 @@ const char* Family(robot::WireFamily family) {
   return family == robot::WireFamily::kGo ? "go" : "hg";
 }
 
-// "; --revision 2, [5], 6": in brackets the one that is played unless another is asked for.
+// Formats "; --revision 2, [5], 6" with the default in brackets.
 std::string Listed(const std::vector<std::string>& revisions, const std::string& own) {
   std::string text;
   for (const std::string& name : revisions) {
@@ -37,7 +38,7 @@ std::string Listed(const std::vector<std::string>& revisions, const std::string&
   return text;
 }
 
-// Throws ModelError where the robot does not fit its model. `notes` may be null.
+// Throws ModelError if the robot does not fit its model. `notes` may be null.
 void CheckFits(const config::Config& config, const config::SceneFile& scene,
                physics::LoadNotes* notes) {
   const robot::RobotSpec& robot = config.robot;
@@ -50,9 +51,34 @@ void CheckFits(const config::Config& config, const config::SceneFile& scene,
   }
 }
 
-// What a sound file holds, in one line. Throws SetupError for an unsound one. Of a model, `notes`
-// has what loading it brought up.
-std::string CheckFile(const std::filesystem::path& file, physics::LoadNotes* notes) {
+// Whether a YAML file describes a robot; else it is a layer over one, for --config or --scene.
+bool IsRobot(const config::YamlValue& document) {
+  const config::YamlValue* robot = document.Find("robot");
+  return document.Find("extends") != nullptr ||
+         (robot != nullptr && robot->kind == config::YamlValue::Kind::kMap &&
+          robot->Find("name") != nullptr);
+}
+
+// Checks a layer over `robot` as `run` reads it: as --scene if it says nothing but the ground.
+std::string CheckLayer(const std::filesystem::path& file, const config::YamlValue& document,
+                       const std::string& robot) {
+  const bool is_scene = std::ranges::all_of(
+      document.keys, [](const auto& key) { return key.text == "scene" || key.text == "terrain"; });
+  config::Layers layers{.robot = robot};
+  if (is_scene) {
+    layers.sets.push_back("scene=" + std::filesystem::absolute(file).string());
+  } else {
+    layers.files.push_back(file.string());
+  }
+  const config::Config config = config::LoadConfig(layers, config::DataDir());
+  CheckFits(config, config::SceneFile(config.scene, config.terrain), nullptr);
+  return (is_scene ? "scene for --scene, fits " : "layer for --config, fits ") + robot;
+}
+
+// Returns one line about a valid file. Throws SetupError for an invalid one. For a model, sets
+// `notes` to those of loading it. A layer is checked over `robot`.
+std::string CheckFile(const std::filesystem::path& file, const std::string& robot,
+                      physics::LoadNotes* notes) {
   const std::string extension = file.extension();
   if (extension == ".xml") {
     const mjcf::ModelHandle model = physics::LoadModelFile(file, notes);
@@ -61,9 +87,11 @@ std::string CheckFile(const std::filesystem::path& file, physics::LoadNotes* not
   if (extension != ".yaml" && extension != ".yml") {
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
-  if (const config::YamlValue document = config::ReadYamlFile(file); script::IsScript(document)) {
+  const config::YamlValue document = config::ReadYamlFile(file);
+  if (script::IsScript(document)) {
     return "script, " + std::to_string(script::ReadScript(document).size()) + " events";
   }
+  if (!IsRobot(document)) return CheckLayer(file, document, robot);
   const config::Config config =
       config::LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, config::DataDir());
   const config::SceneFile scene("flat", {});
@@ -75,14 +103,14 @@ std::string CheckFile(const std::filesystem::path& file, physics::LoadNotes* not
         config::LoadConfig({.robot = file.string(), .files = {}, .sets = sets}, config::DataDir()),
         scene, nullptr);
   }
-  notes->looks.clear();  // of interest where one checks a model
+  notes->looks.clear();  // only for the check of a model
   const std::size_t hands = config.robot.hands.size();
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
          " motors, " + (hands == 0 ? "" : std::to_string(hands) + " hands, ") + "fits its model";
 }
 
-// One file's result. A refusal's text names file and line by itself; that of an included file does
-// not name the one that was asked for.
+// Makes the JSON result of one file. The text of an error has its own file and line, which may be
+// those of an included file.
 json Entry(const std::string& file, const std::string& text, bool ok,
            const physics::LoadNotes& notes) {
   json entry = {{"file", file}, {"ok", ok}, {"text", text}};
@@ -169,8 +197,8 @@ int VersionCommand(bool as_json) {
   return 0;
 }
 
-// The exit code is that of the first file that cannot be used.
-int CheckCommand(const std::vector<std::string>& files, bool as_json) {
+// Returns the exit code of the first invalid file.
+int CheckCommand(const std::vector<std::string>& files, const std::string& robot, bool as_json) {
   ExitCode code = ExitCode::kOk;
   json list = json::array();
   for (const std::string& file : files) {
@@ -178,7 +206,7 @@ int CheckCommand(const std::vector<std::string>& files, bool as_json) {
     std::string text;
     bool ok = true;
     try {
-      text = CheckFile(file, &notes);
+      text = CheckFile(file, robot, &notes);
     } catch (const SetupError& error) {
       ok = false;
       text = error.what();
@@ -203,23 +231,28 @@ int RequestsCommand(bool openapi) {
 }  // namespace
 
 void AddInspectCommands(CLI::App* app, Chosen* chosen) {
-  const auto flag = std::make_shared<bool>(false);  // of the one that was asked for
-  CLI::App* robots = app->add_subcommand("robots", "List the robots that can be played");
+  const auto flag = std::make_shared<bool>(false);  // --json or --openapi of the chosen subcommand
+  CLI::App* robots = app->add_subcommand("robots", "List the robots that can be simulated");
   robots->add_flag("--json", *flag, "As a JSON array");
   robots->footer(
       "Example: understudy robots --json\n"
-      "A robot of your own: understudy run my_robot.yaml, checked by understudy check.");
+      "Your robot: understudy run my_robot.yaml, checked by understudy check.");
   robots->callback([=] { *chosen = [=] { return RobotsCommand(*flag); }; });
 
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* check =
-      app->add_subcommand("check", "Check robot descriptions (.yaml) and models (.xml)");
+      app->add_subcommand("check", "Check robots, layers, scenes, scripts (.yaml), models (.xml)");
   check->add_option("files", *files, "Files to check")->required()->type_name("FILE...");
+  const auto robot = std::make_shared<std::string>("go2");
+  check->add_option("--robot", *robot, "Robot over which files for --config and --scene are read")
+      ->capture_default_str();
   check->add_flag("--json", *flag, "As a JSON array");
   check->footer(
-      "Example: understudy check my_robot.yaml my_robot.xml\n"
-      "Exits with 3 or 4, as `run` would, when a file is unsound.");
-  check->callback([=] { *chosen = [=] { return CheckCommand(*files, *flag); }; });
+      "Examples:\n"
+      "  understudy check my_robot.yaml my_robot.xml\n"
+      "  understudy check --robot g1 course.yaml randomization.yaml\n"
+      "Exits with 3 or 4, as `run` does, if a file is invalid.");
+  check->callback([=] { *chosen = [=] { return CheckCommand(*files, *robot, *flag); }; });
 
   CLI::App* version = app->add_subcommand("version", "Say which version this is");
   version->add_flag("--json", *flag, "As a JSON object");
@@ -227,13 +260,13 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   version->callback([=] { *chosen = [=] { return VersionCommand(*flag); }; });
 
   CLI::App* services =
-      app->add_subcommand("services", "Print what every robot's services answer, as Markdown");
+      app->add_subcommand("services", "Print the apis of all services as Markdown");
   services->footer("Example: understudy services > docs/services.md");
   services->callback([=] { *chosen = ServicesCommand; });
 
   CLI::App* requests = app->add_subcommand(
-      "requests", "Print what can be asked of a running robot, as Markdown or for OpenAPI");
-  requests->add_flag("--openapi", *flag, "The paths of docs/openapi.yaml");
+      "requests", "Print the requests to a running robot as Markdown or for OpenAPI");
+  requests->add_flag("--openapi", *flag, "Print the paths of docs/openapi.yaml");
   requests->footer("Example: understudy requests > docs/requests.md");
   requests->callback([=] { *chosen = [=] { return RequestsCommand(*flag); }; });
 }

@@ -32,11 +32,11 @@ class JsonFormatter final : public spdlog::formatter {
   }
 };
 
-// Standard error, in colour on a terminal. Lines that nobody reads are lost; how many is told once
-// somebody does.
+// Writes to standard error, in colour on a terminal. Lines that cannot be written are lost; their
+// number is logged when writing works again.
 class StandardErrorSink final : public spdlog::sinks::base_sink<std::mutex> {
  public:
-  // `queue` counts what it has dropped itself.
+  // `queue` counts the lines that it has dropped.
   explicit StandardErrorSink(std::weak_ptr<spdlog::details::thread_pool> queue)
       : queue_(std::move(queue)) {}
 
@@ -80,8 +80,8 @@ class StandardErrorSink final : public spdlog::sinks::base_sink<std::mutex> {
 
   std::weak_ptr<spdlog::details::thread_pool> queue_;
   bool terminal_ = isatty(STDERR_FILENO) == 1;
-  std::size_t dropped_ = 0;    // by the queue, as last seen
-  std::size_t unwritten_ = 0;  // and not yet told
+  std::size_t dropped_ = 0;    // count of the queue at the last line
+  std::size_t unwritten_ = 0;  // lines lost and not yet reported
 };
 
 }  // namespace
@@ -95,7 +95,7 @@ void StartLog(const LogOptions& options) {
   if (options.json) {
     logger->set_formatter(std::make_unique<JsonFormatter>());
   } else {
-    // On a terminal each line first clears the status line it lands on.
+    // On a terminal each log line first clears the status line.
     logger->set_pattern(std::string(options.status_line ? "\r\033[K" : "") +
                         "[%H:%M:%S.%e] %^%l%$: %v");
   }

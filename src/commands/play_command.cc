@@ -29,7 +29,7 @@
 namespace understudy::commands {
 namespace {
 
-// The command line, as typed.
+// The command line.
 struct PlayArguments {
   std::string file;
   bool commands = false;
@@ -41,10 +41,10 @@ struct PlayArguments {
 
 using std::chrono::milliseconds;
 
-// How long we wait for those who are to hear us; *assumed*, several times what discovery takes.
+// How long to wait for readers; *assumed*, several times the duration of discovery.
 constexpr milliseconds kMatchPatience(1000);
-// A reader that we know may not know us yet, and nothing on DDS says when it does; *assumed*,
-// several times the difference between the two ends of a discovery.
+// A reader that we have discovered may not have discovered us yet, which DDS does not report;
+// *assumed*, several times the difference between the two sides.
 constexpr milliseconds kMutual(200);
 constexpr milliseconds kDrawEvery(200);
 
@@ -57,7 +57,7 @@ std::string CheckSpeed(const std::string& text) {
   return "expected a number from 0.001 to 1000 or max, found '" + text + "'";
 }
 
-// The line that shows how far it has come; nothing where nobody looks.
+// A progress line on a terminal.
 class Progress {
  public:
   Progress(bool shown, double to) : shown_(shown), to_(to) {}
@@ -81,21 +81,22 @@ class Progress {
   time::Clock::Time drawn_at_{};
 };
 
-// A writer for every topic of the player's, by channel.
+// The writers of all played topics, by channel.
 class Wire {
  public:
   Wire(const bus::Participant& participant, const record::Player& player) {
     for (const auto& [channel, topic] : player.topics()) {
       const MessageType* type = FindMessageType(topic.type);
       if (type == nullptr) {
-        spdlog::warn("{} is left out: its type is none of the vendor's", topic.topic);
+        spdlog::warn("{} is left out: its type is not one of the vendor's", topic.topic);
         continue;
       }
       writers_.emplace(channel, bus::CdrWriter(participant, topic.topic, *type->descriptor));
     }
   }
 
-  // Until somebody hears `all` topics, or any; those who come later miss the beginning.
+  // Waits until every topic has a reader (`all`) or any topic has. Later readers miss the
+  // beginning.
   void WaitForReaders(bool all, time::Clock* clock) const {
     const time::Clock::Time end = clock->Now() + kMatchPatience;
     const auto is_heard = [](const auto& writer) { return writer.second.matched_readers() > 0; };
@@ -124,13 +125,13 @@ class Wire {
   std::uint64_t sent_ = 0, damaged_ = 0;
 };
 
-// Somebody writes rt/lowstate, and has the time of the guard to be found.
+// Waits for a writer of rt/lowstate. Throws BusError if none is found in time.
 void WaitForRobot(wire::StrangerWatch* watch, const bus::Participant& participant,
                   time::Clock* clock) {
   const time::Clock::Time end = clock->Now() + kMatchPatience;
   while (watch->Poll().spoke.empty() && watch->speaking().empty()) {
     if (clock->Now() > end) {
-      throw BusError("no robot speaks on " + participant.interface() + ", domain " +
+      throw BusError("no robot publishes on " + participant.interface() + ", domain " +
                      std::to_string(participant.domain()) +
                      "; start one (`understudy run`), then play the commands to it");
     }
@@ -138,15 +139,18 @@ void WaitForRobot(wire::StrangerWatch* watch, const bus::Participant& participan
   }
 }
 
+// Opens the recording, joins the bus, waits for readers or a robot, and plays.
 int PlayCommand(const PlayArguments& arguments) {
+  // Options and recording.
   record::PlayOptions options = arguments.options;
   options.side = arguments.commands ? record::PlayedSide::kClients : record::PlayedSide::kRobot;
   options.speed = SpeedOf(arguments.speed);
   const record::McapReader reader(arguments.file);
   const double end = options.to > 0 ? options.to : record::Duration(reader.contents());
-  if (!(options.from < end)) {  // nor "nan"
+  if (!(options.from < end)) {  // also refuses NaN
     throw RecordError(arguments.file + ": --from is past the end, " + std::to_string(end) + " s");
   }
+  // Player and log.
   time::SteadyClock clock;
   record::Player player(&reader, options, &clock);
   const bool terminal = isatty(STDERR_FILENO) == 1 && !arguments.json;
@@ -156,6 +160,7 @@ int PlayCommand(const PlayArguments& arguments) {
     spdlog::warn("the recording was cut short: {}", reader.contents().cut_short);
   }
 
+  // Network: a robot for the commands, or no other robot.
   const bus::Participant participant(arguments.network.interface, arguments.network.domain);
   wire::StrangerWatch watch(participant);
   if (arguments.commands) {
@@ -168,6 +173,7 @@ int PlayCommand(const PlayArguments& arguments) {
   spdlog::info("playing {} on {}, domain {}", arguments.file, participant.interface(),
                participant.domain());
 
+  // Play.
   Progress progress(terminal, end);
   ExitCode code = ExitCode::kOk;
   player.Play([&](double at, const record::McapMessage* message) {
@@ -175,18 +181,19 @@ int PlayCommand(const PlayArguments& arguments) {
     progress.Update(at, wire.sent(), clock.Now());
     if (StopSignal() != 0) return false;
     if (const auto news = watch.Poll(); !arguments.commands && !news.spoke.empty()) {
-      spdlog::critical("another robot speaks on this network: {}; we stop",
+      spdlog::critical("another robot publishes on this network: {}; stopping",
                        wire::Describe(news.spoke));
       code = ExitCode::kNeighbour;
       return false;
     }
     return true;
   });
+  // Report.
   for (const bus::CycloneNotice& notice : bus::TakeCycloneNotices()) {
     spdlog::warn("Cyclone DDS: {}", notice.text());
   }
   if (wire.damaged() > 0) {
-    spdlog::warn("{} messages are not what their type says and were left out", wire.damaged());
+    spdlog::warn("{} messages do not fit their type and were left out", wire.damaged());
   }
   spdlog::info("{} messages were played", wire.sent());
   return static_cast<int>(code);
@@ -197,10 +204,10 @@ int PlayCommand(const PlayArguments& arguments) {
 void AddPlayCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<PlayArguments>();
   CLI::App* play = app->add_subcommand(
-      "play", "Say again what a recording's robot said, or what its clients commanded");
+      "play", "Play the messages of a recording's robot, or those of its clients");
   play->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
   play->add_flag("--commands", arguments->commands,
-                 "The clients' commands and requests, to a robot that is there");
+                 "Play the clients' commands and requests to a running robot");
   play->add_option("--speed", arguments->speed,
                    "Recorded seconds per wall second; max = as fast as possible [1]")
       ->type_name("X")
@@ -215,19 +222,18 @@ void AddPlayCommand(CLI::App* app, Chosen* chosen) {
   play->add_option("--topics", arguments->options.topics, "Only these [all]")
       ->type_name("TOPIC,...")
       ->delimiter(',');
-  play->add_option("--interface", arguments->network.interface,
-                   "Network interface to speak on [lo]")
+  play->add_option("--interface", arguments->network.interface, "Network interface [lo]")
       ->type_name("NAME");
   play->add_option("--domain", arguments->network.domain, "DDS domain [0]")->type_name("N");
   play->add_flag("--json", arguments->json, "Log as one JSON object a line");
   play->footer(
-      "What the robot said is never said beside a live robot.\n"
+      "Messages of the robot are never played beside a live robot.\n"
       "Examples:\n"
-      "  understudy play walk.mcap                          programs hear the robot of that day\n"
+      "  understudy play walk.mcap                          programs receive the recorded robot\n"
       "  understudy play walk.mcap --speed 0.2 --loop --topics rt/lowstate\n"
       "  understudy play walk.mcap --commands --from 3      the same commands, to a robot of "
       "today\n"
-      "What a recording holds: understudy recording FILE");
+      "Contents of a recording: understudy recording FILE");
   play->callback([=] { *chosen = [=] { return PlayCommand(*arguments); }; });
 }
 

@@ -40,22 +40,22 @@ ordered_json Describe(const record::McapReader& reader) {
           {"attachments", attachments}};
 }
 
-// A file may say anything: what would do something to a terminal is shown as '?'.
+// Replaces control characters by '?', as the texts of a file may contain any.
 std::string Harmless(std::string text) {
   std::ranges::replace_if(
       text, [](unsigned char c) { return c < ' ' || c == 0x7F; }, '?');
   return text;
 }
 
-// A text out of what is told, "" where there is none.
+// Returns a text of the JSON, "" if there is none.
 std::string TextOf(const ordered_json& object, const char* key) {
   return Harmless(object.value(key, ""));
 }
 
-int RecordingCommand(const std::string& file, bool json) {
+int RecordingCommand(const std::string& file, bool as_json) {
   const record::McapReader reader(file);
   const ordered_json told = Describe(reader);
-  if (json) {
+  if (as_json) {
     std::puts(told.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
     return 0;
   }

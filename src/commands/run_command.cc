@@ -28,7 +28,7 @@
 namespace understudy::commands {
 namespace {
 
-// The command line of a run, as typed.
+// The command line of a run.
 struct RunArguments : SetArguments {
   std::string robot;
   std::string name;
@@ -48,19 +48,20 @@ struct RunArguments : SetArguments {
 };
 
 void AddRunOptions(CLI::App* app, RunArguments* arguments) {
+  // Short forms of --set.
   app->add_option("robot", arguments->robot, "A robot's name (see `understudy robots`) or its YAML")
       ->required()
       ->type_name("ROBOT");
   AddShortOption(app, arguments, "--interface", "network.interface", "NAME",
-                 "Network interface to speak on [lo]");
+                 "Network interface [lo]");
   AddShortOption(app, arguments, "--domain", "network.domain", "N", "DDS domain [0]");
   AddShortOption(app, arguments, "--scene", "scene", "NAME|FILE",
-                 "Ground to stand on: a kind of terrain, MJCF or YAML [flat]");
+                 "Ground: a kind of terrain, MJCF or YAML [flat]");
   AddShortOption(app, arguments, "--model", "robot.model", "FILE",
-                 "MJCF to play instead of the robot's own, with the same joint names")
+                 "MJCF in place of the robot's, with the same joint names")
       ->transform([](const std::string& file) { return std::filesystem::absolute(file).string(); });
   AddShortOption(app, arguments, "--revision", "robot.revision", "NAME",
-                 "Hardware revision, as `understudy robots` lists them [the robot's own]");
+                 "Hardware revision, as `understudy robots` lists them [the robot's default]");
   AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
                  "Joint friction, damping and armature: catalogue, as in the model's file, or "
                  "fitted to real robots [the better evidence; with --model catalogue]");
@@ -68,33 +69,32 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "Simulated seconds per wall second; max = as fast as possible [1]")
       ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });
   AddShortOption(app, arguments, "--duration", "time.duration", "S",
-                 "End after so many simulated seconds [never]");
+                 "Simulated seconds after which the run ends [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
-                 "lying, standing, hanging or clamped [the robot's own]");
+                 "lying, standing, hanging or clamped [the robot's default]");
   AddShortOption(app, arguments, "--seed", "randomization.seed", "N",
-                 "Seed of all that randomization draws [one is drawn and said]");
+                 "Seed of randomization [drawn, and logged]");
   app->add_flag_callback(
       "--released",
       [arguments] {
         arguments->sets.insert(arguments->sets.begin(),
                                std::string("motion.service=") + authority::kNoService);
       },
-      "Begin as after ReleaseMode: no motion service on, rt/lowcmd moves the motors");
+      "Start as after ReleaseMode: no motion service is on, rt/lowcmd moves the motors");
   app->add_flag_callback(
       "--no-panel",
       [arguments] { arguments->sets.insert(arguments->sets.begin(), "control.panel=false"); },
-      "Serve nothing on TCP; `understudy ctl` finds the robot all the same");
-  app->add_option(
-         "--script", arguments->script,
-         "YAML file of what happens to the robot and when: remote controller, crane, pushes")
+      "Do not serve on TCP; `understudy ctl` still finds the robot");
+  app->add_option("--script", arguments->script,
+                  "YAML file of timed events: remote controller, crane, pushes")
       ->type_name("FILE");
   CLI::Option* record =
       app->add_option("--record", arguments->record,
                       "Record all topics, the simulation's truth and events to this MCAP file")
           ->type_name("FILE.mcap");
-  app->add_flag("--overwrite", arguments->overwrite, "Replace the recording that is there")
+  app->add_flag("--overwrite", arguments->overwrite, "Replace an existing recording")
       ->needs(record);
-  AddSetOptions(app, arguments, "YAML file laid over the robot's own", "gate.timeout=0.5");
+  AddSetOptions(app, arguments, "YAML file that overrides the robot's", "gate.timeout=0.5");
   app->add_flag("--view", arguments->view, "Open a window onto it, as `understudy view` does");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
@@ -103,7 +103,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_flag("--print-config", arguments->print_config,
                 "Print the configuration in effect as YAML and exit");
   app->add_flag("--help-config", arguments->help_config, "Print every configuration key and exit");
-  app->add_flag("--json", arguments->json, "Log as one JSON object a line");
+  app->add_flag("--json", arguments->json, "Log one JSON object per line");
 }
 
 config::Config Load(const RunArguments& arguments) {
@@ -117,8 +117,8 @@ std::vector<emulator::ScriptEvent> LoadEvents(const RunArguments& arguments) {
                                   : script::LoadScript(arguments.script);
 }
 
-// Whoever asks for a certain address gets that or an error; the panel that nobody asked for is no
-// reason to fail: `missing` says why there is none.
+// Throws SocketError if the configured address or port cannot be had. With the defaults it returns
+// null instead and sets `missing` to the reason, as the panel is optional then.
 std::unique_ptr<server::PanelSocket> MakePanelSocket(const config::ControlConfig& config,
                                                      std::string* missing) {
   if (!config.panel) return nullptr;
@@ -139,7 +139,7 @@ run::RecordingOptions RecordingOf(const RunArguments& arguments) {
   return {.file = arguments.record, .overwrite = arguments.overwrite};
 }
 
-// Forked here, before any thread exists; they start at Release().
+// Forks the companions before any thread exists; they start at Release().
 std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
                                           const std::string& socket) {
   std::deque<CompanionProcess> companions;
@@ -162,7 +162,7 @@ std::filesystem::path MakeControlSocket(const RunArguments& arguments,
                                                       : arguments.name);
 }
 
-// Throw SetupError. ExecCommand returns the command's own exit code.
+// Throw SetupError. ExecCommand returns the exit code of the command.
 int RunCommand(const RunArguments& arguments) {
   if (arguments.help_config) {
     std::fputs(config::ConfigReference().c_str(), stdout);
@@ -202,14 +202,14 @@ int ExecCommand(const RunArguments& arguments) {
   const config::Config config = Load(arguments);
   run::RunOptions options;
   options.script = LoadEvents(arguments);
-  // In the machine's network, where the browser is.
+  // The panel listens in the machine's network, where the browser is.
   std::string missing;
   const auto panel = MakePanelSocket(config.control, &missing);
   options.panel = panel.get();
   options.recording = RecordingOf(arguments);
   if (arguments.network == "private") exec::EnterPrivateNetwork();
 
-  // The command is forked before any thread exists, and runs nothing until the robot is ready.
+  // The command is forked before any thread exists and waits until the robot is ready.
   const std::filesystem::path control = MakeControlSocket(arguments, config);
   exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
@@ -218,6 +218,7 @@ int ExecCommand(const RunArguments& arguments) {
             .status_line = false});
   SayWhatIsMissing(missing);
   CatchStopSignals();
+  // The command starts when the robot is ready; its end ends the run.
   constexpr std::chrono::milliseconds kGrace(500);
   std::optional<int> code;
   bool terminating = false;
@@ -230,7 +231,7 @@ int ExecCommand(const RunArguments& arguments) {
     for (CompanionProcess& companion : companions) companion.Watch();
     if (StopSignal() != 0 && !terminating) {
       terminating = true;
-      child.Terminate(kGrace);  // the robot goes on until the command has ended
+      child.Terminate(kGrace);  // the robot runs until the command has ended
     }
     code = child.Poll();
     return code.has_value();
@@ -247,16 +248,16 @@ int ExecCommand(const RunArguments& arguments) {
 
 void AddRunCommands(CLI::App* app, Chosen* chosen) {
   const auto run_arguments = std::make_shared<RunArguments>();
-  CLI::App* run = app->add_subcommand("run", "Play a robot on the network until Ctrl-C");
+  CLI::App* run = app->add_subcommand("run", "Simulate a robot on the network until Ctrl-C");
   AddRunOptions(run, run_arguments.get());
   run->add_flag("--gamepad", run_arguments->gamepad,
-                "Play with a gamepad, as `understudy remote --no-keyboard` beside it");
+                "Use a gamepad, as with `understudy remote --no-keyboard` beside it");
   run->footer(
       "Examples:\n"
       "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
-      "  understudy run g1 --start clamped         a G1 whose pelvis is held in the air\n"
+      "  understudy run g1 --start clamped         a G1 whose pelvis is fixed in the air\n"
       "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
-      "  understudy run go2 --released             for programs that do not release it themselves\n"
+      "  understudy run go2 --released             for programs that do not call ReleaseMode\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
       "  understudy run go2 --view                 with a window to look at it and push it\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
@@ -268,22 +269,22 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
 
   const auto exec_arguments = std::make_shared<RunArguments>();
   CLI::App* exec = app->add_subcommand(
-      "exec", "Play a robot in a private network, run a command beside it, exit with its code");
+      "exec", "Simulate a robot in a private network, run a command with it, exit with its code");
   AddRunOptions(exec, exec_arguments.get());
   exec->add_option("--network", exec_arguments->network,
-                   "private: a network namespace of its own; host: the machine's network")
+                   "private: a new network namespace; host: the machine's network")
       ->check(CLI::IsMember({"private", "host"}));
   exec->add_option("command", exec_arguments->command, "The command and its arguments, after --")
       ->type_name("CMD...")
       ->required();
   exec->footer(
-      "The command starts when the first LowState is out and finds the robot on domain 0 and lo.\n"
-      "Any number of these run side by side; none hears another, nor any real robot.\n"
+      "The command starts after the first LowState and finds the robot on domain 0 and lo.\n"
+      "Any number of these can run side by side, isolated from each other and from real robots.\n"
       "Examples:\n"
       "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
       "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
-      "Exits with the command's code, 128+n when signal n ended it, 126 or 127 when it could not\n"
-      "be run, or with one of our own codes when the robot could not be played.");
+      "Exits with the command's code, 128+n if signal n ended it, 126 or 127 if it could not\n"
+      "be run, or with one of Understudy's codes if the robot could not be started.");
   exec->callback([=] { *chosen = [=] { return ExecCommand(*exec_arguments); }; });
 }
 

@@ -17,7 +17,7 @@ CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::s
 
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example) {
-  app->add_option("--config", arguments->config_files, config_help + "; may be given again")
+  app->add_option("--config", arguments->config_files, config_help + "; may be repeated")
       ->type_name("FILE")
       ->take_all();
   app->add_option_function<std::vector<std::string>>(
@@ -25,7 +25,7 @@ void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& co
          [arguments](const std::vector<std::string>& sets) {
            arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
          },
-         "Sets one key, e.g. --set " + example + "; may be given again")
+         "Sets one key, e.g. --set " + example + "; may be repeated")
       ->type_name("KEY=VALUE")
       ->take_all();
 }

@@ -1,4 +1,4 @@
-// Declares the options that change the configuration.
+// Adds the options that change the configuration.
 #pragma once
 
 #include <string>
@@ -11,13 +11,12 @@ namespace understudy::commands {
 // The values of these options, as typed.
 struct SetArguments {
   std::vector<std::string> config_files;
-  std::vector<std::string> sets;  // "key=value"; short options are put in front of --set
+  std::vector<std::string> sets;  // "key=value"; short options come before --set
 };
 
-// Both: `arguments` is filled by parsing and must outlive the app.
+// For both functions: parsing fills `arguments`, which must outlive `app`.
 
-// Adds an option that abbreviates a --set: its value goes to `key`; an explicit --set of that key
-// wins.
+// Adds an option that is short for a --set of `key`. An explicit --set of that key overrides it.
 CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
                             const std::string& key, const std::string& type,
                             const std::string& help);

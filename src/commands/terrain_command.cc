@@ -13,7 +13,7 @@
 namespace understudy::commands {
 namespace {
 
-// The command line, as typed.
+// The command line.
 struct TerrainArguments : SetArguments {
   std::string scene;
   std::string out;
@@ -31,7 +31,7 @@ int TerrainCommand(const TerrainArguments& arguments) {
   }
   terrain::WriteTerrain(config.scene, config.terrain, arguments.out);
   const std::filesystem::path file = std::filesystem::path(arguments.out) / "scene.xml";
-  physics::LoadModelFile(file);  // what we say is there loads
+  physics::LoadModelFile(file);  // checks that the written file loads
   std::printf("%s\n", file.c_str());
   return 0;
 }
@@ -40,22 +40,23 @@ int TerrainCommand(const TerrainArguments& arguments) {
 
 void AddTerrainCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<TerrainArguments>();
-  CLI::App* terrain = app->add_subcommand("terrain", "Write a run's ground as MJCF and pictures");
-  terrain->add_option("scene", arguments->scene, "A kind of terrain, row, or a YAML that holds one")
+  CLI::App* terrain =
+      app->add_subcommand("terrain", "Write the ground of a run as MJCF and pictures");
+  terrain->add_option("scene", arguments->scene, "A kind of terrain, row, or a scene's YAML file")
       ->required()
       ->type_name("SCENE");
-  terrain->add_option("--out", arguments->out, "Folder to write to; is made where it is missing")
+  terrain->add_option("--out", arguments->out, "Folder to write to; created if missing")
       ->required()
       ->type_name("DIR");
   AddShortOption(terrain, arguments.get(), "--difficulty", "terrain.difficulty", "D",
-                 "From 0 to 1 [0.5]");
+                 "0 is nearly flat, 1 the hardest [0.5]");
   AddShortOption(terrain, arguments.get(), "--friction", "terrain.friction", "MU",
-                 "Of every contact with the ground");
+                 "Sliding friction of every contact with the ground");
   AddShortOption(terrain, arguments.get(), "--seed", "terrain.seed", "N",
-                 "Of all that is random in it [1]");
+                 "Seed of its random parts [1]");
   AddShortOption(terrain, arguments.get(), "--image", "terrain.image", "FILE",
-                 "Grey PNG or PGM of kind image");
-  AddSetOptions(terrain, arguments.get(), "YAML file, as of a run", "terrain.size=[12,4]");
+                 "Grey PNG or PGM for kind image");
+  AddSetOptions(terrain, arguments.get(), "YAML file, as for a run", "terrain.size=[12,4]");
   terrain->footer(
       "Writes DIR/scene.xml, plain MJCF, and for each height field terrain_N.hf, which it names,\n"
       "and terrain_N.png, the same heights in 16 bits of grey.\n"

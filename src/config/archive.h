@@ -1,6 +1,6 @@
-// The one listing of keys and the visitors that go through it. A `Describe` function names each key
-// of a config struct once; reading, printing, the reference and the list of valid keys are all
-// archives that walk the same rows.
+// The interface between a configuration struct and what processes its keys. A `Describe` function
+// lists each key of a struct once; reading, printing and documenting are archives that visit the
+// same rows.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,8 @@
 
 namespace understudy::config {
 
-// Both ends belong to it. Values outside and values that are not finite are refused.
+// The allowed values of a number, both ends included. Values outside, infinities and NaN are
+// refused.
 struct Range {
   double min = -std::numeric_limits<double>::infinity();
   double max = std::numeric_limits<double>::infinity();
@@ -26,26 +27,26 @@ struct Range {
 // At least zero.
 inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
 
-// What the documentation says of a key.
+// What the documentation says about a key.
 struct About {
-  // NOLINTNEXTLINE(google-explicit-constructor): most keys have but a meaning
+  // NOLINTNEXTLINE(google-explicit-constructor): most keys have only a meaning
   About(std::string_view meaning_in) : meaning(meaning_in) {}
   About(std::string_view unit_in, Range range_in, std::string_view meaning_in)
       : unit(unit_in), range(range_in), meaning(meaning_in) {}
 
-  std::string_view unit;  // "" where there is none
-  Range range;            // of numbers
+  std::string_view unit;  // "" if there is none
+  Range range;            // of a number, or of each number of a list
   std::string_view meaning;
 };
 
-// A key with all that is said of it.
+// A key with its documentation.
 struct Row : About {
   Row(std::string_view name_in, const About& about) : About(about), name(name_in) {}
 
   std::string_view name;
 };
 
-// A value and the key it is read from.
+// A value and its key.
 template <class T>
 struct Named {
   std::string_view name;
@@ -54,7 +55,7 @@ struct Named {
 template <class T>
 Named(std::string_view, T*) -> Named<T>;
 
-// A member under its own name, as UNDERSTUDY_NVP(spec.mass): no key can be bound to another member.
+// Names a key after its member, as in UNDERSTUDY_NVP(spec.mass), so that the two cannot differ.
 #define UNDERSTUDY_NVP(member) \
   ::understudy::config::Named { ::understudy::config::AfterDot(#member), &(member) }
 
@@ -62,23 +63,23 @@ constexpr std::string_view AfterDot(std::string_view expression) {
   return expression.substr(expression.rfind('.') + 1);
 }
 
-// One of some words, by its place among them; -1 for none.
+// A choice among words. `index` is the index of the chosen word, -1 for none.
 struct WordSlot {
   std::vector<std::string> words;
   int* index;
 };
 
-// Where a value lives. A span is a list of just so many numbers, a vector one of any length.
+// Where a value is stored. A span is a list of fixed length, a vector a list of any length.
 using Slot = std::variant<bool*, int*, double*, std::string*, WordSlot, std::span<double>,
                           std::vector<double>*, std::vector<int>*, std::vector<std::string>*>;
 
-// A list of structs without its type.
+// A list of structs, with its element type erased.
 struct ListSlot {
   std::function<std::size_t()> size;
-  std::function<void(std::size_t)> reset;     // to that many defaults
-  std::function<void(std::size_t)> describe;  // the element at an index
-  std::function<void()> describe_blank;       // an element of defaults
-  // The word by which an element may be meant instead of by its index; "" where elements have none.
+  std::function<void(std::size_t)> reset;     // to n default elements
+  std::function<void(std::size_t)> describe;  // the element at index i
+  std::function<void()> describe_blank;       // a default element
+  // The name that selects element i in place of its index; "" if elements have no names.
   std::function<std::string(std::size_t)> name;
 };
 
@@ -86,7 +87,7 @@ class Archive {
  public:
   virtual ~Archive() = default;
 
-  // A value that a Slot can point to, or an Eigen vector or std::array of doubles.
+  // Visits a value of a type in Slot, or an Eigen vector or std::array of doubles.
   template <class T>
   void Key(Named<T> key, const About& about) {
     const Row row(key.name, about);
@@ -97,7 +98,7 @@ class Archive {
     }
   }
 
-  // An enum whose values count from 0 in the order of `words`.
+  // Visits an enum whose values count from 0 in the order of `words`.
   template <class E>
   void Choice(Named<E> key, const About& about, std::initializer_list<std::string> words) {
     int index = static_cast<int>(*key.value);
@@ -105,11 +106,11 @@ class Archive {
     *key.value = static_cast<E>(index);
   }
 
-  // Text that must be one of `words`.
+  // Visits a text that must be one of `words`.
   void Word(Named<std::string> key, const About& about, const std::vector<std::string>& words);
 
-  // A nested mapping: `describe` is called with it entered, or not at all. `scalar_key` is the key
-  // that is meant where a bare word stands in place of the mapping.
+  // Visits a nested mapping: calls `describe` between Enter and Leave if Enter returns true. A
+  // scalar in place of the mapping is the value of `scalar_key`; "" allows none.
   template <class T>
   void Section(Named<T> key, const About& about, void (*describe)(Archive&, T&),
                std::string_view scalar_key = {}) {
@@ -118,7 +119,7 @@ class Archive {
     Leave();
   }
 
-  // `name` is the member by whose value an element may be meant, null where none tells them apart.
+  // Visits a list of structs. `name` is the member that names an element, null if there is none.
   template <class T>
   void List(Named<std::vector<T>> key, const About& about, void (*describe)(Archive&, T&),
             std::string T::*name = nullptr) {
@@ -146,16 +147,16 @@ class Archive {
   virtual void Leave() = 0;
 };
 
-// The shortest text that reads back as the same number.
+// Returns the shortest text that reads back as the same number.
 std::string NumberText(double value);
 
-// The value as YAML on one line; text is quoted where YAML would take it for something else.
+// Returns the value as YAML on one line; text is quoted if YAML would not read it back as text.
 std::string ValueText(const Slot& slot);
 
-// What a value must be, for errors: "a number from 0 to 10 s", "one of strict, lenient".
+// Returns what a value must be, for errors: "a number from 0 to 10 s", "one of strict, lenient".
 std::string Expected(const Row& row, const Slot& slot);
 
-// What a value may be, for tables: "0 to 10", "strict, lenient", "text".
+// Returns what a value may be, for tables: "0 to 10", "strict, lenient", "text".
 std::string Allowed(const Row& row, const Slot& slot);
 
 }  // namespace understudy::config

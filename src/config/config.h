@@ -1,5 +1,5 @@
-// Everything a run can be told, with its defaults. config/keys.cc holds one row per key: name,
-// unit, range, meaning.
+// The configuration of a run, with its defaults. config/keys.cc has one row per key: name, unit,
+// range, meaning.
 #pragma once
 
 #include <string>
@@ -20,12 +20,12 @@ struct NetworkConfig {
   int domain = 0;
 };
 
-// What to do when somebody else's robot speaks on our network after we have started. kWarn also
-// lets a run start beside a writer of rt/lowstate that has not spoken.
+// What to do when another robot publishes on this network after the start. kWarn also lets a run
+// start beside a writer of rt/lowstate that has not published yet.
 enum class StrangerAction { kSilence, kWarn, kStop };
 
 struct GuardConfig {
-  double listen_loopback = 0.2;  // s to listen for another robot before the first word, on lo
+  double listen_loopback = 0.2;  // s to listen for another robot before publishing, on lo
   double listen_network = 1;     // s, on any other interface; both assumed
   StrangerAction on_stranger = StrangerAction::kSilence;
 };
@@ -36,11 +36,11 @@ struct TimeConfig {
   bool realtime = true;  // ask for SCHED_FIFO and locked memory
 };
 
-// Where a robot is reached by what speaks TCP, a browser above all.
+// Where HTTP clients, such as a browser, reach the robot over TCP.
 struct ControlConfig {
   bool panel = true;
   std::string address = "127.0.0.1";
-  int port = 0;  // 0: the first that is free from 7707 on
+  int port = 0;  // 0: the first free port from 7707 up
 };
 
 enum class DivergenceAction { kStop, kReset };
@@ -51,7 +51,8 @@ struct PhysicsConfig {
 };
 
 struct StartConfig {
-  std::string pose;  // lying | standing | hanging | clamped; "" = the robot's own
+  std::string pose;            // lying | standing | hanging | clamped; "" = robot.default_start
+  std::array<double, 3> at{};  // x, y [m] and yaw [rad] in the world
 };
 
 struct Config {
@@ -65,7 +66,7 @@ struct Config {
   authority::MotionConfig motion;
   physics::CraneConfig crane;
   StartConfig start;
-  std::string scene = "flat";  // a kind of terrain, row, a name in models/scene or a path
+  std::string scene = "flat";  // a kind of terrain, "row", a name in models/scene or a path
   terrain::TerrainSpec terrain;
   robot::RandomizationSpec randomization;
   robot::RobotSpec robot;

@@ -13,7 +13,7 @@ bool Holds(const std::filesystem::path& directory) {
   return std::filesystem::is_directory(directory / "config" / "robots", error);
 }
 
-// What a robot serves, which is elsewhere in the source tree.
+// A file that the server serves; its place in the source tree differs.
 std::filesystem::path Served(const char* name, const char* source) {
   const char* variable = std::getenv("UNDERSTUDY_DATA_DIR");
   if (variable != nullptr && *variable != '\0') return std::filesystem::path(variable) / name;

@@ -1,22 +1,22 @@
-// Where models and robot files are.
+// Finds the models, the robot files and the files that the server serves.
 #pragma once
 
 #include <filesystem>
 
 namespace understudy::config {
 
-// The directory that holds config/robots and models: $UNDERSTUDY_DATA_DIR where that is set, else
-// share/understudy beside the program's bin, else the source tree this was built from. Throws
-// ConfigError when the variable names no directory or none of them exists.
+// Returns the directory that holds config/robots and models: $UNDERSTUDY_DATA_DIR if it is set,
+// else share/understudy beside the program's bin, else the source tree of the build. Throws
+// ConfigError if the variable names a directory without them or if none of the three has them.
 std::filesystem::path DataDir();
 
-// The same with the environment, the program and the source tree given; `variable` may be null.
+// The same with the variable's value (null if unset), the program and the source tree given.
 std::filesystem::path FindDataDir(const char* variable, const std::filesystem::path& program,
                                   const std::filesystem::path& source);
 
-// The folder of the panel's files, and the document of the control plane's routes: panel/ and
-// openapi.yaml in $UNDERSTUDY_DATA_DIR where that is set, else in share/understudy beside the
-// program's bin, else in the source tree. They need not exist.
+// Return the folder of the panel's files and the OpenAPI document: panel/ and openapi.yaml in
+// $UNDERSTUDY_DATA_DIR if it is set, else in share/understudy beside the program's bin, else their
+// places in the source tree. They may not exist.
 std::filesystem::path PanelDir();
 std::filesystem::path OpenApiFile();
 

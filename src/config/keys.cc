@@ -7,7 +7,7 @@ namespace understudy::config {
 namespace {
 
 void DescribeNetwork(Archive& a, NetworkConfig& c) {
-  a.Key(UNDERSTUDY_NVP(c.interface), {"Network interface to speak on; lo stays on this machine"});
+  a.Key(UNDERSTUDY_NVP(c.interface), {"Network interface for DDS; lo stays on this machine"});
   a.Key(UNDERSTUDY_NVP(c.domain),
         {"", {0, 232}, "DDS domain; robots and the vendor's programs use 0"});
 }
@@ -16,24 +16,23 @@ void DescribeGuard(Archive& a, GuardConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.listen_loopback),
         {"s",
          {0, 10},
-         "Wall time to listen for another robot on lo before the first word (the default is "
+         "Wall time to listen for another robot on lo before publishing (the default is "
          "assumed)"});
   a.Key(UNDERSTUDY_NVP(c.listen_network),
         {"s", {0, 60}, "The same on every other interface (the default is assumed)"});
   a.Choice(UNDERSTUDY_NVP(c.on_stranger),
-           {"What to do when another robot speaks after we have started; warn also starts beside a "
-            "writer of rt/lowstate that has not spoken"},
+           {"What to do when another robot publishes after the start; warn also starts beside a "
+            "writer of rt/lowstate that has not published"},
            {"silence", "warn", "stop"});
 }
 
 void DescribeControl(Archive& a, ControlConfig& c) {
-  a.Key(UNDERSTUDY_NVP(c.panel),
-        {"Serve the panel and all that ctl can do over TCP, for a browser"});
+  a.Key(UNDERSTUDY_NVP(c.panel), {"Serve the panel and the routes of ctl over TCP, for a browser"});
   a.Key(UNDERSTUDY_NVP(c.address),
         {"IP address to serve it on; others than this machine's own can reach the robot "
          "on any but 127.0.0.1 and ::1"});
   a.Key(UNDERSTUDY_NVP(c.port),
-        {"", {0, 65535}, "TCP port; 0 is the first that is free from 7707 on (which is assumed)"});
+        {"", {0, 65535}, "TCP port; 0 is the first free one from 7707 up (assumed)"});
 }
 
 void DescribeTime(Archive& a, TimeConfig& c) {
@@ -47,7 +46,7 @@ void DescribeTime(Archive& a, TimeConfig& c) {
 void DescribePhysics(Archive& a, PhysicsConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.timestep),
         {"s", {0.0001, 0.01}, "Physics step and period of the motor law (the default is assumed)"});
-  a.Choice(UNDERSTUDY_NVP(c.on_divergence), {"What to do when the physics leaves all bounds"},
+  a.Choice(UNDERSTUDY_NVP(c.on_divergence), {"What to do when the physics diverges"},
            {"stop", "reset"});
 }
 
@@ -73,10 +72,10 @@ void DescribeGate(Archive& a, authority::GateConfig& c) {
 
 void DescribeMotion(Archive& a, authority::MotionConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.service),
-        {"Motion service that moves the robot at the start, by its alias in robot.services; none: "
-         "rt/lowcmd does; \"\": the first that robot.firmware has"});
-  a.Key(UNDERSTUDY_NVP(c.fight),
-        {"Follow rt/lowcmd although a motion service is on: motors do what either said last"});
+        {"Motion service that is on at the start, by its alias in robot.services; none: rt/lowcmd "
+         "moves the motors; \"\": the first that robot.firmware has"});
+  a.Key(UNDERSTUDY_NVP(c.fight), {"Follow rt/lowcmd while a motion service is on: motors follow "
+                                  "the latest command of either"});
 }
 
 void DescribeCrane(Archive& a, physics::CraneConfig& c) {
@@ -94,6 +93,10 @@ void DescribeStart(Archive& a, StartConfig& c) {
   std::vector<std::string> words = StartPoses();
   words.insert(words.begin(), "");
   a.Word(UNDERSTUDY_NVP(c.pose), {"Pose the run starts in; \"\" is robot.default_start"}, words);
+  a.Key(UNDERSTUDY_NVP(c.at),
+        {"m, m, rad",
+         {-1000, 1000},
+         "x, y and yaw in the world at the start and after a reset; a fixed base stays"});
 }
 
 }  // namespace
@@ -107,22 +110,21 @@ const std::vector<std::string>& StartPoses() {
 void Describe(Archive& a, Config& c) {
   DescribeScene(a, c);
   a.Section(UNDERSTUDY_NVP(c.network), {"Where to speak"}, DescribeNetwork);
-  a.Section(UNDERSTUDY_NVP(c.guard), {"Care for other robots on the network"}, DescribeGuard);
+  a.Section(UNDERSTUDY_NVP(c.guard), {"Protection of other robots on the network"}, DescribeGuard);
   a.Section(UNDERSTUDY_NVP(c.control), {"The panel's address"}, DescribeControl);
   a.Section(UNDERSTUDY_NVP(c.time), {"How time passes"}, DescribeTime);
   a.Section(UNDERSTUDY_NVP(c.physics), {"How physics is computed"}, DescribePhysics);
-  a.Section(UNDERSTUDY_NVP(c.sensors), {"How readings differ from the truth"}, DescribeSensors);
+  a.Section(UNDERSTUDY_NVP(c.sensors), {"Quantisation and noise of the sensors"}, DescribeSensors);
   a.Section(UNDERSTUDY_NVP(c.gate), {"Which commands the motors follow"}, DescribeGate, "mode");
-  a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's own motion service"}, DescribeMotion,
-            "service");
+  a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's motion service"}, DescribeMotion, "service");
   a.Section(UNDERSTUDY_NVP(c.crane), {"The tether a robot hangs from"}, DescribeCrane);
   a.Section(UNDERSTUDY_NVP(c.start), {"How a run begins"}, DescribeStart);
   a.Section(UNDERSTUDY_NVP(c.randomization),
-            {"What is drawn by chance at the start, each from [least, most]; [] leaves it "
+            {"Quantities drawn at random at the start, each from [least, most]; [] leaves it "
              "(docs/randomization.md)"},
             DescribeRandomization);
-  a.Section(UNDERSTUDY_NVP(c.robot), {"What the robot is; config/robots holds one file per robot"},
-            Describe);
+  a.Section(UNDERSTUDY_NVP(c.robot),
+            {"Description of the robot; config/robots has one file per robot"}, Describe);
 }
 
 }  // namespace understudy::config

@@ -1,4 +1,4 @@
-// The keys of the configuration, one row each.
+// Lists the keys of the configuration, one row each.
 #pragma once
 
 #include <limits>
@@ -12,12 +12,12 @@ namespace understudy::config {
 
 inline constexpr double kMaxInt = std::numeric_limits<int>::max();
 
-// The poses a run can start in.
+// Returns the poses that a run can start in.
 const std::vector<std::string>& StartPoses();
 
 void Describe(Archive& archive, Config& config);
 void Describe(Archive& archive, robot::RobotSpec& robot);
-// `scene` and `terrain` alone, which is what a scene's own YAML file may hold.
+// Only `scene` and `terrain`, which are the keys that a scene's YAML file may have.
 void DescribeScene(Archive& archive, Config& config);
 
 }  // namespace understudy::config

@@ -48,7 +48,8 @@ bool IsSceneFile(const std::string& scene) {
   return scene.ends_with(".yaml") || scene.ends_with(".yml");
 }
 
-// The last word on the scene; "" where there is none. What is no text is refused when it is read.
+// The scene of the last layer that has one, else "". A scene that is not text is refused later,
+// when it is read.
 std::string LastScene(const std::vector<YamlValue>& trees) {
   std::string scene;
   for (const YamlValue& tree : trees) {
@@ -57,7 +58,7 @@ std::string LastScene(const std::vector<YamlValue>& trees) {
   return scene;
 }
 
-// A scene's own file lies below all other layers.
+// Adds the scene's YAML file below all other layers.
 void ReadSceneFile(const std::string& file, Config* config, Places* places) {
   config->scene = terrain::kPatchesScene;
   const YamlValue tree = ReadYamlFile(file);
@@ -69,7 +70,7 @@ void ReadSceneFile(const std::string& file, Config* config, Places* places) {
   }
 }
 
-// Takes out the motors of joints that are locked, whose names go to `left_out`.
+// Removes the motors of locked joints and adds their names to `left_out`.
 void LeaveOutLocked(robot::RobotSpec* robot, std::set<std::string>* left_out) {
   for (const std::string& joint : robot->locked_joints) {
     const auto motor = std::find_if(robot->motors.begin(), robot->motors.end(),
@@ -102,8 +103,9 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
     Reader reader(tree, places);
     Describe(reader, config);
     reader.Finish();
-    // Layer by layer, so that each one meets the motors that the printed configuration shows. One
-    // that lists all motors has left theirs out itself, as that configuration does.
+    // Removed after each layer, so that the next layer sees the motors of the printed
+    // configuration. A layer that lists all motors, as a printed configuration does, must itself
+    // leave out the locked ones.
     LeaveOutLocked(&config.robot, &left_out);
     const YamlValue* robot = tree.Find("robot");
     const YamlValue* motors = robot == nullptr ? nullptr : robot->Find("motors");
@@ -116,7 +118,7 @@ Config ReadLayers(const std::vector<YamlValue>& trees, Places* places) {
   return config;
 }
 
-// What a mapping of mappings holds at a path; null where it is not there.
+// The value at a path of nested mappings, null if there is none.
 const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string_view> path) {
   const YamlValue* value = &tree;
   for (const std::string_view key : path) {
@@ -127,8 +129,8 @@ const YamlValue* FindAt(const YamlValue& tree, std::initializer_list<std::string
   return value;
 }
 
-// Whether a layer over the robot's own, which are the first `own`, names another model and none
-// says whose joint figures to use.
+// Whether a layer after the robot's own, the first `own`, names another model while none of them
+// sets robot.dynamics.use.
 bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t own) {
   const YamlValue* own_model = nullptr;
   bool another = false;
@@ -146,7 +148,7 @@ bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t
   return another;
 }
 
-// The last word on the revision; null where there is none.
+// The revision of the last layer that has one, else null.
 const YamlValue* LastRevision(const std::vector<YamlValue>& trees) {
   const YamlValue* last = nullptr;
   for (const YamlValue& tree : trees) {
@@ -163,7 +165,8 @@ std::string Listed(const std::vector<std::string>& words) {
   return text;
 }
 
-// "; g1_23dof has: understudy run g1_23dof --revision 10", "" where no robot of ours has it.
+// A hint such as "; g1_23dof has: understudy run g1_23dof --revision 10", "" if no robot has the
+// revision.
 std::string WhoHas(const std::string& revision, const std::filesystem::path& data_dir) {
   for (const std::string& robot : RobotNames(data_dir)) {
     if (ReadRobotFile(robot, data_dir).FindRevision(revision) == nullptr) continue;
@@ -172,15 +175,15 @@ std::string WhoHas(const std::string& revision, const std::filesystem::path& dat
   return "";
 }
 
-// The layers of the revision that the trees ask for, none where they ask for none. What is no text
-// is refused when it is read.
+// The layers of the revision that the trees select; empty if they select none. A revision that is
+// not text is refused later, when it is read.
 std::vector<YamlValue> ChosenRevision(const RobotFile& file, const std::vector<YamlValue>& trees,
                                       const std::filesystem::path& data_dir) {
   const YamlValue* asked = LastRevision(trees);
   if (asked == nullptr || asked->text.empty()) return {};
   if (const RobotRevision* found = file.FindRevision(asked->text)) return found->trees;
   const std::vector<std::string> names = file.RevisionNames();
-  // A printed configuration that is a robot by itself says what it was, and has no others.
+  // A printed configuration used as a robot's file names its revision and lists no others.
   const YamlValue* own = LastRevision(file.trees);
   if (names.empty() && own != nullptr && own->text == asked->text) return {};
   throw ConfigError(asked->where + ": robot.revision: this robot has no revision '" +
@@ -218,7 +221,7 @@ Config LoadScene(const Layers& layers) {
 }
 
 std::string PrintConfig(const Config& config, bool with_comments) {
-  Config copy = config;  // an archive may write
+  Config copy = config;  // an archive takes mutable values
   Printer printer(with_comments);
   Describe(printer, copy);
   return printer.text();

@@ -1,4 +1,4 @@
-// From files and options to a Config.
+// Makes a Config of files and command-line options.
 #pragma once
 
 #include <filesystem>
@@ -10,7 +10,7 @@
 
 namespace understudy::config {
 
-// What a run is told, weakest first; all of it over the defaults in the structs.
+// The inputs of a configuration, weakest first. Keys that none of them has keep their defaults.
 struct Layers {
   std::string
       robot{};  // a name in config/robots, or the path of a YAML file (has '/' or ends .yaml)
@@ -19,24 +19,24 @@ struct Layers {
       sets{};  // --set KEY=VALUE, in order; keys dotted, list elements by index
 };
 
-// The effective configuration, validated. A robot file is a layer like the others: its `robot`
-// section says what the robot is, its other keys are that robot's run defaults. It may extend
-// another and have revisions (config/robot_file.h), of which the last `robot.revision` of all
-// layers is laid over it, below the other layers; faults in the rest are for `understudy check` to
-// find. A relative `robot.model` that is a file beside the YAML that names it becomes absolute. A
-// `scene` that is a YAML file is a layer below all of them; the configuration then has the scene it
-// names, or row. Throws ConfigError.
+// Returns the effective, validated configuration. Layers are read in order, later ones override.
+// First comes `scene` if it is a YAML file; the result then has the scene that this file names, or
+// "row". Then come the robot's file, its revision, --config and --set. The robot's file has a
+// `robot` section and may have run defaults; it may extend another and have revisions
+// (config/robot_file.h). The last `robot.revision` of all layers selects the revision; the others
+// are not validated (`understudy check` does that). A relative `robot.model` beside the YAML file
+// that names it becomes absolute. Throws ConfigError.
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);
 
-// The same without a robot, for its `scene` and `terrain`: layers.robot is left out and only these
-// two are validated. Throws ConfigError.
+// The same without a robot: ignores layers.robot and validates only `scene` and `terrain`. Throws
+// ConfigError.
 Config LoadScene(const Layers& layers);
 
-// All keys and values as YAML. Given as a --config file over the same robot it yields the same
-// configuration, number by number. With comments, meaning, unit and range stand above each key.
+// Returns all keys and values as YAML. As a --config file for the same robot it gives exactly the
+// same configuration. `with_comments` adds meaning, unit and range above each key.
 std::string PrintConfig(const Config& config, bool with_comments);
 
-// What the emulator takes of a configuration, which has been validated.
+// Return the emulator's part of a validated configuration.
 emulator::WorldSettings WorldSettingsOf(const Config& config);
 emulator::RobotSettings RobotSettingsOf(const Config& config);
 

@@ -39,7 +39,7 @@ std::filesystem::path FindFile(const std::string& scene) {
 }
 
 void Remove(const std::filesystem::path& folder) {
-  std::error_code ignored;  // what is left in a temporary folder does no harm
+  std::error_code ignored;  // a file left in the temporary folder does no harm
   if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
 }
 

@@ -1,4 +1,4 @@
-// Which files a robot and a scene stand for.
+// Finds the MJCF file of a robot, and finds or makes that of a scene.
 #pragma once
 
 #include <filesystem>
@@ -9,16 +9,17 @@
 
 namespace understudy::config {
 
-// The robot's MJCF: below the data directory's models, or the absolute path its description names.
+// Returns the robot's MJCF file: robot.model below the data directory's models, or robot.model
+// itself if it is absolute.
 std::filesystem::path ModelFile(const robot::RobotSpec& robot);
 
-// The MJCF file of a scene. Ground that is made stands in a temporary folder that goes with this
-// object.
+// The MJCF file of a scene. Generated ground is in a temporary folder that this object owns and
+// removes.
 class SceneFile {
  public:
-  // A kind of terrain or row is made; another word is a file in models/scene, anything with an
-  // extension a path. Throws ModelError: what WriteTerrain throws, or, where there is no such file,
-  // the scenes there are and the nearest of them.
+  // Generates a kind of terrain or "row"; another word is a file in models/scene, a name with an
+  // extension a path. Throws ModelError as WriteTerrain does, or, if there is no such file, with
+  // the valid scenes and the nearest of them.
   SceneFile(const std::string& scene, const terrain::TerrainSpec& terrain);
   ~SceneFile();
   SceneFile(const SceneFile&) = delete;
@@ -28,7 +29,7 @@ class SceneFile {
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path made_;  // the folder; empty where nothing was made
+  std::filesystem::path made_;  // the temporary folder; empty if nothing was made
 };
 
 }  // namespace understudy::config

@@ -1,4 +1,4 @@
-// Writes the structs that a Describe function lists as YAML that a Reader reads back.
+// Prints the structs that a Describe function lists as YAML that a Reader can read back.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace understudy::config {
 
-// Lists of structs get one line per element, lists within an element and all. With comments,
-// meaning, unit and range stand above each key, and above a list once for all its elements.
+// Prints a list of structs one line per element, including the lists within it. With comments, it
+// adds meaning, unit and range above each key, and once above a list for all its elements.
 class Printer : public Archive {
  public:
   explicit Printer(bool with_comments) : with_comments_(with_comments) {}
@@ -23,7 +23,7 @@ class Printer : public Archive {
   void Leave() override { --depth_; }
 
  private:
-  // What Visit writes: a line of its own, an entry of the element's line, or a comment on it.
+  // What Visit writes: a line, an entry of a list element's line, or a comment on that entry.
   enum class Mode { kLine, kElement, kElementComment };
 
   std::string Indent() const { return std::string(2 * depth_, ' '); }

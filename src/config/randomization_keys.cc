@@ -7,11 +7,11 @@ namespace understudy::config {
 namespace {
 
 constexpr Range kScale{0, 100};
-constexpr Range kPositiveScale{0.01, 100};  // of what has no meaning at 0
+constexpr Range kPositiveScale{0.01, 100};  // for quantities that must not be 0
 
 using Spec = robot::RandomizationSpec;
 
-// A range under its own name.
+// The name and the member of a range.
 #define RANGE(name) #name, &Spec::name
 
 const std::array<RandomRange, 15> kRanges{{
@@ -19,7 +19,7 @@ const std::array<RandomRange, 15> kRanges{{
      {"", kPositiveScale, "Sliding friction of every contact: factor on the model's"}},
     {RANGE(mass),
      {"", kPositiveScale,
-      "Mass of each body of the robot: factor, which its inertia takes as well"}},
+      "Mass of each body of the robot: factor; its inertia is scaled by the same factor"}},
     {RANGE(base_com), {"m", {-1, 1}, "Centre of mass of the base: added, along each of its axes"}},
     {RANGE(inertia), {"", kPositiveScale, "Inertia of each body of the robot: factor"}},
     {RANGE(motor_strength), {"", kScale, "Torque of each motor, limit included: factor"}},
@@ -29,18 +29,19 @@ const std::array<RandomRange, 15> kRanges{{
     {RANGE(timestep),
      {"s",
       {0.0001, 0.01},
-      "Physics step in place of physics.timestep: of those that divide the periods of LowState and "
+      "Physics step in place of physics.timestep, drawn from those that divide the periods of "
+      "LowState and "
       "of the motion service"}},
-    {RANGE(kp), {"", kScale, "How much of a commanded kp acts, for each motor: factor"}},
-    {RANGE(kd), {"", kScale, "How much of a commanded kd acts, for each motor: factor"}},
+    {RANGE(kp), {"", kScale, "Effective kp of each motor: factor on the commanded one"}},
+    {RANGE(kd), {"", kScale, "Effective kd of each motor: factor on the commanded one"}},
     {RANGE(delay), {"s", {0, 0.1}, "Time from command to torque: added to robot.dynamics.delay"}},
     {RANGE(imu_mounting),
      {"rad",
       {-3.2, 3.2},
       "Rotation of each inertial unit from its place: the components of a rotation vector"}},
-    {RANGE(gravity_tilt), {"rad", {0, 1.5}, "Angle of gravity from the vertical, to any side"}},
-    {RANGE(floor_softness),
-     {"", kPositiveScale, "How far contacts give way under a load: factor on the model's"}},
+    {RANGE(gravity_tilt),
+     {"rad", {0, 1.5}, "Angle of gravity from the vertical, in a random direction"}},
+    {RANGE(floor_softness), {"", kPositiveScale, "Compliance of contacts: factor on the model's"}},
 }};
 
 #undef RANGE
@@ -58,7 +59,7 @@ void DescribeRandomization(Archive& a, robot::RandomizationSpec& r) {
   a.Key(UNDERSTUDY_NVP(r.seed),
         {"",
          {-1, kMaxInt},
-         "Seed of all that is drawn; -1 draws one, which the log and `ctl status` tell"});
+         "Seed of all draws; -1 draws a seed, which the log and `ctl status` show"});
   for (const RandomRange& range : kRanges) {
     a.Key(Named{range.name, &(r.*range.limits)}, range.about);
   }

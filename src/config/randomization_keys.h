@@ -1,4 +1,5 @@
-// The ranges of randomization, one row per quantity: read, printed, documented and checked from it.
+// Lists the ranges of randomization, one row per quantity. They are read, printed, documented and
+// checked by these rows.
 #pragma once
 
 #include <span>
@@ -11,14 +12,14 @@
 namespace understudy::config {
 
 struct RandomRange {
-  std::string_view name;  // of its key
+  std::string_view name;  // the key
   robot::RandomizationSpec::Limits robot::RandomizationSpec::*limits;
   About about;
 };
 
 std::span<const RandomRange> RandomRanges();
 
-// Whether anything is to be drawn.
+// Returns whether anything is drawn at random.
 bool IsRandom(const robot::RandomizationSpec& spec);
 
 void DescribeRandomization(Archive& a, robot::RandomizationSpec& r);

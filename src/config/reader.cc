@@ -17,7 +17,7 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
-// The whole token as a number, whatever the locale. YAML allows a leading plus.
+// Parses the whole token as a number, independent of the locale. YAML allows a leading plus.
 template <class T>
 std::optional<T> Parsed(std::string_view text) {
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
@@ -66,7 +66,7 @@ bool ReadWord(const YamlValue& value, const WordSlot& slot) {
   throw ConfigError(value.where + ": " + path + ": expected " + expected + ", got " + Shown(value));
 }
 
-// The index that a key of an {index or name: element} mapping stands for.
+// The index of the element that a key selects by index or name.
 std::size_t Index(const YamlValue& key, const std::string& path,
                   const std::vector<std::string>& names) {
   const std::optional<std::size_t> index = Parsed<std::size_t>(key.text);

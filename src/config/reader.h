@@ -1,4 +1,4 @@
-// Puts the values of a YAML tree into the structs that a Describe function lists.
+// Reads the values of a YAML tree into the structs that a Describe function lists.
 #pragma once
 
 #include <deque>
@@ -13,20 +13,19 @@
 
 namespace understudy::config {
 
-// Where each key that has been read stands, by its dotted path ("robot.motors.3.slot").
+// Where each key was read from ("go2.yaml:12"), by its dotted path ("robot.motors.3.slot").
 using Places = std::map<std::string, std::string>;
 
-// A key that is missing leaves its value as it is, so layers are read one after the other into the
-// same struct. A list replaces the list before it; a mapping from index or name to element changes
-// those elements only ({3: {slot: 4}, left_knee_joint: {hold_kp: 80}}). Every step throws
-// ConfigError with place, key, what was expected and what was found; the struct may then be half
-// read.
+// A missing key leaves its value unchanged, so several layers can be read into one struct. A list
+// replaces the previous list; a mapping from index or name to element changes only those elements
+// ({3: {slot: 4}, left_knee_joint: {hold_kp: 80}}). All functions throw ConfigError with place,
+// key, what was expected and what was found; the struct may then be partly read.
 class Reader : public Archive {
  public:
-  // `root` must outlive the reader; `places` is added to.
+  // `root` must outlive the reader. Adds what it reads to `places`.
   Reader(const YamlValue& root, Places* places);
 
-  // To be called after the outermost Describe: throws for a top-level key nobody asked for.
+  // Call it after the outermost Describe. Throws ConfigError for an unknown top-level key.
   void Finish() { RefuseUnknown(open_.back()); }
 
  protected:
@@ -38,24 +37,24 @@ class Reader : public Archive {
  private:
   struct Level {
     const YamlValue* map;
-    std::string path;                // with the dot that the next key follows
-    std::vector<std::string> known;  // keys asked for so far
+    std::string path;                // ends in a dot, "" at the top
+    std::vector<std::string> known;  // keys visited so far
   };
 
   void Open(const YamlValue& value, const std::string& path);
   void RefuseUnknown(const Level& level) const;
-  // The value of a key of the open mapping, null where it is missing. Notes key and place.
+  // Returns the value of a key of the open mapping, null if it is missing. Records key and place.
   const YamlValue* Ask(const Row& row);
   std::string Path(const Row& row) const { return open_.back().path + std::string(row.name); }
 
-  // Into `numbers`, the list of `slot`; a sequence has as many.
+  // Reads into `numbers`, the list of `slot`, which has as many elements as the sequence.
   template <class T>
   void ReadNumbers(const Row& row, const Slot& slot, const YamlValue& value, std::span<T> numbers);
   void ReadTexts(const Row& row, std::vector<std::string>* texts, const YamlValue& value);
 
   Places* places_;
   std::vector<Level> open_;
-  std::deque<YamlValue> made_;  // mappings that a bare word stood for
+  std::deque<YamlValue> made_;  // mappings made of scalars, for `scalar_key`
 };
 
 }  // namespace understudy::config

@@ -8,7 +8,7 @@
 namespace understudy::config {
 namespace {
 
-// A bar would end the cell of a Markdown table.
+// Escapes the bar, which would end the cell of a Markdown table.
 std::string Cell(std::string_view text) {
   std::string cell;
   for (const char c : text) cell += c == '|' ? std::string("\\|") : std::string(1, c);

@@ -1,4 +1,4 @@
-// Says what keys there are.
+// Writes docs/config.md's tables of keys.
 #pragma once
 
 #include <string>
@@ -6,11 +6,11 @@
 
 namespace understudy::config {
 
-// One Markdown table per section: key, unit, allowed values, default, meaning. Keys are dotted, as
-// --set takes them; [] in a key stands for the index of a list element.
+// Returns one Markdown table per section: key, unit, allowed values, default, meaning. Keys are
+// dotted, as in --set; [] in a key stands for the index of a list element.
 std::string ConfigReference();
 
-// All keys of that table, in its order.
+// Returns all keys of those tables, in their order.
 std::vector<std::string> ConfigKeys();
 
 }  // namespace understudy::config

@@ -1,6 +1,7 @@
 #include "config/robot_file.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <system_error>
@@ -23,13 +24,15 @@ bool IsFile(const std::string& robot) {
 
 path NamedFile(const std::string& robot, const std::string& where, const path& data_dir) {
   const std::vector<std::string> names = RobotNames(data_dir);
-  if (std::find(names.begin(), names.end(), robot) == names.end()) {
+  std::string name = robot;  // whatever its case: `Go2` is what the vendor writes
+  for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
     throw ConfigError(where + "robot '" + OneLine(robot) + "': unknown" + DidYouMean(robot, names));
   }
-  return data_dir / "config" / "robots" / (robot + ".yaml");
+  return data_dir / "config" / "robots" / (name + ".yaml");
 }
 
-// The value of a key, which the map has no longer.
+// Removes a key from the map and returns its value.
 std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
   for (std::size_t i = 0; i < map->keys.size(); ++i) {
     if (map->keys[i].text != key) continue;
@@ -69,7 +72,7 @@ void AddRevisions(YamlValue revisions, RobotFile* file) {
   }
 }
 
-// The file that another one extends: beside it, or a robot's name.
+// The file named by `extends`: a path relative to the extending file, or a robot's name.
 path Extended(const YamlValue& extends, const path& file, const path& data_dir) {
   if (extends.kind != YamlValue::Kind::kScalar) {
     throw ConfigError(extends.where + ": " + kExtends + ": expected a robot's name or file, got " +
@@ -79,7 +82,7 @@ path Extended(const YamlValue& extends, const path& file, const path& data_dir) 
   return NamedFile(extends.text, extends.where + ": " + kExtends + ": ", data_dir);
 }
 
-// `seen`: the files that extend this one, itself not among them.
+// `seen`: the files that extend this one, without itself.
 void AddFile(const path& file, const path& data_dir, std::vector<path>* seen, RobotFile* result) {
   YamlValue tree = ReadLayer(file);
   seen->push_back(std::filesystem::weakly_canonical(file));

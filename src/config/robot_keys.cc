@@ -6,14 +6,14 @@
 namespace understudy::config {
 namespace {
 
-// What motors of the body and of hands have.
+// Keys that motors of the body and of hands share.
 void DescribeDrive(Archive& a, robot::MotorSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.torque_limit), {"N·m", kNotNegative, "Most torque at the joint"});
   a.Key(UNDERSTUDY_NVP(m.knee_speed),
         {"rad/s", kNotNegative,
-         "Speed up to which torque_limit is to be had; 0 leaves torque independent of speed"});
+         "Speed up to which torque_limit is available; 0 makes torque independent of speed"});
   a.Key(UNDERSTUDY_NVP(m.no_load_speed),
-        {"rad/s", kNotNegative, "Speed at which no driving torque is left"});
+        {"rad/s", kNotNegative, "Speed at which the available driving torque is 0"});
   a.Key(UNDERSTUDY_NVP(m.q_step),
         {"rad", kNotNegative, "Lattice of the reported angle; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.dq_step),
@@ -22,14 +22,14 @@ void DescribeDrive(Archive& a, robot::MotorSpec& m) {
         {"N·m", kNotNegative, "Lattice of the reported torque; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.armature),
         {"kg·m²", kNotNegative,
-         "Inertia of its rotor at the joint, over any other; 0 leaves that of dynamics and model"});
+         "Rotor inertia at the joint, over any other; 0 keeps that of dynamics and model"});
   a.Key(UNDERSTUDY_NVP(m.strength),
-        {"", {0, 100}, "Torque that it gives over the torque meant, limit included"});
-  a.Key(UNDERSTUDY_NVP(m.kp_scale), {"", {0, 100}, "How much of a commanded kp acts"});
-  a.Key(UNDERSTUDY_NVP(m.kd_scale), {"", {0, 100}, "How much of a commanded kd acts"});
+        {"", {0, 100}, "Actual over intended torque; scales the limit too"});
+  a.Key(UNDERSTUDY_NVP(m.kp_scale), {"", {0, 100}, "Effective over commanded kp"});
+  a.Key(UNDERSTUDY_NVP(m.kd_scale), {"", {0, 100}, "Effective over commanded kd"});
   a.Key(UNDERSTUDY_NVP(m.rise_per_nm2_c),
         {"°C/(N·m)²", kNotNegative,
-         "Steady rise per square of its torque; 0 is that of robot.thermal"});
+         "Steady rise of temperature per square of torque; 0 uses that of robot.thermal"});
 }
 
 void DescribeMotor(Archive& a, robot::MotorSpec& m) {
@@ -44,14 +44,14 @@ void DescribeMotor(Archive& a, robot::MotorSpec& m) {
 void DescribeBody(Archive& a, robot::BodySpec& b) {
   a.Key(UNDERSTUDY_NVP(b.name), {"Body of the model"});
   a.Key(UNDERSTUDY_NVP(b.pos),
-        {"m", {-10, 10}, "Its place in its parent's frame; none is the model's"});
+        {"m", {-10, 10}, "Position in the parent's frame; [] keeps the model's"});
   a.Key(UNDERSTUDY_NVP(b.mass), {"kg", {0, 1000}, "Its mass; 0 is the model's"});
   a.Key(UNDERSTUDY_NVP(b.com),
-        {"m", {-10, 10}, "Its centre of mass in its own frame; none is the model's"});
-  a.Key(UNDERSTUDY_NVP(b.inertia),
-        {"kg·m²",
-         {-1000, 1000},
-         "Its inertia about that, xx yy zz xy xz yz in its own frame; none is the model's"});
+        {"m", {-10, 10}, "Centre of mass in the body's frame; [] keeps the model's"});
+  a.Key(UNDERSTUDY_NVP(b.inertia), {"kg·m²",
+                                    {-1000, 1000},
+                                    "Inertia about the centre of mass, xx yy zz xy xz yz in the "
+                                    "body's frame; [] keeps the model's"});
 }
 
 void DescribeSite(Archive& a, robot::SiteSpec& s) {
@@ -65,48 +65,45 @@ void DescribeParallel(Archive& a, robot::ParallelSpec& p) {
   a.Key(UNDERSTUDY_NVP(p.roll),
         {"", {0, 34}, "Motor order index of the roll joint; its slot carries motor A"});
   a.Key(UNDERSTUDY_NVP(p.roll_ratio),
-        {"rad/rad", {0.01, 100}, "How far A and B part per roll angle"});
+        {"rad/rad", {0.01, 100}, "Difference of the angles of A and B per roll angle"});
 }
 
 void DescribeFitted(Archive& a, robot::FittedDynamicsSpec& f) {
   constexpr Range kOrModel{-1, std::numeric_limits<double>::infinity()};
   a.Key(UNDERSTUDY_NVP(f.slots),
-        {"", {0, 34}, "Slots of the motors whose joints these are; empty ones are passed over"});
+        {"", {0, 34}, "Slots of the motors of these joints; slots without a motor are skipped"});
   a.Key(UNDERSTUDY_NVP(f.armature),
         {"kg·m²", kOrModel, "Rotor inertia at the joint; below 0 is the model's"});
   a.Key(UNDERSTUDY_NVP(f.damping),
         {"N·m·s/rad", kOrModel, "Damping of the joint; below 0 is the model's"});
   a.Key(UNDERSTUDY_NVP(f.frictionloss),
         {"N·m", kOrModel, "Dry friction of the joint; below 0 is the model's"});
-  a.Key(UNDERSTUDY_NVP(f.kd_share),
-        {"",
-         {0, 10},
-         "How much of a commanded kd acts; of motors of a parallel pair in PR mode only"});
+  a.Key(
+      UNDERSTUDY_NVP(f.kd_share),
+      {"", {0, 10}, "Effective over commanded kd; for motors of a parallel pair in PR mode only"});
 }
 
 void DescribeDynamics(Archive& a, robot::DynamicsSpec& d) {
-  a.Choice(UNDERSTUDY_NVP(d.use),
-           {"Figures of joints and drives: catalogue, those of the model's file, or fitted to "
-            "recordings of real robots; another robot.model has its own unless this is said again"},
-           {"catalogue", "fitted"});
-  a.List(UNDERSTUDY_NVP(d.fitted), {"What the fit says; what it does not say is the model's"},
+  a.Choice(
+      UNDERSTUDY_NVP(d.use),
+      {"Joint friction, damping and armature: catalogue, as in the model's file, or fitted to "
+       "recordings of real robots; setting robot.model selects catalogue unless this is set too"},
+      {"catalogue", "fitted"});
+  a.List(UNDERSTUDY_NVP(d.fitted), {"Fitted figures; joints without any keep the model's"},
          DescribeFitted);
   a.Key(UNDERSTUDY_NVP(d.delay),
-        {"s",
-         {0, 0.1},
-         "Time from when motors would follow a command to its torque, to the nearest step"});
+        {"s", {0, 0.1}, "Delay from a command to its torque, rounded to physics steps"});
 }
 
 void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.joint), {"Joint of the model that it drives"});
   DescribeDrive(a, m);
-  a.Key(UNDERSTUDY_NVP(m.lock_kd),
-        {"N·m·s/rad", {0, 100}, "Gain with which it brakes while it is locked"});
+  a.Key(UNDERSTUDY_NVP(m.lock_kd), {"N·m·s/rad", {0, 100}, "Damping gain while it is locked"});
 }
 
 void DescribePad(Archive& a, robot::PadSpec& p) {
   a.Key(UNDERSTUDY_NVP(p.taxels),
-        {"", {0, 11}, "Places in pressure that it has; the others show no value"});
+        {"", {0, 11}, "Indices in pressure of its taxels; the others show no value"});
 }
 
 void DescribeHand(Archive& a, robot::HandSpec& h) {
@@ -115,12 +112,12 @@ void DescribeHand(Archive& a, robot::HandSpec& h) {
         {"Its topics are rt/<topic>/cmd, rt/<topic>/state and rt/lf/<topic>/state"});
   a.List(UNDERSTUDY_NVP(h.motors), {"Its motors, in the order of motor_cmd and motor_state"},
          DescribeHandMotor);
-  a.List(UNDERSTUDY_NVP(h.pads), {"What feels pressure, in the order of press_sensor_state"},
+  a.List(UNDERSTUDY_NVP(h.pads), {"Pressure sensors, in the order of press_sensor_state"},
          DescribePad);
   a.Key(UNDERSTUDY_NVP(h.timeout),
         {"s",
          {0.001, 3600},
-         "Simulated time without a taken command until motors lock that commands have watched"});
+         "Simulated time without a taken command after which watched motors lock"});
   a.Key(UNDERSTUDY_NVP(h.temperature_c), {"°C", {-100, 150}, "Temperature that pads show"});
   a.Key(UNDERSTUDY_NVP(h.supply_v), {"V", {0, 100}, "Voltage that power_v shows"});
 }
@@ -128,12 +125,11 @@ void DescribeHand(Archive& a, robot::HandSpec& h) {
 void DescribeFoot(Archive& a, robot::FootSpec& f) {
   a.Key(UNDERSTUDY_NVP(f.name), {"Its name"});
   a.Key(UNDERSTUDY_NVP(f.geoms), {"Geoms of the model whose contacts are this foot's"});
-  a.Key(
-      UNDERSTUDY_NVP(f.axis),
-      {"",
-       {-1, 1},
-       "Direction that the sensor feels, in the frame of the geoms' body; 0 0 0 is each contact's "
-       "normal"});
+  a.Key(UNDERSTUDY_NVP(f.axis), {"",
+                                 {-1, 1},
+                                 "Direction in which the sensor measures, in the frame of the "
+                                 "geoms' body; 0 0 0 is each contact's "
+                                 "normal"});
 }
 
 void DescribePose(Archive& a, robot::PoseSpec& p) {
@@ -157,39 +153,39 @@ void DescribeService(Archive& a, robot::ServiceSpec& s) {
   a.Key(UNDERSTUDY_NVP(s.name), {"Its name, as robot_state lists it"});
   a.Key(UNDERSTUDY_NVP(s.alias), {"What motion_switcher calls it; \"\" when it moves no motors"});
   a.Key(UNDERSTUDY_NVP(s.on),
-        {"Whether it runs after boot; of motion services, motion.service says which"});
-  a.Key(UNDERSTUDY_NVP(s.protect), {"Whether it refuses to be switched"});
-  a.Key(UNDERSTUDY_NVP(s.since), {"Firmware from which on it is there; \"\" is always"});
-  a.Key(UNDERSTUDY_NVP(s.before), {"Firmware from which on it is gone; \"\" is never"});
+        {"Whether it runs after boot; for motion services motion.service decides"});
+  a.Key(UNDERSTUDY_NVP(s.protect), {"Whether requests to switch it on or off are refused"});
+  a.Key(UNDERSTUDY_NVP(s.since), {"First firmware that has it; \"\" is any"});
+  a.Key(UNDERSTUDY_NVP(s.before), {"First firmware that no longer has it; \"\" is none"});
 }
 
 void DescribeArmSdk(Archive& a, robot::ArmSdkSpec& s) {
   a.Key(UNDERSTUDY_NVP(s.slots),
-        {"", {0, 34}, "Slots of the motors it moves; none where there is no rt/arm_sdk"});
+        {"", {0, 34}, "Slots of the motors it moves; [] if the robot has no rt/arm_sdk"});
   a.Key(UNDERSTUDY_NVP(s.weight_slot), {"", {0, 34}, "Slot whose q is the weight, 0 to 1"});
   a.Key(UNDERSTUDY_NVP(s.weight_in_mode_pr),
         {"Whether mode_pr is the weight in percent, as on R1"});
-  a.Key(UNDERSTUDY_NVP(s.timeout),
-        {"s", {0, 3600}, "Age at which a command no longer counts; 0 is never"});
+  a.Key(UNDERSTUDY_NVP(s.timeout), {"s", {0, 3600}, "Age at which a command expires; 0 is never"});
 }
 
 void DescribeChord(Archive& a, robot::ChordSpec& c) {
-  a.Key(UNDERSTUDY_NVP(c.keys), {"Keys that are held, as in L2+B"});
-  a.Key(UNDERSTUDY_NVP(c.clicks),
-        {"", {1, 2}, "How often the last of them is pressed within half a second"});
+  a.Key(UNDERSTUDY_NVP(c.keys), {"Keys held together, as in L2+B"});
+  a.Key(UNDERSTUDY_NVP(c.clicks), {"", {1, 2}, "Presses of the last key within half a second"});
   a.Word(UNDERSTUDY_NVP(c.does), {"What the robot is asked for"}, authority::ChordActions());
-  a.Key(UNDERSTUDY_NVP(c.value), {"", {0, 1e6}, "State or action id, where that takes one"});
-  a.Key(UNDERSTUDY_NVP(c.from), {"", {0, 1e6}, "Ids of the states in which it works; none is all"});
+  a.Key(UNDERSTUDY_NVP(c.value),
+        {"", {0, 1e6}, "Id of the state or arm action, for goals that take one"});
+  a.Key(UNDERSTUDY_NVP(c.from), {"", {0, 1e6}, "Ids of the states in which it works; [] is all"});
 }
 
 void DescribeRemote(Archive& a, robot::RemoteSpec& r) {
-  a.List(UNDERSTUDY_NVP(r.chords), {"What keys do while the motion service is on"}, DescribeChord);
+  a.List(UNDERSTUDY_NVP(r.chords), {"Chords that work while the motion service is on"},
+         DescribeChord);
   a.Key(UNDERSTUDY_NVP(r.speed),
-        {"m/s, rad/s", {0, 10}, "Forward, left and turning speed of sticks fully moved"});
+        {"m/s, rad/s", {0, 10}, "Forward, left and turning speed at full stick"});
 }
 
 void DescribeImu(Archive& a, robot::ImuSpec& i) {
-  a.Key(UNDERSTUDY_NVP(i.site), {"Site of the model where LowState's unit is"});
+  a.Key(UNDERSTUDY_NVP(i.site), {"Site of the model at which LowState's IMU is"});
   a.Key(UNDERSTUDY_NVP(i.secondary_site), {"Site of the second unit; \"\" where there is none"});
   a.Key(UNDERSTUDY_NVP(i.gyro_step),
         {"rad/s", kNotNegative, "Lattice of the gyroscope; 0 is none"});
@@ -228,9 +224,10 @@ void DescribeBattery(Archive& a, robot::BatterySpec& b) {
 
 void DescribeThermal(Archive& a, robot::ThermalSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.ambient_c), {"°C", {-50, 80}, "Air temperature"});
-  a.Key(UNDERSTUDY_NVP(t.rest_rise_c), {"°C", kNotNegative, "How much warmer an idle motor is"});
+  a.Key(UNDERSTUDY_NVP(t.rest_rise_c),
+        {"°C", kNotNegative, "Temperature of an idle motor above ambient"});
   a.Key(UNDERSTUDY_NVP(t.rise_per_nm2_c),
-        {"°C/(N·m)²", kNotNegative, "Steady rise per square of its torque"});
+        {"°C/(N·m)²", kNotNegative, "Steady rise of temperature per square of torque"});
   a.Key(UNDERSTUDY_NVP(t.time_constant), {"s", {1, 1e6}, "Time constant of the rise"});
 }
 
@@ -241,8 +238,9 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   a.Key(UNDERSTUDY_NVP(h.squat), {"", kId, "State with joints locked in squat_q; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.sit), {"", kId, "State with joints locked in sit_q; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.balanced_squat),
-        {"", kId, "State that squats down balanced and rises again; -1 is none"});
-  a.Key(UNDERSTUDY_NVP(h.unplayed), {"", kId, "States that the robot has and nothing here plays"});
+        {"", kId, "State that squats and rises again while balancing; -1 is none"});
+  a.Key(UNDERSTUDY_NVP(h.unplayed),
+        {"", kId, "States that the real robot has and that are not simulated"});
   a.Key(UNDERSTUDY_NVP(h.squat_q), {"rad", {-10, 10}, "Joint angles of the squat in motor order"});
   a.Key(UNDERSTUDY_NVP(h.sit_q), {"rad", {-10, 10}, "Joint angles of sitting in motor order"});
   a.Key(UNDERSTUDY_NVP(h.arm_actions), {"Whether arms wave, shake hands and so on"});
@@ -254,29 +252,34 @@ void DescribeWalk(Archive& a, robot::WalkSpec& w) {
   a.Key(UNDERSTUDY_NVP(w.foot_raise), {"m", {0, 0.5}, "How far a swinging foot is lifted"});
   a.Key(UNDERSTUDY_NVP(w.friction), {"", {0.05, 2}, "Friction of the ground that it counts on"});
   a.Key(UNDERSTUDY_NVP(w.least_speed),
-        {"m/s, m/s, rad/s", {-10, 0}, "Least forward, left, turn that it takes of a command"});
+        {"m/s, m/s, rad/s", {-10, 0}, "Lower limits of a command: forward, left, turn"});
   a.Key(UNDERSTUDY_NVP(w.most_speed), {"m/s, m/s, rad/s", {0, 10}, "Most of these"});
   a.Key(UNDERSTUDY_NVP(w.dead_band),
-        {"m/s, m/s, rad/s", {0, 1}, "A command that is within all of these is none"});
+        {"m/s, m/s, rad/s", {0, 1}, "Dead zone: a command within all of these counts as zero"});
   a.Key(UNDERSTUDY_NVP(w.gain), {"", {0, 2}, "Velocity over the command, forward, left, turn"});
   a.Key(UNDERSTUDY_NVP(w.time_constant), {"s", {0.01, 5}, "In which it follows, likewise"});
   a.Key(UNDERSTUDY_NVP(w.dead_time), {"s", {0, 0.25}, "Until it begins to"});
-  a.Key(UNDERSTUDY_NVP(w.turn_scrub), {"", {0.5, 5}, "How much faster wheels run in a turn"});
+  a.Key(UNDERSTUDY_NVP(w.turn_scrub),
+        {"", {0.5, 5}, "Speed of wheels in a turn over that of rolling without slip"});
 }
 
 void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.stand_height), {"m", {0, 2}, "Height of the base standing"});
-  a.Key(UNDERSTUDY_NVP(m.foot_x), {"m", {-1, 1}, "How far the feet stand ahead of the hips"});
+  a.Key(UNDERSTUDY_NVP(m.foot_x), {"m", {-1, 1}, "How far ahead of the hips the feet stand"});
   a.Key(UNDERSTUDY_NVP(m.height_range),
-        {"m", {-1, 1}, "Least and most that it may be over stand_height"});
+        {"m", {-1, 1}, "Lower and upper limit of body height over stand_height"});
   a.Key(UNDERSTUDY_NVP(m.euler_range),
-        {"rad", {0, 1.5}, "Most roll, pitch, yaw of the body either way"});
+        {"rad", {0, 1.5}, "Largest roll, pitch and yaw of the body to either side"});
   a.Key(UNDERSTUDY_NVP(m.sit),
-        {"", {-2, 2}, "Base when sitting: m ahead, m over stand_height, rad of pitch"});
+        {"",
+         {-2, 2},
+         "Base when sitting: m ahead of the balanced stand, m over stand_height, rad of pitch"});
+  a.Key(UNDERSTUDY_NVP(m.stands_up),
+        {"Whether a lying robot stands up by itself when its motion service starts"});
   a.Key(UNDERSTUDY_NVP(m.kp), {"N·m/rad", {1, 1e5}, "Gain of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.kd), {"N·m·s/rad", kNotNegative, "Damping of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.damping_kd),
-        {"N·m·s/rad", kNotNegative, "Damping of all joints when damped"});
+        {"N·m·s/rad", kNotNegative, "Damping of all joints in the damping state"});
   a.Key(UNDERSTUDY_NVP(m.wheel_kp),
         {"N·m/rad", kNotNegative, "Gain that keeps wheels in place while balancing"});
   a.Key(UNDERSTUDY_NVP(m.wheel_kd), {"N·m·s/rad", kNotNegative, "Damping that brakes wheels"});
@@ -295,27 +298,25 @@ void Describe(Archive& a, robot::RobotSpec& r) {
   a.Key(UNDERSTUDY_NVP(r.name), {"Short name"});
   a.Key(UNDERSTUDY_NVP(r.description), {"What it is, in a line"});
   a.Key(UNDERSTUDY_NVP(r.model),
-        {"Model file: absolute, seen from the YAML that names it, or below models"});
+        {"Model file: absolute, relative to the YAML that names it, or below models"});
   a.Key(UNDERSTUDY_NVP(r.base_body), {"Body of the model that moves freely"});
-  a.Choice(
-      UNDERSTUDY_NVP(r.kind),
-      {"What it is built as: with four legs, those and wheels, or two legs and arms; the motion "
-       "service of any other only damps"},
-      {"other", "quadruped", "wheeled", "humanoid"});
+  a.Choice(UNDERSTUDY_NVP(r.kind),
+           {"Build: four legs, four legs with wheels, or two legs and two arms; for other, the "
+            "motion service only damps"},
+           {"other", "quadruped", "wheeled", "humanoid"});
   a.Choice(UNDERSTUDY_NVP(r.family), {"Message family on rt/lowcmd and rt/lowstate"}, {"go", "hg"});
-  a.Key(UNDERSTUDY_NVP(r.firmware), {"Version of the robot's software that is played"});
+  a.Key(UNDERSTUDY_NVP(r.firmware), {"Version of the robot's software that is simulated"});
   a.Key(UNDERSTUDY_NVP(r.state_id_since),
-        {"Firmware from which on states are told by the state machine's id: in go's SportModeState "
-         "in error_code, in hg on rt/sportmodestate; \"\" is never"});
+        {"First firmware that publishes the state machine's id: go in error_code of "
+         "SportModeState, hg on rt/sportmodestate; \"\" is none"});
   a.Key(UNDERSTUDY_NVP(r.mode_machine),
-        {"", {0, 255}, "Robot type that an hg robot announces and commands echo"});
+        {"", {0, 255}, "Robot type that an hg robot publishes and that commands must repeat"});
   a.Key(UNDERSTUDY_NVP(r.revision),
         {"Hardware revision, one of those that the robot's file lists under robot.revisions; \"\" "
          "is none"});
-  a.Key(
-      UNDERSTUDY_NVP(r.locked_joints),
-      {"Joints that have no motor here and cannot move: theirs is left out of robot.motors and of "
-       "every pose, and the model holds them fast where it has them"});
+  a.Key(UNDERSTUDY_NVP(r.locked_joints),
+        {"Joints that cannot move: their motors are removed from robot.motors and from every pose, "
+         "and the model fixes the joints"});
   a.List(UNDERSTUDY_NVP(r.bodies), {"Bodies that differ from the model file"}, DescribeBody,
          &robot::BodySpec::name);
   a.List(UNDERSTUDY_NVP(r.sites), {"Sites that differ from the model file"}, DescribeSite,
@@ -326,17 +327,19 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          DescribeParallel);
   a.Section(UNDERSTUDY_NVP(r.dynamics), {"Friction, damping and inertia of joints; drives"},
             DescribeDynamics, "use");
-  a.List(UNDERSTUDY_NVP(r.hands), {"Hands that have motors of their own; hg only"}, DescribeHand);
+  a.List(UNDERSTUDY_NVP(r.hands), {"Hands with motors and topics; hg only"}, DescribeHand);
   a.Section(UNDERSTUDY_NVP(r.imu), {"Inertial units"}, DescribeImu);
   a.Section(UNDERSTUDY_NVP(r.encoder_noise),
-            {"Noise of motor readings, in steps of the motor's own lattice"}, DescribeEncoderNoise);
+            {"Noise of motor readings, in steps of the motor's lattice"}, DescribeEncoderNoise);
   a.List(UNDERSTUDY_NVP(r.feet), {"Feet, in the order of foot_force"}, DescribeFoot,
          &robot::FootSpec::name);
   a.Section(UNDERSTUDY_NVP(r.foot_sensor), {"What foot_force shows"}, DescribeFootSensor);
   a.Section(UNDERSTUDY_NVP(r.rates), {"How often topics are written"}, DescribeRates);
-  a.List(UNDERSTUDY_NVP(r.services), {"Programs on the robot's own computer"}, DescribeService,
+  a.List(UNDERSTUDY_NVP(r.services),
+         {"Programs on the robot's computer, as robot_state lists them"}, DescribeService,
          &robot::ServiceSpec::name);
-  a.Key(UNDERSTUDY_NVP(r.apis), {"What answers requests: names of the tables in docs/services.md"});
+  a.Key(UNDERSTUDY_NVP(r.apis),
+        {"Services that answer requests: names of the tables in docs/services.md"});
   a.Key(UNDERSTUDY_NVP(r.arm_action_state), {"Whether rt/arm/action/state is written; hg only"});
   a.Section(UNDERSTUDY_NVP(r.arm_sdk), {"rt/arm_sdk: commands mixed over the motion service's"},
             DescribeArmSdk);
@@ -348,8 +351,8 @@ void Describe(Archive& a, robot::RobotSpec& r) {
   a.Section(UNDERSTUDY_NVP(r.lying), {"Pose on the ground, passive"}, DescribePose);
   a.Section(UNDERSTUDY_NVP(r.standing), {"Pose of standing"}, DescribePose);
   a.Section(UNDERSTUDY_NVP(r.hanging), {"Pose on the crane or clamped"}, DescribePose);
-  a.Section(UNDERSTUDY_NVP(r.motion), {"The robot's own motion service"}, DescribeMotion);
-  a.Key(UNDERSTUDY_NVP(r.crane_body), {"Body of the model that the crane's hook is in"});
+  a.Section(UNDERSTUDY_NVP(r.motion), {"The robot's motion service"}, DescribeMotion);
+  a.Key(UNDERSTUDY_NVP(r.crane_body), {"Body of the model to which the crane's hook is fixed"});
   a.Key(UNDERSTUDY_NVP(r.crane_point), {"m", {-5, 5}, "The hook in that body's frame"});
   a.Word(UNDERSTUDY_NVP(r.default_start), {"Pose a run starts in unless start.pose says otherwise"},
          StartPoses());

@@ -6,7 +6,7 @@ namespace {
 void DescribePatch(Archive& a, terrain::TerrainPatch& p) {
   a.Word(UNDERSTUDY_NVP(p.kind), {"What it is"}, terrain::TerrainKinds());
   a.Key(UNDERSTUDY_NVP(p.difficulty), {"", {-1, 1}, "From 0 to 1; below 0 is terrain.difficulty"});
-  a.Key(UNDERSTUDY_NVP(p.friction), {"", {0, 5}, "As terrain.friction, which 0 stands for"});
+  a.Key(UNDERSTUDY_NVP(p.friction), {"", {0, 5}, "As terrain.friction; 0 uses that"});
   a.Key(UNDERSTUDY_NVP(p.length),
         {"m", {0, 100}, "Along +x, at least 2; 0 is the first of terrain.size"});
   a.Key(UNDERSTUDY_NVP(p.image), {"As terrain.image, which \"\" stands for"});
@@ -14,7 +14,7 @@ void DescribePatch(Archive& a, terrain::TerrainPatch& p) {
 
 void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.difficulty),
-        {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/terrain.md says how hard that is"});
+        {"", {0, 1}, "0 is nearly flat, 1 the hardest; docs/terrain.md has the figures"});
   a.Key(UNDERSTUDY_NVP(t.friction),
         {"",
          {0, 5},
@@ -22,11 +22,11 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
          "what the robot's model says"});
   a.Key(UNDERSTUDY_NVP(t.size),
         {"m", {2, 100}, "Length of a patch along +x, width along y (defaults assumed)"});
-  a.Key(UNDERSTUDY_NVP(t.seed), {"", {0, kMaxInt}, "Seed of all that is random in it"});
+  a.Key(UNDERSTUDY_NVP(t.seed), {"", {0, kMaxInt}, "Seed of its random parts"});
   a.Key(UNDERSTUDY_NVP(t.image),
-        {"Grey PNG or PGM of kind image; a pixel is a point of the ground"});
+        {"Grey PNG or PGM for kind image; each pixel is a grid point of the ground"});
   a.Key(UNDERSTUDY_NVP(t.image_height),
-        {"m", {0, 50}, "Height of white over black at difficulty 1 (the default is assumed)"});
+        {"m", {0, 50}, "Height of white above black at difficulty 1 (the default is assumed)"});
   a.List(UNDERSTUDY_NVP(t.patches), {"Patches of scene row, one after another along +x"},
          DescribePatch);
 }
@@ -35,9 +35,9 @@ void DescribeTerrain(Archive& a, terrain::TerrainSpec& t) {
 
 void DescribeScene(Archive& a, Config& c) {
   a.Key(UNDERSTUDY_NVP(c.scene),
-        {"Ground to stand on: a kind of terrain, row for terrain.patches, a name in models/scene, "
-         "an MJCF file, or a YAML file that holds scene and terrain"});
-  a.Section(UNDERSTUDY_NVP(c.terrain), {"Ground that is made (docs/terrain.md)"}, DescribeTerrain);
+        {"Ground: a kind of terrain, row for terrain.patches, a name in models/scene, an MJCF "
+         "file, or a YAML file with scene and terrain"});
+  a.Section(UNDERSTUDY_NVP(c.terrain), {"Generated ground (docs/terrain.md)"}, DescribeTerrain);
 }
 
 }  // namespace understudy::config

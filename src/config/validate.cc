@@ -68,6 +68,13 @@ void CheckMotionService(const Config& config, const Checker& checker) {
   checker.Check(known, "motion.service",
                 "firmware '" + config.robot.firmware + "' has no motion service '" + wanted + "'" +
                     DidYouMean(wanted, words));
+  const std::string& pose = config.start.pose;
+  const bool falls = config.robot.kind == robot::RobotKind::kHumanoid &&
+                     wanted == authority::kNoService &&
+                     (pose.empty() ? config.robot.default_start : pose) == "standing";
+  checker.Check(!falls, "start.pose",
+                "a standing humanoid falls while no motion service balances it; start it hanging "
+                "(lower it with `understudy ctl crane lower`) or clamped (`ctl clamp off`)");
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What has to fit together across keys.
+// Checks conditions that span several keys.
 #pragma once
 
 #include "config/config.h"
@@ -6,14 +6,13 @@
 
 namespace understudy::config {
 
-// Throws ConfigError at the first thing that does not fit: what ValidateTerrain and ValidateRobot
-// refuse; rates that are no whole number of physics steps, or that rt/lowstate's rate is no
-// multiple of; a motion service or a pose that the robot has not. `places` tells where each key was
-// set.
+// Throws ConfigError for the first failed condition: those of ValidateTerrain and ValidateRobot;
+// periods of rates must be whole numbers of physics steps, and lowstate_hz a multiple of the other
+// rates; the robot must have the motion service and the pose. `places` has where each key was set.
 void Validate(const Config& config, const Places& places = {});
 
-// The part of it about scene and terrain: row without patches, patches that nothing asks for, sizes
-// too small.
+// The conditions on scene and terrain: refuses row without patches, patches without row, and sizes
+// that are too small.
 void ValidateTerrain(const Config& config, const Places& places = {});
 
 }  // namespace understudy::config

@@ -22,9 +22,9 @@ namespace {
 // Motors that fit into one message: unitree_go LowCmd_.motor_cmd[20], unitree_hg's [35].
 constexpr int kGoSlots = 20;
 constexpr int kHgSlots = 35;
-constexpr std::size_t kHandMotors = 16;  // that the mode byte of a hand tells apart
+constexpr std::size_t kHandMotors = 16;  // ids of the mode byte of a hand
 
-// `list`: the key of the motors. `joints`: those that have a motor already.
+// `list` is the key of the motors, `joints` the joints that already have a motor.
 void CheckMotors(const std::vector<robot::MotorSpec>& motors, const std::string& list,
                  std::set<std::string>* joints, const Checker& checker) {
   for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -57,7 +57,7 @@ void CheckSlots(const robot::RobotSpec& robot, const Checker& checker) {
   }
 }
 
-// A part of a topic's name that DDS takes: words between slashes.
+// Whether it may be part of a DDS topic's name: words between slashes.
 bool IsTopic(const std::string& topic) {
   const auto fits = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '/';
@@ -122,7 +122,7 @@ void CheckDynamics(const robot::RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < dynamics.fitted.size(); ++i) {
     const std::string key = "robot.dynamics.fitted." + std::to_string(i) + ".slots";
     const std::vector<int>& slots = dynamics.fitted[i].slots;
-    // Some may be empty: a robot's next of kin has fewer motors.
+    // Some slots may have no motor: a variant of the robot may have fewer motors.
     checker.Check(std::any_of(robot.motors.begin(), robot.motors.end(),
                               [&slots](const robot::MotorSpec& motor) {
                                 return std::find(slots.begin(), slots.end(), motor.slot) !=
@@ -162,7 +162,7 @@ void CheckHumanoid(const robot::RobotSpec& robot, const Checker& checker) {
   check_pose(humanoid.sit_q, humanoid.sit >= 0, "sit_q", "sit");
 }
 
-// A robot of a kind that is played has what its controller cannot do without.
+// Checks that a robot has the figures that the motion service of its kind needs.
 void CheckKind(const robot::RobotSpec& robot, const Checker& checker) {
   const std::string otherwise = ", or robot.kind other for a motion service that only damps";
   checker.Check(robot.kind != robot::RobotKind::kHumanoid || robot.motion.humanoid.lock_stand >= 0,
@@ -184,7 +184,7 @@ void CheckApis(const robot::RobotSpec& robot, const Checker& checker) {
   }
 }
 
-// What a robot says of its model's bodies: whole vectors or none.
+// Checks the differences from the model's bodies: vectors are complete or empty.
 void CheckBodies(const robot::RobotSpec& robot, const Checker& checker) {
   for (std::size_t i = 0; i < robot.bodies.size(); ++i) {
     const robot::BodySpec& body = robot.bodies[i];

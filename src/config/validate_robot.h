@@ -1,4 +1,4 @@
-// What has to fit together within a robot.
+// Checks conditions that span several keys of a robot.
 #pragma once
 
 #include <string>
@@ -9,18 +9,18 @@
 
 namespace understudy::config {
 
-// A condition on a key, told with where the key was set.
+// Checks a condition on a key; the error says where the key was set.
 class Checker {
  public:
   // `places` must outlive the checker.
   explicit Checker(const Places& places) : places_(places) {}
 
-  // Throws ConfigError, "file:line: key: what", unless it fits.
+  // Throws ConfigError "file:line: key: what" unless `fits`.
   void Check(bool fits, const std::string& key, const std::string& what) const {
     if (!fits) throw ConfigError(Where(key) + key + ": " + what);
   }
 
-  // "file:line: ", "" where no file and no option set it.
+  // Returns "file:line: ", "" if the key has its default.
   std::string Where(const std::string& key) const {
     const auto place = places_.find(key);
     return place == places_.end() ? "" : place->second + ": ";
@@ -30,12 +30,12 @@ class Checker {
   const Places& places_;
 };
 
-// Throws ConfigError at the first thing that does not fit: a robot without name, model or motors;
-// slots that are not ascending or that the message family lacks; speeds, poses, parallel pairs and
-// battery voltages that contradict each other.
+// Throws ConfigError for the first failed condition: the robot must have a name, a model and
+// motors; slots must ascend and exist in the message family; speeds, poses, parallel pairs and
+// battery voltages must be consistent.
 void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker);
 
-// `pose`, the value of `key`, is one to start in.
+// Throws ConfigError unless `pose`, the value of `key`, is a start pose.
 void CheckStartPose(const std::string& pose, const std::string& key, const Checker& checker);
 
 }  // namespace understudy::config

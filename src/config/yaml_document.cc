@@ -29,8 +29,8 @@ std::size_t Count(const YamlValue& value) {
   return n;
 }
 
-// Builds the tree from the parser's events. Values are copied where an alias stands, and counted,
-// so that nested aliases cannot grow without bound.
+// Builds the tree from the parser's events. An alias becomes a copy of its value. Values are
+// counted, so that nested aliases cannot grow without bound.
 class TreeBuilder : public YAML::EventHandler {
  public:
   TreeBuilder(std::string name, bool numbered) : name_(std::move(name)), numbered_(numbered) {}
@@ -136,7 +136,7 @@ class TreeBuilder : public YAML::EventHandler {
       AddKey(&parent, std::move(value));
       return;
     }
-    // The parser notices a missing value only at what follows it.
+    // The parser reports a missing value at the token after it.
     if (value.kind == YamlValue::Kind::kNull && parent.kind == YamlValue::Kind::kMap) {
       value.where = parent.keys.back().where;
     }
@@ -155,7 +155,7 @@ class TreeBuilder : public YAML::EventHandler {
     map->keys.push_back(std::move(key));
   }
 
-  // `<<: *other` gives the map the keys of the other one that it does not have itself.
+  // `<<: *other` adds the keys of the other map that this one does not have.
   void ResolveMerge(YamlValue* map) {
     const auto merge = std::find_if(map->keys.begin(), map->keys.end(), [](const YamlValue& key) {
       return key.text == "<<" && !key.quoted;
@@ -183,7 +183,7 @@ class TreeBuilder : public YAML::EventHandler {
   std::map<YAML::anchor_t, YamlValue> anchors_;
 };
 
-// A line that begins with % would end the document without a word about what follows it.
+// Refuses a line that begins with %: the parser would silently ignore everything after it.
 void RefuseDirectives(const std::string& text, const TreeBuilder& builder) {
   YAML::Mark mark;
   mark.line = 0;
@@ -243,7 +243,7 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
   TreeBuilder builder(name, numbered);
   RefuseDirectives(text, builder);
   try {
-    // A quote that is never closed is only noticed where the text does not end in a new line.
+    // The parser notices an unclosed quote only if the text does not end in a new line.
     std::istringstream stream(text.substr(0, text.find_last_not_of(" \t\r\n") + 1));
     YAML::Parser parser(stream);
     const bool any = parser.HandleNextDocument(builder);

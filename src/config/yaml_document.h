@@ -1,4 +1,4 @@
-// A YAML document as a plain tree in which every value knows where it stands.
+// Parses a YAML document into a tree whose values know their file and line.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace understudy::config {
 
-// One value. Anchors, aliases and merge keys (`<<: *name`) are resolved already.
+// One value, with anchors, aliases and merge keys (`<<: *name`) resolved.
 struct YamlValue {
   enum class Kind : std::uint8_t { kNull, kScalar, kSequence, kMap };
 
@@ -18,33 +18,33 @@ struct YamlValue {
   std::string text;     // of a scalar
   bool quoted = false;  // a quoted scalar is text and never a number
   std::vector<YamlValue> items;
-  std::vector<YamlValue> keys;  // of a map: as many as items, scalars, no two alike
+  std::vector<YamlValue> keys;  // of a map: one scalar per item, all different
   std::string where;            // "go2.yaml:12" or "--set gate.timeout=1"
 
-  // The value of `key` in a map, null where there is none or this is no map.
+  // Returns the value of `key` in a map, null if there is none or this is not a map.
   const YamlValue* Find(std::string_view key) const;
   YamlValue* Find(std::string_view key) {
     return const_cast<YamlValue*>(std::as_const(*this).Find(key));
   }
 };
 
-// The mapping {key: value}, standing where the value stands.
+// Returns the mapping {key: value}; its `where` is that of the value.
 YamlValue MapOf(const std::string& key, YamlValue value);
 
-// Text as it may stand in an error line: cut after 64 letters, control characters shown as dots.
+// Returns text for an error line: cut after 64 letters, with dots for control characters.
 std::string OneLine(const std::string& text);
 
-// What an error line calls a value: 'fast', the quoted text '1', a list, a mapping, nothing.
+// Describes a value for an error line: 'fast', the quoted text '1', a list, a mapping, nothing.
 std::string Shown(const YamlValue& value);
 
-// Reads one document; an empty one is null. `name` starts every `where`, followed by the line
-// unless `numbered` is false. Throws ConfigError for what is no YAML, for a key that is given
-// twice, a tag, a directive, a second document, a mapping or list as key, an alias that stands for
-// itself, for nesting past 32 levels and for more than 20000 values after aliases are resolved.
+// Parses one document; an empty one is null. Each `where` is `name` and the line, or only `name` if
+// `numbered` is false. Throws ConfigError for invalid YAML, a duplicate key, a tag, a directive, a
+// second document, a mapping or list as key, an alias inside its own value, more than 32 levels and
+// more than 20000 values after resolving aliases.
 YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbered = true);
 
-// Reads a file of at most 1 MiB, otherwise as ParseYaml. Throws ConfigError where there is none or
-// it cannot be read.
+// Parses a file of at most 1 MiB, as ParseYaml does. Throws ConfigError also if the file does not
+// exist or cannot be read.
 YamlValue ReadYamlFile(const std::filesystem::path& path);
 
 }  // namespace understudy::config

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-// The "error" of a reply that was not 200.
+// Returns the "error" of a reply whose status is not 200.
 std::string ReasonOf(const client::ControlReply& reply) {
   const json body = json::parse(reply.body, nullptr, false);
   if (body.is_object() && body.contains("error") && body["error"].is_string()) {
@@ -29,7 +29,7 @@ std::string Ask(const std::filesystem::path& socket, const std::string& method,
 }
 
 ControlError NotOurVersion(const json::exception& error) {
-  return ControlError(std::string{"the robot speaks another version of the control plane: "} +
+  return ControlError(std::string{"the robot uses another version of the control plane: "} +
                       error.what());
 }
 

@@ -1,4 +1,4 @@
-// One question to a running robot, as `understudy ctl` asks it.
+// Sends one request of `understudy ctl` to a running robot.
 #pragma once
 
 #include <chrono>
@@ -11,15 +11,16 @@
 
 namespace understudy::ctl {
 
-// Longer than the server's patience with the tick, so that it is the server who says why.
+// Longer than the server waits for the tick, so that the server can report the reason.
 inline constexpr std::chrono::milliseconds kCallTimeout{5'000};
 
-// The body of the reply. Throws ControlError with the robot's reason where it is not 200.
+// Returns the body of the reply. Throws ControlError with the robot's reason if the status is not
+// 200.
 std::string Ask(const std::filesystem::path& socket, const std::string& method,
                 const std::string& path, const std::string& body,
                 std::chrono::milliseconds timeout = kCallTimeout);
 
-// What to throw where a reply is not made as expected.
+// Returns the error for a reply whose JSON is not as expected.
 ControlError NotOurVersion(const nlohmann::json::exception& error);
 
 }  // namespace understudy::ctl

@@ -1,4 +1,4 @@
-// Checks of what `understudy ctl` is given on its command line.
+// Validators for the command line of `understudy ctl`.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@
 
 namespace understudy::ctl {
 
-// A finite number from `low` to `high`.
+// Accepts a finite number from `low` to `high`.
 CLI::Validator NumberWithin(double low, double high);
 
-// One of `words`; the nearest is named where it is none.
+// Accepts one of `words`; the error names the nearest.
 CLI::Validator OneOf(std::vector<std::string> words);
 
 }  // namespace understudy::ctl

@@ -25,18 +25,18 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kWaitPoll{50};
-// How long nothing may happen to a robot whose events are followed.
+// Timeout between two events with --follow.
 constexpr std::chrono::hours kQuiet{24 * 365};
-// A day: longer than any script waits, and well within what a duration holds.
+// s, a day: longer than any script waits, and far below the range of a duration.
 constexpr double kLongestWait = 86'400;
 
-// "" when ready, else what is missing.
+// Returns "" if the robot is ready, else the reason.
 std::string WhyNotReady(const ordered_json& status) {
-  if (status.at("silenced").get<bool>()) return "it was silenced: another robot is on this network";
+  if (status.at("silenced").get<bool>()) return "it is silenced: another robot is on this network";
   return status.at("ready").get<bool>() ? "" : "it is starting";
 }
 
-// What `use` makes of a reply. Throws ControlError where that is not made as expected.
+// Parses a reply and returns use(reply). Throws ControlError if its JSON is not as expected.
 template <class Use>
 auto Read(const std::string& reply, Use use) {
   try {
@@ -53,7 +53,8 @@ std::string UrlOf(const ordered_json& panel) { return panel.at("url").get<std::s
 }  // namespace
 
 CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
-  CLI::App* ctl = app->add_subcommand("ctl", "Ask a running robot, or ask something of it");
+  CLI::App* ctl =
+      app->add_subcommand("ctl", "Read the state of a running robot, or send it a request");
   ctl->require_subcommand(1);
   ctl->footer(
       "Examples:\n"
@@ -61,8 +62,8 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
       "  understudy ctl status --watch           a live screen; --json: one line for a script\n"
       "  understudy ctl pause                    time stands still; `step 10`, `resume`\n"
       "  understudy ctl --name left crane lower 0.2\n"
-      "Where several robots run it asks which, on a terminal.\n"
-      "Exits with 1 when there is no such robot, or several, or it refuses.");
+      "If several robots run, it asks which one on a terminal.\n"
+      "Exits with 1 if there is no such robot, if several match, or if it refuses.");
   client::AddRobotChoice(ctl, &robot_);
   AddReading(ctl);
   AddRequests(ctl);
@@ -70,8 +71,8 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
 
 void CtlCommand::AddReading(CLI::App* ctl) {
   CLI::App* status = AddAction(ctl, "status", "Show what the robot does", [this] { ShowStatus(); });
-  status->add_flag("--watch", watch_, "Again and again, with rates, until interrupted");
-  status->add_option("--every", every_, "Seconds between two, with --watch")
+  status->add_flag("--watch", watch_, "Repeat with rates until interrupted");
+  status->add_option("--every", every_, "Seconds between two outputs, with --watch")
       ->capture_default_str()
       ->check(NumberWithin(0.1, kLongestWait));
   status->footer(
@@ -88,39 +89,39 @@ void CtlCommand::AddReading(CLI::App* ctl) {
 
   AddAction(ctl, "list", "Show the robots that run", [this] { ShowRobots(); });
 
-  CLI::App* frame =
-      AddAction(ctl, "frame", "Print one instant of the robot as JSON", [this] { ShowFrames(); });
-  frame->add_flag("--watch", watch_, "Again and again, one line each, until interrupted");
-  frame->add_option("--hz", hz_, "At most so many a second, with --watch, 1 to 240")
+  CLI::App* snapshot = AddAction(ctl, "snapshot", "Print one instant of the robot as JSON",
+                                 [this] { ShowSnapshots(); });
+  snapshot->add_flag("--watch", watch_, "Repeat, one line each, until interrupted");
+  snapshot->add_option("--hz", hz_, "At most this many a second, with --watch, 1 to 240")
       ->capture_default_str();
-  frame->add_option("--parts", parts_, "Only these, such as qpos,contacts,motors [all]")
+  snapshot->add_option("--parts", parts_, "Only these, such as qpos,contacts,motors [all]")
       ->check(CLI::Validator(
           [](std::string& text) -> std::string {
             const bool words = std::all_of(text.begin(), text.end(), [](char c) {
               return (c >= 'a' && c <= 'z') || c == '_' || c == ',';
             });
-            return words ? "" : "expected words with commas between them, got " + text;
+            return words ? "" : "expected words separated by commas, got " + text;
           },
           ""));
-  frame->footer(
+  snapshot->footer(
       "Examples:\n"
-      "  understudy ctl frame --parts com,feet\n"
-      "  understudy ctl frame --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
-  AddAction(ctl, "scene", "Print what the robot and its surroundings are made of, as JSON", [this] {
+      "  understudy ctl snapshot --parts com,feet\n"
+      "  understudy ctl snapshot --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
+  AddAction(ctl, "scene", "Print the geometry of the robot and its surroundings as JSON", [this] {
     Show("/scene", JsonLine);
   })->footer("Example: understudy ctl scene | jq .bodies[].name");
 
   CLI::App* events =
-      AddAction(ctl, "events", "Show what happened to the robot", [this] { ShowEvents(); });
-  events->add_flag("--follow", watch_, "Then each event as it comes, until interrupted");
+      AddAction(ctl, "events", "Show the events of the robot", [this] { ShowEvents(); });
+  events->add_flag("--follow", watch_, "Then show new events until interrupted");
   events->footer("Example: understudy ctl events --follow");
   AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
     Show("/timings", FieldsText);
   })->footer("Example: understudy ctl timings");
-  AddAction(ctl, "metrics", "Print its figures as Prometheus reads them", [this] {
+  AddAction(ctl, "metrics", "Print its metrics in the format of Prometheus", [this] {
     *out_ << Ask(client::ChosenSocket(robot_), "GET", "/metrics", "");
   })->footer("Example: understudy ctl metrics | grep winding");
-  AddAction(ctl, "panel", "Print the address of the robot's page for a browser", [this] {
+  AddAction(ctl, "panel", "Print the address of the robot's panel for a browser", [this] {
     Show("/panel", UrlOf);
   })->footer("Example: xdg-open \"$(understudy ctl panel)\"");
 }
@@ -159,12 +160,13 @@ void CtlCommand::WatchStatus(const std::filesystem::path& socket) const {
   }
 }
 
-void CtlCommand::ShowFrames() const {
+void CtlCommand::ShowSnapshots() const {
   const std::string parts = parts_.empty() ? "" : "parts=" + parts_;
-  if (!watch_) return Show("/frame?" + parts, JsonLine);
-  client::ControlStream frames(client::ChosenSocket(robot_),
-                               "/frames?hz=" + std::to_string(hz_) + "&" + parts, kCallTimeout);
-  while (true) *out_ << frames.Next() << '\n' << std::flush;
+  if (!watch_) return Show("/snapshot?" + parts, JsonLine);
+  client::ControlStream snapshots(client::ChosenSocket(robot_),
+                                  "/snapshots?hz=" + std::to_string(hz_) + "&" + parts,
+                                  kCallTimeout);
+  while (true) *out_ << snapshots.Next() << '\n' << std::flush;
 }
 
 void CtlCommand::ShowEvents() const {
@@ -185,7 +187,7 @@ void CtlCommand::AwaitReady() const {
     const client::RobotPlace place = client::FindRobot(robot);
     why = place.why;
     if (place.socket) {
-      robot = {.name = {}, .socket = *place.socket};  // found, or chosen, once
+      robot = {.name = {}, .socket = *place.socket};  // look for it, or ask, only once
       try {
         const auto left =
             std::chrono::duration_cast<milliseconds>(until - steady_clock::now()) + kWaitPoll;

@@ -1,4 +1,4 @@
-// `understudy ctl`: asks a running robot for its state and makes requests.
+// The command `understudy ctl`: reads the state of a running robot and sends requests.
 #pragma once
 
 #include <deque>
@@ -19,31 +19,31 @@ class App;
 
 namespace understudy::ctl {
 
-// Adds the subcommand `ctl` to a command line and runs it once that was parsed and is `chosen`:
+// Adds the subcommand `ctl` to a command line and runs it if parsing has `chosen` it:
 //
-//   status [--watch]   wait   list   frame [--watch]   scene   events [--follow]   timings metrics
-//   panel
+//   status [--watch]   wait   list   snapshot [--watch]   scene   events [--follow]
+//   timings   metrics   panel
 //
-// and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...;
-// Each with --json, and --name NAME or --socket PATH; without them $UNDERSTUDY_CONTROL (a socket
-// path), else the only robot that runs. What cannot be understood makes App::parse throw
-// CLI::ParseError.
+// and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...
+// Each takes --json, and --name NAME or --socket PATH; without these, $UNDERSTUDY_CONTROL (a socket
+// path) selects the robot, else the only running one is selected. For an invalid command line
+// App::parse throws CLI::ParseError.
 class CtlCommand {
  public:
-  // Both pointers must outlive this object, which must outlive the parsing.
+  // Both pointers must outlive this object, and this object the parsing.
   CtlCommand(CLI::App* app, std::ostream* out);
   CtlCommand(const CtlCommand&) = delete;
   CtlCommand& operator=(const CtlCommand&) = delete;
 
-  // After App::parse: one of the subcommands of `ctl` was asked for.
+  // Returns, after App::parse, whether the command line has a subcommand of `ctl`.
   bool chosen() const { return action_ != nullptr; }
 
-  // Does it. Throws ControlError when the robot refuses or is not there, when several run and none
-  // was named, and when `wait` ran out of time.
+  // Runs that subcommand. Throws ControlError if the robot refuses or is not there, if several run
+  // and none is named, and if `wait` times out.
   void Run() { action_(); }
 
  private:
-  // What makes text for a person of a reply's JSON.
+  // Formats the JSON of a reply for a person.
   using Teller = std::string (*)(const nlohmann::ordered_json& reply);
 
   CLI::App* AddAction(CLI::App* parent, const std::string& name, const std::string& help,
@@ -54,11 +54,11 @@ class CtlCommand {
 
   void ShowStatus() const;
   void WatchStatus(const std::filesystem::path& socket) const;
-  void ShowFrames() const;
+  void ShowSnapshots() const;
   void ShowEvents() const;
   void AwaitReady() const;
   void ShowRobots() const;
-  // The reply to GET `path`: as it is with --json, else what `tell` makes of it.
+  // Prints the reply to GET `path`: unchanged with --json, else as formatted by `tell`.
   void Show(const std::string& path, Teller tell) const;
 
   void Request(const emulator::RequestRow& row, const nlohmann::json& values) const;

@@ -1,4 +1,4 @@
-// The verbs of `understudy ctl` that ask something of a robot: one a row of the table.
+// The verbs of `understudy ctl` that send a request: one per row of the table.
 #include <chrono>
 #include <iostream>
 
@@ -17,10 +17,10 @@ using emulator::FieldKind;
 using emulator::RequestRow;
 using nlohmann::json;
 
-// Steps are answered when they are made, however slow the robot is.
+// The reply to `step` comes when the steps are done, which may take long at a low speed.
 constexpr std::chrono::hours kStepPatience{24};
 
-// The value that the words on the command line stand for.
+// Returns the JSON value of the words on the command line.
 json ValueOf(const Field& field, const std::vector<std::string>& words) {
   if (field.kind == FieldKind::kVector) {
     json numbers = json::array();
@@ -33,7 +33,7 @@ json ValueOf(const Field& field, const std::vector<std::string>& words) {
   return text ? json(words.front()) : emulator::ValueOf(words.front());
 }
 
-// What is no UTF-8 on the command line is a name that the robot does not know.
+// Replaces invalid UTF-8, so that the robot refuses such a word as an unknown name.
 std::string BodyOf(const json& values) {
   return values.dump(-1, ' ', false, json::error_handler_t::replace);
 }

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// "-" for null, which stands for a number that is not finite.
+// Returns "-" for null, which JSON has for a number that is not finite.
 std::string Fixed(const ordered_json& value, int digits, double scale = 1) {
   if (value.is_null()) return "-";
   char text[64];
@@ -38,7 +38,7 @@ std::string Refused(const ordered_json& commands) {
   return total == 0 ? "0" : std::to_string(total) + " (" + ReasonsText(commands) + ")";
 }
 
-// One cell for a value of whatever kind.
+// Formats a value of any type as one cell.
 std::string CellOf(const ordered_json& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.get<std::string>();
@@ -65,7 +65,7 @@ void AddFields(const ordered_json& object, const std::string& prefix, std::vecto
   }
 }
 
-// Columns are the keys of the first row.
+// The columns are the keys of the first row.
 std::string TableText(const ordered_json& list) {
   std::vector<Cells> rows(1);
   for (const auto& [key, value] : list.front().items()) {
@@ -100,7 +100,7 @@ std::string Aligned(const std::vector<Cells>& rows) {
       text += row[i];
       if (!last) text += std::string(widths[i] - row[i].size() + 2, ' ');
     }
-    text.erase(text.find_last_not_of(' ') + 1);  // beside an empty last cell
+    text.erase(text.find_last_not_of(' ') + 1);  // padding before an empty last cell
     text += "\n";
   }
   return text;
@@ -135,6 +135,7 @@ std::string StatusText(const ordered_json& status) {
   const ordered_json& crane = status.at("crane");
   const ordered_json& base = status.at("base");
   constexpr double kMilli = 1000;
+  // Process, time and commands; then hands; then crane and base.
   std::vector<Cells> rows = {
       {"robot", status.at("robot").get<std::string>()},
       {"process", Count(status.at("pid"))},

@@ -1,4 +1,4 @@
-// Formats replies of a robot for a person, as `understudy ctl` prints them.
+// Formats replies of a robot for a person.
 #pragma once
 
 #include <string>
@@ -12,27 +12,27 @@ namespace understudy::ctl {
 
 using Cells = std::vector<std::string>;
 
-// Pads every column but the last of each row to its widest cell, two spaces between columns.
+// Pads each column but the last to its widest cell, with two spaces between columns.
 std::string Aligned(const std::vector<Cells>& rows);
 
-// Single facts of a status: "ready", "1.000", "mcf, state 1002", "crc 2, gain 1".
+// Format parts of a status: "ready", "1.000", "mcf, state 1002", "crc 2, gain 1".
 std::string StateText(const nlohmann::ordered_json& status);
 std::string SpeedText(const nlohmann::ordered_json& speed);
 std::string ServiceText(const nlohmann::ordered_json& motion);
 std::string ReasonsText(const nlohmann::ordered_json& commands);
 
-// Lines of label, value and unit. `status` is what StatusJson yields; throws json::exception where
-// it is not.
+// Formats a status as lines of label, value and unit. `status` is the JSON of StatusJson; throws
+// json::exception for any other.
 std::string StatusText(const nlohmann::ordered_json& status);
 
-// Whatever JSON object it is: lines of key and value, and lists of objects as tables below.
+// Formats any JSON object: lines of key and value, with lists of objects as tables below.
 std::string FieldsText(const nlohmann::ordered_json& object);
 
-// "12.345 s  paused at 12.345 s" of an event as GET /events has it, and all of that reply's.
+// Format one event of the reply to GET /events, as "12.345 s paused at 12.345 s", and all of them.
 std::string EventText(const nlohmann::ordered_json& event);
 std::string EventsText(const nlohmann::ordered_json& reply);
 
-// Lines of name, process and socket under a heading; a sentence when there are no robots.
+// Formats lines of name, process and socket under a heading; a sentence if there are no robots.
 std::string RobotsText(const std::vector<client::RunningRobot>& robots);
 
 }  // namespace understudy::ctl

@@ -19,7 +19,7 @@ std::string Number(const char* format, const ordered_json& value) {
   return text;
 }
 
-// A count, or the sum of an object of counts.
+// Returns a count, or the sum of an object of counts.
 std::int64_t CountAt(const ordered_json& status, const char* field) {
   const ordered_json& value = status.at(Pointer(field));
   if (!value.is_object()) return value.get<std::int64_t>();
@@ -57,6 +57,7 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
   std::string text = status.at("robot").get<std::string>() + ", process " +
                      std::to_string(status.at("pid").get<int>()) + ": " + StateText(status) + "\n" +
                      Number("%.3f", status.at("time")) + " s, " + Pace(status) + "\n\n";
+  // Counts with their rates.
   text += Aligned({
       {"", "PER SECOND", "TOTAL", ""},
       row("steps", "/steps"),
@@ -69,6 +70,7 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
       row("command time-outs", "/commands/timeouts"),
   });
   text += "\n";
+  // State.
   text += Aligned({
       {"motion service", ServiceText(status.at("motion"))},
       {"motors follow", commands.at("state").get<std::string>()},
@@ -86,7 +88,8 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
 }
 
 std::string OverTheScreen(const std::string& text) {
-  std::string screen = "\033[H";  // home; what is beyond a line's end and below the last is cleared
+  std::string screen =
+      "\033[H";  // home; below, \033[K clears the rest of a line, \033[J of the screen
   for (const char c : text) {
     if (c == '\n') screen += "\033[K";
     screen += c;

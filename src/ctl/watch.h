@@ -1,4 +1,4 @@
-// Draws the live screen of `understudy ctl status --watch`.
+// Formats the live screen of `understudy ctl status --watch`.
 #pragma once
 
 #include <chrono>
@@ -8,11 +8,12 @@
 
 namespace understudy::ctl {
 
-// Turns one status after another into text.
+// Formats successive statuses, with rates.
 class Watch {
  public:
-  // `status` is what StatusJson yields, taken at `now`, which only has to grow. Rates are those
-  // since the status before, "-" for the first. Throws json::exception for another shape.
+  // Formats `status`, the JSON of StatusJson, taken at wall time `now`, which must not go back.
+  // Rates are those since the last call, "-" in the first. Throws json::exception for any other
+  // JSON.
   std::string Text(const nlohmann::ordered_json& status, std::chrono::nanoseconds now);
 
  private:
@@ -20,7 +21,7 @@ class Watch {
   std::chrono::nanoseconds then_{0};
 };
 
-// `text`, of whole lines, in place of what is on a terminal's screen.
+// Returns `text`, whole lines, with the escape sequences that make it replace a terminal's screen.
 std::string OverTheScreen(const std::string& text);
 
 }  // namespace understudy::ctl

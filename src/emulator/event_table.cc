@@ -9,6 +9,7 @@
 
 #include "authority/command_gate.h"
 #include "robot/command_topics.h"
+#include "robot/motor_fault.h"
 #include "robot/refusal_text.h"
 #include "robot/remote_keys.h"
 
@@ -43,6 +44,10 @@ std::string Keys(double bits) { return robot::RemoteKeyNames(static_cast<std::ui
 
 robot::Refusal ReasonOf(const Event& event) {
   return static_cast<robot::Refusal>(event.numbers[0]);
+}
+
+std::string_view FaultOf(const Event& event) {
+  return robot::kMotorFaultNames[static_cast<std::size_t>(event.numbers[0])];
 }
 
 bool IsOfHand(const Event& event) {
@@ -134,6 +139,12 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           return On(e) ? "clamped" : "unclamped";
         },
         "the clamp closes or opens"),
+    Row(
+        EventKind::kFault, "fault", kInfo, false, {{{"fault", kFault}, {"motor", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return What(e) + (On(e) ? " is " + std::string(FaultOf(e)) : " has no fault");
+        },
+        "a motor gets a fault or loses it"),
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
@@ -242,6 +253,8 @@ json Value(const Event& event, EventFieldType type, std::size_t number) {
       return robot::Name(static_cast<robot::Refusal>(event.numbers[number]));
     case kGate:
       return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
+    case kFault:
+      return FaultOf(event);
     case kKeys:
       return Keys(event.numbers[number]);
     case kNumber:

@@ -1,4 +1,4 @@
-// What each kind of event is called, holds and says, and how bursts of events are condensed.
+// The name, fields and text of each kind of event, and how bursts of events are condensed.
 #pragma once
 
 #include <array>
@@ -22,23 +22,24 @@ constexpr std::string_view Name(EventLevel level) {
   return kNames[static_cast<std::size_t>(level)];
 }
 
-// How a field is kept in an event and told in JSON: each takes one of Event::numbers, in order, but
-// for kText, which is Event::text.
+// How a field is stored in an event and written as JSON. Each field takes the next of
+// Event::numbers, except kText, which is Event::text.
 enum class EventFieldType : std::uint8_t {
   kNumber,
   kInteger,
   kBool,
   kText,
   kReason,  // a robot::Refusal
-  kCause,   // a whole number; with another one the event has another cause
+  kCause,   // a whole number; events with different ones have different causes
   kGate,    // an authority::GateState
+  kFault,   // a place in robot::kMotorFaults
   kKeys,    // of the remote controller, as bits
-  kWorst,   // a number; of a burst the largest
-  kSum,     // a number; of a burst the sum
+  kWorst,   // a number; a burst has the largest
+  kSum,     // a number; a burst has the sum
 };
 
 struct EventField {
-  std::string_view name{};  // "" where there is no further field
+  std::string_view name{};  // "" ends the fields
   EventFieldType type = EventFieldType::kNumber;
 };
 
@@ -46,7 +47,7 @@ struct EventRow {
   EventKind kind;
   std::string_view name;  // in recordings and the control plane
   EventLevel level;
-  bool bursts;  // comes many times for one cause: readers tell each cause once in a while
+  bool bursts;  // frequent: readers report each cause once per period
   std::array<EventField, 3> fields;
   std::string (*say)(const Event& event, std::uint64_t count);  // for people, without a full stop
   std::string_view when;                                        // it happens
@@ -55,7 +56,7 @@ struct EventRow {
 std::span<const EventRow, kEventKinds> EventTable();
 const EventRow& RowOf(EventKind kind);
 
-// Some events of one cause, as one: its time and text are the last one's.
+// One or more events of one cause. Time and text are those of the last one.
 struct ToldEvent {
   Event event;
   std::uint64_t count = 1;
@@ -65,25 +66,25 @@ struct ToldEvent {
   std::string text() const { return RowOf(event.kind).say(event, count); }
   // The row's fields, or the request's values; a burst's `count` too.
   nlohmann::json detail() const;
-  // The row's, but a warning where so many ticks were late that the machine is too slow.
+  // The row's level, but a warning if so many ticks were late that the machine is too slow.
   EventLevel level() const;
 };
 
-// Condenses bursts: of one cause (robot, kind, text and reason) the first event is told at once,
-// and what follows within `period` as one event after it. All else is told as it comes.
+// Condenses bursts. The first event of a cause (robot, kind, text and reason) is reported at once,
+// those that follow within `period` as one event after it. All other events are reported at once.
 class EventDigest {
  public:
   explicit EventDigest(double period) : period_(period) {}  // s, of the clock that `now` is of
 
-  // `event` if it is to be told at once; else it is held back. `now` never goes back.
+  // Returns `event` if it is to be reported at once; otherwise keeps it. `now` never decreases.
   std::optional<ToldEvent> Take(const Event& event, double now);
-  // What was held back for long enough; all that was held back.
+  // Return the events kept for long enough, and all kept events.
   std::vector<ToldEvent> Due(double now);
   std::vector<ToldEvent> Rest();
 
  private:
   struct Cause {
-    ToldEvent held;  // of count 0 where nothing is
+    ToldEvent held;  // count 0 if there is none
     double told_at = 0;
   };
 

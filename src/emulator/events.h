@@ -1,5 +1,5 @@
-// What happens to a robot, as values: appended once, by the thread that ticks, and read by any
-// number of other threads.
+// Events of a robot as values: appended once, by the thread of the tick, and read by any number of
+// other threads.
 #pragma once
 
 #include <array>
@@ -28,6 +28,7 @@ enum class EventKind : std::uint8_t {
   kRequest,
   kCrane,
   kClamp,
+  kFault,
   kPause,
   kSpeed,
   kScript,
@@ -47,9 +48,9 @@ enum class EventKind : std::uint8_t {
 
 inline constexpr std::size_t kEventKinds = static_cast<std::size_t>(EventKind::kCount);
 
-// Numbers and text mean what the kind's row says; the request is that of a kRequest.
+// The row of the kind gives numbers and text their meaning. Only a kRequest has a request.
 struct Event {
-  std::int64_t step = 0;  // that was being made, or comes next
+  std::int64_t step = 0;  // the step being made, or the next one
   double time = 0;        // simulated s, of that step
   EventKind kind = EventKind::kCount;
   std::uint8_t robot = 0;  // its number in the world
@@ -58,27 +59,27 @@ struct Event {
   Request request{};
 };
 
-// What `text` of an event becomes.
+// Returns `text` as Event::text has it.
 template <std::size_t kRoom>
 void CopyText(std::string_view text, std::array<char, kRoom>* to) {
   *to = {};
   text.copy(to->data(), kRoom - 1);
 }
 
-// One writer, which never waits; any number of readers, which do not hold it up: the oldest events
-// are written over, and a reader that was too slow learns how many it has lost.
+// A ring of events with one writer, which never waits, and any number of readers. The oldest events
+// are overwritten; a reader that was too slow learns how many it has lost.
 class EventRing {
  public:
   static constexpr std::size_t kCapacity = 2048;  // *assumed*: seconds of one refusal per tick
 
   EventRing() : slots_(kCapacity) {}
 
-  // The writer. What is added from now on is of this step.
+  // For the writer: sets the step of the events added from now on.
   void SetStep(std::int64_t step, double time) {
     step_ = step;
     time_ = time;
   }
-  // The writer. `robot` is its number in the world. Allocates nothing.
+  // For the writer: appends an event. `robot` is its number in the world. Allocates nothing.
   void Add(EventKind kind, std::uint8_t robot = 0, const std::array<double, 4>& numbers = {},
            std::string_view text = {}) {
     Event event{.step = step_, .time = time_, .kind = kind, .robot = robot, .numbers = numbers};
@@ -88,7 +89,7 @@ class EventRing {
   void Append(const Event& event) {
     const std::uint64_t number = written_.load(std::memory_order_relaxed);
     begun_.store(number + 1, std::memory_order_relaxed);
-    // Whoever reads one of these words sees that its slot is being written over.
+    // A reader of one of these words sees that its slot is being overwritten.
     Slot& slot = slots_[number % kCapacity];
     Words words;
     std::memcpy(words.data(), &event, sizeof event);
@@ -98,16 +99,17 @@ class EventRing {
     written_.store(number + 1, std::memory_order_release);
   }
 
-  // Events appended since the start. Any thread.
+  // Returns how many events were appended since the start. Any thread.
   std::uint64_t count() const { return written_.load(std::memory_order_acquire); }
 
-  // One reader's place. The ring must outlive it.
+  // The position of one reader. The ring must outlive it.
   class Reader {
    public:
-    // From the oldest event that is kept.
+    // Begins at the oldest event in the ring.
     explicit Reader(const EventRing* ring) : ring_(ring) {}
 
-    // The next event; false when there is none yet. What was lost is told by an event kLost.
+    // Reads the next event and returns true, or false if there is none yet. Lost events are
+    // reported as one event kLost.
     bool Next(Event* event) {
       while (true) {
         const std::uint64_t written = ring_->count();
@@ -141,7 +143,7 @@ class EventRing {
   static_assert(sizeof(Words) == sizeof(Event) && std::is_trivially_copyable_v<Event>);
   using Slot = std::array<std::atomic<std::uint64_t>, std::tuple_size_v<Words>>;
 
-  // False when the event was written over meanwhile.
+  // Returns false if the event was overwritten meanwhile.
   bool Copy(std::uint64_t number, Event* event) const {
     const Slot& slot = slots_[number % kCapacity];
     Words words;

@@ -10,7 +10,7 @@ namespace understudy::emulator {
 
 void Reply::Give(Answer answer) {
   answer_.set_value(std::move(answer));
-  ::eventfd_write(bell_, 1);  // fails only where it is full, and then it is heard anyway
+  ::eventfd_write(bell_, 1);  // fails only if the counter is full, and then it is readable anyway
 }
 
 Inbox::Inbox() : bell_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {

@@ -1,4 +1,4 @@
-// Requests on their way to the tick, and its answers on their way back.
+// Passes requests to the tick and its answers back.
 #pragma once
 
 #include <chrono>
@@ -13,12 +13,12 @@
 
 namespace understudy::emulator {
 
-// Where the answer to one request goes. Must not outlive the inbox that it came from.
+// Gives the answer to one request. Must not outlive its inbox.
 class Reply {
  public:
   Reply(std::promise<Answer> answer, int bell) : answer_(std::move(answer)), bell_(bell) {}
 
-  // Once. Wakes who waits; never blocks.
+  // Gives the answer and wakes the waiting thread. Call it once. Never blocks.
   void Give(Answer answer);
 
  private:
@@ -26,33 +26,32 @@ class Reply {
   int bell_;
 };
 
-// Bounded; the tick drains it without ever waiting for a lock. Must outlive those who wait for an
-// answer.
+// A bounded queue that the tick drains without waiting for a lock. Must outlive threads that wait
+// for an answer.
 class Inbox {
  public:
   using WallTime = std::chrono::steady_clock::time_point;
 
   static constexpr std::size_t kCapacity = 64;
-  // Carried out by one drain, so that many requests do not make a long tick; *assumed*. A reset,
-  // which takes about as long as a step, is the last of its drain.
+  // The most requests per drain, which bounds the length of a tick; *assumed*. A reset, which takes
+  // about as long as a step, ends the drain.
   static constexpr std::size_t kMostAtOnce = 8;
 
-  // Throws std::system_error where the system has no descriptor left.
+  // Throws std::system_error if no file descriptor is available.
   Inbox();
 
-  // Any thread but the tick's: hands a request in. The future holds the answer once the tick has
-  // been there. Requests that the tick comes to later than `until` are dropped, so that a caller
-  // that gave up can rely on it. nullopt: the inbox is full. May wait while the tick drains.
+  // Adds a request, from any thread but the tick's. The future gets the tick's answer. A request
+  // that the tick reaches later than `until` is dropped, so a caller that has given up can rely on
+  // that. Returns nullopt if the inbox is full. May wait while the tick drains.
   std::optional<std::future<Answer>> Put(const Request& request, WallTime until);
 
   // An eventfd that becomes readable when answers were given.
   int bell() const { return bell_.get(); }
 
-  // The tick, at wall time `now` since the epoch of WallTime: calls std::optional<Answer>
-  // carry_out(Request*, Reply*) for waiting requests, in order of arrival; what is left waits for
-  // the next. nullopt: it has taken the reply and will give the answer later. Returns at once,
-  // having done nothing, while another thread is at the inbox; the next tick comes soon. carry_out
-  // must not throw or come back to the inbox.
+  // Called by the tick at wall time `now`: calls std::optional<Answer> carry_out(Request*, Reply*)
+  // for waiting requests in order of arrival, at most kMostAtOnce. carry_out returns nullopt if it
+  // keeps the reply to answer later; it must not throw or call the inbox. While another thread uses
+  // the inbox, Drain does nothing and the next tick tries again.
   template <class CarryOut>
   void Drain(WallTime::duration now, CarryOut&& carry_out) {
     const std::unique_lock lock(mutex_, std::try_to_lock);

@@ -1,4 +1,4 @@
-// Hands the newest of something from one thread to any number of others.
+// Passes the newest value from one thread to any number of others.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace understudy::emulator {
 
-// Its values are made once and written in place; one that somebody reads is not written. Neither
-// side ever waits: there is always a value to be read, and one to be written as long as fewer than
-// kSlots - 1 readings are held at a time.
+// Values are allocated once and written in place, never while one is read. Neither side waits:
+// there is always a value to read, and one to write as long as fewer than kSlots - 1 readings are
+// held.
 template <class Value>
 class Mailbox {
  public:
   static constexpr std::size_t kSlots = 8;
 
-  // The first reading, before the first post, is `prototype`.
+  // Readers get `prototype` until the first post.
   explicit Mailbox(const Value& prototype = {}) : values_(kSlots, prototype) {}
   Mailbox(const Mailbox&) = delete;
   Mailbox& operator=(const Mailbox&) = delete;
 
-  // The writer: a value to be filled in, which holds what it held some posts ago; null where all
-  // are being read. Post makes it the newest.
+  // For the writer: returns a value to fill in, which still has old content, or null if all are
+  // being read. Post makes it the newest.
   Value* Claim() {
     const std::size_t newest = newest_.load();
     for (claimed_ = 0; claimed_ < kSlots; ++claimed_) {
@@ -33,7 +33,7 @@ class Mailbox {
   }
   void Post() { newest_.store(claimed_); }
 
-  // A value that stays as it is for as long as this lives.
+  // A value that does not change while this object exists.
   class Reading {
    public:
     Reading(const Value* value, std::atomic<int>* readers) : value_(value), readers_(readers) {}
@@ -57,8 +57,8 @@ class Mailbox {
     while (true) {
       const std::size_t slot = newest_.load();
       readers_[slot].fetch_add(1);
-      // The writer takes no slot that is the newest or is read. It may have taken this one before
-      // it saw this reader, but then it has posted another one before.
+      // The writer uses no slot that is the newest or has readers. If it claimed this one before it
+      // saw this reader, then it has since posted another one, and newest_ has changed.
       if (newest_.load() == slot) return {&values_[slot], &readers_[slot]};
       readers_[slot].fetch_sub(1);
     }

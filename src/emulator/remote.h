@@ -1,4 +1,4 @@
-// The remote controller in somebody's hands.
+// Holds the state of the remote controller as requests set it.
 #pragma once
 
 #include <array>
@@ -12,22 +12,22 @@ namespace understudy::emulator {
 
 inline constexpr double kForever = std::numeric_limits<double>::infinity();  // s
 
-// Not there until it is used. Keys are bits, see robot/remote_keys.h; times are simulated [s] and
-// never go back. Allocates nothing.
+// The remote controller. It is off until the first use. Keys are bits (robot/remote_keys.h); times
+// are simulated [s] and never go back. Allocates nothing.
 class Remote {
  public:
   void Press(std::uint16_t keys, double until);
   void Hold(std::uint16_t keys) { Press(keys, kForever); }
   void Release(std::uint16_t keys) { Press(keys, 0); }
-  // One of lx, ly, rx, ry to -1..1, after `until` back to the middle.
+  // Sets one of lx, ly, rx, ry to `value` in [-1, 1]; it returns to 0 after `until`.
   void Move(std::size_t stick, double value, double until);
-  // Keys that are not in `reading` go up, sticks go where it says; after `until` all is let go.
-  // `there` is left aside: it is.
+  // Sets all keys and sticks as in `reading`, and releases them after `until`. Ignores
+  // `reading.there`: the remote is on.
   void Set(const robot::RemoteReading& reading, double until);
-  // Off: keys and sticks are let go and nothing is received.
+  // Switches it on or off. Off, keys and sticks are released and nothing is received.
   void Switch(bool on);
 
-  // What it sends at time t [s].
+  // Returns its state at time t [s].
   const robot::RemoteReading& Read(double t);
 
  private:

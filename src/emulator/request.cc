@@ -70,6 +70,7 @@ std::optional<double> Single(const Field& field, const json& value) {
 }
 
 Result<> ReadField(const Field& field, const json& value, Request* request) {
+  // Names and JSON.
   if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) {
     const bool text = value.is_string() && !value.get_ref<const std::string&>().empty() &&
                       value.get_ref<const std::string&>().size() <= kLongestName;
@@ -86,6 +87,7 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
     request->given[static_cast<std::size_t>(&field - request->row->fields.data())] = true;
     return {};
   }
+  // Vectors and words.
   if (field.kind == FieldKind::kVector) {
     if (!value.is_array() || value.size() != 3) return Refused(field, value);
     const auto place = static_cast<std::size_t>(&field - request->row->fields.data());
@@ -111,15 +113,23 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
     request->SetNumber(field.key, static_cast<double>(word - field.words.begin()));
     return {};
   }
+  // All kinds of single numbers.
   const auto number = Single(field, value);
   if (!number) return Refused(field, value);
   request->SetNumber(field.key, *number);
   return {};
 }
 
-Result<> ReadFields(const json& values, Request* request) {
+Result<> ReadFields(const json& values, Request* request, std::string* at) {
   const std::vector<Field>& fields = request->row->fields;
   for (const auto& item : values.items()) {
+    *at = item.key();
+    if (item.key() == kRobotField.key) {
+      const auto number = Number(kRobotField, item.value());
+      if (!number) return Refused(kRobotField, item.value());
+      request->robot = static_cast<std::size_t>(*number);
+      continue;
+    }
     const auto field = std::ranges::find(fields, item.key(), &Field::key);
     if (field == fields.end()) {
       std::vector<std::string> keys;
@@ -129,6 +139,7 @@ Result<> ReadFields(const json& values, Request* request) {
     }
     if (auto read = ReadField(*field, item.value(), request); !read) return read;
   }
+  at->clear();
   return {};
 }
 
@@ -139,6 +150,8 @@ std::size_t Request::Index(std::string_view key) const {
   assert(field != row->fields.end());
   return static_cast<std::size_t>(field - row->fields.begin());
 }
+
+bool Request::waits() const { return row->name == "step" && on("wait"); }
 
 void Request::SetNumber(std::string_view key, double value) {
   numbers[Index(key)][0] = value;
@@ -159,13 +172,16 @@ Result<const RequestRow*> FindRequest(std::string_view name) {
   return Error{"no request " + Shown(shown) + DidYouMean(shown, names)};
 }
 
-Result<Request> ReadRequest(const RequestRow& row, const json& values) {
+Result<Request> ReadRequest(const RequestRow& row, const json& values, std::string* at) {
+  std::string unasked;
+  if (at == nullptr) at = &unasked;
+  at->clear();
   Request request{.row = &row};
   for (std::size_t i = 0; i < row.fields.size(); ++i) {
     request.numbers[i].fill(row.fields[i].otherwise.value_or(0));
   }
   if (values.is_object()) {
-    if (auto read = ReadFields(values, &request); !read) return read.error();
+    if (auto read = ReadFields(values, &request, at); !read) return read.error();
   } else if (!values.is_null()) {
     if (row.fields.empty() || !row.fields.front().bare) {
       return Error{"expected an object of its values, got " + Shown(values)};
@@ -185,13 +201,14 @@ Result<Request> ReadRequest(const RequestRow& row, const json& values) {
   return request;
 }
 
-Result<Request> ReadRequest(std::string_view name, const json& values) {
+Result<Request> ReadRequest(std::string_view name, const json& values, std::string* at) {
   const auto row = FindRequest(name);
-  return row ? ReadRequest(**row, values) : row.error();
+  return row ? ReadRequest(**row, values, at) : row.error();
 }
 
 ordered_json ValuesOf(const Request& request) {
   ordered_json values = ordered_json::object();
+  if (request.robot != 0) values[std::string(kRobotField.key)] = request.robot;
   for (std::size_t i = 0; i < request.row->fields.size(); ++i) {
     if (!request.given[i]) continue;
     const Field& field = request.row->fields[i];
@@ -244,6 +261,7 @@ std::string Describe(const Request& request) {
     }
     if (!field.unit.empty()) text += " " + std::string(field.unit);
   }
+  if (request.robot != 0) text += " robot " + std::to_string(request.robot);
   return text;
 }
 
@@ -280,7 +298,7 @@ std::string Expected(const Field& field) {
   return {};
 }
 
-// Of arrays and objects only the kind, for dump recurses and a client chooses how deep.
+// Shows only the kind of arrays and objects: dump() recurses as deep as a client has nested them.
 std::string Shown(const json& value) {
   constexpr std::size_t kLongest = 40;
   if (value.is_structured()) return std::string{"an "} + value.type_name();

@@ -1,5 +1,5 @@
-// Requests: what people and scripts ask of a running robot. One table says which there are; JSON,
-// YAML, command line, documents and recordings all read and write them by it.
+// Requests to a running robot, from people and scripts. One table defines them for JSON, YAML, the
+// command line, the documentation and recordings.
 #pragma once
 
 #include <array>
@@ -23,19 +23,19 @@ class Robot;
 class World;
 struct Request;
 
-// What a request came to.
+// The result of a request.
 using Answer = Result<>;
 
 enum class FieldKind : std::uint8_t {
   kNumber,
   kWhole,   // a number without a fraction
   kVector,  // three numbers
-  kSwitch,  // true or false; on and off will do
+  kSwitch,  // true or false; also on and off
   kSpeed,   // as time::IsSpeed has it; max is 0
-  kWord,    // one of the field's words, kept as its index
-  kKeys,    // of the remote controller, as in L2+B, kept as bits; "" where `low` is 0
+  kWord,    // one of the field's words, stored as its index
+  kKeys,    // of the remote controller, as in L2+B, stored as bits; "" is valid if `low` is 0
   kBody,    // the name of a body of the model
-  kName,    // the name of something else
+  kName,    // another name
   kJson,    // JSON, as text
 };
 
@@ -47,25 +47,27 @@ struct Field {
   double low = 0, high = 0;  // of each number, inclusive
   std::string_view does{};
   std::span<const std::string_view> words{};  // of kWord
-  std::optional<double> otherwise{};          // of each number where it is not given
+  std::optional<double> otherwise{};          // default of each number
   bool required = false;
-  bool bare = false;  // on the command line: a bare word, not --key
+  bool bare = false;  // on the command line a positional word, not --key
 };
 
-// Who may ask. A run that is paused plays no script.
+// Who may make the request. Scripts do not run while paused, so they cannot resume or step.
 enum class From : std::uint8_t { kBoth, kPeople, kScript };
 
 struct RequestRow {
   std::string_view name;  // "crane.lower"
   std::string_view does;
   std::vector<Field> fields;
-  // Does it at t [s, simulated], or says why not; what was left to the robot to choose (which body,
-  // which pose) is then filled in. In the tick: allocates nothing unless it refuses.
+  // Carries out the request at simulated time t [s], or returns the reason why not. Fills in values
+  // that the robot chooses (a default body or pose). Runs in the tick: allocates only if it
+  // refuses.
   Answer (*carry_out)(World& world, Robot& robot, Request& request, double t);
-  std::string_view example;  // of the command line
-  bool noted = false;        // is no other event
+  std::string_view example;  // on the command line
+  bool noted = false;        // recorded as an event kRequest
   From from = From::kBoth;
-  // "" where the fields that are given go together, else why not; null: they always do.
+  // Checks the combination of given fields: returns "" or the reason why it is invalid; null: all
+  // are valid.
   std::string_view (*check)(const Request& request) = nullptr;
 };
 
@@ -73,15 +75,17 @@ inline constexpr std::size_t kMostFields = 6;
 inline constexpr std::size_t kLongestName = 63;   // bytes
 inline constexpr std::size_t kLongestJson = 255;  // bytes; *assumed*
 
-// One request with its values, by the fields of its row. A plain value: copying allocates nothing.
+// One request with the values of its row's fields. Copying it does not allocate.
 struct Request {
   const RequestRow* row = nullptr;
+  std::size_t robot = 0;  // its number in the world
   std::array<std::array<double, 3>, kMostFields> numbers{};
   std::array<bool, kMostFields> given{};
-  std::array<char, kLongestName + 1> text{};  // of the field that is a name, "" where none is given
-  std::array<char, kLongestJson + 1> json_text{};  // likewise of the one that is JSON
+  std::array<char, kLongestName + 1> text{};       // of the name field, "" if not given
+  std::array<char, kLongestJson + 1> json_text{};  // of the JSON field, likewise
 
-  // By the key of a field, which the row must have; where it was not given, what it is then.
+  // Look up a field by its key, which the row must have. The value is the default if it was not
+  // given.
   bool has(std::string_view key) const { return given[Index(key)]; }
   double number(std::string_view key) const { return numbers[Index(key)][0]; }
   bool on(std::string_view key) const { return number(key) != 0; }
@@ -90,6 +94,9 @@ struct Request {
   }
   std::string_view name() const { return text.data(); }
   std::string_view json() const { return json_text.data(); }
+
+  // Whether it is answered only when its steps are made.
+  bool waits() const;
 
   void SetNumber(std::string_view key, double value);
   void SetName(std::string_view key, std::string_view name);
@@ -105,34 +112,44 @@ struct ScriptEvent {
   std::string where{};  // "stand.yaml:3"
 };
 
-// All that there are, in the order of documents.
+// The field that every request has besides those of its row.
+inline constexpr Field kRobotField{.key = "robot",
+                                   .kind = FieldKind::kWhole,
+                                   .high = 255,
+                                   .does = "Number in the world",
+                                   .otherwise = 0};
+
+// Returns all requests, in the order of the documentation.
 const std::vector<RequestRow>& RequestRows();
 
-// The row of that name; an Error names the nearest.
+// Returns the row of that name, or an Error with the nearest name.
 Result<const RequestRow*> FindRequest(std::string_view name);
 
-// Reads the values of a request: an object of them, or nothing where none is required, or the value
-// of its first field alone where that is a bare one. An Error says which field, what was expected
-// and what was found; of what was found only so much that a line can hold it. Never recurses.
-Result<Request> ReadRequest(const RequestRow& row, const nlohmann::json& values);
-Result<Request> ReadRequest(std::string_view name, const nlohmann::json& values = {});
+// Reads the values of a request: an object; null if no field is required; or only the value of the
+// first field if that is positional. An Error has the field, what was expected and what was found,
+// shortened to a line; `at`, if not null, then gets the key of the wrong value, "" if it is none of
+// `values`. Never recurses.
+Result<Request> ReadRequest(const RequestRow& row, const nlohmann::json& values,
+                            std::string* at = nullptr);
+Result<Request> ReadRequest(std::string_view name, const nlohmann::json& values = {},
+                            std::string* at = nullptr);
 
-// The values that were given, as ReadRequest takes them.
+// Returns the given values in the form that ReadRequest takes.
 nlohmann::ordered_json ValuesOf(const Request& request);
 
-// "push base_link 0 50 0 N for 0.1 s": the name, and what was given.
+// Returns name and given values, as in "push base_link 0 50 0 N for 0.1 s".
 std::string Describe(const Request& request);
 
-// What a field takes: "a number from -10 to 10 m".
+// Returns what a field takes: "a number from -10 to 10 m".
 std::string Expected(const Field& field);
 
-// A value for a message: what is not UTF-8 is replaced, what is long is cut.
+// Formats a value for a message: replaces invalid UTF-8 and shortens long values.
 std::string Shown(const nlohmann::json& value);
 
-// A number as short as it goes: "0.25", "1000000".
+// Formats a number as short as possible: "0.25", "1000000".
 std::string NumberText(double number);
 
-// A value of a command line or an unquoted one of YAML: a number, true, false, or text.
+// Parses a word of a command line or an unquoted YAML value: a number, true, false, or text.
 nlohmann::json ValueOf(const std::string& word);
 
 }  // namespace understudy::emulator

@@ -1,4 +1,4 @@
-// The table of requests, and what each of them does.
+// The table of requests and their implementations.
 #include <algorithm>
 #include <utility>
 
@@ -6,6 +6,7 @@
 #include "emulator/request.h"
 #include "emulator/world.h"
 #include "physics/world_reading.h"
+#include "robot/motor_fault.h"
 #include "robot/start_pose.h"
 
 namespace understudy::emulator {
@@ -17,8 +18,18 @@ Error NoBody(const physics::World& world, std::string_view name) {
   return {"the model has no body '" + std::string(name) + "'" + hint};
 }
 
-Result<int> FindBody(const physics::World& world, std::string_view name) {
-  const int body = world.FindBody(std::string(name));
+Error NoMotor(const robot::RobotSpec& spec, std::string_view joint) {
+  std::vector<std::string> joints;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) joints.push_back(motor->joint);
+  const std::string nearest = NearestWord(joint, joints);
+  const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  return {"no motor has the joint '" + std::string(joint) + "'" + hint};
+}
+
+// By its name in the world's model, or by the one that it has in the robot's own.
+Result<int> FindBody(const physics::World& world, std::size_t robot, std::string_view name) {
+  int body = world.FindBody(std::string(name));
+  if (body < 0) body = world.robot(robot).FindBody(std::string(name));
   if (body < 0) return NoBody(world, name);
   if (body == 0) return Error{"'" + std::string(name) + "' does not move"};
   return body;
@@ -62,13 +73,14 @@ Field Or(double otherwise, Field field) {
 }  // namespace
 
 struct RequestActs {
-  // The id of a body that can be moved: the one that is named, else the base, which is then.
+  // Returns the id of the named body, which must be movable; by default the base, whose name is
+  // then filled in.
   static Result<int> BodyOf(const World& world, const Robot& robot, Request* request) {
     if (!request->has("body")) request->SetName("body", robot.spec().base_body);
-    return FindBody(world.physics_, request->name());
+    return FindBody(world.physics_, request->robot, request->name());
   }
 
-  // However short a time it is, it acts in one step.
+  // Even the shortest push acts in one step.
   static double Until(const World& world, const Request& request, double t) {
     return t + std::max(request.number("for"), world.physics_.timestep());
   }
@@ -158,9 +170,15 @@ struct RequestActs {
     return {};
   }
 
-  static Answer Clamp(World& world, Robot&, Request& request, double) {
-    world.physics_.robot().Clamp(request.on("on"));
+  static Answer Clamp(World&, Robot& robot, Request& request, double) {
+    robot.Clamp(request.on("on"));
     return {};
+  }
+
+  static Answer SetFault(World&, Robot& robot, Request& request, double) {
+    const auto fault = static_cast<std::size_t>(request.number("fault"));
+    if (robot.SetFault(request.name(), fault)) return {};
+    return NoMotor(robot.spec(), request.name());
   }
 
   static Answer PressKeys(World&, Robot& robot, Request& request, double t) {
@@ -211,12 +229,15 @@ struct RequestActs {
   }
 };
 
-Answer World::CheckBody(const Request& request) const {
+Answer World::CheckNames(const Request& request) const {
+  if (request.robot >= robots_.size()) {
+    return Error{"robot: the world has no robot " + std::to_string(request.robot)};
+  }
   const bool named = std::ranges::any_of(
       request.row->fields, [](const Field& field) { return field.kind == FieldKind::kBody; });
   if (!named || request.name().empty()) return {};
-  const auto body = FindBody(physics_, request.name());
-  return body ? Answer{} : Answer{body.error()};
+  const auto body = FindBody(physics_, request.robot, request.name());
+  return body ? Answer{} : Answer{Error{"body: " + body.why()}};
 }
 
 const std::vector<RequestRow>& RequestRows() {
@@ -225,8 +246,8 @@ const std::vector<RequestRow>& RequestRows() {
   using Acts = RequestActs;
   constexpr bool kNoted = true;
 
-  // All bounds are *assumed*: far beyond what is of use, and well within what physics bears. So are
-  // the times that a press, a push and a drag last unless told otherwise.
+  // All bounds are *assumed*: far beyond useful values and within what the physics can simulate.
+  // The default durations of a press, a push and a drag are *assumed* too.
   constexpr double kLeastTime = 1e-4, kLongest = 1e6, kLongestDrag = 60;  // s
   constexpr double kHardest = 1e6;                                        // N or N·s
   constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
@@ -292,6 +313,13 @@ const std::vector<RequestRow>& RequestRows() {
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
+      Row("fault", "Something is wrong with a motor from now on, over resets too",
+          {Needed(Bare({.key = "motor", .kind = kName, .does = "Its joint"})),
+           Needed(Bare({.key = "fault",
+                        .kind = kWord,
+                        .does = "limp: no torque; stuck: its joint does not turn; none: well again",
+                        .words = robot::kMotorFaultNames}))},
+          Acts::SetFault, "fault FR_calf_joint limp"),
       Row("remote.press", "Keys go down together and up again",
           {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
           Acts::PressKeys, "remote press L2+B"),

@@ -7,7 +7,7 @@
 namespace understudy::emulator {
 namespace {
 
-// What holds `q` against gravity with the gains the robot's description names.
+// The command that holds `q` against gravity with the gains of the robot's description.
 robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
   robot::RobotCommand command;
   for (std::size_t i = 0; i < q.size(); ++i) {
@@ -106,6 +106,7 @@ void Robot::Tell(std::int64_t step) {
   if (!port_->Due(step)) return;
   Sample(step);
   if (!silenced_) port_->Publish(state_, step);
+  NoteNews(port_->TakeNews());
 }
 
 void Robot::TakeCommands(double t) {
@@ -122,9 +123,8 @@ void Robot::TakeCommands(double t) {
   }
 }
 
-// All that a motion service knows is what the sensors said of the step before, as a robot's own
-// computer has it: the published sample where there was one. While no service is on nothing is
-// sampled for it.
+// The motion service gets the sample of the step before, as on a real robot: the published one if
+// there was one. Nothing is sampled for it while no service is on.
 const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
   const bool service_due = service_rate_.Due(step);
   input_.time = t;
@@ -136,6 +136,16 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
   }
   return router_.Current(input_, service_due,
                          static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);
+}
+
+bool Robot::SetFault(std::string_view joint, std::size_t fault) {
+  const auto motor = motors_.Find(joint);
+  if (!motor) return false;
+  if (motors_.faults()[*motor] == fault) return true;
+  motors_.SetFault(*motor, fault);
+  body_->Jam(*motor, robot::kMotorFaults[fault].jams);
+  Note(EventKind::kFault, {static_cast<double>(fault)}, joint);
+  return true;
 }
 
 void Robot::Silence(bool on) {
@@ -155,6 +165,17 @@ void Robot::NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal r
   }
 }
 
+void Robot::NoteNews(const robot::PortNews& news) {
+  if (news.write_failures > 0) {
+    Note(EventKind::kWriteFailure, {static_cast<double>(news.write_failures)});
+  }
+  if (news.unused_slot) Note(EventKind::kUnusedSlot);
+  if (news.unset_head) Note(EventKind::kUnsetHead);
+  if (news.writers > 0) Note(EventKind::kWriters, {static_cast<double>(news.writers)});
+}
+
+// What these are is changed in many places, by time alone too, and changed back before anybody need
+// know: each part would have to remember by itself what was told of it.
 void Robot::NoteChanges(double t) {
   const auto note = [this](EventKind kind, auto* noted, auto now) {
     if (*noted == now) return;

@@ -1,4 +1,4 @@
-// One robot of a world: what it hears, does and tells in a tick.
+// One robot of a world: takes commands, moves its motors and publishes its state in each tick.
 #pragma once
 
 #include <array>
@@ -27,72 +27,83 @@
 
 namespace understudy::emulator {
 
-// What one robot of a world is made from.
+// The parts from which a robot is made.
 struct RobotParts {
   robot::RobotSpec spec;  // validated, as the settings are
   RobotSettings settings;
   wire::RobotPort* port;                      // must outlive the robot
-  services::ServicePort* services = nullptr;  // likewise; null: nobody calls its services
+  services::ServicePort* services = nullptr;  // likewise; null: no services
 };
 
-// Owns every part of one robot but its ports and its bodies in the physics. Times are simulated [s]
-// and never go back; `step` counts the world's steps. After the first few ticks none of the four
-// parts of a tick allocates, unless a service is called.
+// Owns all parts of one robot except its ports and its bodies in the physics. Times are simulated
+// [s] and never go back; `step` counts the world's steps. After the first few ticks the parts of a
+// tick do not allocate, unless a service is called.
 class Robot {
  public:
   // Puts the robot in its start pose. `index` is its number in the world. `physics` was made for
-  // the same spec and must outlive it, and so must `events`, which it tells what happens to it.
+  // the same spec; `events` gets the robot's events. Both must outlive it.
   Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics, EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  // Answers the calls of its services that wait; `now` is wall time. Between ticks too.
+  // Answers waiting service calls; `now` is wall time. It may also be called between ticks.
   void ServeCalls(time::Clock::Time now);
 
-  // One call of a service from within; as services::ServicePort::Answer.
+  // Carries out a service call of this program, as services::ServicePort::Answer does.
   std::optional<std::int32_t> Call(std::string_view service, std::int64_t api_id,
                                    std::string_view parameter, time::Clock::Time now);
 
-  // Takes the commands that wait and decides what the motors follow in the step at t.
+  // Takes the waiting commands and selects what the motors follow in the step at t.
   void Hear(std::int64_t step, double t);
-  // Motors and tether act in the step at t. Between BeginStep and EndStep of the physics.
+  // Applies the torques of the motors and the pull of the tether. Call it between BeginStep and
+  // EndStep of the physics.
   void Act();
-  // Sends what is due of the step. After EndStep.
+  // Publishes the messages that are due in the step. Call it after EndStep.
   void Tell(std::int64_t step);
 
-  // Back to a pose that it can start in, the gate included; services stay on or off.
+  // Puts the robot back in a start pose and resets the gate. Services stay on or off.
   void Reset(robot::StartPose pose);
   robot::StartPose start_pose() const { return start_pose_; }
 
-  // Hangs it from straight above, where it is.
+  // Attaches the crane straight above the robot.
   void AttachCrane();
   physics::Crane& crane() { return crane_; }
   const physics::Crane& crane() const { return crane_; }
-  // Between the hooks.
+  // Holds the base where it is, or releases it.
+  void Clamp(bool on) { body_->Clamp(on); }
+  // Returns the middle between the hooks.
   physics::PointReading hook() const { return physics_->Point(crane_body_, crane_point_); }
 
   Remote& remote() { return remote_; }
 
-  // Stops or resumes sending; the robot goes on moving.
+  // Gives the motor of a joint, of the body or of a hand, a fault by its place in kMotorFaults, 0
+  // to take it away. Resets keep it. False if there is no such motor. Allocates nothing.
+  bool SetFault(std::string_view joint, std::size_t fault);
+
+  // Stops or resumes publishing; the robot keeps moving.
   void Silence(bool on);
 
-  // Tells of what has changed since it was last called: who moves the motors, what the robot hangs
-  // from, the remote controller's keys. After whatever may change them.
+  // Adds events for changes since the last call: who moves the motors, what the robot hangs from,
+  // the remote controller's keys. Call it after anything that may change them.
   void NoteChanges(double t);
 
   const robot::RobotSpec& spec() const { return spec_; }
   const authority::MotorOwner& owner() const { return router_.owner(); }
-  // At the joints in the last step, in motor order [N·m].
+  // Returns the joint torques of the last step, in motor order [N·m].
   std::span<const double> torque() const { return motors_.torque(); }
-  const robot::RobotCommand& command() const { return *command_; }  // that the motors followed last
-  const robot::RobotState& sampled() const { return state_; }       // last; empty before the first
+  const robot::RobotCommand& command() const {
+    return *command_;
+  }  // the last that the motors followed
+  const robot::RobotState& sampled() const {
+    return state_;
+  }  // the last sample; empty before the first
   const std::vector<std::string>& topics() const { return topics_; }
 
-  // Fills in what concerns this robot, at time t.
+  // Fills in this robot's part of the status at time t.
   void Report(double t, Status* status) const;
 
  private:
-  // How it is in one of its start poses.
+  // The state of the robot in a start pose.
   struct Start {
     robot::RobotCommand command;  // to the body
     robot::PoseSpec pose;
@@ -101,7 +112,7 @@ class Robot {
   };
 
   static constexpr std::int64_t kNever = -2;  // before any step's sample
-  // What events have told of so far.
+  // The values that the last events reported.
   struct Noted {
     authority::GateState gate = authority::GateState::kStart;
     std::string_view service;  // lives as long as the owner's services
@@ -119,21 +130,22 @@ class Robot {
   physics::Crane::Hooks hooks() const;
   void TakeCommands(double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
-  void Sample(std::int64_t step);  // of the instant that the physics shows
+  void Sample(std::int64_t step);  // samples the current instant of the physics
   void Note(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {
     events_->Add(kind, index_, numbers, text);
   }
   void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                    const authority::GateCounts& counts);
   void NoteCall(const services::Call& call);
+  void NoteNews(const robot::PortNews& news);
 
   robot::RobotSpec spec_;
   std::uint8_t index_;
-  std::vector<std::string> topics_;  // that commands come by, by number; "" where there is none
+  std::vector<std::string> topics_;  // of commands, by number; "" if there is none
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
   physics::World* physics_;
-  physics::RobotBody* body_;  // of this robot, in it
+  physics::RobotBody* body_;  // of this robot, in physics_
   EventRing* events_;
   wire::RobotPort* port_;
   services::ServicePort* services_;
@@ -153,7 +165,7 @@ class Robot {
   robot::RobotCommand offered_;
   authority::MotionInput input_;
   robot::RobotState state_;
-  std::int64_t sampled_ = kNever;  // the step that state_ is of
+  std::int64_t sampled_ = kNever;  // the step of state_
   bool silenced_ = false;
   Noted noted_;
 };

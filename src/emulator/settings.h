@@ -1,4 +1,4 @@
-// The settings of a run that concern the world and each of its robots.
+// The settings of the world and of each of its robots.
 #pragma once
 
 #include "authority/command_gate.h"
@@ -14,7 +14,7 @@ struct WorldSettings {
   bool reset_on_divergence = false;  // put the robots back to their start poses
 };
 
-// Validated: the poses and services that it names exist.
+// The settings of a robot, validated: its pose and service exist.
 struct RobotSettings {
   sensors::SensorConfig sensors;
   authority::GateConfig gate;

@@ -1,4 +1,4 @@
-// Where the tick shows itself to whoever looks.
+// Hands one snapshot per request from the tick to its observers.
 #pragma once
 
 #include <algorithm>
@@ -9,61 +9,63 @@
 #include <utility>
 
 #include "base/bell.h"
-#include "emulator/frame.h"
 #include "emulator/mailbox.h"
+#include "emulator/snapshot.h"
 
 namespace understudy::emulator {
 
 // Observers ask for parts; the tick fills in one snapshot for all that have asked, posts it and
-// wakes them. Everybody may read the newest at any time. While nobody asks, the tick reads a flag
+// wakes them. The newest can be read at any time. While nobody asks, the tick only reads one flag
 // per observer.
 class SnapshotMailbox {
  public:
-  // Of one thread.
+  // One reader. Used by one thread.
   class Observer {
    public:
-    // A snapshot with these parts, and perhaps others, that is made from now on.
-    void Ask(FrameParts parts) { asked_.fetch_or(parts | kAsked); }
-    // Rung once what was asked for is there.
+    // Requests a snapshot with at least these parts, made after this call.
+    void Ask(SnapshotParts parts) { asked_.fetch_or(parts | kAsked); }
+    // Rings once the requested snapshot has been posted.
     const Bell& bell() const { return bell_; }
 
    private:
     friend class SnapshotMailbox;
-    std::atomic<FrameParts> asked_{0};
-    bool served_ = false;  // by the snapshot that is being filled in; the tick's
+    std::atomic<SnapshotParts> asked_{0};
+    bool served_ = false;  // by the claimed snapshot; used by the tick only
     Bell bell_;
   };
 
   static constexpr std::size_t kMostObservers = 6;
-  static_assert(kMostObservers + 2 <= Mailbox<Frame>::kSlots);
+  static_assert(kMostObservers + 2 <= Mailbox<Snapshot>::kSlots);
 
-  explicit SnapshotMailbox(const Frame& prototype) : mailbox_(prototype) {}
+  explicit SnapshotMailbox(const Snapshot& prototype) : mailbox_(prototype) {}
 
-  // For as long as the mailbox lives. Any thread. Throws where there are too many.
+  // Returns an observer that lives as long as the mailbox. Any thread. Throws std::length_error if
+  // there are more than kMostObservers.
   Observer* Join() {
     const std::size_t index = joined_.fetch_add(1);
     if (index >= kMostObservers) throw std::length_error("too many observers of the snapshot");
     return &observers_[index];
   }
-  // Any thread, no longer than a moment: an observer may hold one reading.
-  Mailbox<Frame>::Reading Newest() const { return mailbox_.Newest(); }
+  // Returns the newest snapshot, for reading. Any thread. An observer may hold one reading at a
+  // time, and only briefly.
+  Mailbox<Snapshot>::Reading Newest() const { return mailbox_.Newest(); }
 
-  // The tick: the snapshot to be filled in as its `parts` say, or null where none is wanted. Post
-  // follows.
-  Frame* Wanted() {
+  // For the tick: returns the snapshot to fill in with its `parts`, or null if none is requested.
+  // Call Post afterwards.
+  Snapshot* Wanted() {
     const auto asks = [](const Observer& observer) {
       return observer.asked_.load(std::memory_order_relaxed) != 0;
     };
     if (std::ranges::none_of(observers_, asks)) return nullptr;
-    Frame* frame = mailbox_.Claim();
-    if (frame == nullptr) return nullptr;
-    frame->parts = 0;
+    Snapshot* snapshot = mailbox_.Claim();
+    if (snapshot == nullptr) return nullptr;
+    snapshot->parts = 0;
     for (Observer& observer : observers_) {
-      const FrameParts parts = observer.asked_.exchange(0);
-      frame->parts |= parts & ~kAsked;
+      const SnapshotParts parts = observer.asked_.exchange(0);
+      snapshot->parts |= parts & ~kAsked;
       if (parts != 0) observer.served_ = true;
     }
-    return frame;
+    return snapshot;
   }
   void Post() {
     mailbox_.Post();
@@ -73,9 +75,9 @@ class SnapshotMailbox {
   }
 
  private:
-  static constexpr FrameParts kAsked = 1U << 31;  // something, if only step and time
+  static constexpr SnapshotParts kAsked = 1U << 31;  // something, if only step and time
 
-  Mailbox<Frame> mailbox_;
+  Mailbox<Snapshot> mailbox_;
   std::array<Observer, kMostObservers> observers_;
   std::atomic<std::size_t> joined_{0};
 };

@@ -1,4 +1,4 @@
-// What a running robot says of itself, as plain values, and the board it is read from.
+// The status of a running robot as plain values, and the board that passes it to other threads.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace understudy::emulator {
 
 // Of one hand.
 struct HandStatus {
-  std::array<char, 16> name{};  // "" where the robot has no such hand
+  std::array<char, 16> name{};  // "" if the robot has no such hand
   authority::GateCounts commands;
 };
 
@@ -36,52 +36,52 @@ struct RecordingStatus {
   RecordingState state = RecordingState::kOff;
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;    // in the file
-  std::uint64_t dropped = 0;  // moments that are not in it, since its thread was too far behind
+  std::uint64_t dropped = 0;  // moments lost because the recorder was too slow
 };
 
-// What only the loop around the tick knows.
+// The part of the status that the loop around the tick knows.
 struct LoopReading {
-  bool ready = false;  // the first LowState is out
+  bool ready = false;  // the first LowState has been published
   time::PaceReading pace;
   time::Histogram ticks;  // wall time of each, since start
   RecordingStatus recording;
 };
 
-// What is so now, filled in by World::status() alone.
+// The present state of the world and of one of its robots, filled in by World::status().
 struct Status {
   LoopReading loop;
-  bool silenced = false;  // another robot appeared and we stopped sending
+  bool silenced = false;  // another robot appeared and publishing has stopped
   double time = 0;        // simulated s
   std::int64_t steps = 0;
   double speed = 1;  // wanted; 0 = as fast as possible
   bool paused = false;
-  std::int64_t steps_left = 0;  // to be made although paused
+  std::int64_t steps_left = 0;  // steps to make while paused
   services::ServiceCounts services;
   authority::GateState gate = authority::GateState::kStart;
-  std::array<char, 32> motion_service{};  // alias of the one that is on; "" when none is
+  std::array<char, 32> motion_service{};  // alias of the one that is on; "" if none is
   robot::MotionState motion;              // of that service
   double arm_weight = 0;                  // of rt/arm_sdk, 0..1
   robot::RemoteReading remote;
-  std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s that the sticks ask for
+  std::array<double, 3> stick_wish{};  // forward, left m/s, turn rad/s from the sticks
   authority::GateCounts commands;
   authority::GateCounts arm_commands;   // of rt/arm_sdk
   authority::GateCounts user_commands;  // of rt/user_lowcmd
   std::array<HandStatus, robot::kMostHands> hands;
   robot::PortCounts port;
   int command_writers = 0;
-  std::uint64_t published = 0;  // LowState samples
+  std::uint64_t published = 0;  // published LowState samples
   std::uint64_t divergences = 0;
-  std::size_t script_done = 0;  // events of the script that are over
+  std::size_t script_done = 0;  // events of the script carried out
   std::size_t script_refused = 0;
   double crane_tension = 0;  // N
   double crane_length = 0;   // m
   bool crane_attached = false;
   bool clamped = false;
   double base_height = 0;  // m
-  double tilt = 0;         // rad between the base's up and the world's
+  double tilt = 0;         // rad between the z axes of base and world
 };
 
-// What came by that topic.
+// Returns the counts of a command topic.
 inline const authority::GateCounts& CommandCounts(const Status& status, std::size_t topic) {
   if (topic == robot::kLowCmdTopic) return status.commands;
   if (topic == robot::kArmSdkTopic) return status.arm_commands;
@@ -89,17 +89,17 @@ inline const authority::GateCounts& CommandCounts(const Status& status, std::siz
   return status.hands[topic - robot::kFirstHandTopic].commands;
 }
 
-// One writer, the tick; any number of readers. None waits for another.
+// Passes the newest status from the tick to any number of readers. No side waits.
 class StatusBoard {
  public:
-  // The tick. Copies plain values only.
+  // For the tick. Copies plain values.
   void Post(const Status& status) {
     Status* slot = newest_.Claim();
-    if (slot == nullptr) return;  // more are reading at this moment than there are threads
+    if (slot == nullptr) return;  // cannot happen: more readings than threads
     *slot = status;
     newest_.Post();
   }
-  // Any thread. Default values before the first post.
+  // For any thread. Returns default values before the first post.
   Status Read() const { return *newest_.Newest(); }
 
  private:

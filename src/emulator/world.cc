@@ -7,7 +7,7 @@
 namespace understudy::emulator {
 namespace {
 
-// Who wait for their steps at a time: each client of the server can.
+// The most requests that wait for their steps: one for each client of the server.
 constexpr std::size_t kMostSteppers = 2 * Inbox::kCapacity;
 
 }  // namespace
@@ -70,11 +70,11 @@ void World::Attend(time::Clock::Time now) {
 void World::Reset(Robot* robot, robot::StartPose pose) {
   pushes_.Clear();
   drags_.Clear();
-  if (robots_.size() == 1) physics_.Reset();  // what lies about in the scene goes back as well
+  if (robots_.size() == 1) physics_.Reset();  // also resets movable objects of the scene
   robot->Reset(pose);
 }
 
-Status World::status(const LoopReading& loop) const {
+Status World::status(const LoopReading& loop, std::size_t robot) const {
   Status status;
   status.loop = loop;
   status.time = time();
@@ -85,7 +85,7 @@ Status World::status(const LoopReading& loop) const {
   status.divergences = divergences_;
   status.script_done = script_next_;
   status.script_refused = script_refused_;
-  robot().Report(time(), &status);
+  robots_[robot].Report(time(), &status);
   return status;
 }
 

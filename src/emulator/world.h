@@ -1,5 +1,5 @@
-// The world of a run: everything that happens in a tick happens in World::Tick(), in one direction,
-// as plain values.
+// The simulated world of a run. World::Tick() makes one step: requests, commands, physics,
+// publications.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "emulator/events.h"
-#include "emulator/frame.h"
 #include "emulator/inbox.h"
 #include "emulator/robot.h"
 #include "emulator/settings.h"
+#include "emulator/snapshot.h"
 #include "emulator/status.h"
 #include "physics/forces.h"
 #include "physics/world.h"
@@ -21,10 +21,9 @@
 
 namespace understudy::emulator {
 
-// Owns the physics, the robots in it and what they share: time, pace, script, pushes and drags.
-// Knows no wall clock: who calls Tick decides the pace. The integer step count is the master of
-// time. Two worlds with equal settings that get equal commands at equal steps send equal states,
-// bit for bit.
+// Owns the physics, the robots and what they share: time, pace, script, pushes and drags. It has no
+// wall clock: the caller of Tick keeps the pace. The integer step count defines the time. Two
+// worlds with equal settings that get equal commands at equal steps publish bit-identical states.
 class World {
  public:
   // `physics` was made for the robots' specs; `inbox` and the robots' ports must outlive the world.
@@ -33,48 +32,50 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  // Events in order of time, each given to the tick of its time as if it had come by the inbox.
-  // Before the first Tick. Throws ConfigError for a body that the model does not have.
+  // Plays a script, sorted by time: each event is carried out in the tick of its time, like a
+  // request from the inbox. Call it before the first Tick. Throws ConfigError for a robot or a
+  // body that is not in the world.
   void Play(std::vector<ScriptEvent> script);
 
-  // One physics step; `now` is wall time. After the first few it allocates nothing, unless there is
-  // a request or a call. On kDiverged nothing was sent for this step and, with reset_on_divergence,
-  // the robots are back in their start poses while time goes on.
+  // Makes one physics step; `now` is wall time. After the first few it allocates only for requests
+  // and service calls. On kDiverged nothing was published for this step and, with
+  // reset_on_divergence, the robots are back in their start poses; time continues.
   physics::StepHealth Tick(time::Clock::Time now);
 
-  // Answers the people and the calls that wait, but follows no script: between ticks, however far
-  // away the next one is. A part of Tick.
+  // Answers waiting requests and service calls without making a step or playing the script. Tick
+  // does this too; call it between ticks while the next one is far away.
   void Attend(time::Clock::Time now);
 
-  // How requests have it that Tick be called. Keeping to it is up to who calls it.
+  // Returns the pace that requests have set. The caller of Tick has to follow it.
   const time::Pace& pace() const { return pace_; }
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
-  Status status(const LoopReading& loop = {}) const;
+  // As one of the robots has it.
+  Status status(const LoopReading& loop = {}, std::size_t robot = 0) const;
 
-  // What happened so far, for readers in any thread. Whoever calls Tick may add what only it knows,
-  // such as late ticks.
+  // Returns the events so far, for readers in any thread. The caller of Tick may add its own, such
+  // as late ticks.
   EventRing& events() { return events_; }
   const EventRing& events() const { return events_; }
 
   Robot& robot(std::size_t index = 0) { return robots_[index]; }
   const Robot& robot(std::size_t index = 0) const { return robots_[index]; }
-  const physics::World& physics() const { return physics_; }  // changed by the calls above
+  const physics::World& physics() const { return physics_; }  // changed by the functions above
   // Of the last step.
   std::span<const physics::AppliedForce> pushes() const { return pushes_.forces(); }
   std::span<const physics::AppliedForce> drags() const { return drags_.forces(); }
 
-  // A frame with room for all that Show fills in.
-  Frame MakeFrame() const;
-  // Fills in those parts that frame->parts names, of the last tick, but for the bytes of
+  // A snapshot as one of the robots has it, with room for all that Show fills in.
+  Snapshot MakeSnapshot(std::size_t robot = 0) const;
+  // Fills in those parts that snapshot->parts names, of the last tick, but for the bytes of
   // wireless_remote. Between ticks; allocates nothing.
-  void Show(Frame* frame) const;
+  void Show(Snapshot* snapshot) const;
 
  private:
-  friend struct RequestActs;  // what each request does
+  friend struct RequestActs;  // implements the requests
 
-  // Somebody who waits until a step is made.
+  // A reply to give when a step is done.
   struct Stepper {
     std::int64_t step;
     Reply reply;
@@ -82,12 +83,12 @@ class World {
 
   void FollowScript(double t);
   void TakeRequests();
-  Answer CheckBody(const Request& request) const;
+  Answer CheckNames(const Request& request) const;  // robot and body
   void AnswerSteppers();
   void Reset(Robot* robot, robot::StartPose pose);
   Answer CarryOut(Request* request, double t);
 
-  // What events have told of so far.
+  // The values that the last events reported.
   struct Noted {
     bool paused = false;
     double speed = 1;

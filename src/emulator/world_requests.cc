@@ -1,4 +1,4 @@
-// How requests reach the world: from a script and from people.
+// Carries out the requests of the script and of the inbox.
 #include <utility>
 
 #include "base/errors.h"
@@ -8,15 +8,15 @@ namespace understudy::emulator {
 
 void World::Play(std::vector<ScriptEvent> script) {
   for (const ScriptEvent& event : script) {
-    if (auto fits = CheckBody(event.request); !fits) {
-      throw ConfigError(event.where + ": body: " + fits.why());
+    if (auto fits = CheckNames(event.request); !fits) {
+      throw ConfigError(event.where + ": " + fits.why());
     }
   }
   script_ = std::move(script);
 }
 
 void World::FollowScript(double t) {
-  // Half a step of grace: an event at 0.3 s belongs to the step of 0.3 s whatever either rounds to.
+  // Half a step of tolerance: an event at 0.3 s belongs to the step of 0.3 s in spite of rounding.
   const double now = t + 0.5 * physics_.timestep();
   for (; script_next_ < script_.size() && script_[script_next_].at <= now; ++script_next_) {
     ScriptEvent& event = script_[script_next_];
@@ -34,13 +34,16 @@ void World::TakeRequests() {
     const std::size_t dragged = drags_.size();
     Answer answer = CarryOut(request, time());
     if (!answer) return answer;
-    // Who drags says so many times a second; the first time counts.
+    // A drag is renewed many times a second; only the first one is an event.
     const bool renews = request->row->name == "drag" && drags_.size() == dragged;
     if (request->row->noted && !renews) {
-      events_.Append(
-          {.step = step_, .time = time(), .kind = EventKind::kRequest, .request = *request});
+      events_.Append({.step = step_,
+                      .time = time(),
+                      .kind = EventKind::kRequest,
+                      .robot = static_cast<std::uint8_t>(request->robot),
+                      .request = *request});
     }
-    if (request->row->name == "step" && request->on("wait")) {
+    if (request->waits()) {
       steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
       return std::nullopt;
     }
@@ -49,17 +52,19 @@ void World::TakeRequests() {
 }
 
 Answer World::CarryOut(Request* request, double t) {
-  Answer answer = request->row->carry_out(*this, robot(), *request, t);
+  if (request->robot >= robots_.size()) return CheckNames(*request);
+  Robot& robot = robots_[request->robot];
+  Answer answer = request->row->carry_out(*this, robot, *request, t);
   if (pace_.paused != noted_.paused) {
     events_.Add(EventKind::kPause, 0, {pace_.paused ? 1.0 : 0.0});
   }
   if (pace_.speed != noted_.speed) events_.Add(EventKind::kSpeed, 0, {pace_.speed});
   noted_ = {.paused = pace_.paused, .speed = pace_.speed};
-  robot().NoteChanges(t);
+  robot.NoteChanges(t);
   return answer;
 }
 
-// A pause forgets the steps that are left.
+// A pause cancels the remaining steps.
 void World::AnswerSteppers() {
   std::erase_if(steppers_, [this](Stepper& stepper) {
     if (step_ >= stepper.step) {

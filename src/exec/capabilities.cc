@@ -32,7 +32,7 @@ Capabilities Capabilities::OfThisThread() {
     now.permitted = Join(words[0].permitted, words[1].permitted);
     now.inheritable = Join(words[0].inheritable, words[1].inheritable);
   }
-  // A capability number that this kernel does not know reads as -1.
+  // The result is -1 for a capability number that this kernel does not know.
   for (int capability = 0; capability < 64; ++capability) {
     if (::prctl(PR_CAPBSET_READ, capability, 0, 0, 0) == 1) now.bounding |= 1ULL << capability;
   }
@@ -40,7 +40,7 @@ Capabilities Capabilities::OfThisThread() {
 }
 
 bool Capabilities::Apply() const {
-  // The bounding set first: shrinking it takes a capability that the second step may give up.
+  // The bounding set first: shrinking it needs a capability that the second step may drop.
   for (int capability = 0; capability < 64; ++capability) {
     const bool held = ::prctl(PR_CAPBSET_READ, capability, 0, 0, 0) == 1;
     if (held && (bounding >> capability & 1U) == 0 &&

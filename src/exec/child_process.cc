@@ -16,8 +16,8 @@
 namespace understudy::exec {
 namespace {
 
-constexpr std::string_view kDefaultPath = "/bin:/usr/bin";  // as execvp(3) takes it without PATH
-constexpr std::chrono::milliseconds kWaitStep{2};           // assumed; how late Wait() may notice
+constexpr std::string_view kDefaultPath = "/bin:/usr/bin";  // of execvp(3) without PATH
+constexpr std::chrono::milliseconds kWaitStep{2};  // assumed; bounds how late Wait() returns
 
 std::string_view NameOf(std::string_view entry) { return entry.substr(0, entry.find('=')); }
 
@@ -42,7 +42,7 @@ std::string SearchPath(const std::vector<std::string>& environment) {
   return std::string(kDefaultPath);
 }
 
-// The array that exec(2) takes: pointers into `strings`, which must stay, and a null.
+// The array for exec(2): pointers into `strings`, which must outlive it, and a null.
 std::vector<char*> PointersTo(std::vector<std::string>& strings) {
   std::vector<char*> pointers;
   pointers.reserve(strings.size() + 1);
@@ -57,7 +57,7 @@ void SetToDefault(int signal) {
   ::sigaction(signal, &action, nullptr);
 }
 
-// What exec would do anyway, done before the gate: a handler of ours must not run in the child.
+// Resets signal handlers, as exec would, before the child waits: ours must not run in the child.
 void ResetHandlers() {
   for (int signal = 1; signal < NSIG; ++signal) {
     struct sigaction action {};
@@ -78,7 +78,7 @@ bool IgnoresChildren() {
                      kExitOwnFailure);
 }
 
-// read(2) until `size` bytes are there. False at end of file or error.
+// Reads exactly `size` bytes. Returns false at end of file or error.
 bool ReadFully(int fd, void* buffer, std::size_t size) {
   auto* next = static_cast<char*>(buffer);
   while (size > 0) {
@@ -91,18 +91,19 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
   return true;
 }
 
-// The life of the child from fork to exec. Never returns, never throws, never allocates. It begins
-// with all signals blocked and restores `mask`.
+// Runs the child from fork to exec. Never returns, throws or allocates. It starts with all signals
+// blocked and restores `mask`.
 [[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, const char* program,
                               char* const* arguments, char* const* environment) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
-  // The parent may have died before the first call took effect; the second sees that.
+  // The parent may have died before prctl took effect; getppid() detects that.
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
   char go = 0;
   if (!ReadFully(gate, &go, 1)) ::_exit(kExitOwnFailure);
 
-  // `program` holds a slash: no second search, but a script without #! still gets its shell.
+  // `program` has a slash, so execvpe does not search again; it does run a script without #! by the
+  // shell.
   ::execvpe(program, arguments, environment);
   const int error = errno;
   ::send(gate, &error, sizeof(error), MSG_NOSIGNAL);
@@ -127,7 +128,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   gate_ = UniqueFd(ends[0]);
   UniqueFd child_gate(ends[1]);
 
-  // Blocked across the fork: a handler of ours would swallow what arrives before its reset.
+  // Blocks signals across the fork, as our handlers would consume those that arrive before the
+  // reset.
   sigset_t all;
   sigset_t mask;
   ::sigfillset(&all);
@@ -136,7 +138,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   pid_ = ::fork();
   const int error = errno;
   if (pid_ == 0) {
-    gate_.reset();  // else the gate would never show our end
+    gate_.reset();  // else the child would not see our end close
     WaitAndExec(child_gate.get(), parent, mask, program_.c_str(), argument_pointers.data(),
                 environment_pointers.data());
   }
@@ -156,7 +158,7 @@ void ChildProcess::Release() {
   if (!gate_.valid()) return;
   const UniqueFd gate = std::move(gate_);
   const char go = 1;
-  // No SIGPIPE, no error: a child that a signal ended at the gate is Poll()'s to report.
+  // Ignores errors and SIGPIPE: Poll() reports a child that a signal has ended.
   ::send(gate.get(), &go, sizeof(go), MSG_NOSIGNAL);
   int error = 0;
   if (!ReadFully(gate.get(), &error, sizeof(error))) return;
@@ -172,7 +174,7 @@ std::optional<int> ChildProcess::Poll() {
   if (ended == pid_) {
     exit_code_ = WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
   } else if (ended < 0 && errno == ECHILD) {
-    exit_code_ = kExitOwnFailure;  // somebody else waited for it: its code is lost
+    exit_code_ = kExitOwnFailure;  // other code has waited for it: its exit code is lost
   } else if (kill_at_ && std::chrono::steady_clock::now() >= *kill_at_) {
     ::kill(pid_, SIGKILL);
   }
@@ -186,7 +188,7 @@ void ChildProcess::Terminate(std::chrono::milliseconds grace) {
 }
 
 void ChildProcess::Forward(int signal) {
-  // Unreaped, the pid cannot belong to another process.
+  // The child is not reaped, so the pid cannot belong to another process.
   if (!exit_code_) ::kill(pid_, signal);
 }
 

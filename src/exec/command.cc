@@ -11,7 +11,7 @@
 namespace understudy::exec {
 namespace {
 
-// 0, or the errno that exec(2) would give.
+// Returns 0 or the errno that exec(2) would set.
 int WhyNotExecutable(const std::string& path) {
   struct stat file {};
   if (::stat(path.c_str(), &file) != 0) return errno;
@@ -35,7 +35,7 @@ std::string FindProgram(const std::string& name, const std::string& search_path)
   }
 
   std::string not_executable;
-  // The added colon makes a trailing empty folder count, as it does in a shell.
+  // The added colon keeps a trailing empty folder, as a shell does.
   std::istringstream folders(search_path + ":");
   for (std::string folder; !name.empty() && std::getline(folders, folder, ':');) {
     std::string path = (folder.empty() ? "." : folder) + "/" + name;

@@ -28,22 +28,23 @@ namespace {
   throw BusError(ExplainRefusal(step, error, NamespacePolicy::OfThisMachine()));
 }
 
-// unshare(2) moves the calling thread only: threads left behind would speak on the old network.
+// unshare(2) moves only the calling thread: other threads would stay in the old network.
 void RequireSingleThread() {
   struct stat tasks {};
   if (::stat("/proc/self/task", &tasks) != 0) RefuseNetwork("reading /proc/self/task", errno);
-  const auto threads = tasks.st_nlink - 2;  // a directory's links: itself, its name, each subfolder
+  const auto threads =
+      tasks.st_nlink - 2;  // links of a directory: "." and its name, then one per subfolder
   if (threads > 1) {
     throw BusError("no private network: the process already runs " + std::to_string(threads) +
                    " threads, and only a process of one thread can enter one");
   }
 }
 
-// 0, or errno.
+// Returns 0 or errno.
 int WriteWhole(const char* path, const std::string& text) {
   const UniqueFd file(::open(path, O_WRONLY | O_CLOEXEC));
   if (!file.valid()) return errno;
-  // The kernel takes an id map in one write or not at all.
+  // The kernel accepts an id map only in one write.
   return ::write(file.get(), text.data(), text.size()) == static_cast<ssize_t>(text.size()) ? 0
                                                                                             : errno;
 }
@@ -55,9 +56,9 @@ void MapToItself(const char* path, unsigned int id) {
   }
 }
 
-// The ids are asked before unshare: in a namespace without a map everybody is nobody.
+// The caller reads the ids before unshare: in a namespace without a map they are those of nobody.
 void MapOwnIds(uid_t uid, gid_t gid) {
-  // user_namespaces(7): without rights outside, gid_map is open only once setgroups is denied.
+  // user_namespaces(7): without privileges, gid_map can be written only after setgroups is denied.
   if (const int error = WriteWhole("/proc/self/setgroups", "deny")) {
     RefuseNetwork("writing /proc/self/setgroups", error);
   }
@@ -71,7 +72,7 @@ UniqueFd OpenControlSocket() {
   return socket;
 }
 
-// The kernel gives lo 127.0.0.1/8 by itself when it comes up.
+// The kernel assigns 127.0.0.1/8 to lo when it is set up.
 void RaiseLoopback(int socket) {
   ifreq request{};
   std::strcpy(request.ifr_name, "lo");
@@ -91,7 +92,7 @@ sockaddr Ipv4(const char* text) {
   return generic;
 }
 
-// For programs that name no interface: joining and sending then follow the routes.
+// Adds the multicast route for programs that name no interface: joining and sending use the routes.
 void RouteMulticastToLoopback(int socket) {
   char device[] = "lo";
   rtentry route{};
@@ -114,7 +115,7 @@ void EnterPrivateNetwork() {
   if (privileged) {
     if (::unshare(CLONE_NEWNET) != 0) RefuseNetwork("creating a network namespace", errno);
   } else {
-    // One call, so that a refusal of either leaves everything as it was.
+    // One call for both namespaces, so that a refusal changes nothing.
     if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) {
       RefuseNetwork("creating a user and a network namespace", errno);
     }
@@ -125,9 +126,9 @@ void EnterPrivateNetwork() {
   RaiseLoopback(socket.get());
   RouteMulticastToLoopback(socket.get());
 
-  // A new user namespace hands out every capability. Kept, they would override the permissions of
-  // the user's own files, and uid 0 would gain some at exec, which switches off the command's
-  // parent-death signal (ChildProcess).
+  // A new user namespace grants every capability. They would override the permissions of the user's
+  // files, and uid 0 would gain some at exec, which disables the command's parent-death signal
+  // (ChildProcess).
   if (!privileged && !before.Apply())
     RefuseNetwork("giving the namespace's capabilities back", errno);
 }

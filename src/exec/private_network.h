@@ -1,19 +1,18 @@
-// Moves this process into a network of its own, where robot and program of `understudy exec` meet
-// on domain 0.
+// Moves this process into a private network for the robot and the program of `understudy exec`.
 #pragma once
 
 namespace understudy::exec {
 
-// Moves this process into a new network namespace whose only interface is `lo`, up, with multicast
-// and a route 224.0.0.0/4 through it: DDS discovery and every other IPv4 multicast works as on a
-// LAN of one machine. (Outside, lo has no multicast flag, and Cyclone DDS finds only about ten
-// participants by unicast.) Children inherit the network; it ends with its last process.
+// Moves this process into a new network namespace. Its only interface is `lo`, up, with multicast
+// and a route 224.0.0.0/4, so DDS discovery and all other IPv4 multicast work as on a LAN.
+// (Elsewhere `lo` has no multicast flag, and Cyclone DDS discovers only about nine participants by
+// unicast.) Children inherit the network; it ends with its last process.
 //
-// Call it first in the process: with one thread (more: BusError), before any socket is opened,
-// since open sockets stay on the old network.
+// Call it first in the process, with one thread and before any socket is opened: open sockets stay
+// in the old network.
 //
-// With CAP_SYS_ADMIN and CAP_NET_ADMIN nothing but the network changes. Without, a user namespace
-// comes with it, and then
+// With CAP_SYS_ADMIN and CAP_NET_ADMIN only the network changes. Otherwise it also creates a user
+// namespace, with these effects:
 //   - the effective uid and gid are mapped to themselves: files, ids and $HOME are as before. All
 //     other owners show as nobody. Supplementary groups show as nogroup and still open devices.
 //   - setgroups, and set-uid programs such as sudo or ping of other owners, no longer work.
@@ -27,9 +26,9 @@ namespace understudy::exec {
 //     mounted /sys: programs that list interfaces there see NICs that they cannot use.
 //   - there is no way out: no internet, no name servers, no real robot.
 //
-// Throws BusError, in one line that names the setting which helps, where the kernel forbids it. If
-// creating the namespace is refused nothing has changed; after any later failure the process is
-// without a network and can only end.
+// Throws BusError if there are several threads or the kernel refuses; the line names the setting
+// that would allow it. If creating the namespace is refused nothing has changed; after any later
+// failure the process has no network and should exit.
 void EnterPrivateNetwork();
 
 }  // namespace understudy::exec

@@ -17,7 +17,7 @@ double GearOf(const MjcfElement& actuator, const MjcfDefaults& defaults) {
   return gear ? ReadNumbers(*gear, "gear", 1)[0] : 1.0;
 }
 
-// Whether an actuator that names no joint could put a force on this one.
+// Whether an actuator without a joint could act on this one.
 bool MayDrive(const MjcfElement& actuator, const std::string& joint, const MjcfElement& root) {
   const std::string tendon = actuator.Get("tendon");
   if (tendon.empty()) return true;
@@ -49,7 +49,7 @@ void RefuseSharedJoint(const MjcfJoint& joint, const MjcfJoints& joints, const M
                    "and by joint=. Leave out the range or use MuJoCo 3");
 }
 
-// The actuator's forcerange such that gear times force stays in `torque`.
+// Returns the forcerange for which gear times force stays within `torque`.
 MjcfRange ForceRange(const MjcfJoint& joint, const MjcfElement& actuator,
                      const MjcfDefaults& defaults) {
   const double gear = GearOf(actuator, defaults);

@@ -1,4 +1,4 @@
-// The part of the rewriting that is about forces: limits of joint torque, sensors of it, gains.
+// Rewrites actuators: limits of joint torque, sensors of joint torque, gains.
 #pragma once
 
 #include <vector>

@@ -11,13 +11,13 @@ namespace {
 
 using std::filesystem::path;
 
-// What a repository holds in place of a large file that was not fetched with it.
+// The beginning of a Git LFS pointer, which replaces a large file that was not fetched.
 constexpr std::string_view kLfsPointer = "version https://git-lfs";
 
-// Where MuJoCo looks for the files that assets name.
+// Where MuJoCo searches the files of assets.
 struct AssetFolders {
   path main, mesh, texture;
-  bool strip = false;  // of a file name take the last part only
+  bool strip = false;  // use only the last part of a file name
 };
 
 bool InMeshes(const std::string& kind) {

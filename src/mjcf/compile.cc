@@ -63,8 +63,8 @@ std::string InTermsOfFiles(std::string message, const MjcfText& text) {
   return place + ": " + message;
 }
 
-// The first element of that name at that place that has the attribute, null where there is none.
-// Without an attribute: takes it out of the tree instead.
+// Removes the attribute from the first element of that name and place that has it, or, without an
+// attribute, the first such element. Returns false if there is none.
 bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& name,
              const std::string& attribute) {
   for (auto child = parent->children.begin(); child != parent->children.end(); ++child) {
@@ -86,6 +86,7 @@ bool TakeOut(MjcfElement* parent, const std::string& place, const std::string& n
 }  // namespace
 
 void ModelDeleter::operator()(mjModel* model) const { mj_deleteModel(model); }
+ModelHandle CopyOf(const mjModel& model) { return ModelHandle(mj_copyModel(nullptr, &model)); }
 void DataDeleter::operator()(mjData* data) const { mj_deleteData(data); }
 
 ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning) {
@@ -130,8 +131,8 @@ std::vector<std::string> UnknownWords(MjcfElement root) {
   }
 }
 
-// By way of a file, in memory: into a buffer MuJoCo 2.2.2 writes less than it says it needs, does
-// not say how much, and loads nothing that has more behind it.
+// Uses a file in memory: into a buffer MuJoCo 2.2.2 writes less than it requests without reporting
+// the size, and refuses to load a buffer with extra bytes.
 std::string ModelBytes(const mjModel& model) {
   const int fd = ::memfd_create("model.mjb", MFD_CLOEXEC);
   if (fd < 0) throw ModelError("no memory for a copy of the model");

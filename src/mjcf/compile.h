@@ -10,26 +10,27 @@
 
 namespace understudy::mjcf {
 
-// `warning`, which may be null, becomes what MuJoCo warns of, "" where it does not. Throws
-// ModelError with MuJoCo's message. Both begin with file and line of the element they are about, or
-// with the root's file only where MuJoCo names no line.
+// Compiles MJCF. Sets `warning`, which may be null, to MuJoCo's warning, "" for none. Throws
+// ModelError with MuJoCo's message. Both begin with file and line of the element, or only with the
+// root's file if MuJoCo names no line.
 ModelHandle CompileMjcf(const MjcfElement& root, std::string* warning = nullptr);
 
-// Every element and attribute that this MuJoCo does not know, one line each with file and line, in
-// the order in which it refuses them. Empty where only something else is wrong, or nothing.
+// Returns all elements and attributes that this MuJoCo does not know, one line each with file and
+// line, in the order in which it refuses them. Empty if there are none.
 std::vector<std::string> UnknownWords(MjcfElement root);
 
-// "13 bodies, 13 joints, 12 actuators", without the body of the world.
+// Returns "13 bodies, 13 joints, 12 actuators", without the world body.
 std::string CountsText(const mjModel& model);
 
-// Version of the library that this program runs with, such as "2.2.2".
+// Returns the version of the loaded library, such as "2.2.2".
 const char* MujocoVersion();
 
-// As mj_saveModel writes it: only the same version of MuJoCo reads it. Throws ModelError.
+// Returns the bytes of mj_saveModel, which only the same version of MuJoCo can read. Throws
+// ModelError.
 std::string ModelBytes(const mjModel& model);
 
-// Reads what mj_saveModel wrote. Throws ModelError when this MuJoCo cannot read it; `what` names it
-// there.
+// Reads the bytes of mj_saveModel. Throws ModelError, beginning with `what`, if this MuJoCo cannot
+// read them.
 ModelHandle ReadBinaryModel(std::string_view bytes, const std::string& what);
 
 }  // namespace understudy::mjcf

@@ -9,7 +9,7 @@ namespace understudy::mjcf {
 MjcfDefaults::MjcfDefaults(const MjcfElement& root) {
   classes_[""];
   for (const MjcfElement& section : root.children) {
-    // Every section that stands at the top is about the topmost class, whatever it calls it.
+    // Every top-level section belongs to the topmost class, under any name.
     if (section.name == "default") Collect(section, "", "");
   }
 }

@@ -1,4 +1,4 @@
-// Finds what an element of a model has, its default classes included.
+// Looks up attributes of a model's elements, including those of default classes.
 #pragma once
 
 #include <initializer_list>
@@ -12,22 +12,22 @@
 
 namespace understudy::mjcf {
 
-// A setting and the element that makes it, itself or a default.
+// A setting and the element that has it: the element itself or a default.
 struct MjcfSetting {
   std::string attribute;
   std::string value;
   MjcfPlace place;
 };
 
-// Holds pointers into the tree it was made from: valid while no element is added or removed.
+// The default classes of a tree. Valid while no element of the tree is added or removed.
 class MjcfDefaults {
  public:
-  // Throws ModelError when a nested default has no class name or one that another has.
+  // Throws ModelError if a nested default has no class name or a duplicate one.
   explicit MjcfDefaults(const MjcfElement& root);
 
-  // The first of the attributes that the element has, else the nearest class, else nothing.
-  // `class_name` is the class the element takes ("" for the topmost one); `kinds` are the elements
-  // of a class that set defaults for it. A class that is not there counts as the topmost one.
+  // Returns the first of the attributes that the element has, else that of the nearest class, else
+  // nullopt. `class_name` is the element's class ("" for the topmost one); `kinds` are the elements
+  // of a class that set its defaults. An unknown class counts as the topmost one.
   std::optional<MjcfSetting> Find(const MjcfElement& element, const std::string& class_name,
                                   std::span<const char* const> kinds,
                                   std::initializer_list<const char*> attributes) const;

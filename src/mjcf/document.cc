@@ -98,7 +98,7 @@ class Reader {
     return result;
   }
 
-  // Appends what the include stands for.
+  // Appends the elements of the included file.
   void Include(const tinyxml2::XMLElement& include, const path& file, int level,
                std::vector<MjcfElement>* siblings) {
     const std::string place = MjcfPlace{file.string(), include.GetLineNum()}.text();

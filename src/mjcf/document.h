@@ -1,5 +1,5 @@
-// MJCF files as a tree: includes are put in place and asset files have absolute names, so that the
-// tree means the same wherever it stands. Every element knows the file and line it came from.
+// Reads MJCF files into a tree with includes resolved and absolute names of asset files, so that it
+// does not depend on its folder. Each element has its file and line.
 #pragma once
 
 #include <filesystem>
@@ -22,18 +22,18 @@ struct MjcfElement {
   std::vector<MjcfElement> children;
   MjcfPlace place;
 
-  // The value of an attribute; null where the element has none.
+  // Returns the value of an attribute; null if the element has none.
   const std::string* Find(const std::string& attribute) const;
-  // The value, or "" where the element has none.
+  // Returns the value, or "" if the element has none.
   std::string Get(const std::string& attribute) const;
   void Set(const std::string& attribute, const std::string& value);
   void Drop(const std::string& attribute);
 };
 
-// What the <compiler> elements say of an attribute together, "" where they say nothing.
+// Returns the effective value of an attribute of all <compiler> elements, "" if none has it.
 std::string CompilerSays(const MjcfElement& root, const std::string& attribute);
 
-// XML and, for each of its lines, where that line's element came from: lines[0] is line 1.
+// XML text, and the origin of the element in each line; lines[0] is line 1.
 struct MjcfText {
   std::string xml;
   std::vector<MjcfPlace> lines;

@@ -1,11 +1,11 @@
-// MuJoCo's arrays of numbers as Eigen's types.
+// Views of MuJoCo's arrays as Eigen types.
 #pragma once
 
 #include <Eigen/Geometry>
 
 namespace understudy::mjcf {
 
-// The nine numbers of a rotation matrix where they stand, row by row.
+// A rotation matrix of nine numbers in row-major order.
 using RotationView = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>;
 
 inline Eigen::Vector3d Vector(const double* x) { return {x[0], x[1], x[2]}; }

@@ -21,7 +21,8 @@ std::string Name(const mjModel& model, mjtObj type, int id) {
   return name == nullptr ? "" : name;
 }
 
-// The only root body that moves freely, "" where there is none, it has no name or there are more.
+// Returns the only root body with a free joint; "" if there is none, it has no name or there are
+// more.
 std::string FreeBody(const mjModel& model) {
   std::string found;
   for (int joint = 0; joint < static_cast<int>(model.njnt); ++joint) {
@@ -37,7 +38,7 @@ bool SaysImu(std::string name) {
   return name.find("imu") != std::string::npos;
 }
 
-// The only IMU site of those bodies, "" where there is none or more than one.
+// Returns the only IMU site of those bodies, "" if there is none or more than one.
 template <class F>
 std::string OnlyImu(const mjModel& model, F is_there) {
   std::string found;

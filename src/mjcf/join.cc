@@ -16,7 +16,7 @@
 namespace understudy::mjcf {
 namespace {
 
-// Attributes whose value is the name of something in the model.
+// Attributes that refer to a name in the model.
 constexpr std::string_view kNames[] = {
     "name",     "class",    "childclass", "joint",      "joint1",   "joint2",   "body",
     "body1",    "body2",    "site",       "site1",      "site2",    "geom",     "geom1",
@@ -25,11 +25,11 @@ constexpr std::string_view kNames[] = {
     "sidesite", "instance", "cranksite",  "slidersite", "subtree1", "subtree2", "jointinparent"};
 constexpr std::string_view kWorld = "world";  // the body that all robots share
 
-// Sections that name nothing. In <visual> `joint` and `camera` are colours and sizes.
+// Sections without names. In <visual> `joint` and `camera` are colours and sizes.
 constexpr std::string_view kNameless[] = {"visual", "option", "compiler", "size", "statistic"};
 
-// What says how a file is read, and what MuJoCo takes where it says nothing. autolimits is not
-// here: SpellOutLimits sees to it.
+// Attributes that decide how a file is read, and MuJoCo's defaults. Without autolimits, which
+// SpellOutLimits handles.
 constexpr std::pair<const char*, const char*> kReading[] = {
     {"angle", "degree"},         {"coordinate", "local"},     {"eulerseq", "xyz"},
     {"inertiafromgeom", "auto"}, {"balanceinertia", "false"}, {"inertiagrouprange", "0 5"},
@@ -56,8 +56,8 @@ MjcfElement& ChildAtFront(const std::string& name, MjcfElement* parent) {
   return *child;
 }
 
-// A file without autolimits means "no limits" where it says nothing of them. The same said in the
-// topmost class of defaults holds under autolimits too.
+// In a file without autolimits, elements have no limits by default. The same in the topmost class
+// of defaults also applies with autolimits.
 void SpellOutLimits(MjcfElement* topmost) {
   SetIfMissing("limited", "false", &ChildAtFront("joint", topmost));
   SetIfMissing("limited", "false", &ChildAtFront("tendon", topmost));
@@ -66,7 +66,7 @@ void SpellOutLimits(MjcfElement* topmost) {
   }
 }
 
-// Gives every element that would take the topmost class of defaults that class by name.
+// Names the topmost class of defaults in every element that uses it implicitly.
 void NameTopmostClass(const std::string& name, MjcfElement* root) {
   for (MjcfElement& section : root->children) {
     for (MjcfElement& child : section.children) {
@@ -82,7 +82,7 @@ void NameTopmostClass(const std::string& name, MjcfElement* root) {
   }
 }
 
-// Makes the topmost class of defaults one that is nested in an empty topmost class.
+// Nests the topmost class of defaults in a new, empty one.
 void NestDefaults(MjcfElement* root) {
   MjcfElement nested{.name = "default", .attributes = {}, .children = {}, .place = root->place};
   std::string name = "main";  // MuJoCo's own name for it
@@ -130,7 +130,7 @@ void RequireSameReading(const MjcfElement& other, const MjcfElement& root) {
   }
 }
 
-// What an <option> element says and `root`'s do not.
+// Returns the attributes of an <option> element that `root`'s do not have.
 void NoteOptions(const MjcfElement& option, const MjcfElement& root,
                  std::vector<std::string>* warnings) {
   for (const auto& [attribute, value] : option.attributes) {

@@ -1,4 +1,4 @@
-// The joints of a model and what drives them, with default classes counted in.
+// Collects the joints and actuators of a model, with default classes applied.
 #pragma once
 
 #include <array>
@@ -19,14 +19,14 @@ struct MjcfJoint {
   MjcfElement* element = nullptr;
   std::string class_name;
   std::string type = "hinge";
-  std::optional<MjcfRange> range;       // as written, in degrees where the compiler says so
-  std::optional<MjcfRange> torque;      // actuatorfrcrange [N·m or N] where it holds
-  std::vector<MjcfElement*> actuators;  // that act on this joint and nothing else
+  std::optional<MjcfRange> range;       // as written, in degrees if <compiler> says so
+  std::optional<MjcfRange> torque;      // actuatorfrcrange [N·m or N] if limited
+  std::vector<MjcfElement*> actuators;  // that act only on this joint
 
   bool scalar() const { return type == "hinge" || type == "slide"; }
 };
 
-// Valid while no element of the tree is added or removed.
+// All joints and actuators. Valid while no element of the tree is added or removed.
 struct MjcfJoints {
   std::vector<MjcfJoint> all;
   std::map<std::string, std::size_t> by_name;  // index in `all`
@@ -36,7 +36,7 @@ struct MjcfJoints {
   MjcfJoint* Find(const std::string& name);
 };
 
-// Throws ModelError with file and line when a range is not two ascending finite numbers.
+// Throws ModelError with file and line if a range is not two ascending finite numbers.
 MjcfJoints CollectJoints(MjcfElement* root, const MjcfDefaults& defaults);
 
 // Elements that set defaults for joints and for actuators.
@@ -45,11 +45,11 @@ inline constexpr std::array<const char*, 9> kActuatorKinds = {
     "general", "motor",    "position", "velocity", "intvelocity",
     "damper",  "cylinder", "muscle",   "adhesion"};
 
-// Numbers in the text of an attribute. Throws ModelError naming the place and `what` when there are
-// not at least `least` or one is not finite.
+// Parses the numbers of an attribute. Throws ModelError with the place and `what` if there are
+// fewer than `least` or one is not finite.
 std::vector<double> ReadNumbers(const MjcfSetting& setting, const std::string& what,
                                 std::size_t least);
-// The shortest text that reads back as the same numbers.
+// Returns the shortest text that reads back as the same numbers.
 std::string NumbersText(std::span<const double> numbers);
 
 // A range attribute that holds: limited by its word, or by being there where the word is "auto" or

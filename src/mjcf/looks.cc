@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::array<const char*, 1> kGeomKinds = {"geom"};
 
-// Every value in the tree but names: whatever refers to something by name is among them.
+// All attribute values except names; they include every reference to a name.
 void CollectValues(const MjcfElement& element, std::set<std::string>* values) {
   for (const auto& [name, value] : element.attributes) {
     if (name != "name") values->insert(value);
@@ -66,7 +66,7 @@ class Looks {
   std::set<const MjcfElement*> geoms_;
 };
 
-// Copies what stays: moving would change the addresses that `gone` holds.
+// Copies the remaining elements: moving would change the addresses in `gone`.
 MjcfElement Without(const MjcfElement& element, const std::set<const MjcfElement*>& gone) {
   MjcfElement rest{element.name, element.attributes, {}, element.place};
   for (const MjcfElement& child : element.children) {

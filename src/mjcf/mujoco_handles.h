@@ -20,4 +20,6 @@ struct DataDeleter {
 using ModelHandle = std::unique_ptr<mjModel, ModelDeleter>;
 using DataHandle = std::unique_ptr<mjData, DataDeleter>;
 
+ModelHandle CopyOf(const mjModel& model);
+
 }  // namespace understudy::mjcf

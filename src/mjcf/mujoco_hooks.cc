@@ -19,8 +19,8 @@ struct Warning {
 // MuJoCo's hooks are plain C globals; it calls them in the thread that called MuJoCo.
 thread_local Warning last_warning;
 
-// mju_error must not return. Throwing is safe here: MuJoCo's C code holds nothing but its own arena
-// at these points, and the model it was working on is abandoned.
+// mju_error must not return. Throwing is safe: MuJoCo's C code owns only its arena at these points,
+// and the model is abandoned.
 void OnError(const char* message) { throw ModelError(std::string("MuJoCo: ") + message); }
 
 void OnWarning(const char* message) {

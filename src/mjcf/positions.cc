@@ -13,7 +13,7 @@ namespace {
 constexpr std::array<const char*, 1> kPositionKinds = {"position"};
 constexpr std::array<const char*, 2> kGainKinds = {"position", "general"};
 
-// A position actuator whose kv waits for the inertia of its joint.
+// A position actuator whose kv depends on the inertia of its joint.
 struct Pending {
   std::size_t index;  // among all actuators
   double kp, ratio;

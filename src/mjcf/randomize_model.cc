@@ -41,7 +41,7 @@ void RandomizeBodies(const robot::RandomizationSpec& ranges, int base, robot::Di
   }
 }
 
-// MuJoCo keeps notes of frames that coincide and does not look at their numbers then.
+// Clears MuJoCo's flags of coinciding frames, for which it ignores the numbers.
 void ForgetCoincidences(int body, mjModel* model) {
   model->body_sameframe[body] = 0;
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
@@ -74,7 +74,7 @@ void RandomizeJoints(const robot::RandomizationSpec& ranges, const robot::RobotS
   }
 }
 
-// One factor for all geoms, since the larger friction of two counts.
+// One factor for all geoms, since a contact has the larger friction of the two.
 void RandomizeFriction(const Limits& limits, robot::Dice* dice, mjModel* model) {
   const double factor = dice->DrawOr("friction", "", limits, 1);
   for (int geom = 0; geom < static_cast<int>(model->ngeom); ++geom) {
@@ -86,8 +86,9 @@ void RandomizeFriction(const Limits& limits, robot::Dice* dice, mjModel* model) 
   }
 }
 
-// solref is a time constant and a damping ratio, or both negative, stiffness and damping. What
-// gives way goes with the square of the first and with 1 / stiffness; the damping ratio stays.
+// solref is a time constant and a damping ratio, or both negative, stiffness and damping.
+// Compliance is proportional to the square of the time constant, or to 1 / stiffness; the damping
+// ratio does not change.
 void Soften(double factor, mjtNum* solref) {
   if (solref[0] > 0) {
     solref[0] *= std::sqrt(factor);
@@ -137,15 +138,17 @@ void TiltGravity(const Limits& limits, robot::Dice* dice, mjModel* model) {
 
 }  // namespace
 
-void RandomizeModel(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
-                    robot::Dice* dice, mjModel* model) {
-  const int base = Find(*model, mjOBJ_BODY, robot.base_body);
+void RandomizeModel(const robot::RandomizationSpec& ranges,
+                    std::span<const robot::RobotSpec> robots, robot::Dice* dice, mjModel* model) {
   RandomizeFriction(ranges.friction, dice, model);
-  RandomizeBodies(ranges, base, dice, model);
-  MoveCentreOfMass(ranges.base_com, base, dice, model);
-  RandomizeJoints(ranges, robot, dice, model);
-  TurnImu(ranges.imu_mounting, robot.imu.site, dice, model);
-  TurnImu(ranges.imu_mounting, robot.imu.secondary_site, dice, model);
+  for (const robot::RobotSpec& robot : robots) {
+    const int base = Find(*model, mjOBJ_BODY, robot.base_body);
+    RandomizeBodies(ranges, base, dice, model);
+    MoveCentreOfMass(ranges.base_com, base, dice, model);
+    RandomizeJoints(ranges, robot, dice, model);
+    TurnImu(ranges.imu_mounting, robot.imu.site, dice, model);
+    TurnImu(ranges.imu_mounting, robot.imu.secondary_site, dice, model);
+  }
   TiltGravity(ranges.gravity_tilt, dice, model);
   RandomizeSoftness(ranges.floor_softness, dice, model);
   const DataHandle data(mj_makeData(model));

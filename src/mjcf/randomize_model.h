@@ -1,15 +1,19 @@
 // Randomizes a compiled model.
 #pragma once
 
+#include <span>
+
 #include "mjcf/mujoco_handles.h"
 #include "robot/randomization.h"
 
 namespace understudy::mjcf {
 
-// Draws all that `ranges` asks of the model and puts it in. Bodies are the robot's: the base and
-// what hangs from it, those that weigh something; joints its motors'. What MuJoCo derives from
-// masses is derived anew. `model` is LoadWorldModel's for the same spec.
-void RandomizeModel(const robot::RandomizationSpec& ranges, const robot::RobotSpec& robot,
-                    robot::Dice* dice, mjModel* model);
+// Draws the model's quantities in `ranges` and sets them: friction, softness and gravity once for
+// the world, the others for each robot; the bases' centres of mass move alike. Bodies are the base
+// and its subtree, as far as they have mass; joints are those of the motors. Recomputes the
+// constants that MuJoCo derives from masses. `model` is that of LoadWorldModel for those robots,
+// whose descriptions must have its names.
+void RandomizeModel(const robot::RandomizationSpec& ranges,
+                    std::span<const robot::RobotSpec> robots, robot::Dice* dice, mjModel* model);
 
 }  // namespace understudy::mjcf

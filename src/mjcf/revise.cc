@@ -11,8 +11,8 @@
 namespace understudy::mjcf {
 namespace {
 
-// The element of that kind and name below `parent`, null where there is none. Defaults and sections
-// that only refer to elements have none with a name.
+// Returns the element of that kind and name below `parent`, null if there is none. Defaults and
+// sections that only refer to elements have none with a name.
 MjcfElement* FindNamed(MjcfElement* parent, const std::string& kind, const std::string& name) {
   for (MjcfElement& child : parent->children) {
     if (child.name == kind && child.Get("name") == name) return &child;
@@ -70,7 +70,7 @@ bool IsAny(const std::string* name, const std::vector<std::string>& names) {
   return name != nullptr && std::ranges::find(names, *name) != names.end();
 }
 
-// Takes out every element for which `is_out` holds; children of one that goes go with it.
+// Removes all elements for which `is_out` holds, with their children.
 template <class F>
 void TakeOut(MjcfElement* parent, F is_out) {
   std::erase_if(parent->children, is_out);
@@ -105,7 +105,7 @@ void Revise(const robot::RobotSpec& spec, MjcfElement* root) {
   }
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
     if (motor->armature == 0) continue;
-    // A joint that is missing is refused, or called otherwise, once the model is compiled.
+    // A missing joint is refused or renamed after the model is compiled.
     MjcfElement* joint = FindNamed(root, "joint", motor->joint);
     if (joint != nullptr) joint->Set("armature", NumbersText({&motor->armature, 1}));
   }

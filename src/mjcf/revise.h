@@ -1,4 +1,4 @@
-// Changes a model where the robot's description differs from its file.
+// Applies a robot's description to its model.
 #pragma once
 
 #include "mjcf/document.h"
@@ -6,13 +6,12 @@
 
 namespace understudy::mjcf {
 
-// Gives bodies, sites and motors' joints the figures of spec.bodies, spec.sites and
-// spec.motors[].armature, and takes spec.locked_joints out with what reads or drives them, where
-// the model has them. A body that keeps its mass, centre or inertia keeps its <inertial> for the
-// rest.
+// Sets the values of spec.bodies, spec.sites and spec.motors[].armature, and removes
+// spec.locked_joints, if the model has them, with their sensors and actuators. Values that are not
+// given keep those of the body's <inertial>.
 //
-// Throws ModelError with the key when the model has no such body or site, or when only part of
-// mass, com and inertia is said of a body whose file leaves them to its geoms.
+// Throws ModelError with the key if the model has no such body or site, or if only some of mass,
+// com and inertia are given for a body whose file derives them from geoms.
 void Revise(const robot::RobotSpec& spec, MjcfElement* root);
 
 }  // namespace understudy::mjcf

@@ -12,11 +12,11 @@ constexpr char kSolver[] = "MuJoCo 2.2.2 solves the same equations its own way";
 constexpr char kBuiltIn[] = "that is how MuJoCo 2.2.2 does it";
 constexpr char kAnything[] = "";
 
-// An attribute of an element, wherever the element stands.
+// An attribute of an element anywhere in the tree.
 struct Entry {
   const char* element;
   const char* attribute;
-  const char* value;  // the only one at which it goes; kAnything: at any
+  const char* value;  // removed only with this value; kAnything: with any
   const char* why;
   const char* renamed = nullptr;
 };
@@ -74,8 +74,9 @@ constexpr Entry kEntries[] = {
      "differs by the order of the time step"},
 };
 
-// Leaves out or renames what the table lists. A setting that would change the robot's motion is
-// left out only at the value that 2.2.2 has built in; at any other it stays for MuJoCo to refuse.
+// Removes or renames the attributes of the table. A setting that affects the robot's motion is
+// removed only if it has the value that is built into 2.2.2; otherwise it stays, so that MuJoCo
+// refuses it.
 void Drop(MjcfElement* element, std::vector<Rewrite>* rewrites) {
   for (const Entry& entry : kEntries) {
     if (element->name != entry.element) continue;
@@ -109,7 +110,7 @@ void Drop(MjcfElement* element, std::vector<Rewrite>* rewrites) {
   for (MjcfElement& child : element->children) Drop(&child, rewrites);
 }
 
-// The first element with a range of which it is not said whether it holds.
+// Returns the first element with a range but without `limited`.
 const MjcfElement* FindImpliedLimit(const MjcfElement& element) {
   for (const auto& [range, limited] : {std::pair{"range", "limited"},
                                        {"ctrlrange", "ctrllimited"},
@@ -123,7 +124,7 @@ const MjcfElement* FindImpliedLimit(const MjcfElement& element) {
   return nullptr;
 }
 
-// MuJoCo 3 limits what has a range; 2.2.2 asks for a word.
+// MuJoCo 3 limits elements with a range; 2.2.2 needs the attribute `limited`.
 void SayAutolimits(MjcfElement* root, std::vector<Rewrite>* rewrites) {
   for (const MjcfElement& section : root->children) {
     if (section.name == "compiler" && section.Find("autolimits") != nullptr) return;
@@ -144,7 +145,7 @@ void SayAutolimits(MjcfElement* root, std::vector<Rewrite>* rewrites) {
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites) {
   Drop(root, rewrites);
   SayAutolimits(root, rewrites);
-  // From here on no element comes or goes: what follows points into the tree.
+  // Elements must not be added or removed below, as the following points into the tree.
   const MjcfDefaults defaults(*root);
   MjcfJoints joints = CollectJoints(root, defaults);
   LimitActuators(root, defaults, &joints, rewrites);

@@ -17,7 +17,7 @@
 
 namespace understudy::mjcf {
 
-// One thing that was said otherwise.
+// One change to a model.
 struct Rewrite {
   MjcfPlace place;
   std::string what;  // "actuatorfrcrange -88 88 became forcerange -88 88 of actuator 'knee'"
@@ -26,11 +26,11 @@ struct Rewrite {
   std::string text() const { return place.text() + ": " + what + " (" + why + ")"; }
 };
 
-// The rewriting, for MuJoCo 2.2.2. Appends to `rewrites`; nothing where the file is fine as it is.
-// From MuJoCo 3 on models are taken as they are.
+// Rewrites the tree for MuJoCo 2.2.2 and appends the changes to `rewrites`. With MuJoCo 3 it does
+// nothing.
 //
-// Throws ModelError with file and line for what cannot be carried over: an actuatorfrcrange on a
-// joint that two actuators or an actuator through something else than a joint may drive, or a
+// Throws ModelError with file and line for what cannot be converted: an actuatorfrcrange on a joint
+// that two actuators, or an actuator with another transmission than a joint, may drive, or a
 // dampratio of such an actuator.
 void RewriteForMujoco2(MjcfElement* root, std::vector<Rewrite>* rewrites);
 

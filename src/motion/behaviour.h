@@ -1,17 +1,16 @@
-// What leads a robot while its motion service is in a state.
+// The interface of behaviours, which control the motors while a motion service is in a state.
 #pragma once
 
 namespace understudy::motion {
 
-// Leads from its beginning until it is over or another one begins. Each has a Begin of its own,
-// which takes what was sensed last and what it needs besides. Allocates nothing after its
-// constructor.
+// A behaviour is active from its Begin until it is over or another one begins. Each has its own
+// Begin, which takes the last reading and further arguments. Allocates only in the constructor.
 template <class Sensed, class Command>
 class BehaviourOf {
  public:
   virtual ~BehaviourOf() = default;
 
-  // One step of dt [s]. `command` is what the last step of any behaviour said.
+  // Makes one step of dt [s]. `command` has the result of the previous step, of any behaviour.
   virtual void Step(const Sensed& sensed, double dt, Command* command) = 0;
 
   virtual bool over() const = 0;

@@ -1,14 +1,14 @@
-// The motion service of a robot that nothing here can make move.
+// The motion service of a robot without a controller: it only damps.
 #pragma once
 
 #include "authority/motion.h"
 
 namespace understudy::motion {
 
-// Damps, or lets the joints hang, and can do nothing else.
+// Damps the joints or lets them go limp; refuses all other goals.
 class DampingMotion final : public authority::Motion {
  public:
-  // `damped` and `limp` are what state() says in either state; `kd` [N·m·s/rad] damps each joint.
+  // state() returns `damped` or `limp`; `kd` [N·m·s/rad] damps each joint.
   DampingMotion(const robot::MotionState& damped, const robot::MotionState& limp, double kd)
       : damped_(damped), limp_(limp), kd_(kd) {}
 

@@ -1,4 +1,4 @@
-// A smooth way from one set of joint angles to another.
+// A smooth motion from one set of joint angles to another.
 #pragma once
 
 #include <span>
@@ -6,20 +6,21 @@
 
 namespace understudy::motion {
 
-// How far a smooth move has come at the fraction `s` of its time: 0 up to s = 0, 1 from s = 1, with
-// no rate and no acceleration at both ends (10 s³ - 15 s⁴ + 6 s⁵).
+// The position of a smooth motion from 0 to 1 at the fraction `s` of its time, with zero rate and
+// acceleration at both ends: 10 s³ - 15 s⁴ + 6 s⁵, constant outside 0..1.
 double SmoothStep(double s);
-double SmoothStepRate(double s);  // its derivative
+double SmoothStepRate(double s);  // the derivative
 
-// All joints leave and arrive together. Allocates in the constructor only.
+// All joints start and end together. Allocates only in the constructor.
 class JointMove {
  public:
   explicit JointMove(std::size_t joints) : from_(joints), to_(joints) {}
 
-  // From `from` [rad] to `to` [rad], both of the constructor's size, in `duration` s; 0 is at once.
+  // Starts a move from `from` to `to` [rad], both of the constructor's size, in `duration` [s], 0
+  // for an immediate one.
   void Begin(std::span<const double> from, std::span<const double> to, double duration);
 
-  // Goes on by dt [s]. Before the first Begin all angles are 0 and the move is over.
+  // Advances by dt [s]. Before the first Begin all angles are 0 and the move is over.
   void Advance(double dt) { elapsed_ += dt; }
 
   double q(std::size_t joint) const;   // rad

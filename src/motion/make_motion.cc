@@ -22,7 +22,7 @@ std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
     if (spec.kind == robot::RobotKind::kHumanoid) return MakeHumanoidMotion(spec, body);
     if (robot::IsQuadruped(spec.kind)) return MakeQuadrupedMotion(spec, body);
   } catch (const ModelError&) {
-    // Somebody else's model, in which the feet are not to be found: it can only damp.
+    // A third-party model whose feet are not found can only damp.
   }
   const bool quadruped = robot::IsQuadruped(spec.kind);
   return std::make_unique<DampingMotion>(quadruped ? kQuadrupedDamped : kHumanoidDamped,

@@ -1,4 +1,4 @@
-// The controller that plays a robot's motion services.
+// Makes the controller of a robot's motion services.
 #pragma once
 
 #include <memory>
@@ -9,8 +9,8 @@
 
 namespace understudy::motion {
 
-// Never null. `spec` and the body's model must outlive it; `damping_kd` [N·m·s/rad] is for robots
-// that can only damp: those without a controller, and a model in which its feet are not found.
+// Never returns null. `spec` and the body's model must outlive it. `damping_kd` [N·m·s/rad] is for
+// robots that only damp: those without a controller, and models whose feet are not found.
 std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
                                               const physics::RobotBody& body, double damping_kd);
 

@@ -1,4 +1,4 @@
-// The form of a motion service's state machine: rows that say what a wish comes to in a state.
+// State machines of motion services as tables: each row has the verdict on a goal in some states.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace understudy::motion {
 
-// Some of the states of an enum of at most 32.
+// A set of states of an enum with at most 32 values.
 template <class State>
 class StateSet {
  public:
@@ -26,18 +26,17 @@ class StateSet {
   std::uint32_t bits_ = 0;
 };
 
-// One row. `When` is an enum of conditions, `Wish` what the rows are found by.
+// One row. `Wish` is the type of the goal's key, `When` an enum of conditions.
 template <class Wish, class State, class When>
 struct Transition {
   Wish wish;
   StateSet<State> from;
   When when;
   authority::MotionVerdict verdict;
-  std::optional<State> to = {};  // where kTaken leads; none: the state stays
+  std::optional<State> to = {};  // next state for kTaken; nullopt: no change
 };
 
-// The first row of `rows` for that wish in that state whose condition `holds`. Null: the wish is
-// not for now.
+// Returns the first row for that goal and state whose condition `holds`; null means kNotNow.
 template <class Wish, class State, class When, class Holds>
 const Transition<Wish, State, When>* Find(std::span<const Transition<Wish, State, When>> rows,
                                           const Wish& wish, State from, const Holds& holds) {

@@ -29,7 +29,7 @@ Crane::Pulls Crane::Step(const Hooks& hooks, double dt) {
   const double move = std::clamp(to_pay_out_, -config_.speed * dt, config_.speed * dt);
   length_ += move;
   to_pay_out_ -= move;
-  if (length_ < kShortest) {  // whatever is left to be raised is forgotten
+  if (length_ < kShortest) {  // cancels the rest of the motion
     length_ = kShortest;
     to_pay_out_ = 0;
   }

@@ -1,4 +1,4 @@
-// The crane that humanoids hang from.
+// Models the crane from which humanoids hang.
 #pragma once
 
 #include <array>
@@ -14,14 +14,14 @@ struct CraneConfig {
   double speed = 0.1;        // m/s at which it is lowered or raised
 };
 
-// Two elastic straps side by side, each between a fixed anchor and a hook on the robot, so that it
-// does not turn round. A strap pulls or is slack; it never pushes:
+// Two elastic straps side by side, so that the robot does not turn, each between a fixed anchor and
+// a hook on the robot. A strap pulls or is slack, and never pushes:
 //
 //   tension = max(0, stiffness / 2 · (|hook - anchor| - length) + damping / 2 · d|hook -
 //   anchor|/dt) when longer than length
 //
-// A taut strap also damps how its hook swings. Figures are *assumed*: a stiff webbing sling, over a
-// robot's shoulders.
+// A taut strap also damps the swing of its hook. Figures are *assumed*: a stiff webbing sling over
+// the robot's shoulders.
 class Crane {
  public:
   explicit Crane(const CraneConfig& config) : config_(config) {}
@@ -30,27 +30,28 @@ class Crane {
   using Hooks = std::array<PointReading, 2>;
   using Pulls = std::array<Eigen::Vector3d, 2>;
 
-  // How far left and right of the middle the hooks are [m]; *assumed*.
+  // Distance [m] of the hooks from the middle; *assumed*.
   static constexpr double kHookOffset = 0.12;
 
-  // Hangs the hooks, where they are now, from straight above with the straps carrying `weight` [N].
+  // Attaches the straps straight above the hooks' present positions, with a tension of `weight`
+  // [N].
   void Attach(const Hooks& hooks, double weight);
   void Release() {
     attached_ = false;
     tension_ = 0;
   }
-  // Pays out `by` [m] at the configured speed; negative raises, until the hook is 5 cm from the
-  // anchor. Adds to what is still to be paid out.
+  // Lowers by `by` [m] at the configured speed; a negative value raises, until the hook is 5 cm
+  // from the anchor. Adds to earlier calls.
   void Lower(double by) { to_pay_out_ += by; }
 
-  // The pulls [N] on the hooks, world axes, and one step of dt [s] of the winch.
+  // Moves the winch for one step of dt [s] and returns the pulls [N] on the hooks, world axes.
   Pulls Step(const Hooks& hooks, double dt);
 
   bool attached() const { return attached_; }
   double length() const { return length_; }  // m, unloaded
   // N, of both straps in the last step; 0 when not attached.
   double tension() const { return tension_; }
-  // Between the anchors [m, world]; means nothing before the first Attach.
+  // Returns the middle between the anchors [m, world]; meaningless before the first Attach.
   Eigen::Vector3d anchor() const { return (p_WA_[0] + p_WA_[1]) / 2; }
 
  private:

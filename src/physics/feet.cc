@@ -15,7 +15,7 @@ constexpr double kSameSole = 0.01;  // m, assumed: less than a calf's other geom
 // "left" of left_foot and of left_ankle_roll_joint.
 std::string Side(const std::string& name) { return name.substr(0, name.find('_')); }
 
-// The colliding geoms that the joints of that side's motors move.
+// Finds the colliding geoms that are moved by the motors of that side.
 std::vector<int> GeomsOfSide(const mjModel& model, const robot::RobotSpec& spec,
                              const std::string& side) {
   std::vector<int> geoms;

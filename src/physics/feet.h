@@ -1,4 +1,4 @@
-// Finds the geoms that are feet.
+// Finds the geoms of the feet.
 #pragma once
 
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace understudy::physics {
 
-// For each geom of the model the index of its foot in spec.feet, or -1. A foot has the geoms that
-// it names. When none of them is in the model, the foot is searched for with the joints at zero: it
-// has the colliding geoms of the lowest body moved by motors whose joints begin as the foot does
-// (FR, left), as far as they reach within 1 cm of the lowest. `data` has the kinematics of joints
-// at zero.
+// Returns for each geom of the model the index of its foot in spec.feet, or -1. A foot has the
+// geoms that it names. If none of them is in the model, it gets the colliding geoms of the lowest
+// body (at joint angles 0) that is moved by motors whose joints begin like the foot's name (FR,
+// left); only geoms that reach within 1 cm of the lowest point count. `data` has the kinematics at
+// joint angles 0.
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec);
 
 }  // namespace understudy::physics

@@ -34,7 +34,7 @@ void Pushes::Clear() {
 }
 
 void Pushes::Act(double t, World* world) {
-  // Half a step of grace: a push of 0.1 s is one of 100 steps whatever either rounds to.
+  // Half a step of tolerance: a push of 0.1 s has 100 steps in spite of rounding.
   const double now = t + 0.5 * world->timestep();
   std::erase_if(pushes_, [now](const Push& push) { return now >= push.until; });
   forces_.clear();

@@ -1,4 +1,4 @@
-// Measures how far geoms reach.
+// Computes extents of geoms.
 #pragma once
 
 #include "mjcf/mujoco_handles.h"
@@ -7,12 +7,12 @@ namespace understudy::physics {
 
 bool Collides(const mjModel& model, int geom);
 
-// How far [m] a geom reaches from its origin in a direction, a unit vector in its own frame. For
-// the shapes that may move; 0 for planes and height fields.
+// Returns how far [m] a geom extends from its origin along a unit vector in its frame. 0 for planes
+// and height fields, which cannot move.
 double Reach(const mjModel& model, int geom, const double direction[3]);
 
-// Height [m] in the world of the lowest point of a geom, where `data` has its kinematics. For the
-// shapes that may move; for planes and height fields that of their middle.
+// Returns the world height [m] of a geom's lowest point for the kinematics in `data`; for planes
+// and height fields that of their origin.
 double LowestPoint(const mjModel& model, const mjData& data, int geom);
 
 }  // namespace understudy::physics

@@ -1,4 +1,4 @@
-// Puts friction, damping and armature of joints into a compiled model.
+// Sets friction, damping and armature of joints in a compiled model.
 #pragma once
 
 #include "mjcf/mujoco_handles.h"
@@ -6,10 +6,9 @@
 
 namespace understudy::physics {
 
-// Gives the motors' joints the figures of spec.dynamics.fitted where spec.dynamics.use asks for
-// them; else, and where those say nothing, the model keeps its own. A motor's own armature stands
-// over a fitted one. What MuJoCo derives from them is derived anew. The model has the joints that
-// `spec` names.
+// Sets the values of spec.dynamics.fitted if spec.dynamics.use is fitted; joints without a fitted
+// value keep that of the model. A motor's armature overrides a fitted one. Recomputes the constants
+// that MuJoCo derives. The model must have the joints of `spec`.
 void UseFittedDynamics(const robot::RobotSpec& spec, mjModel* model);
 
 }  // namespace understudy::physics

@@ -33,17 +33,26 @@ int Positions(int joint_type) {
 
 }  // namespace
 
-RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot)
+// Friction that nothing overcomes, as hard as MuJoCo has it: with its default of 0.9 a joint would
+// creep by some 0.1 rad/s under the weight of a leg.
+constexpr double kSeized = 1e4;  // N·m, assumed
+const RobotBody::JointFriction RobotBody::kJammed = {kSeized, {mjMAXIMP, mjMAXIMP}};
+
+RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, const mjModel* nominal)
     : model_(model),
+      nominal_(nominal),
       data_(data),
       prefix_(robot.prefix),
       spec_(mjcf::WithPrefix(robot.prefix, robot.spec)),
       x_(robot.x),
-      y_(robot.y) {
+      y_(robot.y),
+      yaw_(robot.yaw) {
   for (const robot::MotorSpec* motor : robot::AllMotors(spec_)) {
     const int joint = mj_name2id(model_, mjOBJ_JOINT, motor->joint.c_str());
     q_address_.push_back(model_->jnt_qposadr[joint]);
-    dq_address_.push_back(model_->jnt_dofadr[joint]);
+    const int dof = dq_address_.emplace_back(model_->jnt_dofadr[joint]);
+    const mjtNum* impedance = model_->dof_solimp + mjNIMP * dof;
+    friction_.push_back({model_->dof_frictionloss[dof], {impedance[0], impedance[1]}});
   }
   q_.resize(q_address_.size());
   dq_.resize(dq_address_.size());
@@ -67,7 +76,10 @@ void RobotBody::Reset(const robot::PoseSpec& pose) {
     mjtNum* base = data_->qpos + base_q_;
     const mjtNum position[3] = {x_, y_, pose.height};
     mju_copy3(base, position);
-    mju_copy4(base + 3, pose.quat.data());
+    mjtNum turn[4];
+    const mjtNum up[3] = {0, 0, 1};
+    mju_axisAngle2Quat(turn, up, yaw_);
+    mju_mulQuat(base + 3, turn, pose.quat.data());
     mju_normalize4(base + 3);
   }
   for (std::size_t i = 0; i < pose.q.size(); ++i) data_->qpos[q_address_[i]] = pose.q[i];
@@ -78,7 +90,7 @@ void RobotBody::Reset(const robot::PoseSpec& pose) {
   ReadKinematics();
 }
 
-// Gives all that hangs together with the base the state of mj_resetData.
+// Resets the joints of the base's kinematic tree as mj_resetData does.
 void RobotBody::Forget() {
   const int root = model_->body_rootid[base_body_];
   const auto is_own = [&](int body) { return model_->body_rootid[body] == root; };
@@ -105,8 +117,8 @@ void RobotBody::Clamp(bool on) {
   Active(model_, data_)[clamp_] = on;
   if (!on) return;
   // eq_data of a weld: anchor in the second body (the world), the same point in the first (the
-  // base), attitude of the second in the first, scale. The point is the base's own origin: one far
-  // away would turn the little that the attitude gives way into metres of lever.
+  // base), attitude of the second in the first, scale. The point is the base's origin: with a
+  // distant one, small errors of attitude would become large displacements.
   mjtNum* pose = model_->eq_data + mjNEQDATA * clamp_;
   mju_copy3(pose, data_->qpos + base_q_);
   mju_zero3(pose + 3);
@@ -114,6 +126,13 @@ void RobotBody::Clamp(bool on) {
 }
 
 bool RobotBody::clamped() const { return has_fixed_base() || Active(model_, data_)[clamp_] != 0; }
+
+void RobotBody::Jam(std::size_t motor, bool on) {
+  const int dof = dq_address_[motor];
+  const JointFriction& friction = on ? kJammed : friction_[motor];
+  model_->dof_frictionloss[dof] = friction.torque;
+  std::ranges::copy(friction.impedance, model_->dof_solimp + mjNIMP * dof);
+}
 
 int RobotBody::FindBody(const std::string& name) const {
   return mj_name2id(model_, mjOBJ_BODY, (prefix_ + name).c_str());

@@ -1,6 +1,8 @@
 // One robot of the simulated world: its base, joints, inertial units and feet.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,39 +14,43 @@
 
 namespace understudy::physics {
 
-// A robot of a world and where it stands there.
+// A robot and its place in the world.
 struct PlacedRobot {
   robot::RobotSpec spec;
   std::filesystem::path file{};  // its MJCF
-  // Begins all names of the robot in the world's model. "" for the only robot of a world; robots of
-  // one world have different ones.
+  // Prefix of the robot's names in the world's model, different for each robot; "" for the only
+  // robot.
   std::string prefix{};
-  double x = 0, y = 0;  // m, where the robot's own origin is in the world
+  double x = 0, y = 0;  // m, the robot's origin in the world
+  double yaw = 0;       // rad, heading of its poses
 };
 
-// Reads and drives one robot in a World, and sees no other one. `q`, `dq`, base and bodies belong
-// to the instant that World says. Allocates in the constructor only.
+// Reads and drives one robot of a World. `q`, `dq`, base and bodies belong to the instant described
+// at World. Allocates only in the constructor.
 class RobotBody {
  public:
-  // For World, which owns `model` and `data`. The data has the kinematics of joints at zero.
-  RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot);
+  // For World, which owns the models and `data`. `data` has the kinematics at joint angles 0.
+  RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, const mjModel* nominal);
 
-  // Puts the robot at rest over its place in that pose, as high over the ground that is there as
-  // the pose says (LiftOntoGround), and lets go of a clamped base. A fixed base stays where its
-  // file has it. Everything else stays where it is, and its readings are of that instant.
+  // Puts the robot at rest at its place in that pose, with the pose's height over the ground there
+  // (LiftOntoGround), and unclamps the base. A fixed base keeps the pose of its file. Other robots
+  // and objects do not change. Readings are then those of the new state.
   void Reset(const robot::PoseSpec& pose);
 
-  // Torques [N·m] of the joints in motor order; finite. They act in the coming steps until others
-  // are set or Reset.
+  // Sets the joint torques [N·m] in motor order, which must be finite. They act until the next call
+  // or Reset.
   void Drive(std::span<const double> tau);
 
-  // Holds the base where it is now, as a stand does, or lets go. A fixed base is always held.
+  // Fixes the base where it is now, as a stand does, or releases it. A fixed base is always held.
   void Clamp(bool on);
   bool clamped() const;
 
-  // The world's index of a body of this robot. Throws ModelError when there is none.
+  // Keeps the joint of a motor, by its place in motor order, from turning, or lets it turn again.
+  void Jam(std::size_t motor, bool on);
+
+  // Returns the world's index of a body of this robot. Throws ModelError if there is none.
   int Body(const std::string& name) const;
-  // The same without a throw: -1 when there is none.
+  // The same, but returns -1 if there is none.
   int FindBody(const std::string& name) const;
 
   // Joint angles [rad] and rates [rad/s] in motor order.
@@ -53,15 +59,17 @@ class RobotBody {
   const robot::BaseReading& base() const { return base_; }
   double tilt() const;  // rad between the base's up and the world's
   robot::ImuReading Imu() const { return Read(imu_); }
-  // Default where there is none.
+  // Returns default values if there is none.
   robot::ImuReading SecondaryImu() const { return Read(secondary_imu_); }
-  // What the contacts press on each foot [N], in spec order: the part of their normal forces along
-  // FootSpec::axis, never negative.
+  // Computes the force of the contacts on each foot [N], in spec order: the component of their
+  // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
   double weight() const;  // N
 
-  // The world's model, and the robot's description with the names that it has there.
+  // The world's model, and the robot's description with the names in that model.
   const mjModel& model() const { return *model_; }
+  // The same before chance changed it: what the robot's own controller knows of itself.
+  const mjModel& nominal() const { return *nominal_; }
   const robot::RobotSpec& spec() const { return spec_; }
 
  private:
@@ -73,6 +81,12 @@ class RobotBody {
     int accel = -1;
   };
 
+  struct JointFriction {
+    double torque = 0;                  // N·m
+    std::array<double, 2> impedance{};  // dmin and dmax of MuJoCo's solimp
+  };
+  static const JointFriction kJammed;
+
   ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
   robot::ImuReading Read(const ImuAddress& address) const;
   void ReadKinematics();
@@ -80,11 +94,13 @@ class RobotBody {
   bool has_fixed_base() const { return clamp_ < 0; }
 
   mjModel* model_;
+  const mjModel* nominal_;
   mjData* data_;
   std::string prefix_;
   robot::RobotSpec spec_;
-  double x_, y_;                             // m
+  double x_, y_, yaw_;                       // m, rad
   std::vector<int> q_address_, dq_address_;  // in motor order
+  std::vector<JointFriction> friction_;      // likewise: as the model has it
   std::vector<int> foot_of_geom_;            // -1 where the geom is no foot's
   std::vector<Eigen::Vector3d> foot_axis_;
   int base_body_ = 0;

@@ -49,7 +49,7 @@ std::string TypeName(int type) {
   }
 }
 
-// A material's colour holds unless the geom has one of its own, as in MuJoCo's own viewer.
+// The material's colour applies unless the geom has one, as in MuJoCo's viewer.
 std::array<float, 4> Colour(const mjModel& model, int geom) {
   constexpr std::array<float, 4> kDefault{0.5F, 0.5F, 0.5F, 1};
   const auto own = Array<4>(model.geom_rgba + 4 * geom);
@@ -68,7 +68,7 @@ SceneGeom Geom(const mjModel& model, int i) {
                  .rgba = Colour(model, i),
                  .group = model.geom_group[i],
                  .collides = model.geom_contype[i] != 0 || model.geom_conaffinity[i] != 0};
-  // A shape that was fitted to a mesh still names it.
+  // A shape that was fitted to a mesh still refers to it.
   if (model.geom_type[i] == mjGEOM_MESH) geom.mesh = model.geom_dataid[i];
   if (model.geom_type[i] == mjGEOM_HFIELD) geom.hfield = model.geom_dataid[i];
   return geom;
@@ -93,7 +93,7 @@ void AppendCounts(int first, int second, std::string* to) {
 const mjModel& SceneReader::model() {
   if (!model_) {
     model_ = make_();
-    // Compiling takes many times what comes of it. This gives the rest back, where memory is not
+    // Compiling needs many times the memory of the result. This frees the rest if memory is not
     // locked.
     malloc_trim(0);
   }

@@ -1,4 +1,4 @@
-// Describes a compiled world once for a viewer: bodies, shapes, colours, meshes.
+// Describes a compiled world for viewers: bodies, shapes, colours, meshes.
 #pragma once
 
 #include <array>
@@ -21,11 +21,11 @@ struct SceneBody {
 struct SceneGeom {
   std::string name;
   int body = 0;
-  std::string type;                        // MuJoCo's word: plane, hfield, sphere, capsule, ...
-  std::array<double, 3> size{};            // m, as MuJoCo has it for the type
+  std::string type;                        // MuJoCo's name: plane, hfield, sphere, capsule, ...
+  std::array<double, 3> size{};            // m, as in MuJoCo for the type
   std::array<double, 3> pos{};             // m, in the body's frame
   std::array<double, 4> quat{1, 0, 0, 0};  // likewise
-  std::array<float, 4> rgba{};             // with its material's
+  std::array<float, 4> rgba{};             // combined with the material's
   int group = 0;
   bool collides = false;
   int mesh = -1;
@@ -57,10 +57,10 @@ struct SceneJoint {
   std::string name;
   std::array<double, 2> range{};  // rad or m
   bool limited = false;
-  int position = 0;  // where it is in qpos
+  int position = 0;  // index in qpos
 };
 
-// By MuJoCo's ids: body 3 is bodies[3].
+// A scene. Indices are MuJoCo's ids: body 3 is bodies[3].
 struct Scene {
   std::string mujoco;  // version of the library
   double timestep = 0;
@@ -73,9 +73,8 @@ struct Scene {
   std::vector<SceneJoint> joints{};
 };
 
-// Reads from a model of its own, which is compiled when something is first asked for and then
-// stays: the robot's own thread knows nothing of it. Of one thread. Whatever is asked for throws as
-// the making does.
+// Reads a separate model, which it compiles at the first call, so that the tick is not involved.
+// For one thread. All functions throw what making the model throws.
 class SceneReader {
  public:
   using MakeModel = std::function<mjcf::ModelHandle()>;

@@ -72,7 +72,7 @@ class SetDown {
     return false;
   }
 
-  // Of what collides of the robot, m; infinite where nothing does.
+  // Returns the lowest point of the robot's colliding geoms [m]; infinity if there are none.
   double LowestPoint() const {
     double lowest = std::numeric_limits<double>::infinity();
     for (int geom = 0; geom < static_cast<int>(model_.ngeom); ++geom) {

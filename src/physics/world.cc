@@ -10,16 +10,20 @@ using mjcf::Vector;
 
 namespace {
 
-// MuJoCo resets the state by itself when it finds one of these, and counts it.
+// Warnings for which MuJoCo resets the state.
 constexpr int kDivergenceWarnings[] = {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC};
 
 }  // namespace
 
-World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots)
-    : model_(std::move(model)), data_(mj_makeData(model_.get())) {
+World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
+             mjcf::ModelHandle nominal)
+    : model_(std::move(model)), nominal_(std::move(nominal)), data_(mj_makeData(model_.get())) {
   mj_kinematics(model_.get(), data_.get());
   robots_.reserve(robots.size());
-  for (const PlacedRobot& robot : robots) robots_.emplace_back(model_.get(), data_.get(), robot);
+  for (const PlacedRobot& robot : robots) {
+    robots_.emplace_back(model_.get(), data_.get(), robot,
+                         nominal_ == nullptr ? model_.get() : nominal_.get());
+  }
   mj_forward(model_.get(), data_.get());
   for (RobotBody& robot : robots_) robot.ReadKinematics();
 }

@@ -1,5 +1,4 @@
-// The simulated world: robots on their ground, and what moves them. Nothing outside this folder and
-// mjcf/ sees MuJoCo.
+// Steps the simulated world: robots, their ground and external forces.
 #pragma once
 
 #include <string>
@@ -10,13 +9,13 @@
 
 namespace understudy::physics {
 
-// A point fixed to a body, as it is now, in the world frame.
+// Position and velocity of a point fixed to a body, in the world frame.
 struct PointReading {
   Eigen::Vector3d p_WP{0, 0, 0};    // m
   Eigen::Vector3d v_WP_W{0, 0, 0};  // m/s
 };
 
-// How a step went.
+// The result of a step.
 enum class StepHealth {
   kFine,
   kDiverged,  // a position, rate or acceleration was not finite or beyond reason; the world now
@@ -34,37 +33,39 @@ enum class StepHealth {
 // pose of the model's file. Allocates in the constructor only.
 class World {
  public:
-  // `model` comes from LoadWorldModel with the same robots.
-  World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots);
+  // `model` comes from LoadWorldModel with the same robots. `nominal` is what it was before chance
+  // changed it; null: the same.
+  World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
+        mjcf::ModelHandle nominal = nullptr);
 
   // In the constructor's order. Their addresses stay valid when the world is moved.
   RobotBody& robot(std::size_t i = 0) { return robots_[i]; }
   const RobotBody& robot(std::size_t i = 0) const { return robots_[i]; }
 
-  // Puts everything where the model's file has it, at rest.
+  // Puts everything at rest in the pose of the model's file.
   void Reset();
 
   void BeginStep();
-  // External forces set before act in this step and are then gone.
+  // Applies the external forces set since BeginStep, only in this step.
   [[nodiscard]] StepHealth EndStep();
 
-  // A force [N] on a point that is fixed to a body, for the coming EndStep. Adds up.
+  // Adds a force [N] on a point fixed to a body, for the next EndStep.
   void AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W);
 
-  // Index of a body by its name in the world's model, -1 when there is none.
+  // Returns the index of a body by its name in the world's model, -1 if there is none.
   int FindBody(const std::string& name) const;
   Eigen::Vector3d CenterOfMass(int body) const;  // m, world; as of the last BeginStep
   double SubtreeMass(int body) const;            // kg, of the body and all that hangs on it
-  // The point p [m] in the frame of a body.
+  // Returns position and velocity of the point p_BP [m] of a body.
   PointReading Point(int body, const Eigen::Vector3d& p_BP) const;
 
   double timestep() const;  // s
-  // For a test or a viewer to copy from; never to write.
+  // For tests and viewers.
   const mjModel& model() const { return *model_; }
   const mjData& data() const { return *data_; }
 
  private:
-  mjcf::ModelHandle model_;
+  mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;
   std::vector<RobotBody> robots_;
 };

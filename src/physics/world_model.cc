@@ -22,8 +22,7 @@
 namespace understudy::physics {
 namespace {
 
-// The robot's tree and what it compiles to by itself, which makes every message name the right
-// file.
+// The robot's tree and the model of it alone, so that messages name the right file.
 struct LoadedRobot {
   mjcf::MjcfElement tree;
   mjcf::ModelHandle model;
@@ -41,7 +40,7 @@ void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
   section->children.push_back(Element("accelerometer", {{"name", accel}, {"site", site}}));
 }
 
-// What the emulator needs of the robot beyond its file.
+// Adds the elements that the emulator needs to the robot's tree.
 void AddOurs(const robot::RobotSpec& spec, bool has_free_base, mjcf::MjcfElement* root) {
   if (has_free_base) {
     // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
@@ -58,8 +57,8 @@ void AddOurs(const robot::RobotSpec& spec, bool has_free_base, mjcf::MjcfElement
   root->children.push_back(std::move(sensor));
 }
 
-// Room for contacts. MuJoCo 2 makes it once, before it knows what will touch; MuJoCo 3 when it is
-// needed. The most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
+// Reserves memory for contacts, which MuJoCo 2 allocates in advance and MuJoCo 3 as needed. The
+// most seen is a G1 that struggles on rough ground: 68 contacts, 302 rows.
 void MakeRoom(const std::vector<LoadedRobot>& robots, mjcf::MjcfElement* root) {
 #if mjVERSION_HEADER < 300
   constexpr int kContacts = 300, kRows = 1200;
@@ -89,7 +88,7 @@ bool HasFreeBase(const mjModel& model, int base) {
   return model.body_jntnum[base] == 1 && model.jnt_type[model.body_jntadr[base]] == mjJNT_FREE;
 }
 
-// Checks that the model has what the description names.
+// Checks that the model has all elements that the description names.
 class NameCheck {
  public:
   NameCheck(const mjModel& model, const std::filesystem::path& file)
@@ -176,7 +175,7 @@ void RequireWhatSpecNames(const mjModel& model, const robot::RobotSpec& spec,
   check.Require(mjOBJ_BODY, "crane body", spec.crane_body, "robot.crane_body");
 }
 
-// Notes which geoms serve as each foot of a third-party model.
+// Adds notes on the geoms used as feet of a third-party model.
 void NoteFeet(const mjModel& model, const robot::RobotSpec& spec, LoadNotes* notes) {
   const mjcf::DataHandle data(mj_makeData(&model));
   mj_kinematics(&model, data.get());
@@ -207,7 +206,7 @@ void NoteFeet(const mjModel& model, const robot::RobotSpec& spec, LoadNotes* not
   }
 }
 
-// Whether what is only looked at is compiled too.
+// Whether visual-only elements are compiled too.
 enum class Looks { kLeftOut, kKept };
 
 mjcf::MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks kept,
@@ -216,7 +215,7 @@ mjcf::MjcfElement Read(const std::filesystem::path& file, [[maybe_unused]] Looks
   if (notes == nullptr) notes = &unread;
   mjcf::MjcfElement root = mjcf::ReadMjcf(file);
 #if mjVERSION_HEADER < 300
-  // MuJoCo 2.2.2 also takes its time over what nobody sees.
+  // MuJoCo 2.2.2 compiles invisible elements slowly, too.
   const mjcf::LeftOutLooks looks =
       kept == Looks::kLeftOut ? mjcf::LeaveOutLooks(&root) : mjcf::LeftOutLooks();
   if (!looks.text().empty()) notes->looks.push_back(file.string() + ": " + looks.text());
@@ -237,7 +236,8 @@ LoadedRobot LoadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
   return {std::move(tree), std::move(model)};
 }
 
-// Checks the robot against its description, adds what is ours, and moves it to its place.
+// Checks the robot against its description, adds the emulator's elements, and moves it to its
+// place.
 void Prepare(const PlacedRobot& placed, LoadedRobot* robot) {
   const robot::RobotSpec& spec = placed.spec;
   RequireWhatSpecNames(*robot->model, spec, NameCheck(*robot->model, placed.file));
@@ -263,7 +263,7 @@ mjcf::MjcfElement JoinRobots(const std::vector<PlacedRobot>& placed,
   return world;
 }
 
-// Compiles, and notes what MuJoCo warns of.
+// Compiles and adds MuJoCo's warnings to the notes.
 mjcf::ModelHandle Compile(const mjcf::MjcfElement& root, LoadNotes* notes) {
   std::string warning;
   mjcf::ModelHandle model = mjcf::CompileMjcf(root, &warning);

@@ -1,5 +1,4 @@
-// Compiles a world from files: the robots' MJCF, the scene's MJCF and what the emulator needs of
-// both.
+// Compiles a world from the robots' MJCF and the scene's MJCF.
 #pragma once
 
 #include <filesystem>
@@ -19,10 +18,10 @@ inline constexpr char kImuAccelName[] = "understudy_imu_accel";
 inline constexpr char kSecondaryGyroName[] = "understudy_secondary_gyro";
 inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 
-// What a user should hear about a model.
+// Notes for the user about a model.
 struct LoadNotes {
-  std::vector<mjcf::Rewrite> rewrites;  // what was said otherwise for this MuJoCo, file by file
-  // What the run does without or takes instead, and what MuJoCo warns of, one line each.
+  std::vector<mjcf::Rewrite> rewrites;  // changes for this MuJoCo, file by file
+  // Omissions, substitutions and MuJoCo's warnings, one line each.
   std::vector<std::string> warnings;
   std::vector<std::string> looks;  // visual-only elements that were not compiled, one line per file
   std::vector<std::string> unknown;  // from LoadModelFile that throws: see UnknownWords
@@ -49,9 +48,9 @@ mjcf::ModelHandle LoadWorldModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep,
                                  LoadNotes* notes = nullptr);
 
-// The same world for viewers: with its visual-only elements, where all of them can be read. Bodies,
-// joints and positions are those of the world, geoms are not. The descriptions are those that the
-// world was loaded with, or fitted to. Throws as above.
+// Compiles the same world for viewers, with its visual-only elements if all of them can be read.
+// Bodies, joints and positions are those of the world, geoms are not. The descriptions are those
+// with which the world was loaded, or the fitted ones. Throws as above.
 mjcf::ModelHandle LoadSightModel(const std::vector<PlacedRobot>& robots,
                                  const std::filesystem::path& scene_file, double timestep);
 
@@ -60,8 +59,8 @@ struct FittedModel {
   mjcf::ModelHandle model;
 };
 
-// The same for a third-party model of one robot: the description takes the model's names where the
-// model lacks its own (mjcf/fit_names.h), and feet are searched for (physics/feet.h), each with a
+// The same for a third-party model of one robot: names of the description that the model lacks are
+// replaced by the model's (mjcf/fit_names.h), and feet are searched (physics/feet.h), each with a
 // warning in `notes`. Throws as above for what is not found.
 FittedModel LoadFittedModel(const PlacedRobot& robot, const std::filesystem::path& scene_file,
                             double timestep, LoadNotes* notes);

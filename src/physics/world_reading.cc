@@ -1,6 +1,7 @@
 #include "physics/world_reading.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <mujoco/mujoco.h>
 
@@ -49,11 +50,17 @@ std::size_t ReadContacts(const World& world, std::span<ContactReading> to) {
     ContactReading& reading = to[count++];
     std::copy_n(contact.pos, 3, reading.at.begin());
     const mjcf::RotationView axes(contact.frame);  // in rows
-    const Eigen::Vector3d force_W = axes.transpose() * Eigen::Map<Eigen::Vector3d>(wrench);
-    reading.force = {force_W.x(), force_W.y(), force_W.z()};
+    Eigen::Vector3d force_W = axes.transpose() * Eigen::Map<Eigen::Vector3d>(wrench);
     reading.geoms = {contact.geom1, contact.geom2};
     const int* body = world.model().geom_bodyid;
     reading.bodies = {body[contact.geom1], body[contact.geom2]};
+    // MuJoCo sorts the pair by the kind of geom: boxes and meshes come after a robot's spheres.
+    if (world.model().body_weldid[reading.bodies[1]] == 0) {
+      std::swap(reading.geoms[0], reading.geoms[1]);
+      std::swap(reading.bodies[0], reading.bodies[1]);
+      force_W = -force_W;
+    }
+    reading.force = {force_W.x(), force_W.y(), force_W.z()};
   }
   return count;
 }

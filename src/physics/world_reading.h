@@ -14,26 +14,27 @@ namespace understudy::physics {
 // Where a body's frame is in the world: x, y, z [m], then the quaternion w, x, y, z.
 using BodyPose = std::array<double, 7>;
 
+// The second body is one that moves, so that `force` is what the ground does to a robot.
 struct ContactReading {
   std::array<double, 3> at{};     // m, world
   std::array<double, 3> force{};  // N, world, of the first geom on the second
   std::array<int, 2> geoms{};
-  std::array<int, 2> bodies{};  // that those belong to
+  std::array<int, 2> bodies{};  // of the geoms
 };
 
 std::size_t PositionCount(const World& world);  // of qpos
 std::size_t RateCount(const World& world);      // of qvel
-// Of all bodies, by MuJoCo's id; the first is the world's own.
+// Returns the names of all bodies by MuJoCo's id; the first is the world.
 std::vector<std::string> BodyNames(const World& world);
 
-// Each fills as much as `to` holds and allocates nothing. Positions and rates are those of the
-// step to come; the rest belongs to the instant t as World says.
+// Each fills `to` up to its size and does not allocate. Positions and rates are those of the next
+// step; the others belong to the instant t as described at World.
 void ReadPositions(const World& world, std::span<double> to);
 void ReadRates(const World& world, std::span<double> to);
 void ReadBodies(const World& world, std::span<BodyPose> to);
-// Returns how many it filled: the contacts that press.
+// Returns how many it filled in: the contacts with a force.
 std::size_t ReadContacts(const World& world, std::span<ContactReading> to);
-// Of all that is below `body`, itself included [m].
+// Returns the centre of mass [m] of the subtree of `body`.
 std::array<double, 3> SubtreeCenterOfMass(const World& world, int body);
 
 }  // namespace understudy::physics

@@ -2,7 +2,7 @@
 
 namespace understudy::record {
 
-// Out of line: inlined, GCC 12 takes sizes for known that are not, and warns.
+// Not inline: GCC 12 would assume sizes that it cannot know, and warn.
 void BytesOut::PutRaw(ByteSpan raw) { bytes_.insert(bytes_.end(), raw.begin(), raw.end()); }
 
 }  // namespace understudy::record

@@ -1,4 +1,4 @@
-// Little-endian bytes, out and in, as the MCAP format has them.
+// Writes and reads little-endian bytes in MCAP's encoding.
 #pragma once
 
 #include <bit>
@@ -22,7 +22,7 @@ using StringMap = std::map<std::string, std::string>;
 
 inline ByteSpan AsBytes(std::string_view text) { return std::as_bytes(std::span(text)); }
 
-// Bytes that grow at their end.
+// Appends values to a buffer.
 class BytesOut {
  public:
   template <typename Number>
@@ -33,7 +33,7 @@ class BytesOut {
     std::memcpy(bytes_.data() + at, &number, sizeof(number));
   }
   void PutRaw(ByteSpan raw);
-  // Strings and maps have their length in bytes in front, as uint32.
+  // Strings and maps begin with their length in bytes, as uint32.
   void PutString(std::string_view text) {
     Put(static_cast<std::uint32_t>(text.size()));
     PutRaw(AsBytes(text));
@@ -47,7 +47,7 @@ class BytesOut {
     Put(static_cast<std::uint32_t>(entries.size()));
     PutRaw(entries.span());
   }
-  // Zeros until the size past `from` is a multiple of `alignment`.
+  // Appends zeros until the size after `from` is a multiple of `alignment`.
   void Align(std::size_t alignment, std::size_t from = 0) {
     const std::size_t over = (bytes_.size() - from) % alignment;
     if (over != 0) bytes_.resize(bytes_.size() + alignment - over);
@@ -55,14 +55,14 @@ class BytesOut {
 
   std::size_t size() const { return bytes_.size(); }
   bool empty() const { return bytes_.empty(); }
-  void clear() { bytes_.clear(); }  // keeps its memory
+  void clear() { bytes_.clear(); }  // keeps the memory
   ByteSpan span() const { return bytes_; }
 
  private:
   std::vector<std::byte> bytes_;
 };
 
-// Reads bytes from the front. Whatever lies beyond the end throws RecordError.
+// Reads values from the front. Reading beyond the end throws RecordError.
 class BytesIn {
  public:
   explicit BytesIn(ByteSpan bytes) : bytes_(bytes) {}

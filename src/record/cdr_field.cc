@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kHead = 4;
 
-// 0 for what has no fixed size.
+// Returns 0 if the size is not fixed.
 std::size_t SizeOf(std::string_view primitive) {
   if (primitive == "bool" || primitive.ends_with("int8")) return 1;
   if (primitive.ends_with("int16")) return 2;
@@ -28,7 +28,7 @@ std::size_t SizeOf(std::string_view primitive) {
                     ": has no fixed place, and nothing after it");
 }
 
-// Moves `offset` past all elements of a field, or the first `count` of them.
+// Advances `offset` past all elements of a field, or past the first `count`.
 void Skip(std::string_view in, const MessageField& field, int count, std::size_t* offset) {
   const auto message = RosMessages().find(field.type);
   if (field.many == Many::kSequence ||
@@ -47,7 +47,7 @@ void Skip(std::string_view in, const MessageField& field, int count, std::size_t
   }
 }
 
-// "motor_state[3]" -> name and 3; -1 without an index.
+// Splits "motor_state[3]" into name and index; the index is -1 if there is none.
 std::pair<std::string, int> Split(std::string_view word) {
   const std::size_t bracket = word.find('[');
   if (bracket == std::string_view::npos) return {std::string(word), -1};
@@ -71,7 +71,7 @@ CdrField FindFrom(std::string_view type, std::string_view path, std::size_t offs
   for (const MessageField& field : message->second) {
     names.emplace_back(field.name);
     if (field.name != name) {
-      // A fault only for what is sought behind it.
+      // An error only if the wanted field comes after it.
       if (std::ranges::find(message->second, name, &MessageField::name) != message->second.end()) {
         Skip(type, field, field.count, &offset);
       }

@@ -1,4 +1,4 @@
-// Single numbers out of messages that are bytes.
+// Reads single numbers of serialized messages.
 #pragma once
 
 #include <cstddef>
@@ -10,19 +10,19 @@
 
 namespace understudy::record {
 
-// Where a number stands in every message of a type.
+// The position of a number in all messages of a type.
 struct CdrField {
   std::string type;        // "float32"
-  std::size_t offset = 0;  // from the end of the encoding's four bytes
+  std::size_t offset = 0;  // bytes, after the four bytes of the encoding
 };
 
-// The field "motor_state[3].q" of a type by its ROS name; an array is named with an index. Throws
-// RecordError with the nearest name for what there is not, and for what has no fixed place because
-// a text or a sequence stands before it.
+// Returns the field `path`, such as "motor_state[3].q", of a type by its ROS name; arrays need an
+// index. Throws RecordError, with the nearest name, for a field that does not exist, and for one
+// without a fixed position because a text or sequence precedes it.
 CdrField FindField(std::string_view ros_type_name, std::string_view path);
 
-// Its value in a message as CdrSample::bytes() has it; nullopt where the message is too short or
-// not little-endian XCDR1.
+// Returns its value in a message in the form of CdrSample::bytes(); nullopt if the message is too
+// short or not little-endian XCDR1.
 std::optional<double> ReadField(const CdrField& field, ByteSpan message);
 
 }  // namespace understudy::record

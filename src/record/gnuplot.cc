@@ -16,15 +16,15 @@
 namespace understudy::record {
 namespace {
 
-// Told apart by eyes of every kind (Okabe and Ito 2008).
+// Colours that colour-blind readers can distinguish (Okabe and Ito 2008).
 constexpr auto kPalette =
     std::to_array<const char*>({"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"});
 
-// What stands beside the panels, in pixels: numbers and labels, legends.
+// Margins beside the panels [pixels]: for numbers and labels, for legends.
 constexpr double kLeft = 105;
 constexpr double kRight = 210;
 
-// A text as a word that gnuplot takes as it is: in single quotes nothing stands for anything else.
+// Quotes a text for gnuplot: within single quotes no character has a special meaning.
 std::string Quoted(const std::string& text) {
   std::string quoted = "'";
   for (const char c : text) {
@@ -43,11 +43,11 @@ const char* ColorOf(const std::string& kind) {
   return "#5e5c64";
 }
 
-// Rows of texts at most; *assumed*, a tenth of a page.
+// The most rows of texts; *assumed*, a tenth of a page.
 constexpr std::size_t kMostRows = 8;
 
-// Marks' texts stand in rows above the uppermost panel, as many as keep them apart; -1 where there
-// is no room for one.
+// Returns for each mark the row of its text above the top panel, so that texts do not overlap; -1
+// if there is no room. Sets `count` to the number of rows.
 std::vector<int> Rows(const PlotPage& page, int* count) {
   std::vector<double> free_from;  // by row
   std::vector<int> rows;
@@ -72,6 +72,7 @@ std::vector<int> Rows(const PlotPage& page, int* count) {
 }  // namespace
 
 std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture) {
+  // Terminal, title and layout.
   std::ostringstream out;
   out.precision(9);
   out << "set encoding utf8\n"
@@ -93,13 +94,14 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
       << "set xrange [" << page.from << ":" << page.to << "]\n"
       << "set autoscale y\nset offsets 0,0,graph 0.05,graph 0.05\n"
       << "set format y '%g'\nset format x ''\nunset xlabel\n";
+  // Data, one block per panel.
   const double gap = std::max(0.5, (page.to - page.from) / 200);
   for (std::size_t i = 0; i < page.panels.size(); ++i) {
     out << "$lines" << i << " << EOD\n";
     for (const PlotLine& one : page.panels[i].lines) {
       double last = page.from;
       for (const auto& [at, value] : one.points) {
-        if (at - last > gap) out << "\n";  // a line does not go on where nothing was said
+        if (at - last > gap) out << "\n";  // a gap in the data interrupts the line
         out << at << " " << value << "\n";
         last = at;
       }
@@ -107,6 +109,7 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
     }
     out << "EOD\n";
   }
+  // Panels with marks and lines.
   for (std::size_t i = 0; i < page.panels.size(); ++i) {
     const PlotPanel& panel = page.panels[i];
     if (i + 1 == page.panels.size()) out << "set format x '%g'\nset xlabel 'time [s]'\n";
@@ -149,16 +152,16 @@ void DrawPage(const PlotPage& page, const std::filesystem::path& picture) {
     exec::FindProgram("gnuplot", path == nullptr ? "" : path);
   } catch (const exec::CommandError&) {
     throw RecordError(
-        "pictures are drawn by gnuplot, which is not there: apt-get install "
+        "gnuplot, which draws the pictures, is missing: apt-get install "
         "gnuplot-nox");
   }
-  // Whole or not at all: the picture of before stays until then.
+  // Draws into a temporary file, so that an existing picture is replaced only by a complete one.
   const std::filesystem::path part = picture.string() + "." + std::to_string(getpid()) + ".part";
   std::error_code error, ignored;
   if (!std::ofstream(part)) error = {errno, std::generic_category()};
   if (!error) {
-    std::signal(SIGPIPE, SIG_IGN);  // should gnuplot end early, its exit status says so
-    // -d: as anybody's, whatever ~/.gnuplot says.
+    std::signal(SIGPIPE, SIG_IGN);  // if gnuplot ends early, its exit status shows it
+    // -d: ignores ~/.gnuplot.
     std::FILE* gnuplot = ::popen("exec gnuplot -d", "w");
     if (gnuplot == nullptr) throw RecordError("gnuplot cannot be run");
     std::fputs(GnuplotScript(page, ending == ".svg", part).c_str(), gnuplot);

@@ -5,7 +5,7 @@
 namespace understudy::record {
 namespace {
 
-// The most that a chunk may say it unpacks to; *assumed*, many times what writers make.
+// The largest uncompressed size of a chunk; *assumed*, many times that of common writers.
 constexpr std::uint64_t kMostUnpacked = 256 << 20;
 
 }  // namespace
@@ -69,7 +69,7 @@ std::vector<std::byte> UnpackChunk(ByteSpan content) {
     throw RecordError("a chunk unpacks to " + std::to_string(records.size()) + " bytes, not " +
                       std::to_string(size));
   }
-  if (crc != 0 && Crc32(records) != crc) throw RecordError("a chunk's checksum does not fit it");
+  if (crc != 0 && Crc32(records) != crc) throw RecordError("a chunk's checksum is wrong");
   return records;
 }
 

@@ -1,4 +1,4 @@
-// What reader and writer of MCAP share (https://mcap.dev/spec).
+// The MCAP format (https://mcap.dev/spec): records that reader and writer share.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace understudy::record {
 
-// At the beginning and at the end of every file.
+// The first and the last bytes of every file.
 inline constexpr std::array<unsigned char, 8> kMcapMagic = {0x89, 'M', 'C',  'A',
                                                             'P',  '0', '\r', '\n'};
 
@@ -36,10 +36,10 @@ enum class McapOp : std::uint8_t {
 
 inline constexpr std::size_t kMcapRecordHead = 1 + 8;  // opcode and length
 inline constexpr std::size_t kMcapMessageHead = 2 + 4 + 8 + 8;
-inline constexpr std::size_t kMcapFooter = 8 + 8 + 4;  // without its head
+inline constexpr std::size_t kMcapFooter = 8 + 8 + 4;  // without the record head
 
 struct McapSchema {
-  std::uint16_t id = 0;  // never 0 in a file: 0 is a channel's "no schema"
+  std::uint16_t id = 0;  // not 0: a channel with schema_id 0 has no schema
   std::string name;      // "unitree_go/msg/LowState"
   std::string encoding;  // "ros2msg"
   std::string data;
@@ -49,7 +49,7 @@ struct McapChannel {
   std::uint16_t id = 0;
   std::uint16_t schema_id = 0;
   std::string topic;
-  std::string encoding;  // of its messages: "cdr"
+  std::string encoding;  // message encoding: "cdr"
   StringMap metadata;
 };
 
@@ -59,20 +59,20 @@ struct McapMessage {
   std::uint32_t sequence = 0;
   std::uint64_t log_time = 0;
   std::uint64_t publish_time = 0;
-  ByteSpan data;  // of whoever gave the message
+  ByteSpan data;  // owned by the source of the message
 };
 
-// CRC-32 of ISO 3309, going on from `crc`, which is 0 at the start.
+// Continues the CRC-32 (ISO 3309) `crc`, which is 0 at the start.
 std::uint32_t Crc32(ByteSpan bytes, std::uint32_t crc = 0);
 
-// Each takes the whole content of such a record. Throws RecordError where it is shorter than it
-// says.
+// Each reads the content of one record. Throws RecordError if the content is shorter than its
+// fields say.
 McapMessage TakeMessage(BytesIn* in);  // its data points into what `in` reads
 McapSchema TakeSchema(BytesIn* in);
 McapChannel TakeChannel(BytesIn* in);
 
-// The records in a chunk of this content. Throws RecordError: too large, packed otherwise than by
-// zstd or not at all, another size or checksum than it says.
+// Returns the records of a chunk. Throws RecordError if the chunk is too large, has another
+// compression than zstd or none, or a wrong size or checksum.
 std::vector<std::byte> UnpackChunk(ByteSpan content);
 
 }  // namespace understudy::record

@@ -13,7 +13,7 @@
 namespace understudy::record {
 namespace {
 
-// The most that a record may hold; *assumed*, many times what writers make.
+// The largest content of a record; *assumed*, many times that of common writers.
 constexpr std::uint64_t kMostRecord = std::uint64_t{1} << 30;
 
 constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size();
@@ -21,7 +21,7 @@ constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size(
 }  // namespace
 
 McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
-  // A pipe has no end to wait for.
+  // O_NONBLOCK: opening a pipe must not wait for its writer.
   fd_ = UniqueFd(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!fd_.valid() || ::fstat(fd_.get(), &status) != 0) {
@@ -35,7 +35,7 @@ McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
                               std::as_bytes(std::span(kMcapMagic)));
   };
   if (size_ < kMcapMagic.size() || !has_magic(0)) {
-    throw RecordError(path_.string() + ": is no MCAP file: it does not begin as one");
+    throw RecordError(path_.string() + ": is not an MCAP file: its first bytes are wrong");
   }
   if (size_ < kMcapMagic.size() + kMcapRecordHead) {
     throw RecordError(path_.string() + ": ends before its header");
@@ -53,7 +53,7 @@ const McapSchema* McapReader::SchemaOf(const McapChannel& channel) const {
   return found == contents_.schemas.end() ? nullptr : &found->second;
 }
 
-// False where there is no summary, or one that does not tell where the messages are.
+// Returns false if there is no summary or it does not list the chunks.
 bool McapReader::ReadSummary() {
   const Record footer = ReadRecord(size_ - kTail);
   if (footer.op != McapOp::kFooter || footer.content.size() < kMcapFooter) {
@@ -65,12 +65,12 @@ bool McapReader::ReadSummary() {
   const auto crc = in.Take<std::uint32_t>();
   if (start == 0) return false;
   if (start < kMcapMagic.size() || start > footer.offset) {
-    Fail(footer.offset, "the summary is said to begin at " + std::to_string(start));
+    Fail(footer.offset, "the footer has the summary begin at " + std::to_string(start));
   }
-  if (footer.offset - start > kMostRecord) Fail(start, "the summary is too long to be one");
+  if (footer.offset - start > kMostRecord) Fail(start, "the summary is too long");
   const std::uint64_t checked = footer.offset + kMcapRecordHead + 8 + 8 - start;
   if (crc != 0 && Crc32(Read(start, checked)) != crc) {
-    Fail(start, "the summary's checksum does not fit it");
+    Fail(start, "the summary's checksum is wrong");
   }
   bool counted = false;
   for (std::uint64_t at = start; at < footer.offset;) {
@@ -90,7 +90,7 @@ bool McapReader::ReadSummary() {
   return false;
 }
 
-// A writer may leave out of its summary what stands in the chunks already.
+// Whether the summary describes all channels and chunks, which a writer may omit.
 bool McapReader::Describes() const {
   if (contents_.messages > 0 && chunks_.empty()) return false;
   return std::ranges::all_of(contents_.counts, [this](const auto& count) {
@@ -112,7 +112,7 @@ void McapReader::Scan(std::uint64_t begin) {
       over = record.op == McapOp::kDataEnd || record.op == McapOp::kFooter;
       if (!over) Note(record, false);
     } catch (const RecordError& error) {
-      // What a killed writer leaves. A fault further inside is none of that.
+      // A killed writer leaves a truncated last record; any other fault is an error.
       if (size_ - at >= kMcapRecordHead && size != 0) throw;
       contents_.cut_short = error.what();
       break;
@@ -212,7 +212,7 @@ void McapReader::Note(const Record& record, bool in_summary) {
         break;
       }
       default:
-        break;  // of no interest to us, or of a later version of the format
+        break;  // not needed here, or of a later version of the format
     }
   } catch (const RecordError& error) {
     Fail(record.offset, error.what());
@@ -297,7 +297,7 @@ std::vector<std::byte> McapReader::ReadAttachment(std::string_view name) const {
     const std::size_t checked = in.position();
     const auto crc = in.Take<std::uint32_t>();
     if (crc != 0 && Crc32(ByteSpan(record.content).first(checked)) != crc) {
-      throw RecordError("the attachment's checksum does not fit it");
+      throw RecordError("the attachment's checksum is wrong");
     }
     return {data.begin(), data.end()};
   } catch (const RecordError& error) {

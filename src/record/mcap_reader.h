@@ -1,4 +1,4 @@
-// Reads MCAP, of any writer.
+// Reads MCAP files of any writer.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct McapAttachment {
   std::string name{};
   std::string media_type{};
   std::uint64_t log_time = 0;  // ns since 1970
-  std::uint64_t offset = 0;    // of its record
-  std::uint64_t size = 0;      // bytes of its data
+  std::uint64_t offset = 0;    // of its record in the file
+  std::uint64_t size = 0;      // of its data, bytes
 };
 
-// What a file holds, before any message is read.
+// What a file contains besides the data of its messages.
 struct McapContents {
   std::string profile{};
   std::string library{};
@@ -33,15 +33,13 @@ struct McapContents {
   std::uint64_t first_time = 0, last_time = 0;  // of log times; 0 without messages
   std::vector<McapAttachment> attachments{};
   std::map<std::string, StringMap> metadata{};
-  // "" for a file that was finished; else why it ends where it does. What stands before that is
-  // all there.
+  // "" for a complete file; else why it ends early. Everything before that point can be read.
   std::string cut_short{};
 };
 
-// A file need not be sound: whatever is wrong with it (no MCAP, lengths that lie, checksums that do
-// not fit, chunks that unpack to more than they say) ends in a RecordError that names file and
-// place. A file without a whole summary, as a killed run leaves it, is read through to where it
-// breaks off.
+// Files may be damaged. A file that is not MCAP, a wrong length or checksum, or a chunk larger than
+// it says throws RecordError with file and offset. A file without a complete summary, as a killed
+// run leaves it, is scanned up to where it ends.
 class McapReader {
  public:
   explicit McapReader(std::filesystem::path path);
@@ -49,30 +47,30 @@ class McapReader {
   const McapContents& contents() const { return contents_; }
   const std::filesystem::path& path() const { return path_; }
 
-  // The schema of a channel; nullptr where it has none.
+  // Returns the schema of a channel; nullptr if it has none.
   const McapSchema* SchemaOf(const McapChannel& channel) const;
 
-  // Calls visit(channel, message) with every message whose log time is in [from, to], chunk by
-  // chunk in order of time, within a chunk as they stand; its data is gone after the call. Until
-  // visit says false. Throws RecordError.
+  // Calls visit(channel, message) with each message whose log time is in [from, to] (ns since 1970)
+  // until visit returns false. Chunks come in order of time, messages of a chunk in file order. The
+  // message's data is valid during the call. Throws RecordError.
   using Visit = std::function<bool(const McapChannel&, const McapMessage&)>;
   void ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const;
   void ReadMessages(const Visit& visit) const { ReadMessages(0, ~std::uint64_t{0}, visit); }
 
-  // The bytes of the first attachment of that name. Throws RecordError when there is none.
+  // Returns the bytes of the first attachment of that name. Throws RecordError if there is none.
   std::vector<std::byte> ReadAttachment(std::string_view name) const;
 
  private:
   struct Record {
     McapOp op{};
-    std::uint64_t offset = 0;  // of its head
+    std::uint64_t offset = 0;  // of its first byte
     std::vector<std::byte> content;
   };
-  struct Chunk {  // or messages outside of one: `bare`
+  struct Chunk {  // or, if `bare`, messages outside a chunk
     std::uint64_t first_time = 0, last_time = 0;
     std::uint64_t offset = 0;
     bool bare = false;
-    bool empty = true;  // no message of it was noted (yet)
+    bool empty = true;  // no message of it noted so far
   };
 
   std::vector<std::byte> Read(std::uint64_t offset, std::uint64_t size) const;

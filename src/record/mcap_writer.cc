@@ -51,7 +51,7 @@ McapWriter::~McapWriter() = default;
 
 std::uint16_t McapWriter::AddSchema(std::string_view name, std::string_view encoding,
                                     std::string_view data) {
-  if (schemas_.size() == kMostIds) throw RecordError("more schemas than a recording has room for");
+  if (schemas_.size() == kMostIds) throw RecordError("a recording cannot have more schemas");
   const auto id = static_cast<std::uint16_t>(schemas_.size() + 1);
   BytesOut schema;
   schema.Put(id);
@@ -66,7 +66,7 @@ std::uint16_t McapWriter::AddSchema(std::string_view name, std::string_view enco
 std::uint16_t McapWriter::AddChannel(std::string_view topic, std::uint16_t schema_id,
                                      std::string_view encoding, const StringMap& metadata) {
   if (channels_.size() == kMostIds) {
-    throw RecordError("more channels than a recording has room for");
+    throw RecordError("a recording cannot have more channels");
   }
   const auto id = static_cast<std::uint16_t>(channels_.size() + 1);
   BytesOut channel;
@@ -104,7 +104,7 @@ void McapWriter::Attach(std::string_view name, std::string_view media_type, std:
   Flush();
   BytesOut attachment;
   attachment.Put(log_time);
-  attachment.Put(log_time);  // and the time of its making
+  attachment.Put(log_time);  // also as the time of creation
   attachment.PutString(name);
   attachment.PutString(media_type);
   attachment.Put(static_cast<std::uint64_t>(data.size()));
@@ -145,6 +145,7 @@ void McapWriter::Flush() {
   const std::size_t compressed = Compress();
   constexpr std::string_view kCompression = "zstd";
 
+  // The chunk.
   out_.clear();
   PutHead(McapOp::kChunk, 8 + 8 + 8 + 4 + 4 + kCompression.size() + 8 + compressed, &out_);
   out_.Put(chunk_span_.first);
@@ -156,6 +157,7 @@ void McapWriter::Flush() {
   out_.PutRaw(ByteSpan(compressed_).first(compressed));
   const std::size_t chunk_length = out_.size();
 
+  // Its message indexes.
   BytesOut offsets;
   for (const std::uint16_t id : chunk_channels_) {
     offsets.Put(id);
@@ -168,6 +170,7 @@ void McapWriter::Flush() {
     entries.clear();
   }
 
+  // Its entry in the summary.
   BytesOut index;
   index.Put(chunk_span_.first);
   index.Put(chunk_span_.last);
@@ -194,6 +197,7 @@ void McapWriter::Finish() {
   data_end.Put(data_crc_);
   PutRecord(McapOp::kDataEnd, data_end, &out);
 
+  // Records of the summary.
   BytesOut schemas, channels, counts;
   for (const BytesOut& schema : schemas_) schemas.PutRaw(schema.span());
   for (std::size_t i = 0; i < channels_.size(); ++i) {
@@ -214,6 +218,7 @@ void McapWriter::Finish() {
   statistics.PutRaw(counts.span());
   PutRecord(McapOp::kStatistics, statistics, &statistics_record);
 
+  // The summary, by groups with their offsets.
   const std::size_t summary_begin = out.size();
   const std::uint64_t summary_start = file_.size() + summary_begin;
   BytesOut offsets;
@@ -235,6 +240,7 @@ void McapWriter::Finish() {
   const std::uint64_t offsets_start = file_.size() + out.size();
   out.PutRaw(offsets.span());
 
+  // Footer.
   PutHead(McapOp::kFooter, kMcapFooter, &out);
   out.Put(summary_start);
   out.Put(offsets_start);

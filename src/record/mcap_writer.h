@@ -1,4 +1,4 @@
-// Writes MCAP: chunked, compressed, indexed, checksummed.
+// Writes MCAP files with compressed chunks, indexes and checksums.
 #pragma once
 
 #include <cstdint>
@@ -16,40 +16,42 @@ namespace understudy::record {
 
 struct McapWriterOptions {
   std::size_t chunk_bytes = 4 << 20;  // of messages before compression; *assumed*
-  int zstd_level = 1;                 // the fastest that has any effect to speak of; *assumed*
+  int zstd_level = 1;                 // the fastest with a useful ratio; *assumed*
 };
 
-// Messages gather in a chunk that goes to the file whole, together with its index: what is in the
-// file can be read whatever happens to this program. All functions throw RecordError when the file
-// cannot be written; nothing but the destructor may follow.
+// Collects messages in a chunk and writes chunk and index in one piece, so the file is readable at
+// any time, even if this process is killed. All functions throw RecordError if the file cannot be
+// written; after that only the destructor may be called.
 class McapWriter {
  public:
-  // Begins the file. `profile`: "ros2" for files that ROS 2 tools read as bags, else "".
+  // Writes the beginning of the file. `profile` is "ros2" for files that ROS 2 tools read as bags,
+  // else "".
   McapWriter(OutputFile file, std::string_view profile, std::string_view library,
              const McapWriterOptions& options = {});
   ~McapWriter();
   McapWriter(const McapWriter&) = delete;
   McapWriter& operator=(const McapWriter&) = delete;
 
-  // Each returns the id that it gave, counting from 1. There is room for 65535 of each; more throw.
+  // Each returns the new id, counting from 1. Throws RecordError after 65535 of a kind.
   std::uint16_t AddSchema(std::string_view name, std::string_view encoding, std::string_view data);
   std::uint16_t AddChannel(std::string_view topic, std::uint16_t schema_id,
                            std::string_view encoding, const StringMap& metadata);
 
-  // Its sequence is filled in: the how manyth of its channel, from 0. `log_time` may go back.
+  // Adds a message; its sequence number counts the messages of the channel from 0. Times are ns
+  // since 1970 and need not ascend.
   void Write(std::uint16_t channel_id, std::uint64_t log_time, std::uint64_t publish_time,
              ByteSpan data);
   void Attach(std::string_view name, std::string_view media_type, std::uint64_t log_time,
               ByteSpan data);
   void AddMetadata(std::string_view name, const StringMap& metadata);
 
-  // Sends what has gathered to the file.
+  // Writes the current chunk to the file.
   void Flush();
-  // Flushes and writes the summary. Nothing but questions may follow.
+  // Flushes and writes the summary. After that only const functions may be called.
   void Finish();
 
   std::uint64_t messages() const { return messages_; }
-  std::uint64_t bytes() const { return file_.size(); }  // in the file
+  std::uint64_t bytes() const { return file_.size(); }  // written to the file
   std::uint64_t messages_of(std::uint16_t channel_id) const {
     return channels_[channel_id - 1U].messages;
   }
@@ -58,9 +60,9 @@ class McapWriter {
   struct Channel {
     BytesOut record;
     std::uint64_t messages = 0;
-    BytesOut index;  // of the chunk: log time and offset of each message
+    BytesOut index;  // log time and offset of each message in the chunk
   };
-  struct Span {  // of times
+  struct Span {  // of time
     std::uint64_t first = 0, last = 0;
     bool empty = true;
 
@@ -68,7 +70,7 @@ class McapWriter {
   };
 
   void Send(ByteSpan bytes);
-  std::size_t Compress();  // chunk_ into the first bytes of compressed_, of which it tells how many
+  std::size_t Compress();  // chunk_ into compressed_; returns the size
 
   OutputFile file_;
   McapWriterOptions options_;
@@ -83,9 +85,9 @@ class McapWriter {
 
   BytesOut chunk_;  // records
   Span chunk_span_;
-  std::vector<std::uint16_t> chunk_channels_;  // that have messages in it
+  std::vector<std::uint16_t> chunk_channels_;  // channels with messages in chunk_
   std::vector<std::byte> compressed_;
-  BytesOut out_;  // a chunk and its indexes on their way to the file
+  BytesOut out_;  // a chunk and its indexes, to be written at once
 };
 
 }  // namespace understudy::record

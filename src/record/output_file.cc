@@ -19,13 +19,13 @@ OutputFile::OutputFile(std::filesystem::path path, bool overwrite) : path_(std::
   fd_ = UniqueFd(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | may_exist, 0666));
   if (!fd_.valid() && errno == EEXIST) {
     throw RecordError(path_.string() +
-                      ": is there already; name another file, or replace it with --overwrite");
+                      ": exists already; name another file, or replace it with --overwrite");
   }
   if (!fd_.valid()) throw RecordError(path_.string() + ": cannot be written: " + Why());
   if (::flock(fd_.get(), LOCK_EX | LOCK_NB) != 0) {
     throw RecordError(path_.string() + ": another run is writing it");
   }
-  // Fails where it is no file but a device, which has nothing to be cut.
+  // Fails for a device, which has nothing to truncate.
   static_cast<void>(::ftruncate(fd_.get(), 0));
 }
 

@@ -1,4 +1,4 @@
-// A file that only grows.
+// Writes a file by appending.
 #pragma once
 
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace understudy::record {
 
-// Locked against a second writer for as long as it is open.
+// An append-only file, locked against other writers while it is open.
 class OutputFile {
  public:
-  // Throws RecordError: when the file is there already and `overwrite` is off, when another run
-  // writes it, and with the system's words when it cannot be made.
+  // Creates the file. Throws RecordError if it exists and `overwrite` is false, if another run is
+  // writing it, or if the system refuses (with its message).
   OutputFile(std::filesystem::path path, bool overwrite);
 
-  // All of it at once, or RecordError with the system's words (a full disk) and the file cut back
-  // to where it was.
+  // Appends all bytes. If that fails (a full disk), truncates the file to its previous size and
+  // throws RecordError with the system's message.
   void Write(ByteSpan bytes);
 
   std::uint64_t size() const { return size_; }

@@ -12,14 +12,14 @@ namespace {
 
 constexpr time::Clock::Time kSayEvery = std::chrono::milliseconds(20);
 
-// At most a century, which no recording is long and no clock overflows by.
+// Clamped to a century, which is longer than any recording and does not overflow.
 time::Clock::Time Nanoseconds(double seconds) {
   constexpr double kMost = 3e9;  // s
   return time::Clock::Time(
       static_cast<std::int64_t>(seconds > 0 ? std::min(seconds, kMost) * 1e9 : 0));
 }
 
-// What programs write on a real robot's network.
+// Topics that clients write on a real robot's network.
 bool IsCommandTopic(const std::string& topic) {
   return topic == "rt/lowcmd" || topic == "rt/arm_sdk" || topic == "rt/user_lowcmd" ||
          (topic.starts_with("rt/api/") && topic.ends_with("/request")) ||
@@ -91,7 +91,7 @@ bool Player::PlayOnce(const Say& say) {
   const std::uint64_t to = std::max(from, options_.to > 0 ? log_time(options_.to) : end);
   const time::Clock::Time start = clock_->Now();
   bool goes_on = true;
-  // Until wall time is that of the log time; false when it was ended meanwhile.
+  // Waits until log time `until` is due; returns false if `say` ended it.
   const auto wait = [&](std::uint64_t until) {
     if (options_.speed <= 0) return true;
     const time::Clock::Time due =
@@ -111,8 +111,8 @@ bool Player::PlayOnce(const Say& say) {
     goes_on = wait(message.log_time) && say(at, &message);
     return goes_on;
   });
-  // Silence at the end lasts as long as it was recorded; where nothing is waited for, or said, who
-  // listens is asked all the same.
+  // Waits also for the time after the last played message. The last call of `say` lets it end a
+  // loop that plays no message and never waits.
   return goes_on && wait(to) && say(static_cast<double>(to - beginning) * 1e-9, nullptr);
 }
 

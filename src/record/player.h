@@ -1,4 +1,4 @@
-// Says again what a recording holds, at the pace at which it was said.
+// Plays the messages of a recording at their recorded times.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace understudy::record {
 
-// Who said it.
+// Whose messages are played.
 enum class PlayedSide { kRobot, kClients };
 
 struct PlayOptions {
   PlayedSide side = PlayedSide::kRobot;
   double from = 0, to = 0;            // s since its first message; `to` 0: its last
   double speed = 1;                   // recorded seconds per wall second; 0 = as fast as possible
-  bool loop = false;                  // from the beginning again at the end, for ever
-  std::vector<std::string> topics{};  // as ROS or as DDS spells them; empty: all
+  bool loop = false;                  // repeats without end
+  std::vector<std::string> topics{};  // ROS or DDS names; empty: all
 };
 
 // A topic to be played.
@@ -30,33 +30,33 @@ struct PlayedTopic {
   std::uint64_t messages = 0;
 };
 
-// Whose messages a channel holds: as the recording says, or, where somebody else recorded it, by
-// the name of its topic. False for what was never on the wire.
+// Returns whether the channel has messages of that side. Our recordings say so; for others the
+// topic's name decides. False for channels that were not on the wire, such as the truth.
 bool IsOf(const McapChannel& channel, PlayedSide side);
 
-// A topic as it is on the wire, of a channel: "/lowstate" is rt/lowstate.
+// Returns the DDS name of a channel's topic: "rt/lowstate" for "/lowstate".
 std::string TopicOnWire(const McapChannel& channel);
 
-// Seconds of log time that a recording spans.
+// Returns the time [s] from the first to the last message.
 double Duration(const McapContents& contents);
 
 class Player {
  public:
-  // Throws RecordError when the recording holds nothing that was asked for, naming the nearest
-  // topic; `reader` and `clock` must outlive the player.
+  // Throws RecordError, with the nearest topic, if the recording has none of the requested
+  // messages. `reader` and `clock` must outlive the player.
   Player(const McapReader* reader, PlayOptions options, time::Clock* clock);
 
-  // By channel.
+  // By channel id.
   const std::map<std::uint16_t, PlayedTopic>& topics() const { return topics_; }
 
-  // Called with each message when its time has come, and, with no message, at least every 20 ms of
-  // waiting and at every end; `at` is s since the recording's first message. Playing ends when it
-  // says false.
+  // Is called with each message when it is due and, with nullptr, at least every 20 ms while
+  // waiting and at the end. `at` is s since the recording's first message. Returning false ends the
+  // playing.
   using Say = std::function<bool(double at, const McapMessage* message)>;
   void Play(const Say& say);
 
  private:
-  bool PlayOnce(const Say& say);  // false when it was ended
+  bool PlayOnce(const Say& say);  // false if `say` ended it
 
   const McapReader* reader_;
   PlayOptions options_;

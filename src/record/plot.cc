@@ -27,8 +27,8 @@ constexpr double kDegrees = 57.29577951308232;
 
 struct MotorField {
   std::string name, label;
-  std::string state;    // of motor_state
-  std::string command;  // of motor_cmd; "" for none
+  std::string state;    // field of motor_state
+  std::string command;  // field of motor_cmd; "" for none
 };
 const std::array<MotorField, 4>& MotorFields() {
   static const std::array<MotorField, 4> fields = {
@@ -51,26 +51,26 @@ std::vector<std::string> WordsOf(const std::string& text) {
   return words;
 }
 
-// -1, which is no motor's, for what is no number.
+// Returns -1, which is no slot, if the text is not a number.
 int SlotOf(const std::string& word) {
   int slot = -1;
   std::from_chars(word.data(), word.data() + word.size(), slot);
   return slot;
 }
 
-// A signal that is gathered while the recording is read.
+// A line that is collected while the recording is read.
 struct Gathered {
   std::string topic;  // on the wire
   CdrField field;
-  // Beyond is no value: kNoPosition and kNoVelocity of commands.
+  // Larger values are skipped: kNoPosition and kNoVelocity of commands.
   double most = std::numeric_limits<double>::infinity();
-  // Of the line of a motor: which field and which motor, by index, and whether that was commanded.
+  // For the line of a motor: indices of its field and of the motor, and whether it is commanded.
   std::size_t of = 0, motor = 0;
   bool commanded = false;
   Trace trace{};
 };
 
-// "FR_calf" and "RL_calf" are of one kind, "left_knee" and "right_knee" of another.
+// Returns the name without its side: "FR_calf" and "RL_calf" are of the kind "calf".
 std::string KindOf(const std::string& motor) {
   for (const std::string_view side : {"FR_", "FL_", "RR_", "RL_", "left_", "right_"}) {
     if (motor.starts_with(side)) return motor.substr(side.size());
@@ -85,7 +85,7 @@ double Range(const TracePoints& points) {
   return most->second - least->second;
 }
 
-// Reads a recording once for all that a page needs.
+// Collects everything for a page in one pass over the recording.
 class PageMaker {
  public:
   PageMaker(const McapReader& reader, const PlotOptions& options)
@@ -120,7 +120,7 @@ class PageMaker {
     AddMotors();
     AddSignals();
     if (page_.panels.empty()) {
-      throw RecordError(reader_.path().string() + ": holds nothing of a robot that can be drawn");
+      throw RecordError(reader_.path().string() + ": has no data of a robot that can be drawn");
     }
     page_.title = reader_.path().filename().string();
     if (about_.contains("robot")) page_.title = about_["robot"] + ", " + page_.title;
@@ -143,7 +143,7 @@ class PageMaker {
       known_.push_back({.name = name, .slot = SlotOf(slots[i])});
     }
     if (!known_.empty()) return;
-    // A recording of somebody else's: slots have no names.
+    // Not our recording: its slots have no names.
     const int count = type->second.starts_with("unitree_hg") ? 35 : 20;
     for (int slot = 0; slot < count; ++slot) {
       known_.push_back({.name = std::to_string(slot), .slot = slot});
@@ -209,7 +209,7 @@ class PageMaker {
                           "': expected TOPIC:FIELD, such as rt/lowstate:imu_state.gyroscope[2]");
       }
       std::string topic = signal.substr(0, colon);
-      if (topic.starts_with('/')) topic = "rt" + topic;  // as ROS spells it
+      if (topic.starts_with('/')) topic = "rt" + topic;  // a ROS name
       const auto type = types_.find(topic);
       if (type == types_.end() || !RosMessages().contains(type->second)) {
         throw RecordError("--signals: no topic '" + topic + "'" + DidYouMean(topic, topics));
@@ -246,7 +246,7 @@ class PageMaker {
     trace->Add(at, value, page_.from, page_.to);
   }
 
-  // A free joint stands first: its place and its attitude (w, x, y, z).
+  // The free joint comes first: position and attitude (w, x, y, z).
   void NoteTruth(double at, const Truth& truth) {
     if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
     const Eigen::Quaterniond R_WB(truth.qpos[3], truth.qpos[4], truth.qpos[5], truth.qpos[6]);
@@ -255,9 +255,9 @@ class PageMaker {
     for (std::size_t i = 0; i < 3; ++i) Note(at, rpy[static_cast<int>(i)], &rpy_[i]);
   }
 
-  // Those of one kind that follow closely are one mark.
+  // Events of one kind that follow each other closely become one mark.
   void NoteEvent(double at, const Event& event) {
-    // Lateness is the machine's, and the states of motions are many.
+    // Skips lateness, which is a matter of the machine, and the many states of motions.
     if (event.kind == "overrun" || event.kind == "motion" || event.kind == "gate") return;
     const double close = 0.02 * (page_.to - page_.from);
     const auto [last, is_new] = last_of_.try_emplace(event.kind, at, page_.marks.size());
@@ -287,7 +287,8 @@ class PageMaker {
          .lines = {Line("roll", 0, rpy_[0]), Line("pitch", 1, rpy_[1]), Line("yaw", 2, rpy_[2])}});
   }
 
-  // Unasked, of each kind of joint the one that moves most, and of kinds those that move most.
+  // By default, of each kind of joint the one that moves most, and of the kinds those that move
+  // most.
   std::set<std::size_t> Chosen() const {
     std::map<std::string, std::pair<double, std::size_t>> most;  // by kind: range, motor
     std::set<std::size_t> chosen;
@@ -338,7 +339,7 @@ class PageMaker {
         throw RecordError("--signals: nothing says " + signal + " from " +
                           std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
       }
-      // The label of the axis is short: gnuplot leaves out what is longer than the axis.
+      // A short label: gnuplot omits one that is longer than the axis.
       page_.panels.push_back(
           {.label = path.substr(path.rfind('.') + 1), .lines = {Line(path, 0, trace)}});
     }
@@ -352,10 +353,10 @@ class PageMaker {
   std::map<std::string, std::string> types_;  // by topic on the wire
   std::vector<Motor> known_, motors_;
   std::vector<MotorField> fields_;
-  std::vector<Gathered> gathered_, signals_;  // of motors, and others
+  std::vector<Gathered> gathered_, signals_;  // lines of motors, and of signals
   Trace height_;
   std::array<Trace, 3> rpy_;
-  // The last event of a kind: when, and its mark.
+  // The last event of each kind: its time and its mark.
   std::map<std::string, std::pair<double, std::size_t>> last_of_;
 };
 
@@ -388,7 +389,7 @@ void Trace::Add(double at, double value, double from, double to) {
   points_.emplace_back(at, value);
   if (points_.size() < full_) return;
   points_ = Thinned(points_, from, to);
-  full_ = std::max(kFull, 2 * points_.size());  // where times go back and forth it stays long
+  full_ = std::max(kFull, 2 * points_.size());  // times that go back may keep it long
 }
 
 }  // namespace understudy::record

@@ -1,4 +1,4 @@
-// The picture of a run.
+// Makes a page of plots of a recording.
 #pragma once
 
 #include <cstddef>
@@ -13,16 +13,17 @@ namespace understudy::record {
 
 using TracePoints = std::vector<std::pair<double, double>>;  // s, value
 
-// Columns of pixels of a line: of each the least and the most is drawn; *assumed*.
+// Pixel columns of a line; in each the minimum and maximum are drawn. *Assumed*.
 inline constexpr std::size_t kTraceColumns = 1200;
 
-// `all`, of `from` to `to` [s], or of each column the least and the most, in order.
+// Returns `all`, or, if there are more points than needed, the minimum and maximum of each column
+// between `from` and `to` [s], in order.
 TracePoints Thinned(const TracePoints& all, double from, double to);
 
-// No more than a few times what is drawn, however long the recording is.
+// The points of a line, thinned so that their number does not grow with the recording.
 class Trace {
  public:
-  // Adds `value` at `at` [s] of a line from `from` to `to`, but none that no line can go through.
+  // Adds `value` at time `at` [s] to a line from `from` to `to`. Ignores infinities and NaN.
   void Add(double at, double value, double from, double to);
   const TracePoints& points() const { return points_; }
 
@@ -35,23 +36,23 @@ class Trace {
 
 struct PlotOptions {
   std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
-                                       // kind the one that moves most, at most six
+                                       // kind the one that moves most, six at most
   std::vector<std::string> fields{};   // of motors: q, dq, tau, temperature; empty: q, tau
-  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", each a panel more;
-                                       // topics as ROS or as DDS spells them
+  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", one panel each;
+                                       // with ROS or DDS names of topics
   double from = 0, to = 0;             // s of simulated time; `to` 0: the recording's end
   int width = 1600, height = 0;        // pixels; height 0: by the number of panels
 };
 
 struct PlotLine {
   std::string name;
-  int color = 0;         // of the palette
-  bool dashed = false;   // what was commanded
-  TracePoints points{};  // one at least, few enough to be drawn
+  int color = 0;         // index in the palette
+  bool dashed = false;   // for commanded values
+  TracePoints points{};  // at least one, thinned
 };
 
 struct PlotPanel {
-  std::string label;  // of its y axis
+  std::string label;  // of the y axis
   std::vector<PlotLine> lines{};
 };
 
@@ -59,10 +60,10 @@ struct PlotMark {
   double at = 0;  // s
   std::string kind{};
   std::string text{};
-  int times = 1;  // of the same, close together
+  int times = 1;  // number of equal events close together
 };
 
-// A page: panels below one another over the same time, and marks that go through all of them.
+// A page: panels below each other on one time axis, and marks of events across all of them.
 struct PlotPage {
   std::string title;
   double from = 0, to = 0;  // s
@@ -71,18 +72,18 @@ struct PlotPage {
   std::vector<PlotMark> marks{};
 };
 
-// Base height and attitude, the fields of the motors with what was commanded, the signals, and
-// events. Throws RecordError with the nearest word for a motor, field or signal that there is not,
-// and where there is nothing to be drawn.
+// Reads the recording and makes panels of base height and attitude, of the motors' fields with
+// their commanded values and of the signals, and marks of the events. Throws RecordError for an
+// unknown motor, field or signal, with the nearest word, and if there is nothing to draw.
 PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
 
-// What gnuplot is told for a page, to draw it as SVG or as PNG into the file `picture`. Texts may
-// be anybody's: they are only ever quoted words.
+// Returns the gnuplot script that draws a page as SVG or PNG into the file `picture`. Texts of the
+// recording are quoted, so they cannot be commands.
 std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem::path& picture);
 
-// Draws the page with gnuplot into a .png or .svg. Throws RecordError: another ending, no gnuplot
-// (with the package that brings it), gnuplot's failure, of which it tells on standard error, or a
-// picture that cannot be written; then the one of before is still there.
+// Draws the page with gnuplot into a .png or .svg file. Throws RecordError for another extension,
+// if gnuplot is missing (with its package) or fails (its message is on standard error), or if the
+// file cannot be written; an existing picture is then unchanged.
 void DrawPage(const PlotPage& page, const std::filesystem::path& picture);
 
 }  // namespace understudy::record

@@ -14,17 +14,17 @@ namespace {
 
 using std::chrono::milliseconds;
 
-// How often the thread looks; how long a message waits for the tick that it belongs to, of which
-// there is none in a pause; how long a message may be in memory only. All *assumed*.
+// Period of the thread; longest wait of a message for its tick, which does not come in a pause;
+// longest time that a message is only in memory. All *assumed*.
 constexpr milliseconds kPollEvery(5);
 constexpr std::int64_t kPatience = 200'000'000;      // ns
 constexpr std::int64_t kFlushEvery = 1'000'000'000;  // ns
 
-// Of moments 8 s of a robot that sends at 1000 Hz, of marks as many steps; *assumed*.
+// Room for 8 s of moments at 1000 Hz and as many marks; *assumed*.
 constexpr std::size_t kMoments = 8192;
 constexpr std::size_t kMarks = 1 << 16;
 
-// RELIABLE, VOLATILE, KEEP_LAST 1, as rosbag2 writes it down.
+// RELIABLE, VOLATILE, KEEP_LAST 1 in the notation of rosbag2.
 constexpr char kQos[] =
     "- history: 1\n  depth: 1\n  reliability: 1\n  durability: 2\n"
     "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
@@ -129,7 +129,7 @@ void Recorder::Run(const std::stop_token& stop) {
     failed_ = true;
     waiting_.clear();
     topics_.clear();
-    say_(std::string(error.what()) + ": nothing more is recorded; the robot goes on", true);
+    say_(std::string(error.what()) + ": recording has stopped; the robot continues", true);
   }
 }
 
@@ -168,8 +168,8 @@ void Recorder::Subscribe() {
   }
 }
 
-// What others wrote arrived since the last take began: a source time before that or in the future
-// is of another clock. Ours is of the clock that marks have, whatever that does.
+// Clamps source times of other participants to the time since the last take began: one outside
+// comes from another clock. Our messages have the clock of the marks.
 void Recorder::Take() {
   const Nanoseconds since = std::exchange(last_take_, SinceEpoch());
   for (std::size_t i = 0; i < topics_.size(); ++i) {
@@ -190,9 +190,9 @@ void Recorder::Take() {
   }
 }
 
-// A message belongs to the first step whose end was marked at its time or later: in that step it
-// was sent, or was there to be taken. Marks later than `now` are left: a message of theirs may have
-// come too late for this take.
+// A message belongs to the first step that was marked at its time or later: in this step it was
+// sent or could be taken. Leaves marks after `now`, because some of their messages may not be taken
+// yet.
 void Recorder::Merge(Nanoseconds now, bool all) {
   std::ranges::stable_sort(waiting_, {}, &Waiting::when);
   auto next = waiting_.begin();
@@ -237,7 +237,7 @@ void Recorder::WriteEvents(std::int64_t up_to_step) {
   WriteHeldBack(digest_.Due(TimeOf(up_to_step)), up_to_step);
 }
 
-// Messages are in order of time: it belongs to the step in which it is told.
+// An event that was held back gets the step in which it is reported, to keep the order of time.
 void Recorder::WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step) {
   for (emulator::ToldEvent told : held) {
     told.event.step = step;

@@ -1,4 +1,4 @@
-// Records a run: everything on the bus, what only the simulation knows, and what happened.
+// Records a run: all topics of the bus, the simulation's truth and the events.
 #pragma once
 
 #include <array>
@@ -28,53 +28,53 @@
 
 namespace understudy::record {
 
-// What a file says of its run before the first message.
+// The description of the run at the beginning of the file.
 struct RecordingHead {
   StringMap about;     // metadata "understudy"
   std::string config;  // attachment config.yaml
   std::string model;   // attachment model.mjb
 };
 
-// A robot between two steps, as the loop offers it.
+// The truth between two steps, offered by the loop.
 struct Moment {
   std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC, of the offer
   Truth truth;
 };
 
-// Of a burst of events each cause is told once in this simulated time [s]; *assumed*.
+// In a burst of events each cause is recorded once in this simulated time [s]; *assumed*.
 inline constexpr double kEventEvery = 0.1;
 
-// One thread of its own takes, as bytes, what anybody writes to the topics of the bus (those that
-// our participant has, and others as they are discovered), and merges it with what the loop offers
-// into one file in order of time.
+// Its thread takes the serialized messages of all topics (those of our participant, and others as
+// they are discovered) and merges them with the moments of the loop into one file, in order of
+// time.
 //
-// Every message gets the simulated time of the tick in which it was sent, or could first be taken:
-// log_time is the wall time of the start, a whole number of ns, plus simulated time.
+// The log_time of a message is the wall time of the start plus the simulated time of the tick in
+// which it was sent or could first be taken.
 class Recorder {
  public:
-  // Logs: a line, and whether it is an error.
+  // Receives lines for the log; `error` tells warnings from errors.
   using Say = std::function<void(const std::string& line, bool error)>;
 
-  // Writes the file's beginning and starts the thread. Topics that `participant` has by now are
-  // recorded from their first message on. `events` outlives the recorder. `moment` has vectors of
-  // the sizes that will be offered. Throws RecordError and BusError.
+  // Writes the beginning of the file and starts the thread. Topics that `participant` already has
+  // are recorded from their first message on. `events` must outlive the recorder. The vectors of
+  // `moment` have the sizes of those to be offered. Throws RecordError and BusError.
   Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
            const emulator::EventRing* events, const Moment& moment,
            std::chrono::nanoseconds timestep, Say say);
-  // Takes what is left and finishes the file.
+  // Takes the remaining messages and finishes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // The loop's thread. None of these waits or allocates.
+  // For the loop's thread. None of these functions waits or allocates.
   //
-  // After every tick: `step` was made, and whatever it sent has been sent.
+  // Call it after every tick: step `step` is done and its messages are sent.
   void Mark(std::int64_t step);
-  // Room for what is to be offered, to be filled and committed, or nullptr when the recording has
-  // failed, or, counted as dropped, when its thread is far behind.
+  // Returns a moment to fill in and commit; nullptr if the recording has failed or, counted as
+  // dropped, if its thread is far behind.
   Moment* Claim();
   void Commit();
-  // The thread is so far behind that the loop should give it time if it has any to give.
+  // Returns whether the thread is so far behind that a loop without deadlines should wait for it.
   bool behind() const;
 
   // Any thread.
@@ -83,8 +83,8 @@ class Recorder {
  private:
   using Nanoseconds = std::int64_t;
   struct StepMark {
-    Nanoseconds wall;   // CLOCK_MONOTONIC, which tells what may be merged by now
-    Nanoseconds epoch;  // since 1970, as source times
+    Nanoseconds wall;   // CLOCK_MONOTONIC, decides what may be merged
+    Nanoseconds epoch;  // since 1970, for comparison with source times
     std::int64_t step;
   };
   struct Topic {
@@ -129,8 +129,8 @@ class Recorder {
   std::uint16_t truth_channel_ = 0, event_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
   emulator::EventRing::Reader events_;
-  emulator::EventDigest digest_{kEventEvery - 1e-6};  // 0.3 - 0.2 is less than 0.1
-  emulator::Event event_;                             // the next, where there is one
+  emulator::EventDigest digest_{kEventEvery - 1e-6};  // rounding: 0.3 - 0.2 < 0.1
+  emulator::Event event_;                             // the next event, if has_event_
   bool has_event_ = false;
   SpscRing<Moment> moments_;
   SpscRing<StepMark> marks_;

@@ -10,7 +10,7 @@ using Messages = std::map<std::string_view, MessageFields>;
 std::string Fields(std::string_view type) {
   std::string text;
   for (const MessageField& field : RosMessages().find(type)->second) {
-    // Nested types are named without the "msg" between package and name.
+    // Nested types are written without the "msg" between package and name.
     std::string name(field.type);
     if (const std::size_t at = name.find("/msg/"); at != std::string::npos) name.erase(at, 4);
     if (field.many == Many::kArray) name += "[" + std::to_string(field.count) + "]";
@@ -20,7 +20,7 @@ std::string Fields(std::string_view type) {
   return text;
 }
 
-// The types in a type, each once, those it holds itself first.
+// Adds the nested types of a type, each once, direct members first.
 void Collect(std::string_view type, std::set<std::string_view>* seen,
              std::vector<std::string_view>* types) {
   for (const MessageField& field : RosMessages().find(type)->second) {
@@ -34,7 +34,7 @@ void Collect(std::string_view type, std::set<std::string_view>* seen,
 }  // namespace
 
 const Messages& RosMessages() {
-  // Made from idl/ by cmake/RosFields.cmake.
+  // Generated from idl/ by cmake/RosFields.cmake.
   static const Messages messages = {
 #include "ros_fields.inc"
   };

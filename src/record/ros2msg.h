@@ -1,4 +1,4 @@
-// The vendor's message types as ROS 2 writes message types down.
+// Describes the vendor's message types as ROS 2 message definitions.
 #pragma once
 
 #include <map>
@@ -8,7 +8,7 @@
 
 namespace understudy::record {
 
-enum class Many { kOne, kArray, kSequence };  // a sequence is of any length
+enum class Many { kOne, kArray, kSequence };  // a sequence has any length
 
 // One field of a message.
 struct MessageField {
@@ -20,19 +20,19 @@ struct MessageField {
 
 using MessageFields = std::vector<MessageField>;
 
-// All types of the 73 by their ROS names. HelloWorldData::Msg, which is in no ROS package, is
+// Returns the 73 types by their ROS names. HelloWorldData::Msg, which is in no ROS package, is
 // HelloWorldData/msg/Msg.
 const std::map<std::string_view, MessageFields>& RosMessages();
 
 // "unitree_go::msg::dds_::LowState_" -> "unitree_go/msg/LowState".
 std::string RosTypeName(std::string_view type_on_wire);
-// And back.
+// The inverse.
 std::string TypeOnWire(std::string_view ros_type_name);
 
-// "rt/lowstate" -> "/lowstate", as ROS 2 spells it; a topic without "rt/" stays as it is.
+// "rt/lowstate" -> "/lowstate"; a topic without "rt/" is unchanged.
 std::string RosTopicName(std::string_view topic_on_wire);
 
-// The text of a ros2msg schema: the type's fields, then those of every type in it.
+// Returns the text of a ros2msg schema: the fields of the type, then those of all nested types.
 std::string Ros2MsgText(std::string_view ros_type_name);
 
 }  // namespace understudy::record

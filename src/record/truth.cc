@@ -23,7 +23,7 @@ void PutNumbers(const std::vector<double>& numbers, BytesOut* out) {
   out->PutRaw(std::as_bytes(std::span(numbers)));
 }
 
-// With the zero at its end.
+// A CDR string, with its terminating zero.
 void PutText(const std::string& text, BytesOut* out) {
   PutNumber(static_cast<std::uint32_t>(text.size() + 1), out);
   out->PutRaw(AsBytes(text));

@@ -1,4 +1,4 @@
-// What only the simulation knows, and what happened, as messages.
+// The messages for the simulation's truth and for events.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ inline constexpr char kTruthText[] =
     "float64[] foot_force\n"
     "float64 crane_tension\n";
 
-// The world between two steps: all of it at `time`, but for tau, foot_force and crane_tension,
-// which acted in the step that led here.
+// The true state between two steps, at `time`. tau, foot_force and crane_tension acted during the
+// step before.
 struct Truth {
   std::int64_t step = 0;
   double time = 0;                   // simulated s
-  std::vector<double> qpos{};        // as in mjData of the model that lies beside
-  std::vector<double> qvel{};        // likewise
+  std::vector<double> qpos{};        // mjData::qpos of the attached model
+  std::vector<double> qvel{};        // mjData::qvel
   std::vector<double> tau{};         // N·m at the joints, in motor order
   std::vector<double> foot_force{};  // N, in the order of robot.feet
   double crane_tension = 0;          // N
@@ -44,13 +44,13 @@ inline constexpr char kEventText[] =
 struct Event {
   std::int64_t step = 0;
   double time = 0;       // simulated s
-  std::string kind{};    // one word, see docs/recording.md
-  std::string text{};    // for people
-  std::string detail{};  // for programs: a JSON object
+  std::string kind{};    // one word (docs/recording.md)
+  std::string text{};    // a line for people
+  std::string detail{};  // a JSON object for programs
 };
 
-// As little-endian XCDR1 with its four bytes in front. Encoding overwrites `out`; decoding throws
-// RecordError for what is no such message.
+// Encode to and decode from little-endian XCDR1 with the four bytes of the encoding. Encoding
+// overwrites `out`; decoding throws RecordError for anything else.
 void EncodeTruth(const Truth& truth, BytesOut* out);
 Truth DecodeTruth(ByteSpan bytes);
 void EncodeEvent(const Event& event, BytesOut* out);

@@ -1,5 +1,5 @@
-// Arguments of `understudy remote`. Knows no SDL: the daemon's program parses these too, for --help
-// and completions.
+// The command line of `understudy remote`. Without SDL, since `understudy` parses it too, for
+// --help and completions.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ namespace understudy::remote {
 
 struct RemoteArguments {
   client::RobotChoice robot;
-  std::string gamepad;  // a number or part of a name; "" for the first that is known
+  std::string gamepad;  // a number or part of a name; "" for the first known one
   std::string mapping;  // a file; "" for none
   double dead_zone = kDeadZone;
   bool no_keyboard = false;
@@ -25,7 +25,7 @@ struct RemoteArguments {
 // Adds the subcommand with its options, which must outlive the parsing.
 CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments);
 
-// The error of a build that has no understudy-remote.
+// The hint of a build without understudy-remote.
 inline constexpr char kRemoteMissing[] = "build the target understudy-remote, or run ./tools/up";
 
 }  // namespace understudy::remote

@@ -9,8 +9,8 @@
 
 namespace understudy::remote {
 
-// Buttons by what is written on them, in SDL's order. On a PlayStation's A, B, X, Y are cross,
-// circle, square, triangle.
+// Buttons by their labels, in SDL's order. On a PlayStation's gamepad A, B, X, Y are cross, circle,
+// square, triangle.
 enum class GamepadButton : std::uint8_t {
   kA,
   kB,
@@ -37,15 +37,15 @@ struct GamepadState {
   double left_trigger = 0, right_trigger = 0;  // 0..1
 };
 
-// A stick within this of its middle is in its middle; beyond, it begins at 0; *assumed*, what worn
-// sticks want.
+// Dead zone of a stick around its middle; the output starts at 0 at its edge. *Assumed*, enough for
+// worn sticks.
 inline constexpr double kDeadZone = 0.1;
-// A trigger is a key that goes down above the one and up below the other, so that it does not
-// flicker between; *assumed*.
+// A trigger is a key with hysteresis: down above the first threshold, up below the second.
+// *Assumed*.
 inline constexpr double kTriggerDown = 0.5;
 inline constexpr double kTriggerUp = 0.4;
 
-// `before`: the keys of the reading before this one. `dead_zone` is 0 to below 1.
+// `before` has the keys of the previous reading. `dead_zone` is in [0, 1).
 robot::RemoteReading ReadGamepad(const GamepadState& gamepad, double dead_zone,
                                  std::uint16_t before);
 

@@ -1,4 +1,4 @@
-// The only file that sees SDL.
+// Reads gamepads with SDL. Only this file includes it.
 #include "remote/gamepads.h"
 
 #include <algorithm>

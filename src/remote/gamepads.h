@@ -1,4 +1,4 @@
-// The gamepads of this machine.
+// Reads the gamepads of this machine.
 #pragma once
 
 #include <memory>
@@ -11,33 +11,32 @@
 namespace understudy::remote {
 
 struct GamepadChoice {
-  std::string which{};         // a number as in the list, from 1, or part of a name; "" for any
-  std::string mapping_file{};  // more mappings in SDL's form; "" for none
+  std::string which{};         // a number of the list, from 1, or part of a name; "" for any
+  std::string mapping_file{};  // further mappings in SDL's format; "" for none
 };
 
-// From construction to destruction. The first that fits the choice is used until it is unplugged,
-// then the next. That there is none, now or ever, is no error. Signals and the screen stay as they
-// are; no thread of ours is needed.
+// Uses the first gamepad that fits the choice until it is unplugged, then the next. Having none is
+// not an error. Does not touch signals or the screen and starts no thread.
 class Gamepads {
  public:
-  // Throws ConfigError for a mapping file that cannot be read. Where the system has no gamepads to
-  // offer there are none, and the news say why.
+  // Throws ConfigError for a mapping file that cannot be read. If the system does not support
+  // gamepads there are none, and TakeNews() has the reason.
   explicit Gamepads(const GamepadChoice& choice);
   ~Gamepads();
   Gamepads(const Gamepads&) = delete;
   Gamepads& operator=(const Gamepads&) = delete;
 
-  // Looks what was plugged in and out, and gives the state of the one in use; nullopt while there
-  // is none. Does not wait.
+  // Processes plugging and unplugging, and returns the state of the gamepad in use; nullopt while
+  // there is none. Does not wait.
   std::optional<GamepadState> Poll();
 
-  // Its name; "" while there is none.
+  // Returns its name; "" while there is none.
   std::string in_use() const;
 
-  // What happened since the last call, a line each.
+  // Returns the messages since the last call, one line each.
   std::vector<std::string> TakeNews();
 
-  // Every gamepad and joystick that is plugged in: number, name, and whether its buttons are known.
+  // Lists all plugged-in gamepads and joysticks: number, name, and whether the buttons are known.
   std::string List() const;
 
  private:

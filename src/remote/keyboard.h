@@ -1,4 +1,4 @@
-// The keyboard of a terminal as a remote controller (docs/remote.md).
+// Maps a terminal's keyboard to the remote controller (docs/remote.md).
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace understudy::remote {
 
-// What a key does: a key of the remote, or moves an axis of a stick.
+// The effect of a key: a key of the remote, or the motion of a stick's axis.
 struct KeyBinding {
   char32_t key;
   std::string_view shown;
@@ -20,7 +20,7 @@ struct KeyBinding {
   double to = 0;
 };
 
-// Letters are the keys of that name; the sticks lie under the fingers of either hand.
+// Letters are the remote's keys of that name; the keys of each stick are under one hand.
 inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
     {U'q', "q", robot::RemoteBit("L1")},
     {U'w', "w", robot::RemoteBit("L2")},
@@ -48,16 +48,16 @@ inline constexpr std::array<KeyBinding, 24> kKeyBindings = {{
     {U'l', "l", 0, &robot::RemoteReading::rx, 1},
 }};
 
-// A terminal does not tell releases, so a key is up when it has not been heard for so long [s]:
-// first longer than the delay before a held key repeats, then longer than the time between two
-// repeats; both *assumed*, above the usual 0.25 to 0.66 and 0.03 to 0.1.
+// A terminal does not report releases, so a key counts as released after this time [s] without a
+// repeat: at first longer than the usual repeat delay of 0.25 to 0.66, then longer than the usual
+// repeat period of 0.03 to 0.1. Both *assumed*.
 inline constexpr double kFirstHeard = 0.7;
 inline constexpr double kHeardAgain = 0.2;
 
-// Times are of any steady clock [s].
+// The keyboard's state. Times are of any steady clock [s].
 class Keyboard {
  public:
-  // A key with control does nothing; Ctrl-C is a signal (RawTerminal).
+  // Takes a pressed key. Ignores keys with Ctrl; Ctrl-C is a signal (RawTerminal).
   void Take(const TerminalKey& pressed, double t);
   robot::RemoteReading Read(double t) const;
 
@@ -66,8 +66,8 @@ class Keyboard {
  private:
   struct Key {
     double down_until = 0;
-    bool kept = false;  // down until told otherwise
-    bool half = false;  // with shift: a stick goes half the way
+    bool kept = false;  // latched until released
+    bool half = false;  // with shift: half deflection of a stick
   };
 
   void Press(Key* key, bool shift, double t);

@@ -1,4 +1,4 @@
-// The program behind `understudy remote`.
+// The program of `understudy remote`.
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -32,7 +32,7 @@ namespace {
 using nlohmann::json;
 
 constexpr int kLoopMs = 10;
-// Longer than the robot's patience with its tick, so that it is the robot who says why.
+// Longer than the robot waits for its tick, so that the robot can report the reason.
 constexpr std::chrono::milliseconds kCallTimeout{5'000};
 constexpr double kStatusEvery = 1;     // s
 constexpr double kEscapePause = 0.05;  // s after which an escape is the key; *assumed*
@@ -43,7 +43,7 @@ double Now() {
   return std::chrono::duration<double>(now).count();
 }
 
-// The robot at the other end.
+// The connection to the robot.
 class Robot {
  public:
   explicit Robot(const std::filesystem::path& socket)
@@ -55,7 +55,7 @@ class Robot {
   // Simulated seconds per second, as far as it is known.
   double speed() const { return speed_; }
 
-  // Asks how it is; which also keeps the connection and shows that the robot is there.
+  // Reads the status, which also keeps the connection alive and shows that the robot is there.
   void Update() {
     const json status = json::parse(Ask("GET", "/status", ""), nullptr, false);
     const double wanted = NumberAt(status, "/speed");
@@ -88,7 +88,7 @@ class Robot {
   double speed_ = 1;
 };
 
-// Keys of both; of each axis what is further from the middle.
+// Combines both: all keys, and for each axis the larger deflection.
 robot::RemoteReading Both(const robot::RemoteReading& one, const robot::RemoteReading& other) {
   const auto further = [](double a, double b) { return std::abs(a) >= std::abs(b) ? a : b; };
   return {.there = true,
@@ -99,12 +99,12 @@ robot::RemoteReading Both(const robot::RemoteReading& one, const robot::RemoteRe
           .ry = further(one.ry, other.ry)};
 }
 
-// The terminal as keyboard and picture.
+// The terminal with its keyboard and the picture.
 class TerminalRemote {
  public:
   explicit TerminalRemote(std::string title) : title_(std::move(title)) {}
 
-  // Waits for kLoopMs at most. False: the terminal has gone.
+  // Waits at most kLoopMs. Returns false if the terminal has gone.
   bool Poll() {
     std::string typed;
     const bool there = terminal_.Read(kLoopMs, &typed);
@@ -125,7 +125,7 @@ class TerminalRemote {
     if (notes_.size() > kMostNotes) notes_.erase(notes_.begin());
   }
 
-  // Where it differs from what is on the screen.
+  // Redraws the picture if it differs from the screen.
   void Show(const robot::RemoteReading& reading) {
     RemotePicture picture{.reading = reading, .title = title_, .notes = {}};
     picture.notes = {keyboard_.keeps_next() ? "Space: the next key is kept down"
@@ -151,8 +151,8 @@ class TerminalRemote {
   double heard_at_ = 0;
 };
 
-// Sends keyboard and gamepad to the robot until Ctrl-C. Throws SetupError: there is no such robot,
-// or it has gone. Where there is neither a terminal nor a gamepad it waits for the latter.
+// Sends keyboard and gamepad to the robot until Ctrl-C. Throws SetupError if there is no such robot
+// or it has gone. Without terminal and gamepad it waits for a gamepad.
 void PlayRemote(const RemoteArguments& arguments) {
   Robot robot(client::ChosenSocket(arguments.robot));
   CatchStopSignals();
@@ -167,6 +167,7 @@ void PlayRemote(const RemoteArguments& arguments) {
   RemoteSender sender(
       [&](const robot::RemoteReading& held, double seconds) { robot.Set(held, seconds); });
 
+  // Loop: read the devices, update the speed, send, draw.
   robot::RemoteReading gamepad;
   double asked_at = Now();
   while (StopSignal() == 0) {

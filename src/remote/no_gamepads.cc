@@ -1,4 +1,4 @@
-// Instead of gamepads.cc, where this was built without SDL.
+// Replaces gamepads.cc in a build without SDL.
 #include <utility>
 
 #include "base/errors.h"

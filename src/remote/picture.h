@@ -1,4 +1,4 @@
-// Draws the remote controller with characters.
+// Draws the remote controller as text.
 #pragma once
 
 #include <string>
@@ -14,9 +14,9 @@ struct RemotePicture {
   std::vector<std::string> notes{};  // below
 };
 
-// Lines with their colours, from the top left of the screen, cut to `columns` and `rows`. What is
-// pressed is shown inverse. Text that is not ASCII letters, digits and signs is shown as '?': the
-// name of a gamepad is chosen by whoever made it.
+// Returns coloured lines for the screen, clipped to `columns` and `rows`. Pressed keys are inverse.
+// Other characters than ASCII letters, digits and signs become '?', since a gamepad's name may
+// contain any.
 std::string Draw(const RemotePicture& picture, int columns, int rows);
 
 }  // namespace understudy::remote

@@ -17,12 +17,12 @@ namespace {
 constexpr std::string_view kEnter = "\033[?1049h\033[?25l";
 constexpr std::string_view kLeave = "\033[?25h\033[?1049l";
 
-// All of it, whatever signals come.
+// Writes the whole text in spite of signals.
 void WriteAll(std::string_view text) {
   while (!text.empty()) {
     const ssize_t wrote = ::write(STDOUT_FILENO, text.data(), text.size());
     if (wrote < 0 && errno == EINTR) continue;
-    if (wrote <= 0) return;  // nobody looks any more
+    if (wrote <= 0) return;  // the terminal has gone
     text.remove_prefix(static_cast<std::size_t>(wrote));
   }
 }

@@ -1,4 +1,4 @@
-// A terminal that gives its keys one by one and shows a picture.
+// Puts the terminal into raw mode, for single keys and a full-screen picture.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace understudy::remote {
 
-// From construction to destruction keys come one by one, without echo; the picture is on the
-// alternate screen and the cursor is hidden. Ctrl-C raises SIGINT as ever; Ctrl-Z does nothing,
-// since a stopped program would leave the terminal so. SIGKILL leaves it so too: `reset` restores
-// it.
+// While it exists, keys arrive one by one without echo, the picture is on the alternate screen and
+// the cursor is hidden. Ctrl-C raises SIGINT as usual; Ctrl-Z is ignored, since a stopped program
+// would leave the terminal in this mode. SIGKILL leaves it so too: `reset` restores it.
 class RawTerminal {
  public:
-  // Standard input and output must be a terminal. Throws SetupError where the system refuses.
+  // Standard input and output must be a terminal. Throws SetupError if the system refuses.
   RawTerminal();
   ~RawTerminal();
   RawTerminal(const RawTerminal&) = delete;
   RawTerminal& operator=(const RawTerminal&) = delete;
 
-  // Waits at most that long; "" when nothing was typed. False: the terminal has gone.
+  // Waits for input at most `timeout_ms`. Sets `typed`, "" for none. Returns false if the terminal
+  // has gone.
   bool Read(int timeout_ms, std::string* typed);
   void Write(std::string_view text);
 

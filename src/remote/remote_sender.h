@@ -1,4 +1,4 @@
-// Decides when to tell the robot what is held.
+// Decides when to send the held keys and sticks to the robot.
 #pragma once
 
 #include <functional>
@@ -10,25 +10,25 @@
 
 namespace understudy::remote {
 
-// What is held is let go by the robot when it has not heard of it for so long [s, wall clock];
-// *assumed*: short for a robot that walks, long for a program that was held up.
+// The robot releases all keys after this time [s, wall clock] without a message; *assumed*: short
+// for a robot that walks, long for a program that was delayed.
 inline constexpr double kLetGoAfter = 0.5;
 inline constexpr double kRenewEvery = 0.1;    // s; four may be lost
-inline constexpr double kLeastPeriod = 0.01;  // s: changes are told at 100 Hz at most
+inline constexpr double kLeastPeriod = 0.01;  // s: changes are sent at 100 Hz at most
 
-// Tells changes, and again and again what is held; nothing while nothing is, so that others can
-// use the same remote. Times are of any steady clock [s].
+// Sends changes, and repeats while keys or sticks are held. Sends nothing otherwise, so that other
+// programs can use the same remote. Times are of any steady clock [s].
 class RemoteSender {
  public:
-  // What is held, and the simulated seconds after which it is to be let go.
+  // Sends the held keys and sticks, and the simulated seconds after which the robot releases them.
   using Send = std::function<void(const robot::RemoteReading&, double seconds)>;
 
   explicit RemoteSender(Send send) : send_(std::move(send)) {}
 
-  // Simulated seconds per second: requests count in the former.
+  // Sets the simulated seconds per second, as requests count simulated time.
   void set_speed(double speed) { speed_ = speed; }
 
-  // To be called more often than kLeastPeriod.
+  // Call it at least every kLeastPeriod.
   void Hold(const robot::RemoteReading& reading, double t);
   void LetGo(double t);
 
@@ -42,7 +42,7 @@ class RemoteSender {
   bool told_any_ = false;
 };
 
-// The values of the request remote.set.
+// Returns the values of the request remote.set.
 nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds);
 
 }  // namespace understudy::remote

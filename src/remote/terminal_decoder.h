@@ -1,4 +1,4 @@
-// Turns the bytes that a terminal sends into keys.
+// Decodes the bytes of a terminal into keys.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace understudy::remote {
 
-// Keys that are no character; beyond Unicode.
+// Keys without a character; values beyond Unicode.
 inline constexpr char32_t kUpKey = 0x110000;
 inline constexpr char32_t kDownKey = 0x110001;
 inline constexpr char32_t kRightKey = 0x110002;
@@ -16,7 +16,7 @@ inline constexpr char32_t kEnterKey = U'\r';
 inline constexpr char32_t kTabKey = U'\t';
 inline constexpr char32_t kEscapeKey = U'\x1b';
 
-// A key that was pressed, or repeats: a terminal does not say which, nor when it is released.
+// A key that was pressed or repeats; a terminal does not distinguish these, nor report the release.
 struct TerminalKey {
   char32_t key = 0;  // without shift: 'a' for A
   bool shift = false;
@@ -25,16 +25,15 @@ struct TerminalKey {
   bool operator==(const TerminalKey&) const = default;
 };
 
-// Decodes characters and the arrows of xterm and its kin. Takes any bytes and skips what it does
-// not know.
+// Decodes characters and the arrow keys of xterm-like terminals. Skips unknown bytes.
 class TerminalDecoder {
  public:
   // Returns the keys that these bytes complete. A sequence may come in parts.
   std::vector<TerminalKey> Feed(std::string_view bytes);
-  // Call it when nothing more came for a while: a lone escape byte was the key, not a sequence.
+  // Call it after a pause in the input: a single escape byte is then the Esc key, not a sequence.
   std::vector<TerminalKey> Pause();
 
-  // Whether the bytes so far end within a sequence.
+  // Returns whether the bytes so far end within a sequence.
   bool waits() const { return !pending_.empty(); }
 
  private:

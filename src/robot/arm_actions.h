@@ -1,4 +1,4 @@
-// What the arms of a G1 can be asked to do.
+// The arm actions of a G1, by id and name.
 #pragma once
 
 #include <array>

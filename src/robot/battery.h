@@ -1,4 +1,4 @@
-// The pack that feeds the motors.
+// Models the battery pack.
 #pragma once
 
 #include <span>
@@ -14,17 +14,16 @@ namespace understudy::robot {
 //   P = V · idle_a + max(0, sum tau dq) + watt_per_nm2 · sum tau²
 //
 // The open-circuit voltage falls linearly with the charge from cell_full_v to cell_empty_v;
-// internal_ohm takes its share of the load. A pack gives no more than what halves its voltage; the
-// motors get what they ask for all the same. Figures are fitted to captures of real packs where
-// such exist (docs/fidelity.md); that the voltage is linear in the charge, and the most that a pack
-// gives, are *assumed*. Nothing happens at an empty pack, *assumed*: charge stays 0 and the robot
-// goes on.
+// internal_ohm lowers the voltage under load. The power is limited to that at half the voltage;
+// this does not limit the motors. Figures are fitted to captures of real packs where they exist
+// (docs/fidelity.md). *Assumed* are the linear voltage, the power limit, and that an empty pack has
+// no effect: the charge stays 0 and the robot continues.
 class Battery {
  public:
   explicit Battery(const BatterySpec& spec);
 
-  // Voltage and current under joint torques tau [N·m] and rates dq [rad/s] in motor order, and the
-  // charge one step of dt [s] on.
+  // Updates voltage and current for joint torques tau [N·m] and rates dq [rad/s] in motor order,
+  // and integrates the charge over dt [s].
   void Step(std::span<const double> tau, std::span<const double> dq, double dt);
 
   const BatteryReading& reading() const { return reading_; }

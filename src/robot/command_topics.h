@@ -1,4 +1,4 @@
-// The topics that bring commands for motors, by number.
+// Numbers the topics with commands to motors.
 #pragma once
 
 #include <array>
@@ -12,10 +12,10 @@ namespace understudy::robot {
 inline constexpr std::size_t kLowCmdTopic = 0;
 inline constexpr std::size_t kArmSdkTopic = 1;
 inline constexpr std::size_t kUserLowCmdTopic = 2;
-inline constexpr std::size_t kFirstHandTopic = 3;  // and the other hands, as in RobotSpec::hands
+inline constexpr std::size_t kFirstHandTopic = 3;  // then the other hands, as in RobotSpec::hands
 inline constexpr std::size_t kMostCommandTopics = kFirstHandTopic + kMostHands;
 
-// Of those before the hands', which have names of their own.
+// The names of the topics before those of hands.
 inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicNames = {
     "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
 

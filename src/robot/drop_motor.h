@@ -1,4 +1,4 @@
-// A robot's description without one of its motors.
+// Removes a motor from a robot's description.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace understudy::robot {
 
-// Takes the motor at place `i` of motor order out, with its place in every pose, the parallel pair
-// it is in and its slot in rt/arm_sdk. A pose that has not one angle per motor stays as it is.
+// Removes the motor at index `i` of motor order, with its angle in every pose, its parallel pair
+// and its slot in rt/arm_sdk. A pose without one angle per motor does not change.
 void DropMotor(std::size_t i, RobotSpec* spec);
 
 }  // namespace understudy::robot

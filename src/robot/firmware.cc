@@ -7,7 +7,7 @@
 namespace understudy::robot {
 namespace {
 
-// Takes the number in front and the dot after it; 0 when nothing is left.
+// Removes the first number and its dot; returns 0 if the text is empty.
 int TakeNumber(std::string_view* version) {
   const std::size_t end = std::min(version->find('.'), version->size());
   int number = 0;

@@ -1,4 +1,4 @@
-// Versions of the robot's software, as the vendor writes them: numbers between dots.
+// Compares versions of the robot's software: numbers between dots.
 #pragma once
 
 #include <string_view>
@@ -7,18 +7,18 @@
 
 namespace understudy::robot {
 
-// Numbers between dots: "1.1.6".
+// Returns whether the text is numbers between dots, such as "1.1.6".
 bool IsFirmware(std::string_view version);
 
-// Whether `version` is `since` or later, number by number; what is missing counts as 0. Both are
-// IsFirmware.
+// Returns whether `version` is `since` or later, compared number by number; missing numbers count
+// as 0. Both must be IsFirmware.
 bool FirmwareReaches(std::string_view version, std::string_view since);
 
-// Whether that firmware has the service: not before `since`, not from `before` on, where they are
+// Returns whether that firmware has the service: from `since` on, if set, and before `before`, if
 // set.
 bool HasService(std::string_view firmware, const ServiceSpec& service);
 
-// Whether the robot tells the id of its state machine's state; see RobotSpec::state_id_since.
+// Returns whether the robot publishes the id of its state (RobotSpec::state_id_since).
 bool TellsStateId(const RobotSpec& spec);
 
 }  // namespace understudy::robot

@@ -52,9 +52,16 @@ MotorBank::MotorBank(const RobotSpec& spec)
     : thermal_(spec.thermal),
       motors_(AllMotors(spec)),
       kd_share_(KdShares(spec)),
+      faults_(motors_.size(), 0),
       torque_(motors_.size()),
       winding_c_(motors_.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
   for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
+}
+
+std::optional<std::size_t> MotorBank::Find(std::string_view joint) const {
+  const auto motor = std::ranges::find(motors_, joint, &MotorSpec::joint);
+  if (motor == motors_.end()) return std::nullopt;
+  return static_cast<std::size_t>(motor - motors_.begin());
 }
 
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
@@ -79,7 +86,8 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
   }
   for (std::size_t i = 0; i < torque_.size(); ++i) {
     const MotorSpec& motor = *motors_[i];
-    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]);
+    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]) *
+                 kMotorFaults[faults_[i]].torque_share;
     const double rise = motor.rise_per_nm2_c > 0 ? motor.rise_per_nm2_c : thermal_.rise_per_nm2_c;
     const double steady =
         thermal_.ambient_c + thermal_.rest_rise_c + rise * torque_[i] * torque_[i];

@@ -1,52 +1,61 @@
-// The motor law and its limits, pure; and the bank that applies them to all motors of a robot in a
-// tick.
+// The motor law and its limits, and the bank that applies them to all motors of a robot.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
+#include "robot/motor_fault.h"
 #include "robot/parallel_joint.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
 namespace understudy::robot {
 
-// Torque [N·m] the motor would like to give at joint angle q [rad] and rate dq [rad/s], before any
-// limit:
+// Returns the torque [N·m] before limits at joint angle q [rad] and rate dq [rad/s]:
 //
 //   tau + kp (q_des - q) + kd (dq_des - dq)
 //
 // (unitree_sdk2 example/h1/README; confirmed to 1 % by logs of a real G1,
-// docs/sources.md#motor-law.)
-// kNoPosition and kNoVelocity leave out their term. A disabled motor wants 0. NaN in, NaN out:
-// CommandGate has refused it before.
+// docs/sources.md#motor-law.) kNoPosition and kNoVelocity omit their term. A disabled motor has
+// torque 0. NaN gives NaN, but CommandGate refuses it before.
 double DesiredTorque(const MotorCommand& command, double q, double dq);
 
-// `tau` [N·m] cut to what the motor can give at rate dq [rad/s]: torque_limit up to knee_speed,
-// from there falling linearly to 0 at no_load_speed when it drives; braking is limited by
-// torque_limit alone. All of this shape is *assumed*. knee_speed = 0 means that only torque_limit
-// counts.
+// Returns `tau` [N·m] clamped to the available torque at rate dq [rad/s]: when driving,
+// torque_limit up to knee_speed and from there linearly down to 0 at no_load_speed; when braking,
+// torque_limit. This shape is *assumed*. With knee_speed 0 only torque_limit applies.
 double AvailableTorque(const MotorSpec& spec, double tau, double dq);
 
-// All motors of one robot, body and hands. Knows temperatures; allocates only in the constructor.
+// All motors of one robot, of body and hands, with their temperatures. Allocates only in the
+// constructor.
 class MotorBank {
  public:
   // `spec` must outlive the bank.
   explicit MotorBank(const RobotSpec& spec);
 
-  // Joint torques [N·m] in motor order for the joint angles q [rad] and rates dq [rad/s] of the
-  // same instant, and the motor temperatures one step of dt [s] on. The span stays valid until the
-  // next call. In JointSpace::kMotors the parallel pairs follow their command in motor space; their
-  // limits stay those of pitch and roll (*assumed*). In JointSpace::kPitchRoll, and of motors in no
-  // pair, only the fitted share of a commanded kd acts (spec.dynamics). Gains and torque of each
-  // motor are scaled as MotorSpec says; in JointSpace::kMotors `strength` counts at pitch and roll.
-  // A motor that is not enabled brakes with its lock_kd.
+  // Returns the joint torques [N·m] in motor order for joint angles q [rad] and rates dq [rad/s] of
+  // one instant, and integrates the temperatures over dt [s]. The span is valid until the next
+  // call. In JointSpace::kMotors the parallel pairs follow their command in motor space, with the
+  // limits of pitch and roll (*assumed*). In JointSpace::kPitchRoll, and for other motors, kd is
+  // multiplied by the fitted kd_share (spec.dynamics). Gains and torque are scaled by the factors
+  // of MotorSpec; in JointSpace::kMotors `strength` applies to pitch and roll. A motor that is not
+  // enabled brakes with its lock_kd. A fault takes its share of the torque, in kMotors of pitch's
+  // and roll's.
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
                                std::span<const double> dq, double dt);
 
-  // Torques of the last Step, zero before.
+  // Returns the place in motor order of the motor of that joint.
+  std::optional<std::size_t> Find(std::string_view joint) const;
+  // Gives that motor a fault by its place in kMotorFaults; 0 is none.
+  void SetFault(std::size_t motor, std::size_t fault) { faults_[motor] = fault; }
+  std::span<const std::size_t> faults() const { return faults_; }
+
+  // Returns the torques of the last Step, zeros before.
   std::span<const double> torque() const { return torque_; }
-  // Winding temperatures, °C. First-order, driven by torque squared (*assumed*, docs/fidelity.md).
+  // Returns the winding temperatures, °C: first-order, driven by the square of torque (*assumed*,
+  // docs/fidelity.md).
   std::span<const double> winding_c() const { return winding_c_; }
 
  private:
@@ -54,6 +63,7 @@ class MotorBank {
   std::vector<const MotorSpec*> motors_;
   std::vector<ParallelJoint> parallel_;
   std::vector<double> kd_share_;  // motor order
+  std::vector<std::size_t> faults_;
   std::vector<double> torque_;
   std::vector<double> winding_c_;
 };

@@ -1,5 +1,5 @@
-// Two serial joints (pitch, roll) that two motors (A, B) drive together: ankles and waist of the
-// humanoids.
+// Maps two serial joints (pitch, roll) to the two motors (A, B) that drive them together: ankles
+// and waist of the humanoids.
 #pragma once
 
 #include "robot/robot_spec.h"
@@ -23,7 +23,7 @@ class ParallelJoint {
 
   explicit ParallelJoint(const ParallelSpec& spec) : spec_(spec) {}
 
-  // Angles or rates.
+  // Maps angles or rates.
   Motors ToMotors(const Serial& x) const {
     return {x.pitch + spec_.roll_ratio * x.roll, x.pitch - spec_.roll_ratio * x.roll};
   }

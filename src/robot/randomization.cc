@@ -7,7 +7,7 @@
 namespace understudy::robot {
 namespace {
 
-// 64 bits of a name: FNV-1a.
+// The 64-bit FNV-1a hash of a name.
 std::uint64_t HashOf(std::string_view quantity, std::string_view element) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto add = [&hash](unsigned char byte) { hash = (hash ^ byte) * 0x100000001b3U; };
@@ -17,7 +17,7 @@ std::uint64_t HashOf(std::string_view quantity, std::string_view element) {
   return hash;
 }
 
-// The period [ns] of a rate, 0 where it is not whole.
+// The period [ns] of a rate, 0 if it is not whole.
 std::int64_t WholePeriod(double hz) {
   const double period = std::round(1e9 / hz);
   return std::abs(period * hz - 1e9) < 1e-3 ? static_cast<std::int64_t>(period) : 0;
@@ -26,7 +26,7 @@ std::int64_t WholePeriod(double hz) {
 }  // namespace
 
 double Dice::Draw(std::string_view quantity, std::string_view element, double low, double high) {
-  // fma, because some compilers contract a product in a sum by themselves and others do not.
+  // fma, because some compilers contract a product and a sum and others do not.
   const double value = std::fma(high - low, Throw(quantity, element), low);
   return Note(quantity, element, std::min(value, high));
 }
@@ -43,7 +43,7 @@ double Dice::DrawOneOf(std::string_view quantity, const std::vector<double>& val
 
 double Dice::Throw(std::string_view quantity, std::string_view element) const {
   std::mt19937_64 stream(HashOf(quantity, element) + static_cast<std::uint64_t>(draws_.seed));
-  // 53 bits; the standard's own distributions differ between libraries.
+  // 53 bits; the standard's distributions differ between libraries.
   return static_cast<double>(stream() >> 11) * 0x1p-53;
 }
 

@@ -1,4 +1,4 @@
-// How often something happens, counted in steps.
+// Decides in which steps something periodic is due.
 #pragma once
 
 #include <algorithm>
@@ -7,8 +7,8 @@
 
 namespace understudy::robot {
 
-// `hz` times a second of simulated time, which goes on in steps of `timestep` seconds: in step 0
-// and in every so manyth after it, to the nearest whole number of steps.
+// A rate of `hz` per second of simulated time for steps of `timestep` seconds. It is due in step 0
+// and then after every period, rounded to whole steps.
 class Rate {
  public:
   Rate(double hz, double timestep)

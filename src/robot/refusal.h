@@ -1,4 +1,4 @@
-// Why a command was not taken.
+// The reasons for which a command is refused.
 #pragma once
 
 #include <array>
@@ -9,24 +9,24 @@ namespace understudy::robot {
 
 enum class Refusal : std::uint8_t {
   kNone,
-  kCrc,              // the crc word does not fit the rest
+  kCrc,              // the crc does not fit the message
   kHead,             // go: head is not FE EF, or level_flag not FF
-  kModeMachine,      // hg: not the machine LowState announces
+  kModeMachine,      // hg: not that of LowState
   kModePr,           // hg: neither PR (0) nor AB (1)
-  kMotorMode,        // a motor's mode byte is none that the robot knows
-  kMotorCount,       // hands: other than one entry per motor
+  kMotorMode,        // a motor's mode byte is unknown
+  kMotorCount,       // hands: not one entry per motor
   kNotFinite,        // NaN or infinity in a motor's command
   kGain,             // a negative kp or kd
-  kMotionService,    // the robot's own motion service moves the motors
+  kMotionService,    // a motion service moves the motors
   kNoMotionService,  // rt/arm_sdk, rt/user_lowcmd: none is on
-  kNotHandedOver,    // rt/user_lowcmd: the motion service keeps the motors
-  kUndecoded,        // no message of the topic's type
+  kNotHandedOver,    // rt/user_lowcmd: the motion service has not handed over the motors
+  kUndecoded,        // not a message of the topic's type
   kCount,
 };
 
 inline constexpr std::size_t kRefusals = static_cast<std::size_t>(Refusal::kCount);
 
-// The word that logs, counters and the control plane use.
+// Returns the word for logs, counters and the control plane.
 constexpr std::string_view Name(Refusal refusal) {
   constexpr std::array<std::string_view, kRefusals> kNames = {
       "none",        "crc",        "head", "mode_machine",   "mode_pr",           "motor_mode",
@@ -35,7 +35,7 @@ constexpr std::string_view Name(Refusal refusal) {
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
-// Whether nothing can be made of such a command, however lenient one is.
+// Returns whether such a command cannot be read, so that even a lenient intake refuses it.
 constexpr bool IsUnreadable(Refusal refusal) {
   return refusal == Refusal::kMotorCount || refusal == Refusal::kUndecoded;
 }

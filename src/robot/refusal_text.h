@@ -1,4 +1,4 @@
-// What a refusal means and what to do about it, in words.
+// Explains refusals and their remedies.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace understudy::robot {
 
-// One line. "" for what is none.
+// Returns one line; "" for kNone.
 std::string_view Explain(Refusal refusal);
 // The same for a command to a hand.
 std::string_view ExplainForHand(Refusal refusal);

@@ -1,6 +1,6 @@
-// What a robot is: read from config/robots/<robot>.yaml, never changed afterwards. Every field is a
-// YAML key of the same name; meaning, unit, range and default of each stand in
-// config/robot_keys.cc, which reads them.
+// The description of a robot, read from config/robots/<robot>.yaml and constant afterwards. Each
+// field is a YAML key of the same name; config/robot_keys.cc reads it and has its meaning, unit and
+// range.
 #pragma once
 
 #include <array>
@@ -13,39 +13,40 @@
 
 namespace understudy::robot {
 
-// Which of the vendor's two IDL families the robot speaks on rt/lowcmd and rt/lowstate.
+// The IDL family of the vendor for rt/lowcmd and rt/lowstate.
 enum class WireFamily : std::uint8_t { kGo, kHg };
 
-// What it is built as: whose legs and wheels it has, and by that which controller can play its
-// motion service and which words its states have. kOther has none of these: it only damps.
+// The build of a robot. It selects the controller of the motion service and the names of its
+// states. kOther has no controller and only damps.
 enum class RobotKind : std::uint8_t { kOther, kQuadruped, kWheeled, kHumanoid };
 
-// Whether it has a quadruped's four legs, with feet or wheels.
+// Returns whether it has a quadruped's four legs, with feet or wheels.
 constexpr bool IsQuadruped(RobotKind kind) {
   return kind == RobotKind::kQuadruped || kind == RobotKind::kWheeled;
 }
 
-// A motor of the body or of a hand; slot and hold gains are the body's alone, lock_kd a hand's.
+// A motor of the body or of a hand. Only the body's have slot and hold gains, only a hand's have
+// lock_kd.
 struct MotorSpec {
   std::string joint;          // MJCF joint
   int slot = 0;               // index in LowCmd.motor_cmd and LowState.motor_state
   double torque_limit = 0;    // N·m at the joint
-  double knee_speed = 0;      // rad/s up to which torque_limit is to be had
-  double no_load_speed = 0;   // rad/s at which no driving torque is left
+  double knee_speed = 0;      // rad/s up to which torque_limit is available
+  double no_load_speed = 0;   // rad/s at which the driving torque is 0
   double q_step = 0;          // rad, encoder lattice; 0 = none
   double dq_step = 0;         // rad/s
   double tau_step = 0;        // N·m
   double hold_kp = 0;         // N·m/rad, gains that hold a start pose
   double hold_kd = 0;         // N·m·s/rad
   double armature = 0;        // kg·m², in place of the model's; 0 = the model's
-  double strength = 1;        // torque given over torque meant, before and at the limit
-  double kp_scale = 1;        // how much of a commanded kp acts
-  double kd_scale = 1;        // likewise of kd
-  double rise_per_nm2_c = 0;  // °C/(N·m)², in place of ThermalSpec's; 0 = that
-  double lock_kd = 0;         // N·m·s/rad with which it brakes while not enabled
+  double strength = 1;        // actual over intended torque, also of the limit
+  double kp_scale = 1;        // effective over commanded kp
+  double kd_scale = 1;        // effective over commanded kd
+  double rise_per_nm2_c = 0;  // °C/(N·m)²; 0 = that of ThermalSpec
+  double lock_kd = 0;         // N·m·s/rad, damping while not enabled
 };
 
-// Where a body is otherwise than the model file has it; empty or 0 = as there.
+// Values of a body that differ from the model file; empty or 0 keeps the file's.
 struct BodySpec {
   std::string name{};
   std::vector<double> pos{};      // m, in the parent's frame
@@ -54,59 +55,59 @@ struct BodySpec {
   std::vector<double> inertia{};  // kg·m², xx yy zz xy xz yz about it, in the body's frame
 };
 
-// Where a site is otherwise than the model file has it.
+// The position of a site that differs from the model file.
 struct SiteSpec {
   std::string name{};
   Eigen::Vector3d pos{0, 0, 0};  // m, in its body's frame
 };
 
-// Whose figures hold for joints and drives: those of the model's file, or of fits to recordings of
+// The source of joint friction, damping and armature: the model's file, or fits to recordings of
 // real robots.
 enum class DynamicsSource : std::uint8_t { kCatalogue, kFitted };
 
-// What such a fit says of some motors and their joints.
+// Fitted values of some motors and their joints.
 struct FittedDynamicsSpec {
   std::vector<int> slots{};  // the motors
   double armature = -1;      // kg·m² at the joint; below 0: as in the model
   double damping = -1;       // N·m·s/rad of the joint, likewise
   double frictionloss = -1;  // N·m of the joint, likewise
-  double kd_share = 1;       // how much of a commanded kd acts
+  double kd_share = 1;       // effective over commanded kd
 };
 
 struct DynamicsSpec {
   DynamicsSource use = DynamicsSource::kCatalogue;
   std::vector<FittedDynamicsSpec> fitted;
-  double delay = 0;  // s from when a command is followed to its torque
+  double delay = 0;  // s from a command to its torque
 };
 
 // Two serial joints driven by two parallel motors A and B. Indices in motor order.
 struct ParallelSpec {
   int pitch = 0;          // the slot of B in AB mode
   int roll = 0;           // the slot of A in AB mode
-  double roll_ratio = 1;  // how far A and B part per radian of roll
+  double roll_ratio = 1;  // difference of the angles of A and B per radian of roll
 };
 
-// A place of a hand that feels pressure.
+// A pressure sensor of a hand.
 struct PadSpec {
-  std::vector<int> taxels{};  // the ones it has, of the message's 12
+  std::vector<int> taxels{};  // indices of its taxels among the message's 12
 };
 
-// A hand with motors of its own, on topics of its own.
+// A hand with motors and topics.
 struct HandSpec {
   std::string name{};   // "left"
   std::string topic{};  // between rt/ and /cmd, /state; rt/lf/ and /state
-  // In the order of motor_cmd, their place there being the id in their mode byte.
+  // In the order of motor_cmd. The index there is the id in the mode byte.
   std::vector<MotorSpec> motors{};
   std::vector<PadSpec> pads{};  // in the order of press_sensor_state
-  double timeout = 1;           // s without a command until watched motors lock
-  double temperature_c = 0;     // what pads show
-  double supply_v = 0;          // what it is fed with
+  double timeout = 1;           // s without a command after which watched motors lock
+  double temperature_c = 0;     // of the pads
+  double supply_v = 0;          // V, supply voltage
 };
 
 struct FootSpec {
   std::string name;
   std::vector<std::string> geoms;  // MJCF geoms whose contacts are this foot's
-  // Direction the sensor feels, in the frame of the geoms' body; all 0 = the contact's own normal.
+  // Measured direction in the frame of the geoms' body; all 0 = the contact's normal.
   Eigen::Vector3d axis{0, 0, 1};
 };
 
@@ -123,45 +124,45 @@ struct RateSpec {
   double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
   double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
-  double service_hz = 500;   // commands of the robot's own motion service
+  double service_hz = 500;   // commands of the motion service
 };
 
-// A program on the robot's own computer, as robot_state lists it.
+// A program on the robot's computer, as robot_state lists it.
 struct ServiceSpec {
   std::string name{};
-  std::string alias{};   // motion_switcher's word for it; "" when it moves no motors
-  bool on = true;        // at boot; of motion services, motion.service says which is on
-  bool protect = false;  // refuses to be switched
-  std::string since{};   // firmware from which on it is there; "" = always
-  std::string before{};  // firmware from which on it is gone; "" = never
+  std::string alias{};   // its name in motion_switcher; "" if it moves no motors
+  bool on = true;        // at boot; for motion services motion.service decides
+  bool protect = false;  // cannot be switched on or off
+  std::string since{};   // first firmware that has it; "" = any
+  std::string before{};  // first firmware that no longer has it; "" = none
 };
 
-// rt/arm_sdk: commands mixed over those of the motion service.
+// rt/arm_sdk: commands blended with those of the motion service.
 struct ArmSdkSpec {
-  std::vector<int> slots{};        // motors it acts on, by slot; none where there is no arm_sdk
+  std::vector<int> slots{};        // of the motors it moves; empty if there is no rt/arm_sdk
   int weight_slot = 0;             // whose q is the weight
   bool weight_in_mode_pr = false;  // mode_pr is the weight in percent instead
-  double timeout = 0;              // s after which an old command no longer counts; 0 = never
+  double timeout = 0;              // s after which a command expires; 0 = never
 };
 
-// What a chord of the remote controller does while the motion service is on.
+// A chord of the remote controller and its effect while a motion service is on.
 struct ChordSpec {
   std::string keys{};       // "L2+B"
   int clicks = 1;           // of the last key
   std::string does{};       // a word of kChordActions, authority/chord.h
-  double value = 0;         // state id, action id; 0 where there is none
-  std::vector<int> from{};  // ids of states it works in; none = in all
+  double value = 0;         // id of a state or action; 0 if there is none
+  std::vector<int> from{};  // ids of the states in which it works; empty = all
 };
 
 struct RemoteSpec {
   std::vector<ChordSpec> chords;
-  Eigen::Vector3d speed{0, 0, 0};  // forward, left m/s, turn rad/s of fully moved sticks
+  Eigen::Vector3d speed{0, 0, 0};  // forward, left m/s, turn rad/s at full stick
 };
 
-// Lattice and noise of the inertial unit; encoder lattices are MotorSpec's.
+// Lattice and noise of the IMUs. MotorSpec has those of encoders.
 struct ImuSpec {
   std::string site;            // MJCF site of LowState's unit
-  std::string secondary_site;  // "" where the robot has none
+  std::string secondary_site;  // "" if the robot has none
   double gyro_step = 0;        // rad/s
   double accel_step = 0;       // m/s²
   double gyro_noise = 0;       // rad/s, standard deviation
@@ -169,7 +170,7 @@ struct ImuSpec {
   double temperature_c = 0;    // what it shows when warm
 };
 
-// Standard deviation of motor readings at rest, in steps of the motor's own lattice.
+// Standard deviation of motor readings at rest, in steps of the motor's lattice.
 struct EncoderNoiseSpec {
   double q_steps = 0;
   double dq_steps = 0;
@@ -194,20 +195,20 @@ struct BatterySpec {
 
 struct ThermalSpec {
   double ambient_c = 25;
-  double rest_rise_c = 0;      // how much warmer an idle motor is
+  double rest_rise_c = 0;      // of an idle motor above ambient
   double rise_per_nm2_c = 0;   // steady rise per (N·m)² of that motor
   double time_constant = 600;  // s
 };
 
-// The state machine of a humanoid's own motion service, by the vendor's numbers; -1 or empty where
-// the robot has no such state.
+// The states of a humanoid's motion service, by the vendor's ids; -1 or empty if the robot has no
+// such state.
 struct HumanoidMotionSpec {
   int lock_stand = -1;            // joints locked, standing
-  std::vector<int> balance{};     // standing balanced, the first one when none is named
+  std::vector<int> balance{};     // standing balanced; the first is the default
   int squat = -1;                 // joints locked in squat_q
   int sit = -1;                   // joints locked in sit_q
   int balanced_squat = -1;        // from standing into squat_q and back, balanced
-  std::vector<int> unplayed{};    // what the robot has and nothing here plays
+  std::vector<int> unplayed{};    // of the real robot, not simulated
   std::vector<double> squat_q{};  // rad, motor order
   std::vector<double> sit_q{};
   bool arm_actions = false;  // waves, shakes hands ...
@@ -226,24 +227,27 @@ struct WalkSpec {
   Eigen::Vector3d time_constant{0.4, 0.4, 0.4};  // s in which the velocity follows
   double dead_time = 0;                          // s until it begins to
   double turn_scrub = 1;                         // of wheels: how much faster they run in a turn
+  // When in a stride FR FL RR RL touch down, 0 to 1: the gait's, no key.
+  std::array<double, 4> offsets = {0, 0.5, 0.5, 0};
 };
 
-// How the motion service of a quadruped stands and moves.
+// The parameters of a quadruped's motion service.
 struct QuadrupedMotionSpec {
   double stand_height = 0;                      // m, of the base over the ground
-  double foot_x = 0;                            // m, how far the feet stand ahead of the hips
+  bool stands_up = false;                       // by itself, when its service starts
+  double foot_x = 0;                            // m, of the feet ahead of the hips
   std::array<double, 2> height_range = {0, 0};  // m about stand_height
   Eigen::Vector3d euler_range{0, 0, 0};         // rad either way: roll, pitch, yaw
   Eigen::Vector3d sit{0, 0, 0};  // m ahead, m over stand_height, rad of pitch: of the base
   double kp = 1;                 // N·m/rad at the legs' joints
   double kd = 0;                 // N·m·s/rad
   double damping_kd = 0;         // N·m·s/rad when damped, at all joints
-  double wheel_kp = 0;           // N·m/rad that keeps a balanced robot's wheels where they stand
-  double wheel_kd = 0;           // N·m·s/rad that brakes them
+  double wheel_kp = 0;           // N·m/rad, holds the wheels of a balanced robot
+  double wheel_kd = 0;           // N·m·s/rad, brakes them
   WalkSpec walk;
 };
 
-// What the robot's own motion service is like.
+// The parameters of the motion service.
 struct MotionSpec {
   HumanoidMotionSpec humanoid;
   QuadrupedMotionSpec quadruped;
@@ -258,12 +262,12 @@ struct RobotSpec {
   std::string base_body;  // MJCF body with the free joint
   RobotKind kind = RobotKind::kOther;
   WireFamily family = WireFamily::kGo;
-  std::string firmware;  // version of the software that is played
-  // Firmware from which on states are told by the state machine's id: in go's SportModeState in
-  // error_code, in hg in a message of its own. "" = never.
+  std::string firmware;  // version of the simulated software
+  // First firmware that publishes the id of the state machine's state: go in error_code of
+  // SportModeState, hg on rt/sportmodestate. "" = none.
   std::string state_id_since;
-  std::string revision;  // of the hardware: one of the file's revisions, "" where it has none
-  int mode_machine = 0;  // hg only: what LowState announces and LowCmd must echo
+  std::string revision;                    // hardware revision, "" if the file has none
+  int mode_machine = 0;                    // hg only: in LowState, and required in LowCmd
   std::vector<std::string> locked_joints;  // have no motor and cannot move
   std::vector<BodySpec> bodies;            // that differ from the model file
   std::vector<SiteSpec> sites;             // that differ from the model file
@@ -277,11 +281,11 @@ struct RobotSpec {
   FootSensorSpec foot_sensor;
   RateSpec rates;
   std::vector<ServiceSpec> services;
-  // What answers requests: names of tables, of services::kApis.
+  // Services that answer requests: names of tables, services::kApiNames.
   std::vector<std::string> apis = {"motion_switcher", "config", "robot_state"};
   bool arm_action_state = false;  // rt/arm/action/state; hg only
   ArmSdkSpec arm_sdk;
-  bool user_lowcmd = false;  // rt/user_lowcmd, which its motion service can hand the motors to
+  bool user_lowcmd = false;  // whether the motion service can hand the motors to rt/user_lowcmd
   RemoteSpec remote;
   BatterySpec battery;
   ThermalSpec thermal;
@@ -289,13 +293,13 @@ struct RobotSpec {
   PoseSpec standing;
   PoseSpec hanging;  // on the crane or clamped; height is that of the base
   MotionSpec motion;
-  std::string crane_body;                // MJCF body the crane's hook is in
+  std::string crane_body;                // MJCF body of the crane's hook
   Eigen::Vector3d crane_point{0, 0, 0};  // m, hook in that body's frame
   std::string default_start;             // lying | standing | hanging | clamped
 };
 
-// All motors of a robot, in motor order: the body's, then hand by hand. They point into `spec`, a
-// RobotSpec that may be const.
+// Returns pointers to all motors of `spec`, a RobotSpec that may be const, in motor order: the
+// body's, then those of each hand.
 template <class Spec>
 auto AllMotors(Spec& spec) {
   std::vector<decltype(spec.motors.data())> all;

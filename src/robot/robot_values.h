@@ -1,4 +1,4 @@
-// What a robot is told and what it tells, as plain values in SI units. Quaternions are w, x, y, z.
+// Commands and readings of a robot as plain values in SI units. Quaternions are w, x, y, z.
 #pragma once
 
 #include <array>
@@ -11,53 +11,52 @@
 
 namespace understudy::robot {
 
-// The vendor's "no position" and "no velocity" marks (docs/sources.md#motor-law). A command
-// that carries one leaves out that term of the motor law, whatever the gain beside it says.
+// The vendor's marks for "no position" and "no velocity" (docs/sources.md#motor-law). They omit
+// their term of the motor law for any gain.
 inline constexpr double kNoPosition = 2.146e9;
 inline constexpr double kNoVelocity = 16000.0;
 
-// What one motor is asked to do. Joint side, positive along the MJCF axis.
+// The command to one motor. Joint side, positive along the MJCF axis.
 struct MotorCommand {
-  // false: whatever the other fields hold, the motor gives no torque; a hand's is locked and
-  // brakes.
+  // false: the motor gives no torque for any other fields; a hand's motor is locked and brakes.
   bool enabled = false;
   double q = 0;            // rad, or kNoPosition
   double dq = 0;           // rad/s, or kNoVelocity
   double tau = 0;          // N·m, feed-forward
   double kp = 0;           // N·m/rad
   double kd = 0;           // N·m·s/rad
-  bool watched = false;    // of a hand: locks by itself when commands stop
-  bool timed_out = false;  // of a hand, as followed: has locked by itself
+  bool watched = false;    // of a hand: locks when commands stop
+  bool timed_out = false;  // of a hand: has locked because commands stopped
 
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
 
-// How the commands of a parallel mechanism (ankle, waist) are meant: `mode_pr` on the hg wire.
+// The space of commands to parallel pairs (ankle, waist): `mode_pr` in hg messages.
 enum class JointSpace : std::uint8_t {
   kPitchRoll = 0,  // PR: the serial joints of the MJCF
   kMotors = 1,     // AB: the two motors that drive them
 };
 
-// One command, in motor order: as it comes, to the motors of the body or of one hand; as it is
-// followed, to all.
+// One command in motor order: to the motors of the body or of one hand as received, to all motors
+// as followed.
 struct RobotCommand {
   std::vector<MotorCommand> motors;
-  JointSpace joint_space = JointSpace::kPitchRoll;  // of the body's
+  JointSpace joint_space = JointSpace::kPitchRoll;  // of the body
   double weight = 0;                                // of rt/arm_sdk: as sent
 };
 
-// What one motor reports. Joint side, signs as in MotorCommand.
+// The reading of one motor. Joint side, signs as in MotorCommand.
 struct MotorReading {
   bool enabled = false;
-  bool timed_out = false;  // of a hand: has locked by itself, as commands stopped
+  bool timed_out = false;  // of a hand: has locked because commands stopped
   double q = 0;            // rad
   double dq = 0;           // rad/s
-  double tau = 0;          // N·m, what the motor gives before joint friction
+  double tau = 0;          // N·m, of the motor, before joint friction
   double casing_c = 0;     // degrees Celsius
   double winding_c = 0;    // degrees Celsius
 };
 
-// One inertial unit, I, in the world, W. `f` is the specific force: at rest +g along the upward
+// The reading of an IMU, I, in the world, W. `f` is the specific force: at rest +g along the upward
 // axis.
 struct ImuReading {
   Eigen::Quaterniond R_WI{1, 0, 0, 0};
@@ -73,13 +72,13 @@ struct BatteryReading {
   double temperature_c = 25;  // constant, *assumed*
 };
 
-// Where the base, B, is and how it moves. Truth of the simulation; ports decide who may see it.
+// Pose and velocity of the base, B: the truth of the simulation.
 struct BaseReading {
   Eigen::Vector3d p_WB{0, 0, 0};    // m
   Eigen::Vector3d v_WB_W{0, 0, 0};  // m/s
 };
 
-// What a motion service tells of itself.
+// The state of a motion service.
 struct MotionState {
   int id = 0;    // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
   int mode = 0;  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving
@@ -88,36 +87,37 @@ struct MotionState {
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
   // Whether the service estimates the following, as a quadruped's does; else they are 0. World
-  // axes; the place counts from where the service began and drifts with the steps.
+  // axes. The position starts at 0 with the service and drifts with every step of the robot.
   bool estimates = false;
   Eigen::Vector3d v_WB_W{0, 0, 0};              // m/s, of the base
   Eigen::Vector3d p_WB{0, 0, 0};                // m, likewise
-  int gait = 0;                                 // 0 idle, 1 trot, 2 run
+  int gait = 0;                                 // 1 trot, 2 run, 3 for stairs
+  double wanted_height = 0;                     // m, as body_height is to be
   double foot_raise = 0;                        // m that its gait lifts a foot by
   std::array<Eigen::Vector3d, 4> feet{};        // m, in the base, FR FL RR RL
   std::array<Eigen::Vector3d, 4> feet_speed{};  // m/s, against the base and in it
 };
 
-// What the remote controller sends. Sticks -1..1: right, forward and clockwise are positive.
+// The state of the remote controller. Sticks -1..1: right, forward and clockwise are positive.
 struct RemoteReading {
-  bool there = false;      // false: nothing is received, and all that follows is 0
-  std::uint16_t keys = 0;  // pressed ones, see robot/remote_keys.h
+  bool there = false;      // false: nothing is received, and the rest is 0
+  std::uint16_t keys = 0;  // bits of pressed keys (robot/remote_keys.h)
   double lx = 0, ly = 0;   // left stick
   double rx = 0, ry = 0;   // right stick
 };
 
-// Everything the robot can tell about one instant. Before the first sample: default values.
+// All readings of one instant. Default values before the first sample.
 struct RobotState {
   std::int64_t tick_ms = 0;          // simulated milliseconds since start
   std::vector<MotorReading> motors;  // motor order
   JointSpace joint_space = JointSpace::kPitchRoll;
-  ImuReading imu;                  // the one LowState carries
-  ImuReading secondary_imu;        // where the robot has one
+  ImuReading imu;                  // of LowState
+  ImuReading secondary_imu;        // if the robot has one
   std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
   BatteryReading battery;
   BaseReading base;
   RemoteReading remote;
-  std::optional<MotionState> motion;  // of the motion service; none while none moves the motors
+  std::optional<MotionState> motion;  // nullopt while no motion service is on
 };
 
 }  // namespace understudy::robot

@@ -1,4 +1,4 @@
-// The poses that a robot begins in and can be put back to.
+// The start poses of a robot.
 #pragma once
 
 #include <array>
@@ -11,9 +11,9 @@ namespace understudy::robot {
 
 enum class StartPose : std::uint8_t {
   kLying,     // on the ground, braking
-  kStanding,  // held up by its motors
+  kStanding,  // held by its motors
   kHanging,   // on the crane
-  kClamped,   // the base held in the air
+  kClamped,   // the base fixed in the air
 };
 
 inline constexpr std::array<std::string_view, 4> kStartPoses = {"lying", "standing", "hanging",

@@ -8,9 +8,9 @@
 
 namespace understudy::run {
 
-// Returns when no other participant writes rt/lowstate, or there is only a silent writer and the
-// configuration allows it. `since`: when the watch was set. A writer that has sent nothing is given
-// the same time again. Throws NeighbourError.
+// Returns if no other participant writes rt/lowstate, or if it has only a silent writer and the
+// configuration allows that. The listening time counts from `since`, when the watch began. A writer
+// that has sent nothing gets the same time again. Throws NeighbourError.
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
                          time::Clock* clock);

@@ -3,12 +3,13 @@
 #include <filesystem>
 #include <map>
 #include <random>
+#include <span>
 #include <string>
 #include <utility>
 
+#include <spdlog/fmt/fmt.h>
 #include <spdlog/spdlog.h>
 
-#include "config/archive.h"
 #include "config/model_files.h"
 #include "config/randomization_keys.h"
 #include "mjcf/randomize_model.h"
@@ -17,7 +18,7 @@
 namespace understudy::run {
 namespace {
 
-// Says what loading a model brought up.
+// Logs the notes of loading a model.
 void Tell(const physics::LoadNotes& notes) {
   for (const std::string& warning : notes.warnings) spdlog::warn("{}", warning);
   if (!notes.rewrites.empty()) {
@@ -29,13 +30,13 @@ void Tell(const physics::LoadNotes& notes) {
   for (const std::string& looks : notes.looks) spdlog::debug("{}", looks);
 }
 
-// One line per quantity, so that a log has what a run was.
+// Logs one line per quantity, to four digits; GET /status and a recording have all of them.
 void Tell(const robot::Draws& draws) {
   std::map<std::string, std::string> lines;
   for (const robot::Drawn& drawn : draws.values) {
     std::string& line = lines[drawn.quantity];
     if (!line.empty()) line += ", ";
-    line += (drawn.element.empty() ? "" : drawn.element + " ") + config::NumberText(drawn.value);
+    line += (drawn.element.empty() ? "" : drawn.element + " ") + fmt::format("{:.4g}", drawn.value);
   }
   for (const auto& [quantity, line] : lines) spdlog::info("drawn {}: {}", quantity, line);
 }
@@ -50,8 +51,12 @@ int SeedOf(const robot::RandomizationSpec& randomization) {
   return seed;
 }
 
-// A model from elsewhere may call things otherwise than the robot's description: the description
-// then takes its names.
+physics::PlacedRobot Placed(const config::Config& config, const std::filesystem::path& file) {
+  const auto& [x, y, yaw] = config.start.at;
+  return {.spec = config.robot, .file = file, .x = x, .y = y, .yaw = yaw};
+}
+
+// A third-party model may have other names than the robot's description, which then takes them.
 mjcf::ModelHandle LoadModel(config::Config* config) {
   const config::SceneFile scene(config->scene, config->terrain);
   const std::filesystem::path file = config::ModelFile(config->robot);
@@ -59,10 +64,10 @@ mjcf::ModelHandle LoadModel(config::Config* config) {
   physics::LoadNotes notes;
   mjcf::ModelHandle model;
   if (std::filesystem::path(config->robot.model).is_relative()) {
-    model = physics::LoadWorldModel({{config->robot, file}}, scene.path(), timestep, &notes);
+    model = physics::LoadWorldModel({Placed(*config, file)}, scene.path(), timestep, &notes);
   } else {
     physics::FittedModel fitted =
-        physics::LoadFittedModel({config->robot, file}, scene.path(), timestep, &notes);
+        physics::LoadFittedModel(Placed(*config, file), scene.path(), timestep, &notes);
     config->robot = std::move(fitted.spec);
     model = std::move(fitted.model);
   }
@@ -70,12 +75,17 @@ mjcf::ModelHandle LoadModel(config::Config* config) {
   return model;
 }
 
+// Called after loading the model, which may change the robot's description.
+physics::World WorldOf(mjcf::ModelHandle model, const config::Config& config,
+                       mjcf::ModelHandle nominal = nullptr) {
+  return {std::move(model), {Placed(config, {})}, std::move(nominal)};
+}
+
 }  // namespace
 
 MadeWorld MakeWorld(config::Config* config) {
   robot::RandomizationSpec& ranges = config->randomization;
-  if (!config::IsRandom(ranges))
-    return {.world = {LoadModel(config), {{config->robot}}}, .draws = {}};
+  if (!config::IsRandom(ranges)) return {.world = WorldOf(LoadModel(config), *config), .draws = {}};
   ranges.seed = SeedOf(ranges);
   robot::Dice dice(ranges.seed);
   if (!ranges.timestep.empty()) {
@@ -83,15 +93,16 @@ MadeWorld MakeWorld(config::Config* config) {
         dice.DrawOneOf("timestep", robot::PossibleTimesteps(ranges.timestep, config->robot.rates));
   }
   mjcf::ModelHandle model = LoadModel(config);
+  mjcf::ModelHandle nominal = mjcf::CopyOf(*model);
   robot::RandomizeMotors(ranges, &dice, &config->robot);
-  mjcf::RandomizeModel(ranges, config->robot, &dice, model.get());
+  mjcf::RandomizeModel(ranges, std::span(&config->robot, 1), &dice, model.get());
   Tell(dice.draws());
-  return {.world = {std::move(model), {{config->robot}}}, .draws = dice.draws()};
+  return {.world = WorldOf(std::move(model), *config, std::move(nominal)), .draws = dice.draws()};
 }
 
 mjcf::ModelHandle MakeSightModel(const config::Config& config) {
   const config::SceneFile scene(config.scene, config.terrain);
-  return physics::LoadSightModel({{config.robot, config::ModelFile(config.robot)}}, scene.path(),
+  return physics::LoadSightModel({Placed(config, config::ModelFile(config.robot))}, scene.path(),
                                  config.physics.timestep);
 }
 

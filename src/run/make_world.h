@@ -1,4 +1,4 @@
-// The world of a run, from its configuration.
+// Makes the world of a run from its configuration.
 #pragma once
 
 #include "config/config.h"
@@ -10,16 +10,16 @@ namespace understudy::run {
 
 struct MadeWorld {
   physics::World world;
-  robot::Draws draws;  // what config->randomization asked for
+  robot::Draws draws;  // values of config->randomization
 };
 
-// Compiles robot and scene, draws what is left to chance, and logs what is worth knowing of both.
-// `config` becomes that of the run: it takes the names of a model that calls things otherwise, and
-// the time step, delay and motors that were drawn. Throws ModelError.
+// Compiles robot and scene, draws the randomization and logs notes about both. Updates `config`
+// with the names of a third-party model and with the drawn time step, delay and motors. Throws
+// ModelError.
 MadeWorld MakeWorld(config::Config* config);
 
-// The same world for whoever looks on (LoadSightModel), from the configuration that MakeWorld left.
-// Takes some tens of ms, meshes of another hand longer. Throws ModelError.
+// Makes the same world for viewers (LoadSightModel), from the configuration that MakeWorld updated.
+// Takes some tens of ms, with large meshes longer. Throws ModelError.
 mjcf::ModelHandle MakeSightModel(const config::Config& config);
 
 }  // namespace understudy::run

@@ -59,7 +59,7 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
   return head;
 }
 
-// What of a robot's truth is offered; sizes do not change during a run.
+// Makes the truth of a robot; sizes do not change during a run.
 void Fill(const emulator::World& world, record::Truth* truth) {
   const physics::Crane& crane = world.robot().crane();
   truth->step = world.step();

@@ -1,4 +1,4 @@
-// The recording of a run, as the loop sees it.
+// Connects the loop to the recorder.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,20 @@
 namespace understudy::run {
 
 struct RecordingOptions {
-  std::filesystem::path file;  // empty: nothing is recorded
+  std::filesystem::path file;  // empty: no recording
   bool overwrite = false;
 };
 
-// Does nothing at all where there is no file to record to.
+// The recording of a run; does nothing without a file.
 class Recording {
  public:
-  // After ports and services have opened their topics. `config` is that of the run, `world` has
-  // made no step yet and outlives the recording. Throws RecordError and BusError.
+  // Call it after ports and services have opened their topics. `config` is that of the run; `world`
+  // has made no step yet and must outlive the recording. Throws RecordError and BusError.
   Recording(const RecordingOptions& options, const bus::Participant& participant,
             const config::Config& config, const robot::Draws& draws, const emulator::World& world);
 
-  // After every tick and what belongs to it. Waits for nothing and allocates nothing, but for a run
-  // that goes as fast as possible: that goes no faster than it can be recorded.
+  // Offers the state after a tick. Never waits or allocates, except that a run as fast as possible
+  // waits for the recorder.
   void Offer(const emulator::World& world, const time::Pacer& pacer);
 
   emulator::RecordingStatus status() const;

@@ -1,4 +1,4 @@
-// Says what a run is doing: log lines for events, a status line on a terminal.
+// Reports a run: log lines for events, a status line on a terminal.
 #pragma once
 
 #include <chrono>
@@ -8,19 +8,18 @@
 
 namespace understudy::run {
 
-// Logs each event, of bursts each cause at most once a second. Lives in the housekeeping thread,
-// never in the tick.
+// Logs events, in a burst each cause at most once a second. Used by the housekeeping thread.
 class Reporter {
  public:
-  // `events` must outlive the reporter. `expected_hz`: LowState samples per simulated second.
-  // `status_line`: redraw a line on standard error.
+  // `events` must outlive the reporter. `expected_hz` is the number of LowState samples per
+  // simulated second; `status_line` redraws a line on standard error.
   Reporter(const emulator::EventRing* events, double expected_hz, bool status_line);
-  ~Reporter();  // logs what it held back and clears the status line
+  ~Reporter();  // logs events held back and clears the status line
   Reporter(const Reporter&) = delete;
   Reporter& operator=(const Reporter&) = delete;
 
   using WallTime = std::chrono::nanoseconds;
-  // `now` only has to grow.
+  // `now` is wall time and must not go back.
   void Update(const emulator::Status& status, WallTime now);
 
  private:

@@ -35,16 +35,16 @@
 namespace understudy::run {
 namespace {
 
+using emulator::EventKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHousekeeping(20);
-// The loop looks at the clock, the stop flag and the board only so often when it does not wait.
+// How often a loop that never waits checks the clock and the stop flag and posts its status.
 constexpr std::int64_t kStepsPerPost = 10;
-// Requests and services wait no longer than this for a step that is not due, or for a robot that
-// stands still.
+// The longest that requests and service calls wait while no step is due or the robot is paused.
 constexpr milliseconds kGlance(2);
 
-// Watches the network and talks to the log and the terminal, beside the loop.
+// Watches the network and writes log and status line, in a thread of its own.
 class Housekeeper {
  public:
   Housekeeper(const config::Config& config, bool status_line, wire::StrangerWatch watch,
@@ -55,11 +55,11 @@ class Housekeeper {
         reporter_(events, config.robot.rates.lowstate_hz, status_line),
         thread_([this](const std::stop_token& stop) { Run(stop); }) {}
 
-  // Another robot speaks, and this is the configured answer.
+  // Whether another robot publishes and guard.on_stranger says so.
   bool must_silence() const { return must_silence_; }
   bool must_stop() const { return must_stop_; }
 
-  // Has the log say what MuJoCo warns of in a tick, if it does: never waits.
+  // Logs a warning of MuJoCo from a tick. Never waits; ignores "".
   void Warn(std::string_view text) {
     std::string* const slot = text.empty() ? nullptr : warnings_.Claim();
     if (slot == nullptr) return;
@@ -81,7 +81,7 @@ class Housekeeper {
     }
   }
 
-  // At once, and then in sums: whoever sends garbage sends much of it.
+  // The first at once, then sums: garbage comes in large numbers.
   void TellOfCyclone(time::Clock::Time now) {
     constexpr std::chrono::seconds kPeriod(10);
     if (now < cyclone_told_ + kPeriod) return;
@@ -121,55 +121,13 @@ class Housekeeper {
   std::jthread thread_;                                       // last: it uses all of the above
 };
 
-// Tells of what only the loop notices: late ticks, and what the port went on in spite of.
-class LoopNotes {
- public:
-  explicit LoopNotes(emulator::EventRing* events) : events_(events) {}
-
-  // After every tick.
-  void Late(const time::PaceReading& pace) {
-    if (pace.overruns != overruns_) events_->Add(emulator::EventKind::kOverrun, 0, {pace.lateness});
-    if (pace.shifts != shifts_) {
-      events_->Add(emulator::EventKind::kStall, 0, {pace.shifted - shifted_});
-    }
-    overruns_ = pace.overruns;
-    shifts_ = pace.shifts;
-    shifted_ = pace.shifted;
-  }
-  // Now and then.
-  void Port(const robot::PortCounts& counts, int writers) {
-    using emulator::EventKind;
-    if (counts.write_failures != counts_.write_failures) {
-      events_->Add(EventKind::kWriteFailure, 0,
-                   {static_cast<double>(counts.write_failures - counts_.write_failures)});
-    }
-    if (counts.unused_slots != 0 && counts_.unused_slots == 0) {
-      events_->Add(EventKind::kUnusedSlot);
-    }
-    if (counts.unset_heads != 0 && counts_.unset_heads == 0) events_->Add(EventKind::kUnsetHead);
-    if (writers > 1 && writers != writers_) {
-      events_->Add(EventKind::kWriters, 0, {static_cast<double>(writers)});
-    }
-    counts_ = counts;
-    writers_ = writers;
-  }
-
- private:
-  emulator::EventRing* events_;
-  std::uint64_t overruns_ = 0;
-  std::uint64_t shifts_ = 0;
-  double shifted_ = 0;  // s
-  robot::PortCounts counts_;
-  int writers_ = 0;
-};
-
-// Fills in the snapshot that somebody asks for, if somebody does.
-void ShowFrame(const emulator::World& world, emulator::SnapshotMailbox* frames) {
-  emulator::Frame* frame = frames->Wanted();
-  if (frame == nullptr) return;
-  world.Show(frame);
-  frame->wireless_remote = wire::EncodeRemote(frame->remote);
-  frames->Post();
+// Fills in and posts a snapshot if one is requested.
+void ShowSnapshot(const emulator::World& world, emulator::SnapshotMailbox* snapshots) {
+  emulator::Snapshot* snapshot = snapshots->Wanted();
+  if (snapshot == nullptr) return;
+  world.Show(snapshot);
+  snapshot->wireless_remote = wire::EncodeRemote(snapshot->remote);
+  snapshots->Post();
 }
 
 }  // namespace
@@ -177,7 +135,7 @@ void ShowFrame(const emulator::World& world, emulator::SnapshotMailbox* frames) 
 ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   config::Config config = asked;
   time::SteadyClock clock;
-  // First the network: discovery listens while the model compiles.
+  // The participant comes first, so that discovery runs while the model compiles.
   const bus::Participant participant(config.network.interface, config.network.domain);
   if (!participant.multicast()) {
     spdlog::info(
@@ -205,14 +163,14 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                         &inbox);
   world.Play(options.script);
   Recording recording(options.recording, participant, config, made.draws, world);
-  emulator::SnapshotMailbox frames(world.MakeFrame());
+  emulator::SnapshotMailbox snapshots(world.MakeSnapshot());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
   const server::ControlServer control(
       options.control_socket,
       {.identity = {.robot = config.robot.name, .draws = std::move(made.draws)},
        .board = &board,
        .inbox = &inbox,
-       .frames = &frames,
+       .snapshots = &snapshots,
        .events = server::EventHistory(&world.events()),
        .scene = server::SceneFiles(&scene, &config.robot),
        .files = server::StaticFiles(config::PanelDir()),
@@ -228,20 +186,20 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   ExitCode code = ExitCode::kOk;
   bool ready = false;
   time::Histogram ticks;
-  LoopNotes notes(&world.events());
   while (true) {
     physics::StepHealth health = physics::StepHealth::kFine;
-    const bool due = pacer.Follow(world.pace(), world.step(), kGlance);
-    if (due) {
+    const time::Wait wait = pacer.Follow(world.pace(), world.step(), kGlance);
+    if (wait.overrun > 0) world.events().Add(EventKind::kOverrun, 0, {wait.overrun});
+    if (wait.shift > 0) world.events().Add(EventKind::kStall, 0, {wait.shift});
+    if (wait.due) {
       health = world.Tick(pacer.reached());
       housekeeper.Warn(mjcf::TakeMujocoWarning());
-      notes.Late(pacer.reading());
       ticks.Add(std::chrono::duration<double>(clock.Now() - pacer.reached()).count());
     } else {
       world.Attend(clock.Now());
     }
-    ShowFrame(world, &frames);
-    if (due) recording.Offer(world, pacer);
+    ShowSnapshot(world, &snapshots);
+    if (wait.due) recording.Offer(world, pacer);
 
     if (!ready) {
       ready = true;
@@ -253,14 +211,12 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     }
     const bool diverged = health == physics::StepHealth::kDiverged &&
                           config.physics.on_divergence == config::DivergenceAction::kStop;
-    // Who waits for the last step finds it in the status.
+    // A client that waits for the last step finds it in this status.
     const bool posts = world.step() % kStepsPerPost == 0 || world.pace().stands_still();
-    if (due && !posts && !diverged) continue;
+    if (wait.due && !posts && !diverged) continue;
 
-    const emulator::Status status = world.status(
-        {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()});
-    notes.Port(status.port, status.command_writers);
-    board.Post(status);
+    board.Post(world.status(
+        {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()}));
     world.robot().Silence(housekeeper.must_silence());
     if (diverged) {
       spdlog::critical("the physics diverged at {:.3f} s and physics.on_divergence is stop",

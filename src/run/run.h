@@ -1,4 +1,4 @@
-// A whole run: the network, the robot, the loop around its tick, and everything beside it.
+// Runs a robot: network, world, the loop around the tick, and the other threads.
 #pragma once
 
 #include <filesystem>
@@ -14,20 +14,19 @@
 namespace understudy::run {
 
 struct RunOptions {
-  std::filesystem::path control_socket;       // where `ctl` finds the robot; see MakeControlFolder
-  std::vector<emulator::ScriptEvent> script;  // what happens when; may be empty
+  std::filesystem::path control_socket;       // for `ctl`; in a folder made by MakeControlFolder
+  std::vector<emulator::ScriptEvent> script;  // may be empty
   RecordingOptions recording;
-  const server::PanelSocket* panel = nullptr;  // where a browser finds it; null: nowhere
+  const server::PanelSocket* panel = nullptr;  // null: no panel
   bool status_line = false;                    // redraw a line on the terminal
-  // Called once in the loop's thread when the first LowState is out. May be empty.
+  // Called once in the loop's thread after the first LowState. May be empty.
   std::function<void()> on_ready;
-  // Asked every 10 steps; true ends the run.
+  // Called every 10 steps; true ends the run.
   std::function<bool()> should_stop;
 };
 
-// Plays the robot until should_stop, the configured duration or a divergence.
-// Throws SetupError before the first word is said; afterwards it returns. `config` has been
-// validated.
+// Runs the robot until should_stop, the configured duration or a divergence, and returns the exit
+// code. Throws SetupError only before anything is published. `config` is validated.
 ExitCode RunRobot(const config::Config& config, const RunOptions& options);
 
 }  // namespace understudy::run

@@ -24,7 +24,7 @@ constexpr double kLatest = 1e6;  // s; *assumed*
                     config::Shown(value));
 }
 
-// As JSON would have it. A document's depth is bounded, see ParseYaml.
+// Converts YAML to JSON. The recursion is bounded by ParseYaml's limit of depth.
 json JsonOf(const config::YamlValue& value) {
   using Kind = config::YamlValue::Kind;
   json of;
@@ -70,12 +70,19 @@ emulator::ScriptEvent ReadEvent(const config::YamlValue& value) {
     name = &key;
   }
   const config::YamlValue* at = value.Find("at");
-  if (at == nullptr) throw ConfigError(value.where + ": at: missing; when is it to happen?");
+  if (at == nullptr)
+    throw ConfigError(value.where + ": at: missing; expected the time of the event in seconds");
   const json time = JsonOf(*at);
   if (!time.is_number() || !(time >= 0) || !(time <= kLatest)) Refuse(*at, "at", "seconds");
   if (name == nullptr) throw ConfigError(value.where + ": what is to happen at " + at->text + "?");
-  const auto request = emulator::ReadRequest(name->text, JsonOf(*value.Find(name->text)));
-  if (!request) throw ConfigError(name->where + ": " + name->text + ": " + request.why());
+  const config::YamlValue& values = *value.Find(name->text);
+  std::string wrong;
+  const auto request = emulator::ReadRequest(name->text, JsonOf(values), &wrong);
+  if (!request) {
+    const auto key = std::ranges::find(values.keys, wrong, &config::YamlValue::text);
+    const std::string& where = key == values.keys.end() ? name->where : key->where;
+    throw ConfigError(where + ": " + name->text + ": " + request.why());
+  }
   return {.at = time, .request = *request, .where = value.where};
 }
 

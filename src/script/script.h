@@ -1,4 +1,4 @@
-// Scripts: files that say what happens to a robot and when (docs/scripts.md).
+// Reads scripts: YAML lists of timed events for a robot (docs/scripts.md).
 #pragma once
 
 #include <filesystem>
@@ -9,11 +9,11 @@
 
 namespace understudy::script {
 
-// Whether a document is a script: a mapping with the key `script`.
+// Returns whether a document is a script: a mapping with the key `script`.
 bool IsScript(const config::YamlValue& document);
 
-// The events of `script: [...]` in order of time; those of the same time in the file's order.
-// Throws ConfigError with file, line, key, what was expected and what was found.
+// Return the events of `script: [...]` in order of time, events of the same time in the file's
+// order. Throw ConfigError with file, line, key, what was expected and what was found.
 std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document);
 std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file);
 

@@ -5,7 +5,7 @@
 namespace understudy::sensors {
 namespace {
 
-// How much of the winding's rise shows at the casing. *assumed*
+// Temperature rise of the casing over that of the winding. *assumed*
 constexpr double kCasingShare = 0.8;
 
 constexpr double kPieceMean = 65535.0 / 2;  // of a random integer 0..65535

@@ -1,4 +1,4 @@
-// What the robot's sensors make of the world.
+// Simulates the sensors: encoders, IMUs, feet and gauges.
 #pragma once
 
 #include <cstdint>
@@ -14,32 +14,31 @@
 namespace understudy::sensors {
 
 struct SensorConfig {
-  bool quantise = true;  // round to the encoders' and the IMU's own lattices
+  bool quantise = true;  // round to the lattices of encoders and IMU
   bool noise = true;     // add the noise of a robot at rest
-  int seed = 1;          // of that noise
+  int seed = 1;          // of the noise
 };
 
-// Samples one instant: call after World::EndStep, when every reading of robot, motors and
-// battery is of the same t. With noise and quantisation off the sample is the truth. Two samplers
-// with the same seed and the same worlds give the same states, bit for bit.
+// Samples one instant: call it after World::EndStep, when all readings of robot, motors and battery
+// belong to the same t. Without noise and quantisation the sample is the truth. Equal seeds and
+// worlds give bit-identical samples.
 //
-// The body's units and the encoders of hands each draw their noise from a stream of their own, so
-// that a robot with hands has the body's noise of one without.
+// Body and hands have separate noise streams, so hands do not change the body's noise.
 class Sensors {
  public:
   // `spec` must outlive the sensors.
   Sensors(const SensorConfig& config, const robot::RobotSpec& spec);
 
-  // Fills `state` for step time tick_ms. `command` is what the motors followed. Does not touch
+  // Fills `state` for time tick_ms [ms]. `command` is what the motors followed. Leaves
   // state->remote and state->motion.
   void Sample(const physics::RobotBody& robot, const robot::MotorBank& motors,
               const robot::RobotCommand& command, const robot::Battery& battery,
               std::int64_t tick_ms, robot::RobotState* state);
 
  private:
-  // A random number of mean 0 and deviation 1, independent of the last: that noise is white and of
-  // bell shape is *assumed*. The sum of four uniform ones, never beyond 3.5: 6 ns where a normal
-  // one takes 23, and the same on every standard library.
+  // Returns a random number with mean 0 and standard deviation 1. That noise is white and
+  // bell-shaped is *assumed*. It is the sum of four uniform numbers, at most 3.5 in magnitude,
+  // which takes 6 ns instead of the 23 of a normal one and is equal with every standard library.
   static double Bell(std::mt19937_64* random);
   double Measure(double truth, double sigma, double step, std::mt19937_64* random) const;
   robot::ImuReading Measure(const robot::ImuReading& truth);

@@ -20,10 +20,15 @@ std::string Lower(std::string_view text) {
   return lower;
 }
 
-// "127.0.0.1" of "127.0.0.1:7707", "::1" of "[::1]:7707".
+// "127.0.0.1" of "127.0.0.1:7707", "::1" of "[::1]:7707"; "" if anything but a port follows.
 std::string NameOf(std::string_view host) {
-  if (host.starts_with('[')) return Lower(host.substr(1, host.find(']') - 1));
-  return Lower(host.substr(0, host.find(':')));
+  const bool bracketed = host.starts_with('[');
+  const std::size_t end = bracketed ? host.find(']') : std::min(host.find(':'), host.size());
+  if (end == std::string_view::npos) return "";
+  const std::string_view port = host.substr(end + (bracketed ? 1 : 0));
+  const bool is_port = port.empty() || (port.front() == ':' && port.size() <= 6 &&
+                                        port.find_first_not_of("0123456789", 1) == port.npos);
+  return is_port ? Lower(host.substr(bracketed ? 1 : 0, end - (bracketed ? 1 : 0))) : "";
 }
 
 bool IsAddress(const std::string& name) {
@@ -38,7 +43,7 @@ bool MayBeCalled(const std::string& name, const std::string& bound) {
   return name.starts_with("127.") || bound == "0.0.0.0" || bound == "::";
 }
 
-// Takes equally long wherever they differ.
+// Compares in constant time.
 bool Equal(std::string_view given, std::string_view token) {
   if (given.size() != token.size() || token.empty()) return false;
   unsigned difference = 0;

@@ -8,13 +8,13 @@
 
 namespace understudy::server {
 
-// Of the TCP connections. The Unix socket needs none: its file is its user's alone.
+// The access rules of TCP connections. The Unix socket needs none: only its user can open its file.
 struct Access {
-  std::string token;    // of this run
-  std::string address;  // that it is bound to, as inet_ntop writes it
+  std::string token;    // new in each run
+  std::string address;  // the bound address, as inet_ntop writes it
 };
 
-// 128 random bits, hexadecimal. Throws SocketError when the system has none.
+// Returns 128 random bits in hexadecimal. Throws SocketError if the system has none.
 std::string RandomToken();
 
 // Why the request is refused, if it is:

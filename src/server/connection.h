@@ -1,5 +1,5 @@
-// The base of the server's connections, the list of them, and what they share. Sees Boost; for the
-// server's own files only.
+// The base class of the server's connections, their list, and shared objects. Includes Boost;
+// private to server/.
 #pragma once
 
 #include <chrono>
@@ -12,20 +12,20 @@
 #include <boost/beast/core.hpp>
 
 #include "server/access.h"
-#include "server/frame_pump.h"
 #include "server/plane.h"
 #include "server/server.h"
+#include "server/snapshot_pump.h"
 
 namespace understudy::server {
 
 class RequestDesk;
 
-// A Unix socket or TCP, which are alike from here on.
+// A Unix or TCP socket.
 using Stream = boost::beast::basic_stream<boost::asio::generic::stream_protocol>;
 
-// One client. Pending operations hold a shared pointer to it, and so does its list until it
+// One client. Pending operations own it by a shared pointer, and so does the list until it
 // finishes.
-class Connection : public FrameTaker, public std::enable_shared_from_this<Connection> {
+class Connection : public SnapshotTaker, public std::enable_shared_from_this<Connection> {
  public:
   virtual void Begin() = 0;
 };
@@ -33,7 +33,8 @@ class Connection : public FrameTaker, public std::enable_shared_from_this<Connec
 // The connections of one listening socket.
 class Connections {
  public:
-  // `access`: null if every client may do everything. `most`: how many connections at once.
+  // `access` is null if every client may do everything. `most` is the highest number of
+  // connections.
   Connections(const Access* access, std::size_t most) : access_(access), most_(most) {}
 
   const Access* access() const { return access_; }
@@ -52,14 +53,14 @@ class Connections {
   std::unordered_map<Connection*, std::shared_ptr<Connection>> open_;
 };
 
-// How often the server looks for new events; *assumed*, as quick as an eye.
+// How often the server looks for new events; *assumed*: faster than visible.
 inline constexpr std::chrono::milliseconds kEventsEvery{50};
 
-// What all connections of a server share. Outlives them.
+// Objects that all connections of a server share. Must outlive them.
 struct Shared {
   Plane plane;
   ServerLimits limits;
-  FramePump* pump = nullptr;
+  SnapshotPump* pump = nullptr;
   RequestDesk* desk = nullptr;
 };
 

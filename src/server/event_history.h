@@ -1,4 +1,4 @@
-// The newest events, for clients that come later.
+// Keeps the newest events for clients that connect later.
 #pragma once
 
 #include <array>
@@ -15,27 +15,27 @@
 namespace understudy::server {
 
 struct KnownEvent {
-  std::uint64_t number = 0;  // in this history, from 0
+  std::uint64_t number = 0;  // counts the events of this history, from 0
   emulator::ToldEvent told;
 };
 
-// Of the server's thread.
+// For the server's thread.
 class EventHistory {
  public:
   static constexpr std::size_t kMost = 256;  // events that are kept; *assumed*
 
-  // Of nothing where there is no ring; else the ring must outlive it.
+  // `events` must outlive it; null: no events.
   explicit EventHistory(const emulator::EventRing* events = nullptr) {
     if (events != nullptr) reader_.emplace(events);
   }
 
-  // Reads what has happened since the last call; `now` is wall time. Of bursts each cause is told
-  // at most once a second.
+  // Reads the events since the last call; `now` is wall time. In a burst each cause appears at most
+  // once a second.
   void Update(std::chrono::nanoseconds now);
 
   const std::deque<KnownEvent>& newest() const { return newest_; }  // oldest first
-  std::uint64_t next() const { return next_; }                      // the number of the next
-  // Events of each kind since the start, bursts counted one by one.
+  std::uint64_t next() const { return next_; }                      // the number of the next event
+  // Returns the number of events of each kind since the start, including all of a burst.
   const std::array<std::uint64_t, emulator::kEventKinds>& counts() const { return counts_; }
 
  private:
@@ -49,7 +49,7 @@ class EventHistory {
 };
 
 // {"number": 3, "step": 20, "time": 0.02, "robot": 0, "kind": "refused", "level": "warning",
-// "text": "refused ...", "detail": {...}}; `level` is "" for what is not logged.
+// "text": "refused ...", "detail": {...}}; `level` is "" for events that are not logged.
 nlohmann::ordered_json EventJson(const KnownEvent& event);
 // {"events": [...]}, oldest first.
 nlohmann::ordered_json EventsJson(const EventHistory& history);

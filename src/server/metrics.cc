@@ -17,7 +17,7 @@ std::string Text(double number) {
   return {digits, std::to_chars(std::begin(digits), std::end(digits), number).ptr};
 }
 
-// A label's value with what the format wants escaped.
+// Escapes a label's value for the format.
 std::string Escaped(std::string_view value) {
   std::string text;
   for (const char c : value) {
@@ -35,7 +35,7 @@ std::string Label(std::string_view name, std::string_view value) {
   return std::string{name} + "=\"" + Escaped(value) + "\"";
 }
 
-// One family of metrics after the other.
+// Writes the families of metrics.
 class Page {
  public:
   void Family(std::string_view name, std::string_view type, std::string_view help) {
@@ -43,7 +43,7 @@ class Page {
     text_ += "# HELP " + name_ + " " + std::string{help} + "\n# TYPE " + name_ + " " +
              std::string{type} + "\n";
   }
-  // A sample of the family.
+  // Adds a sample to the family.
   void Add(double value, const std::string& labels = "", std::string_view suffix = "") {
     text_ += name_ + std::string{suffix} + (labels.empty() ? "" : "{" + labels + "}") + " " +
              Text(value) + "\n";
@@ -97,20 +97,20 @@ void AddPace(const emulator::Status& status, Page* page) {
 }
 
 template <class PutOne>
-void ForEachTopic(const emulator::Status& status, const emulator::Frame& frame, PutOne put) {
-  for (std::size_t i = 0; i < frame.command_topics.size(); ++i) {
-    if (frame.command_topics[i].empty()) continue;
-    put(frame.command_topics[i], emulator::CommandCounts(status, i));
+void ForEachTopic(const emulator::Status& status, const emulator::Snapshot& snapshot, PutOne put) {
+  for (std::size_t i = 0; i < snapshot.command_topics.size(); ++i) {
+    if (snapshot.command_topics[i].empty()) continue;
+    put(snapshot.command_topics[i], emulator::CommandCounts(status, i));
   }
 }
 
-void AddCommands(const emulator::Status& status, const emulator::Frame& frame, Page* page) {
+void AddCommands(const emulator::Status& status, const emulator::Snapshot& snapshot, Page* page) {
   page->Family("commands_taken_total", "counter", "Commands that the robot took.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
+  ForEachTopic(status, snapshot, [&](std::string_view topic, const authority::GateCounts& counts) {
     page->Add(counts.accepted, Label("topic", topic));
   });
   page->Family("commands_refused_total", "counter", "Commands that the robot refused.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
+  ForEachTopic(status, snapshot, [&](std::string_view topic, const authority::GateCounts& counts) {
     for (std::size_t i = 1; i < robot::kRefusals; ++i) {
       page->Add(counts.refused[i],
                 Label("topic", topic) + "," +
@@ -118,7 +118,7 @@ void AddCommands(const emulator::Status& status, const emulator::Frame& frame, P
     }
   });
   page->Family("command_timeouts_total", "counter", "Times that commands stopped coming.");
-  ForEachTopic(status, frame, [&](std::string_view topic, const authority::GateCounts& counts) {
+  ForEachTopic(status, snapshot, [&](std::string_view topic, const authority::GateCounts& counts) {
     page->Add(counts.timeouts, Label("topic", topic));
   });
   page->Counter("states_published_total", "LowState samples sent.", status.published);
@@ -131,12 +131,12 @@ void AddCommands(const emulator::Status& status, const emulator::Frame& frame, P
                 status.services.lost_replies);
 }
 
-void AddMotors(const emulator::Frame& frame, Page* page) {
+void AddMotors(const emulator::Snapshot& snapshot, Page* page) {
   const auto all = [&](std::string_view name, std::string_view help,
                        double robot::MotorReading::*value) {
     page->Family(name, "gauge", help);
-    for (std::size_t i = 0; i < frame.motors.size(); ++i) {
-      page->Add(frame.motors[i].*value, Label("motor", frame.motor_names[i]));
+    for (std::size_t i = 0; i < snapshot.motors.size(); ++i) {
+      page->Add(snapshot.motors[i].*value, Label("motor", snapshot.motor_names[i]));
     }
   };
   all("motor_torque_newton_metres", "Torque that the motor gives.", &robot::MotorReading::tau);
@@ -155,20 +155,20 @@ void AddBattery(const robot::BatteryReading& battery, Page* page) {
 }  // namespace
 
 std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
-                        const emulator::Frame& frame,
+                        const emulator::Snapshot& snapshot,
                         std::span<const std::uint64_t, emulator::kEventKinds> events) {
   Page page;
   page.Family("info", "gauge", "Which robot this is; always 1.");
   page.Add(std::uint64_t{1},
            Label("robot", identity.robot) + "," + Label("version", identity.version));
   AddPace(status, &page);
-  AddCommands(status, frame, &page);
+  AddCommands(status, snapshot, &page);
   page.Family("events_total", "counter", "Events by kind.");
   for (const emulator::EventRow& row : emulator::EventTable()) {
     page.Add(events[static_cast<std::size_t>(row.kind)], Label("kind", row.name));
   }
-  AddMotors(frame, &page);
-  AddBattery(frame.battery, &page);
+  AddMotors(snapshot, &page);
+  AddBattery(snapshot.battery, &page);
   return page.Take();
 }
 

@@ -47,7 +47,7 @@ int Listen(Address* address, int port) {
   PortOf(address) = htons(static_cast<std::uint16_t>(port));
   const int fd = ::socket(address->storage.ss_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
   if (fd < 0) return -1;
-  // A run takes the port of the one before it although connections of that one linger.
+  // Lets a run reuse the port of the previous one while its connections linger.
   const int on = 1;
   ::setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   const auto* generic = reinterpret_cast<const sockaddr*>(&address->storage);
@@ -66,7 +66,7 @@ int ListenAtFree(Address* address) {
   return Listen(address, 0);
 }
 
-// As the system writes it, and a browser: of IPv6 there are many ways.
+// Normalises an address as the system and browsers write it; IPv6 has many notations.
 std::string TextOf(const std::string& address, int family) {
   std::array<unsigned char, sizeof(in6_addr)> bytes{};
   std::array<char, INET6_ADDRSTRLEN> text{};

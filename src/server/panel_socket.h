@@ -1,4 +1,4 @@
-// The TCP socket of the panel.
+// Opens the TCP socket of the panel.
 #pragma once
 
 #include <string>
@@ -6,13 +6,13 @@
 namespace understudy::server {
 
 inline constexpr int kFirstPanelPort = 7707;  // *assumed*: free on most machines
-inline constexpr int kPanelPorts = 256;       // robots side by side, after which any port will do
+inline constexpr int kPanelPorts = 256;       // ports to try; after them any free port is used
 
 // Listens from construction to destruction, in the network namespace in which it was made.
 class PanelSocket {
  public:
-  // `port` 0: the first that is free from kFirstPanelPort on. Throws ConfigError when the address
-  // is none, SocketError when it is not to be had.
+  // With `port` 0 takes the first free one from kFirstPanelPort up. Throws ConfigError for an
+  // invalid address, SocketError if address or port cannot be used.
   PanelSocket(const std::string& address, int port);
   ~PanelSocket();
   PanelSocket(const PanelSocket&) = delete;
@@ -22,7 +22,7 @@ class PanelSocket {
   int family() const { return family_; }                   // AF_INET or AF_INET6
   const std::string& address() const { return address_; }  // as inet_ntop writes it
   int port() const { return port_; }
-  // "127.0.0.1:7707", "[::1]:7707": what a browser on this machine is told.
+  // Returns the host of the panel's URL on this machine: "127.0.0.1:7707", "[::1]:7707".
   std::string host() const;
 
  private:

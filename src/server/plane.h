@@ -1,4 +1,4 @@
-// What the server reads from and writes to the running robot.
+// The server's connections to the running robot.
 #pragma once
 
 #include <filesystem>
@@ -15,16 +15,16 @@
 
 namespace understudy::server {
 
-// Belongs to the server's thread; what it points to outlives it.
+// For the server's thread. The pointers must outlive it.
 struct Plane {
   RobotIdentity identity;
   const emulator::StatusBoard* board = nullptr;
   emulator::Inbox* inbox = nullptr;
-  emulator::SnapshotMailbox* frames = nullptr;  // null: nothing is to be seen
+  emulator::SnapshotMailbox* snapshots = nullptr;  // null: no snapshots
   EventHistory events{};
-  std::optional<SceneFiles> scene{};  // likewise
-  StaticFiles files{""};              // the panel's
-  std::filesystem::path openapi{};    // the document of the routes
+  std::optional<SceneFiles> scene{};  // nullopt: no scene
+  StaticFiles files{""};              // of the panel
+  std::filesystem::path openapi{};    // the OpenAPI document
   std::string url{};                  // of the panel, with the token; "" without a TCP socket
 };
 

@@ -13,7 +13,7 @@ namespace {
 
 using boost::system::error_code;
 
-// The tick may have begun on a request just before its time was up.
+// The tick may have taken a request just before its timeout.
 constexpr std::chrono::milliseconds kGrace{20};
 
 }  // namespace
@@ -32,7 +32,7 @@ void RequestDesk::Ask(const emulator::Request& request, Done done) {
                      .emplace(number, Asked{std::move(*answer), boost::asio::steady_timer(*io_),
                                             std::move(done)})
                      .first->second;
-  if (request.row->name == "step" && request.on("wait")) return;
+  if (request.waits()) return;
   asked.timer.expires_after(patience_ + kGrace);
   asked.timer.async_wait([this, number](const error_code& error) {
     if (error) return;

@@ -1,5 +1,5 @@
-// Hands requests to the tick and answers who waits for it, without waiting in a thread. Sees Boost;
-// for the server's own files only.
+// Passes requests to the tick and its answers to the connections, without blocking. Includes Boost;
+// private to server/.
 #pragma once
 
 #include <chrono>
@@ -17,18 +17,18 @@
 
 namespace understudy::server {
 
-// Of all connections. Woken by the inbox's bell.
+// The waiting requests of all connections. Woken by the inbox's bell.
 class RequestDesk {
  public:
   using Done = std::function<void(const HttpReply&)>;
 
-  // `inbox` must outlive the desk. `patience`: for the tick to come to a request.
+  // `inbox` must outlive the desk. `patience` is the longest wait until the tick takes a request.
   RequestDesk(boost::asio::io_context* io, emulator::Inbox* inbox,
               std::chrono::milliseconds patience);
 
-  // Calls `done`, which keeps alive whatever it needs, with the reply: the tick's, or 503 where the
-  // inbox is full or the tick has not come to it in time. What is answered when its steps are made
-  // has no limit.
+  // Calls `done`, which must own what it needs, with the reply: the tick's, or 503 if the inbox is
+  // full or the tick did not take the request in time. There is no limit for requests that are
+  // answered when their steps are done.
   void Ask(const emulator::Request& request, Done done);
 
  private:

@@ -25,7 +25,9 @@ constexpr std::string_view kHead =
     "| a script | `- {at: 3, crane.lower: {by: 0.2}}` |\n\n"
     "Where the first value is in capitals it may stand alone: `crane.lower: 0.2`. `GET /requests` "
     "gives this table as JSON ([control.md](control.md), [scripts.md](scripts.md)). Bounds and "
-    "defaults are *assumed*: far beyond what is of use.\n\n"
+    "defaults are *assumed*: far beyond what is of use. In a world of several robots `robot` "
+    "beside "
+    "the values is the number of the one that is meant, from 0; a run has number 0 alone.\n\n"
     "| request | value | takes | default | meaning |\n|---|---|---|---|---|\n";
 
 constexpr std::string_view kFoot =
@@ -44,7 +46,9 @@ std::string DefaultOf(const Field& field) {
 
 constexpr std::array<std::string_view, 10> kKinds = {"number", "whole", "vector", "switch", "speed",
                                                      "word",   "keys",  "body",   "name",   "json"};
+static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kJson) + 1);
 constexpr std::array<std::string_view, 3> kFrom = {"both", "people", "script"};
+static_assert(kFrom.size() == static_cast<std::size_t>(emulator::From::kScript) + 1);
 
 bool HasRange(const Field& field) {
   return field.kind == FieldKind::kNumber || field.kind == FieldKind::kWhole ||
@@ -171,6 +175,7 @@ std::string RequestsOpenApi() {
       schema["properties"][std::string(field.key)] = SchemaOf(field);
       if (field.required) schema["required"].push_back(field.key);
     }
+    schema["properties"][std::string(emulator::kRobotField.key)] = SchemaOf(emulator::kRobotField);
     schema["additionalProperties"] = false;
     const ordered_json body{{"required", schema.contains("required")},
                             {"content", {{"application/json", {{"schema", schema}}}}}};

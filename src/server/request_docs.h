@@ -1,4 +1,4 @@
-// The table of requests as documents and clients have it.
+// Documents the table of requests for people and clients.
 #pragma once
 
 #include <string>
@@ -10,19 +10,19 @@
 
 namespace understudy::server {
 
-// "BODY" of "body", as documents and the command line write a bare value.
+// Returns "BODY" for "body", the notation of positional values.
 std::string Capitals(std::string_view key);
 
-// Where it is POSTed: "/crane/lower".
+// Returns the path of the request's POST: "/crane/lower".
 std::string RequestPath(const emulator::RequestRow& row);
 
 // {"requests": [{"name": ..., "does": ..., "from": ..., "fields": [{"key": ..., ...}]}]}
 nlohmann::ordered_json RequestsJson();
 
-// docs/requests.md
+// Returns docs/requests.md.
 std::string RequestsReference();
 
-// The paths of requests, as they stand in docs/openapi.yaml.
+// Returns the paths of requests in docs/openapi.yaml.
 std::string RequestsOpenApi();
 
 }  // namespace understudy::server

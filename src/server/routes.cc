@@ -8,20 +8,20 @@
 #include <optional>
 
 #include "base/nearest_word.h"
-#include "server/frame_json.h"
 #include "server/metrics.h"
 #include "server/request_docs.h"
+#include "server/snapshot_json.h"
 
 namespace understudy::server {
 namespace {
 
 using nlohmann::ordered_json;
 
-constexpr double kLeastHz = 1, kMostHz = 240;  // of frames; *assumed*, more than screens show
+constexpr double kLeastHz = 1, kMostHz = 240;  // of snapshots; *assumed*, more than screens show
 
 HttpReply JsonReply(const ordered_json& value) { return {.body = JsonText(value) + "\n"}; }
 
-// A request that came as a POST.
+// Reads a request from a POST.
 Routed Posted(const emulator::RequestRow& row, std::string_view body) {
   using nlohmann::json;
   try {
@@ -43,19 +43,20 @@ Routed GetStatus(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply(StatusJson(plane.identity, plane.board->Read()));
 }
 
-// The parts that a request names, or all; else why it cannot be read.
-Result<emulator::FrameParts> PartsOf(const HttpRequest& request) {
+// Returns the requested parts, all by default, or an error.
+Result<emulator::SnapshotParts> PartsOf(const HttpRequest& request) {
   const auto list = QueryValue(request, "parts");
-  if (!list) return emulator::kAllFrameParts;
+  if (!list) return emulator::kAllSnapshotParts;
   std::string unknown;
-  if (const auto parts = ReadFrameParts(*list, &unknown)) return *parts;
+  if (const auto parts = ReadSnapshotParts(*list, &unknown)) return *parts;
   std::vector<std::string> names;
-  for (const emulator::FramePartName& part : emulator::kFrameParts) names.emplace_back(part.name);
-  return Error{"parts: a frame has no " + unknown.substr(0, 32) +
+  for (const emulator::SnapshotPartName& part : emulator::kSnapshotParts)
+    names.emplace_back(part.name);
+  return Error{"parts: a snapshot has no " + unknown.substr(0, 32) +
                DidYouMean(unknown.substr(0, 32), names)};
 }
 
-// Frames a second that a request asks for.
+// Returns the requested snapshots per second.
 Result<double> HzOf(const HttpRequest& request) {
   const auto text = QueryValue(request, "hz");
   if (!text) return 60.0;
@@ -68,29 +69,31 @@ Result<double> HzOf(const HttpRequest& request) {
   return hz;
 }
 
-Routed GetFrame(const HttpRequest& request, std::string_view, Plane&) {
+Routed GetSnapshot(const HttpRequest& request, std::string_view, Plane&) {
   const auto parts = PartsOf(request);
   if (!parts) return ErrorReply(400, parts.why());
-  return FromFrame{.parts = *parts,
-                   .reply = [](const emulator::Frame& frame, emulator::FrameParts asked, Plane&) {
-                     return HttpReply{.body = FrameJson(frame, asked) + "\n"};
-                   }};
+  return FromSnapshot{
+      .parts = *parts,
+      .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts asked, Plane&) {
+        return HttpReply{.body = SnapshotJson(snapshot, asked) + "\n"};
+      }};
 }
 
 Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
-  return FromFrame{.parts = kMetricsParts,
-                   .reply = [](const emulator::Frame& frame, emulator::FrameParts, Plane& plane) {
-                     return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(),
-                                                          frame, plane.events.counts()),
-                                      .type = kMetricsType};
-                   }};
+  return FromSnapshot{
+      .parts = kMetricsParts,
+      .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts, Plane& plane) {
+        return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(), snapshot,
+                                             plane.events.counts()),
+                         .type = kMetricsType};
+      }};
 }
 
 Routed GetTimings(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply(TimingsJson(plane.board->Read()));
 }
 
-// The document is small and rarely asked for.
+// Read at each request: the document is small and rarely requested.
 Routed GetOpenApi(const HttpRequest&, std::string_view, Plane& plane) {
   std::ifstream file(plane.openapi);
   if (!file) return ErrorReply(404, "this installation has no openapi.yaml");
@@ -104,13 +107,13 @@ HttpReply UpgradeRequired(std::string_view path) {
   return reply;
 }
 
-Routed GetFrames(const HttpRequest& request, std::string_view, Plane&) {
+Routed GetSnapshots(const HttpRequest& request, std::string_view, Plane&) {
   const auto parts = PartsOf(request);
   if (!parts) return ErrorReply(400, parts.why());
   const auto hz = HzOf(request);
   if (!hz) return ErrorReply(400, hz.why());
-  if (!request.upgrade) return UpgradeRequired("/frames");
-  return WatchFrames{.parts = *parts, .hz = *hz};
+  if (!request.upgrade) return UpgradeRequired("/snapshots");
+  return WatchSnapshots{.parts = *parts, .hz = *hz};
 }
 
 Routed GetEvents(const HttpRequest& request, std::string_view, Plane& plane) {
@@ -147,17 +150,17 @@ Routed GetPanel(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply({{"url", plane.url}});
 }
 
-// What is read by GET; requests, which are POSTed, have rows of their own.
+// The routes of GET; the POSTs are those of the table of requests.
 struct Row {
-  std::string_view path;  // what is in braces at the end stands for all the rest
+  std::string_view path;  // braces at the end match the rest of a path
   Routed (*answer)(const HttpRequest& request, std::string_view rest, Plane& plane);
 };
 
 constexpr Row kRoutes[] = {
     {"/status", GetStatus},
     {"/requests", GetRequests},
-    {"/frame", GetFrame},
-    {"/frames", GetFrames},
+    {"/snapshot", GetSnapshot},
+    {"/snapshots", GetSnapshots},
     {"/events", GetEvents},
     {"/timings", GetTimings},
     {"/metrics", GetMetrics},
@@ -171,7 +174,7 @@ constexpr Row kRoutes[] = {
     {"/panel/{file}", GetFile},
 };
 
-// What `path` has where the row has braces; nullopt where it is not this row's.
+// Returns the part of `path` that matches the braces; nullopt if the row does not match.
 std::optional<std::string_view> RestOf(std::string_view path, const Row& row) {
   const std::size_t brace = row.path.find('{');
   if (brace == std::string_view::npos) {
@@ -189,8 +192,9 @@ HttpReply WrongMethod(const HttpRequest& request, std::string_view right) {
   return reply;
 }
 
-bool WantsFrames(const Routed& routed) {
-  return std::holds_alternative<FromFrame>(routed) || std::holds_alternative<WatchFrames>(routed);
+bool WantsSnapshots(const Routed& routed) {
+  return std::holds_alternative<FromSnapshot>(routed) ||
+         std::holds_alternative<WatchSnapshots>(routed);
 }
 
 HttpReply NoSuchPath(std::string_view path) {
@@ -215,7 +219,7 @@ Routed Route(const HttpRequest& request, Plane& plane) {
     if (!rest) continue;
     if (request.method != "GET") return WrongMethod(request, "GET");
     Routed routed = row.answer(request, *rest, plane);
-    if (plane.frames == nullptr && WantsFrames(routed)) {
+    if (plane.snapshots == nullptr && WantsSnapshots(routed)) {
       return ErrorReply(404, "there is nothing to be seen");
     }
     return routed;

@@ -1,4 +1,4 @@
-// Which request is answered how: the control plane without its transport.
+// Routes HTTP requests to their replies: the control plane without its transport.
 #pragma once
 
 #include <string>
@@ -12,36 +12,36 @@
 
 namespace understudy::server {
 
-// A reply that is made of a frame.
-struct FromFrame {
-  emulator::FrameParts parts = 0;
-  HttpReply (*reply)(const emulator::Frame& frame, emulator::FrameParts parts,
+// A reply made from a snapshot.
+struct FromSnapshot {
+  emulator::SnapshotParts parts = 0;
+  HttpReply (*reply)(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts,
                      Plane& plane) = nullptr;
 };
 
-// A WebSocket on which frames are sent, at most `hz` a second.
-struct WatchFrames {
-  emulator::FrameParts parts = 0;
+// A WebSocket that sends snapshots, at most `hz` a second.
+struct WatchSnapshots {
+  emulator::SnapshotParts parts = 0;
   double hz = 60;
 };
 
-// A WebSocket on which events are sent.
+// A WebSocket that sends events.
 struct WatchEvents {};
 
-// A WebSocket on which requests come.
+// A WebSocket that takes requests.
 struct TakeRequests {};
 
-// A reply at once, a request that has to be carried out before one is known, or another beginning.
-using Routed =
-    std::variant<HttpReply, emulator::Request, FromFrame, WatchFrames, WatchEvents, TakeRequests>;
+// An immediate reply, a request for the tick, a reply made from a snapshot, or a WebSocket.
+using Routed = std::variant<HttpReply, emulator::Request, FromSnapshot, WatchSnapshots, WatchEvents,
+                            TakeRequests>;
 
-// What a request came to: {"ok": true}, or 409 with the reason.
+// Returns the reply to a carried out request: {"ok": true}, or 409 with the reason.
 HttpReply AnswerReply(const emulator::Answer& answer);
 
-// Never throws on what a client sent.
+// Routes a request. Never throws for any bytes of a client.
 Routed Route(const HttpRequest& request, Plane& plane);
 
-// One route as documents name it: "GET", "/scene/mesh/{index}".
+// One route in the notation of the documentation: "GET", "/scene/mesh/{index}".
 struct RouteName {
   std::string method;
   std::string path;

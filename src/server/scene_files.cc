@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -9,7 +10,6 @@
 
 #include "mjcf/compile.h"
 #include "robot/start_pose.h"
-#include "server/json_list.h"
 
 namespace understudy::server {
 namespace {
@@ -17,6 +17,14 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr char kBytes[] = "application/octet-stream";
+
+// An array of what `tell` makes of each.
+template <class Values, class Tell>
+ordered_json List(const Values& values, Tell tell) {
+  ordered_json list = ordered_json::array();
+  for (const auto& value : values) list.push_back(std::invoke(tell, value));
+  return list;
+}
 
 ordered_json GeomJson(const physics::SceneGeom& geom) {
   return {{"name", geom.name}, {"body", geom.body},    {"type", geom.type},
@@ -39,7 +47,7 @@ ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scen
   return told;
 }
 
-// As in a frame: the body's, then those of the hands, whose slot is their place in motor_cmd.
+// As in a snapshot: the body's motors, then those of hands, whose slot is their index in motor_cmd.
 ordered_json MotorsJson(const robot::RobotSpec& robot, const physics::Scene& scene) {
   ordered_json motors =
       List(robot.motors, [&](const robot::MotorSpec& motor) { return MotorJson(motor, scene); });

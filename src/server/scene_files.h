@@ -1,4 +1,4 @@
-// What GET /scene and all below it answer.
+// Makes the replies to GET /scene and its sub-paths.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,7 @@
 
 namespace understudy::server {
 
-// Makes what is asked for and keeps it while a reply with it is under way: once for all who read it
-// then, however slowly. Of one thread.
+// Makes a body once and shares it among the replies that are being sent. For one thread.
 class SceneFiles {
  public:
   // Both must outlive it.
@@ -22,7 +21,7 @@ class SceneFiles {
       : reader_(reader), robot_(robot) {}
 
   HttpReply Scene();
-  // `index` as it stands in the path.
+  // `index` is the text of the path.
   HttpReply Mesh(std::string_view index);
   HttpReply HeightField(std::string_view index);
   HttpReply Model();

@@ -19,9 +19,9 @@
 #include "client/listening_socket.h"
 #include "server/access.h"
 #include "server/connection.h"
-#include "server/frame_pump.h"
 #include "server/request_desk.h"
 #include "server/session.h"
+#include "server/snapshot_pump.h"
 
 namespace understudy::server {
 namespace {
@@ -33,7 +33,7 @@ using boost::system::error_code;
 // After a failed accept (no descriptors left), before the next.
 constexpr std::chrono::milliseconds kAcceptPause{100};
 
-// A thread on which no signal handler runs: those belong to the main thread.
+// Starts a thread with signals blocked, so that handlers run in the main thread.
 template <class Function>
 std::thread StartWithoutSignals(Function function) {
   sigset_t all;
@@ -48,7 +48,7 @@ std::thread StartWithoutSignals(Function function) {
 // Accepts the clients of one listening socket.
 class Acceptor {
  public:
-  // `fd` listens and stays its owner's; `family` is its address family.
+  // `fd` is a listening socket and not owned; `family` is its address family.
   Acceptor(asio::io_context* io, int fd, int family, const Access* access, Shared* shared)
       : shared_(shared),
         connections_(access, shared->limits.connections),
@@ -94,8 +94,8 @@ class ControlServer::Loop {
       : shared_{.plane = std::move(plane), .limits = limits}, listening_(path) {
     shared_.plane.identity.version = UNDERSTUDY_VERSION;
     shared_.plane.identity.pid = ::getpid();
-    if (shared_.plane.frames != nullptr) {
-      shared_.pump = &pump_.emplace(&io_, shared_.plane.frames);
+    if (shared_.plane.snapshots != nullptr) {
+      shared_.pump = &pump_.emplace(&io_, shared_.plane.snapshots);
     }
     if (shared_.plane.inbox != nullptr) {
       shared_.desk = &desk_.emplace(&io_, shared_.plane.inbox, limits.patience);
@@ -137,7 +137,7 @@ class ControlServer::Loop {
   client::ListeningSocket listening_;
   asio::io_context io_{1};
   asio::steady_timer events_timer_{io_};
-  std::optional<FramePump> pump_;
+  std::optional<SnapshotPump> pump_;
   std::optional<RequestDesk> desk_;
   std::optional<Acceptor> unix_;
   std::optional<Acceptor> tcp_;

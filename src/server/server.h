@@ -1,5 +1,5 @@
-// The server of a running robot: HTTP/1.1 with JSON and WebSockets, on a Unix socket for the
-// programs of its user and on TCP for a browser.
+// Serves a running robot: HTTP/1.1 with JSON and WebSockets, on a Unix socket for programs of its
+// user and on TCP for a browser.
 #pragma once
 
 #include <chrono>
@@ -13,39 +13,40 @@
 
 namespace understudy::server {
 
-// What one client may cost; all *assumed*, far above what our own clients need.
+// Limits for clients; all *assumed*, far above the needs of our clients.
 struct ServerLimits {
   std::size_t header_bytes = 8 * 1024;
-  std::size_t body_bytes = 64 * 1024;  // of a message on a WebSocket too
-  std::size_t connections = 64;        // of each socket
-  // For a whole request to arrive, from the one before it, and for a whole reply to be taken; for a
-  // WebSocket to give a sign of life.
+  std::size_t body_bytes = 64 * 1024;  // also of a WebSocket message
+  std::size_t connections = 64;        // per socket
+  // Longest time for a request to arrive completely, for a reply to be read, and for a WebSocket to
+  // answer a ping.
   std::chrono::milliseconds idle{10'000};
-  // For the tick to carry a request out; afterwards it is answered 503 and not carried out any
-  // more. Likewise for a frame.
+  // Longest wait for the tick to take a request, which is then answered with 503 and not carried
+  // out, or to fill in a snapshot.
   std::chrono::milliseconds patience{2'000};
 };
 
-// Serves from construction to destruction, on one thread of its own which never waits for a client
-// or for the tick. Both sockets have the same routes (docs/openapi.yaml); on TCP whatever writes
-// needs this run's token, see server/access.h.
+// Serves while it exists, in one thread, which never waits for a client or for the tick. Both
+// sockets have the same routes (docs/openapi.yaml); on TCP, writing needs the token of the run
+// (server/access.h).
 //
-// A request is answered 200 {"ok": true}, else {"error": "..."} with 400 for what cannot be read,
-// 401 and 403 for who may not, 404 and 405 for a wrong path and method, 409 when the robot refuses,
-// 413 and 431 for a body and a header too large, 503 when the robot does not come to it or there
-// are too many clients.
+// A request is answered with 200 {"ok": true}, or {"error": "..."} and 400 if it cannot be read,
+// 401 or 403 if access is denied, 404 or 405 for a wrong path or method, 409 if the robot refuses,
+// 413 or 431 for a too large body or header, 503 if the tick does not take it in time or there are
+// too many clients.
 class ControlServer {
  public:
-  // Listens at `socket`, in a folder that exists (MakeControlFolder), and at `panel` unless that is
-  // null. What `plane` points to must outlive the server; its url is filled in here, as are version
-  // and pid. Throws SocketError as ListeningSocket does.
+  // Listens at `socket`, whose folder must exist (MakeControlFolder), and at `panel` unless that is
+  // null. The pointers of `plane` must outlive the server; its url, version and pid are filled in.
+  // Throws SocketError as ListeningSocket does.
   ControlServer(const std::filesystem::path& socket, Plane plane, const ServerLimits& limits = {},
                 const PanelSocket* panel = nullptr);
-  // Hangs up on whoever is connected and removes the socket file.
+  // Closes all connections and removes the socket file.
   ~ControlServer();
 
   const std::filesystem::path& socket() const;
-  // Of the panel, with the token: "http://127.0.0.1:7707/#token=..."; "" where there is none.
+  // Returns the panel's URL with the token, "http://127.0.0.1:7707/#token=..."; "" if there is no
+  // panel.
   const std::string& url() const;
 
  private:

@@ -33,17 +33,17 @@ Response ResponseOf(const HttpReply& reply, bool keep_alive) {
 }
 
 HttpRequest RequestOf(const http::request<http::string_body>& request) {
-  return {.method = View(request.method_string()),
+  return {.method = request.method() == http::verb::head ? "GET" : View(request.method_string()),
           .target = View(request.target()),
           .body = request.body(),
-          .host = View(request[http::field::host]),
+          .host = request.count(http::field::host) == 1 ? View(request[http::field::host]) : "",
           .origin = View(request[http::field::origin]),
           .authorization = View(request[http::field::authorization]),
           .if_none_match = View(request[http::field::if_none_match]),
           .upgrade = beast::websocket::is_upgrade(request)};
 }
 
-// The reply to a request that broke off with `error`; nullopt where nobody is left to read one.
+// Returns the reply to a request that failed with `error`; nullopt if the client has gone.
 std::optional<HttpReply> ReplyToBroken(const error_code& error, const ServerLimits& limits) {
   static const auto& kHttp = http::make_error_code(http::error::bad_method).category();
   if (error == http::error::end_of_stream || error.category() != kHttp) return std::nullopt;
@@ -67,7 +67,7 @@ Session::Session(asio::generic::stream_protocol::socket socket, Connections* con
       stream_(std::move(socket)),
       // Room for a header beside the first part of a body.
       buffer_(shared->limits.header_bytes + 4096),
-      frame_timer_(stream_.get_executor()) {}
+      snapshot_timer_(stream_.get_executor()) {}
 
 void Session::RefuseBusy(asio::generic::stream_protocol::socket* socket) {
   error_code ignored;
@@ -99,7 +99,7 @@ void Session::OnRead(const error_code& error) {
   }
   try {
     Answer(request);
-  } catch (const std::exception& failure) {  // no memory for what was asked for
+  } catch (const std::exception& failure) {  // out of memory
     Write(ErrorReply(500, failure.what()), false);
   }
 }
@@ -107,7 +107,7 @@ void Session::OnRead(const error_code& error) {
 void Session::Answer(const HttpRequest& request) {
   Routed routed = Route(request, shared_->plane);
   if (auto* reply = std::get_if<HttpReply>(&routed)) return Write(std::move(*reply));
-  if (const auto* wanted = std::get_if<FromFrame>(&routed)) return AwaitFrame(*wanted);
+  if (const auto* wanted = std::get_if<FromSnapshot>(&routed)) return AwaitSnapshot(*wanted);
   if (const auto* asked = std::get_if<emulator::Request>(&routed)) {
     return shared_->desk->Ask(*asked,
                               [self = Self()](const HttpReply& reply) { self->Write(reply); });
@@ -115,42 +115,40 @@ void Session::Answer(const HttpRequest& request) {
   Upgrade(routed);
 }
 
-void Session::AwaitFrame(const FromFrame& wanted) {
-  frame_ = wanted;
-  frame_timer_.expires_after(shared_->limits.patience);
-  frame_timer_.async_wait([self = Self()](const error_code& error) {
-    if (error || !self->frame_) return;
-    self->frame_.reset();
+void Session::AwaitSnapshot(const FromSnapshot& wanted) {
+  snapshot_ = wanted;
+  snapshot_timer_.expires_after(shared_->limits.patience);
+  snapshot_timer_.async_wait([self = Self()](const error_code& error) {
+    if (error || !self->snapshot_) return;
+    self->snapshot_.reset();
     self->Write(ErrorReply(503, "the robot did not come to it in time"));
   });
   shared_->pump->Ask(wanted.parts, Self());
 }
 
-void Session::OnFrame(ShownFrame* shown) {
-  if (!frame_) return;  // the time was up
-  const FromFrame wanted = *frame_;
-  frame_.reset();
-  frame_timer_.cancel();
-  Write(wanted.reply(shown->frame(), wanted.parts, shared_->plane));
+void Session::OnSnapshot(ShownSnapshot* shown) {
+  if (!snapshot_) return;  // timed out before
+  const FromSnapshot wanted = *snapshot_;
+  snapshot_.reset();
+  snapshot_timer_.cancel();
+  Write(wanted.reply(shown->snapshot(), wanted.parts, shared_->plane));
 }
 
 void Session::Upgrade(const Routed& routed) {
-  const std::shared_ptr<Session> self = Self();  // its list lets go of it here
+  const std::shared_ptr<Session> self = Self();  // its list releases it here
   stream_.expires_never();
   Leave();
   connections_->Add(
       MakeWebSocket(std::move(stream_), parser_->release(), routed, connections_, shared_));
 }
 
-void Session::Write(HttpReply reply) {
-  const auto& request = parser_->get();
-  // No HEAD is served, and no body may follow the reply to one: with it nothing more may.
-  Write(std::move(reply), request.keep_alive() && request.method() != http::verb::head);
-}
+void Session::Write(HttpReply reply) { Write(std::move(reply), parser_->get().keep_alive()); }
 
 void Session::Write(HttpReply reply, bool keep_alive) {
   reply_ = std::move(reply);
   response_ = ResponseOf(reply_, keep_alive);
+  // The same header as for GET, with the length of the omitted body.
+  if (parser_ && parser_->get().method() == http::verb::head) response_.body() = {};
   stream_.expires_after(shared_->limits.idle);
   http::async_write(stream_, response_, [self = Self()](const error_code& error, std::size_t) {
     self->reply_ = {};
@@ -164,7 +162,7 @@ void Session::Write(HttpReply reply, bool keep_alive) {
   });
 }
 
-// Whoever is still sending reads our reply only afterwards, and never where we hang up on them.
+// A client that is still sending reads our reply only afterwards, and never if we close first.
 void Session::Forget() {
   buffer_.clear();
   stream_.async_read_some(buffer_.prepare(buffer_.max_size()),

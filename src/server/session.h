@@ -1,4 +1,4 @@
-// A connection that speaks HTTP. Sees Boost; for the server's own files only.
+// An HTTP connection. Includes Boost; private to server/.
 #pragma once
 
 #include <memory>
@@ -12,17 +12,17 @@
 
 namespace understudy::server {
 
-// Reads a request, waits for the tick if it must, writes the reply, and starts again. One operation
-// is pending at any time; the one that finds nothing more to do removes the session from its list.
+// Reads a request, waits for the tick if necessary, writes the reply, and starts again. Exactly one
+// operation is pending at any time; the last one removes the session from its list.
 class Session : public Connection {
  public:
   Session(boost::asio::generic::stream_protocol::socket socket, Connections* connections,
           Shared* shared);
 
   void Begin() override { Read(); }
-  void OnFrame(ShownFrame* shown) override;
+  void OnSnapshot(ShownSnapshot* shown) override;
 
-  // Writes why there is no room, as much of it as goes without waiting.
+  // Writes a 503 reply, as far as possible without waiting.
   static void RefuseBusy(boost::asio::generic::stream_protocol::socket* socket);
 
  private:
@@ -30,7 +30,7 @@ class Session : public Connection {
   void Read();
   void OnRead(const boost::system::error_code& error);
   void Answer(const HttpRequest& request);
-  void AwaitFrame(const FromFrame& wanted);
+  void AwaitSnapshot(const FromSnapshot& wanted);
   void Upgrade(const Routed& routed);
   void Write(HttpReply reply);
   void Write(HttpReply reply, bool keep_alive);
@@ -42,11 +42,11 @@ class Session : public Connection {
   Stream stream_;
   boost::beast::flat_buffer buffer_;
   std::optional<boost::beast::http::request_parser<boost::beast::http::string_body>> parser_;
-  bool broken_ = false;  // the request: not all of it was read
+  bool broken_ = false;  // the request was not read completely
   HttpReply reply_;
   boost::beast::http::response<boost::beast::http::span_body<const char>> response_;
-  boost::asio::steady_timer frame_timer_;
-  std::optional<FromFrame> frame_;  // that is awaited
+  boost::asio::steady_timer snapshot_timer_;
+  std::optional<FromSnapshot> snapshot_;  // the reply that waits for a snapshot
 };
 
 }  // namespace understudy::server

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uintmax_t kLargest = 32 << 20;  // *assumed*, several times all the panel's files
 
-// The panel runs its own scripts and speaks to its own robot; whatever gets into it cannot do more.
+// The panel may run only its own scripts and contact only its robot, whatever is injected into it.
 constexpr char kPolicy[] =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
@@ -37,7 +37,7 @@ std::string TypeOf(const std::filesystem::path& file) {
   return type == kTypes.end() ? "application/octet-stream" : type->second;
 }
 
-// Words of plain letters between slashes, none empty, none with a dot in front.
+// Accepts words of plain letters between slashes, none empty, none with a leading dot.
 bool IsPlain(std::string_view path) {
   char before = '/';
   for (const char c : path) {

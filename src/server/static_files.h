@@ -1,4 +1,4 @@
-// The panel's own files.
+// Serves the files of the panel.
 #pragma once
 
 #include <filesystem>
@@ -12,14 +12,15 @@
 
 namespace understudy::server {
 
-// Serves the plain files below a folder and nothing else: no hidden ones, none that a link leads to
-// out of it. Of one thread.
+// Serves regular files below a folder, except hidden ones and those that a link leads to outside of
+// it. For one thread.
 class StaticFiles {
  public:
-  // The folder need not exist.
+  // The folder may not exist.
   explicit StaticFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  // `path` is relative to the folder. 304 where the client has it already (If-None-Match).
+  // `path` is relative to the folder. Replies 304 if the client has the file already
+  // (If-None-Match).
   HttpReply Get(std::string_view path, std::string_view if_none_match);
 
  private:
@@ -28,7 +29,7 @@ class StaticFiles {
     std::string tag;
     std::weak_ptr<const std::string> content;
   };
-  // By file: once for all who read the same state of it, however slowly.
+  // By file: one copy for all replies that are being sent.
   std::map<std::string, Sent> sent_;
 };
 

@@ -1,4 +1,4 @@
-// What GET /status and GET /timings answer.
+// Makes the replies to GET /status and GET /timings.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace understudy::server {
 
-// Who answers: the same for the whole run.
+// The identity of the robot, constant during a run.
 struct RobotIdentity {
-  std::string robot{};    // the description's name, as in `understudy run <robot>`
+  std::string robot{};    // the name of the description, as in `understudy run <robot>`
   std::string version{};  // of this program
   int pid = 0;
-  robot::Draws draws{};  // what the run left to chance
+  robot::Draws draws{};  // the drawn values of randomization
 };
 
-// Every field of `status` in SI units, keys in a fixed order. A number that is not finite becomes
-// null, for JSON has no word for it.
+// Returns all fields of `status` in SI units, with keys in a fixed order. Numbers that are not
+// finite become null, since JSON cannot represent them.
 nlohmann::ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& status);
 
-// How long ticks took and how late they began, in s of wall time. `buckets` of a histogram are not
-// added up; the last has no `le`.
+// Returns the histograms of the duration and lateness of ticks [s of wall time]. `buckets` are not
+// cumulative; the last has no `le`.
 nlohmann::ordered_json TimingsJson(const emulator::Status& status);
 
 }  // namespace understudy::server

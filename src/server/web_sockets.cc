@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <deque>
 #include <exception>
 #include <string>
 #include <string_view>
@@ -22,7 +23,7 @@ using boost::system::error_code;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-// What they have in common. An operation that is pending holds the connection by a shared pointer.
+// Their common base. A pending operation owns the connection by a shared pointer.
 class WebSocket : public Connection {
  public:
   WebSocket(Stream stream, Handshake handshake, Connections* connections, Shared* shared)
@@ -32,7 +33,7 @@ class WebSocket : public Connection {
         stream_(std::move(stream)),
         timer_(stream_.get_executor()) {}
 
-  // A client that neither reads nor answers pings is hung up on.
+  // Closes the connection of a client that neither reads nor answers pings.
   void Begin() override {
     stream_.set_option(
         boost::beast::websocket::stream_base::timeout{.handshake_timeout = shared_->limits.idle,
@@ -47,7 +48,7 @@ class WebSocket : public Connection {
       OnOpen();
     });
   }
-  void OnFrame(ShownFrame*) override {}
+  void OnSnapshot(ShownSnapshot*) override {}
 
  protected:
   virtual void OnOpen() {}
@@ -100,23 +101,23 @@ class WebSocket : public Connection {
 
   Handshake handshake_;
   Connections* connections_;
-  // Without compression, which nobody asks for here and which takes long to compile.
+  // Without compression, which is not needed and compiles slowly.
   boost::beast::websocket::stream<Stream, false> stream_;
   boost::asio::steady_timer timer_;
   boost::beast::flat_buffer heard_;
   std::shared_ptr<const std::string> sending_;
 };
 
-class FrameWatch final : public WebSocket {
+class SnapshotWatch final : public WebSocket {
  public:
-  FrameWatch(Stream stream, Handshake handshake, const WatchFrames& wanted,
-             Connections* connections, Shared* shared)
+  SnapshotWatch(Stream stream, Handshake handshake, const WatchSnapshots& wanted,
+                Connections* connections, Shared* shared)
       : WebSocket(std::move(stream), std::move(handshake), connections, shared),
         parts_(wanted.parts),
         period_(std::chrono::duration_cast<Clock::duration>(
             std::chrono::duration<double>(1 / wanted.hz))) {}
 
-  void OnFrame(ShownFrame* shown) override {
+  void OnSnapshot(ShownSnapshot* shown) override {
     if (open()) Send(shown->Json(parts_));
   }
 
@@ -135,7 +136,7 @@ class FrameWatch final : public WebSocket {
     });
   }
 
-  emulator::FrameParts parts_;
+  emulator::SnapshotParts parts_;
   Clock::duration period_;
   Clock::time_point due_;
 };
@@ -146,7 +147,7 @@ class EventWatch final : public WebSocket {
 
  private:
   void OnOpen() override { OnSent(); }
-  // A client too slow for the history goes on with the oldest that is kept.
+  // A client too slow for the history continues with the oldest kept event.
   void OnSent() override {
     const auto& newest = shared_->plane.events.newest();
     const auto event = std::ranges::find_if(
@@ -161,8 +162,8 @@ class EventWatch final : public WebSocket {
   std::uint64_t next_ = 0;  // number of the next event to be sent
 };
 
-// The request of a message, and in `id` what its answer is to be known by. Never recurses: a client
-// chooses how deep a message is.
+// Reads the request of a message and the id of its answer. Never recurses, since a client chooses
+// how deep a message is.
 Result<emulator::Request> ReadMessage(std::string_view message, ordered_json* id) {
   const json said = json::parse(message, nullptr, false);
   const Error form{R"(expected {"NAME": {...}, "id": text or number})"};
@@ -189,33 +190,56 @@ class RequestLine final : public WebSocket {
 
  private:
   void OnMessage(std::string_view message) override {
+    listening_ = false;
     try {
       ordered_json id;
       const auto request = ReadMessage(message, &id);
       if (!request) return Answer(id, ErrorReply(400, request.why()));
-      shared_->desk->Ask(*request, [this, self = shared_from_this(), id](const HttpReply& reply) {
-        Answer(id, reply);
-      });
+      const bool in_turn = !request->waits();
+      in_turn_ = in_turn;
+      shared_->desk->Ask(*request,
+                         [this, self = shared_from_this(), id, in_turn](const HttpReply& reply) {
+                           if (in_turn) in_turn_ = false;
+                           Answer(id, reply);
+                         });
+      GoOn();
     } catch (const std::exception& failure) {  // no memory for it
+      in_turn_ = false;
       Answer(nullptr, ErrorReply(500, failure.what()));
     }
   }
-  void OnSent() override { Listen(); }
+  void OnSent() override {
+    answers_.pop_front();
+    if (!answers_.empty()) return Send(answers_.front());
+    GoOn();
+  }
 
   void Answer(const ordered_json& id, const HttpReply& reply) {
     ordered_json answer{{"id", id}, {"status", reply.status}};
     answer.update(ordered_json::parse(reply.content()));
-    Send(answer);
+    answers_.push_back(std::move(answer));
+    if (answers_.size() == 1) Send(answers_.front());
   }
+
+  // Stops reading from a client that does not read its answers.
+  void GoOn() {
+    if (listening_ || in_turn_ || !answers_.empty()) return;
+    listening_ = true;
+    Listen();
+  }
+
+  std::deque<ordered_json> answers_;  // the first is being sent
+  bool listening_ = true;
+  bool in_turn_ = false;  // a request that others have to wait for is asked
 };
 
 }  // namespace
 
 std::shared_ptr<Connection> MakeWebSocket(Stream stream, Handshake handshake, const Routed& routed,
                                           Connections* connections, Shared* shared) {
-  if (const auto* watch = std::get_if<WatchFrames>(&routed)) {
-    return std::make_shared<FrameWatch>(std::move(stream), std::move(handshake), *watch,
-                                        connections, shared);
+  if (const auto* watch = std::get_if<WatchSnapshots>(&routed)) {
+    return std::make_shared<SnapshotWatch>(std::move(stream), std::move(handshake), *watch,
+                                           connections, shared);
   }
   if (std::holds_alternative<WatchEvents>(routed)) {
     return std::make_shared<EventWatch>(std::move(stream), std::move(handshake), connections,

@@ -1,4 +1,4 @@
-// The words that robot.apis in a robot's YAML may have: the tables of src/services/tables by name.
+// Lists the valid words of robot.apis: the names of the tables in src/services/tables.
 #pragma once
 
 #include <array>
@@ -6,7 +6,7 @@
 
 namespace understudy::services {
 
-// In the order of the documentation. Ids collide between variants of a service; a robot has one.
+// In the order of the documentation. Variants of a service share api ids, so a robot has only one.
 inline constexpr auto kApiNames = std::to_array<std::string_view>(
     {"motion_switcher", "config",     "robot_state_go2", "robot_state",
      "sport_go2",       "sport_go2w", "sport_b2",        "sport_b2w",

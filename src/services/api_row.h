@@ -1,4 +1,5 @@
-// What a service offers, as data: one row per api decodes, checks, acts, documents and is tested.
+// Describes a service as data. One row per api: its id, parameter, effect, documentation and
+// source.
 #pragma once
 
 #include <chrono>
@@ -41,19 +42,19 @@ enum class OutOfRange : std::uint8_t { kRefuse, kClamp };
 
 // One member of the parameter object.
 struct Field {
-  std::string_view key;  // "" where the parameter is the value itself
+  std::string_view key;  // "" if the parameter is the value itself
   FieldKind kind = FieldKind::kNumber;
   double low = -std::numeric_limits<double>::infinity();  // of each number, inclusive
   double high = std::numeric_limits<double>::infinity();
   OutOfRange beyond = OutOfRange::kRefuse;
   int count = 0;               // elements of kNumbers and kPath; 0 = any
   bool optional = false;       // may be missing
-  std::string_view also = {};  // another key under which some clients send it
+  std::string_view also = {};  // a second key that some clients use for it
 };
 
 using Settings = std::map<std::string, nlohmann::json, std::less<>>;
 
-// A text of config that was set or, without content, forgotten.
+// A text of the config service that was set, or deleted if `content` is empty.
 struct ConfigChange {
   std::string name;
   std::string content{};
@@ -61,40 +62,40 @@ struct ConfigChange {
 
 struct ServiceReply {
   std::int32_t code = kRpcOk;
-  std::string data{};  // JSON, or "" where the vendor's clients ignore it
-  // Sent once this holds of the motion service, or after `patience`; null: at once.
+  std::string data{};  // JSON, or "" if the vendor's clients ignore it
+  // The reply is sent when this condition holds or after `patience`; null: at once.
   bool (*once)(const robot::MotionState& state) = nullptr;
-  // How long it waits for that and for the asking client's reader; the default is assumed.
+  // Longest wait for that condition and for the client's reader; the default is assumed.
   std::chrono::nanoseconds patience = std::chrono::milliseconds(300);
-  std::optional<ConfigChange> change{};  // to be told on rt/config_change_status
+  std::optional<ConfigChange> change{};  // to be published on rt/config_change_status
 };
 
-// What a special function gets of one call. `parameter` is decoded and within its row's schema.
+// The arguments of a Special function. `parameter` is decoded and valid for the row's fields.
 struct ServiceCall {
   const nlohmann::json& parameter;
   std::size_t binary_bytes;
   authority::MotorOwner* owner;
   Settings* settings;
-  std::string* notice;  // what the log should say; "" = nothing
+  std::string* notice;  // a line for the log; "" = none
 };
 
-// Kinds of effects. None claims a success that did not happen.
+// The effects of an api. None replies with success for something that was not done.
 struct AskGoal {
-  // Makes the goal of all numbers of the parameter in the schema's order and then of these.
+  // Makes the goal of the parameter's numbers, in the order of the fields, followed by `then`.
   authority::GoalMaker goal;
   std::vector<double> then{};
-  // Setting in which the parameter's first field is kept when the goal is taken; "" = none.
+  // The setting that stores the parameter's first field if the goal is taken; "" = none.
   std::string_view keep{};
-  std::optional<std::int32_t> not_now{};  // instead of the service's own code
+  std::optional<std::int32_t> not_now{};  // instead of the service's code
   std::optional<std::int32_t> unknown{};
 };
-struct KeepSetting {  // field by field: under `name`, and "name.key" for further fields
+struct KeepSetting {  // stores the first field under `name`, the others under "name.key"
   std::string_view name;
 };
 struct GiveSetting {
   std::string_view name;
-  std::string_view key;  // of the reply's object
-  // State-machine ids in which the robot sends the value with the code `refused` (seen on a G1).
+  std::string_view key;  // in the reply's object
+  // State-machine ids in which the value is sent with the code `refused` (seen on a G1).
   std::vector<int> refused_in{};
   std::int32_t refused = 0;
 };
@@ -103,7 +104,7 @@ struct GiveState {
   StateWord word;
   std::string_view key;
 };
-struct NoController {};  // the robot could, nothing here can: a failure code and a line in the log
+struct NoController {};  // not simulated: replies with a failure code and logs it
 struct Special {
   ServiceReply (*answer)(const ServiceCall& call);
   bool only_reads = false;
@@ -122,26 +123,26 @@ struct ApiRow {
   bool takes_binary = false;
 };
 
-// Which code stands for what became of a goal.
+// The codes that answer the verdicts on a goal.
 struct VerdictCodes {
   std::int32_t not_now = 0;
   std::int32_t unknown = 0;
   std::int32_t unable = 0;
 };
 
-// A service: its rows and what they share.
+// A service: its rows and what they have in common.
 struct ServiceTable {
   std::string_view name{};         // "sport": rt/api/sport/request
-  std::string_view title{};        // as the documentation calls this variant: "sport of Go2, Go2-W"
-  std::string_view api_version{};  // what internal api 1 answers
+  std::string_view title{};        // heading in the documentation: "sport of Go2, Go2-W"
+  std::string_view api_version{};  // the answer to api 1
   std::int32_t parameter_code = kRpcApiParameter;
   VerdictCodes codes{};
-  // The program on board that serves it, by the names of robot_state: while that is listed and off,
+  // The program on the robot that serves it, as robot_state names it. While that is listed and off,
   // nothing answers. "" = always served.
   std::string_view program{};
-  bool needs_motion = false;       // served by the motion service or only while one is on
-  bool tells_changes = false;      // on rt/config_change_status
-  bool has_switch_topics = false;  // SwitchTopics throw what it sets
+  bool needs_motion = false;       // served only while a motion service is on
+  bool tells_changes = false;      // publishes rt/config_change_status
+  bool has_switch_topics = false;  // SwitchTopics can set its settings
   std::vector<ApiRow> rows{};
   std::vector<std::pair<std::string_view, std::string_view>> settings{};  // name, JSON at the start
   std::string_view note{};

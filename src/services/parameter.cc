@@ -17,7 +17,7 @@ std::optional<double> Finite(const json& value) {
   return std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-// The value within the field's range, clamped if that is what the field does.
+// Clamps the value to the field's range, or refuses it, as the field says.
 std::optional<double> InRange(const Field& field, double value) {
   if (value >= field.low && value <= field.high) return value;
   if (field.beyond == OutOfRange::kRefuse) return std::nullopt;

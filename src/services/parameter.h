@@ -1,4 +1,4 @@
-// Decodes the parameter of a request against its row.
+// Decodes and checks the parameter of a request.
 #pragma once
 
 #include <optional>
@@ -11,16 +11,16 @@
 
 namespace understudy::services {
 
-// More is refused unread (the bound is assumed): reading a text of this size takes about 0.1 ms of
-// the tick's thread. The longest parameter of the vendor's clients, 30 path points, has 6 kB.
+// Longer parameters are refused unread. Assumed: parsing this many takes about 0.1 ms of the tick's
+// thread, and the vendor's longest parameter, 30 path points, has 6 kB.
 inline constexpr std::size_t kMostParameterBytes = 16384;
 
-// The object with the schema's keys alone, numbers clamped where their field says so; nullopt when
-// `text` is no JSON, lacks a field, has one of another type or one out of range. Where no field is
-// required, "" and "{}" are the same, and so is anything else where there is no field at all.
+// Returns an object with only the keys of `fields`, numbers clamped if the field says so. Returns
+// nullopt if `text` is not JSON or a field is missing, of the wrong type or out of range. If no
+// field is required, "" means "{}"; if there are no fields, any text does.
 std::optional<nlohmann::json> DecodeParameter(std::string_view text, std::span<const Field> fields);
 
-// The schema in one line, such as {"x": number -0.75..0.75 clamped}; "" without fields.
+// Describes the fields in one line, such as {"x": number -0.75..0.75 clamped}; "" without fields.
 std::string DescribeFields(std::span<const Field> fields);
 
 }  // namespace understudy::services

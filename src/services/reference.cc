@@ -12,24 +12,27 @@ namespace {
 
 constexpr std::string_view kHead =
     "# Services\n\n"
-    "Written by `understudy services > docs/services.md` from the tables that answer.\n\n"
-    "A service `S` takes requests on `rt/api/S/request` and answers on `rt/api/S/response`. The "
-    "identity of a request is echoed. Api 1 answers the version of the api. Parameters are JSON; "
-    "where none is needed, `\"\"` and `{}` are the same. A request with `noreply` is carried out "
-    "and not answered. A reply waits up to 300 ms for the response reader of who asked. Requests "
-    "with a priority above 0 go first; of a service, 10 and 5 with priority wait. Parameters of "
+    "Written by `understudy services > docs/services.md` from the tables of the services.\n\n"
+    "A service `S` takes requests on `rt/api/S/request` and answers on `rt/api/S/response`. A "
+    "response repeats the identity of its request. Api 1 returns the version. Parameters are JSON; "
+    "if none is needed, `\"\"` and `{}` are the same. A request with `noreply` is carried out "
+    "and not answered. A reply waits up to 300 ms for the client's response reader. Requests with "
+    "a priority above 0 go first; the queues of a service hold 10 requests, and 5 with priority. "
+    "Parameters of "
     "more than 16384 bytes and unexpected binary are refused unread. While a service's program is "
-    "off, and for motion while no motion service is on, nothing answers and clients time out "
+    "off, or no motion service is on for a service that needs one, nothing answers and clients "
+    "time out "
     "(3104).\n\n"
-    "Codes of all services: 0 taken, which does not promise that it ends well; 3202 it failed "
-    "inside; 3203 no such api; 3204 bad parameter, unless the service has its own code; 3205 "
-    "another client holds the lease. A lease is asked for on `rt/api/S_lease/request` (101 apply, "
-    "102 renew) and is over after 1 s unless renewed (3206, 3207).\n\n"
-    "Nothing claims a success that did not happen: what a robot can do and nothing here can is "
-    "answered with a failure and a line in the log.\n\n"
+    "Codes of all services: 0 taken, which does not mean that the action succeeds; 3202 internal "
+    "failure; 3203 no such api; 3204 bad parameter, unless the service has its own code; 3205 "
+    "another client holds the lease. Clients apply for a lease on `rt/api/S_lease/request` (101 "
+    "apply, 102 renew); it expires after 1 s unless renewed (3206, 3207).\n\n"
+    "No api reports a success that did not happen: one that is not simulated is answered with a "
+    "failure and a line in the log.\n\n"
     "Sources: [sdk] a header of unitree_sdk2, commit 21d0a3b; [py] unitree_sdk2_python, commit "
-    "37116c5; [docs] the vendor's developer pages; [seen] on a real robot by others; assumed. That "
-    "every service has a lease and that only reading needs none is assumed.\n\n";
+    "37116c5; [docs] the vendor's developer pages; [seen] on a real robot, by others "
+    "([sources.md](sources.md)); assumed. That every service has a lease, and that apis which only "
+    "read need none, is assumed.\n\n";
 
 std::string Joined(const std::vector<std::string>& apis) {
   std::string text;
@@ -62,12 +65,12 @@ std::string Section(std::string_view name, const ServiceTable& table) {
 
 std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots) {
   std::string text(kHead);
-  text += "A robot's file names what it has under `robot.apis`; without that it has " +
+  text += "A robot's file lists its tables under `robot.apis`; the default is " +
           Joined(robot::RobotSpec{}.apis) + ".\n\n| robot | `apis` |\n|---|---|\n";
   for (const auto& [robot, apis] : robots) text += "| " + robot + " | " + Joined(apis) + " |\n";
   text +=
-      "\nA robot with `uwbswitch` also listens to `rt/utlidar/switch` (`ON`, `OFF`: the program "
-      "unitree_lidar) and to `rt/uwbswitch` (what uwbswitch SwitchSet sets).\n";
+      "\nA robot with `uwbswitch` also reads `rt/utlidar/switch` (`ON` or `OFF` for the program "
+      "unitree_lidar) and `rt/uwbswitch` (as uwbswitch SwitchSet).\n";
   for (const std::string_view name : kApiNames) text += Section(name, TableNamed(name));
   return text;
 }

@@ -63,8 +63,8 @@ std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis) {
   for (const std::string& api : apis) {
     ServiceTable table = TableNamed(api);
     if (std::ranges::count(tables, table.name, &ServiceTable::name) != 0) {
-      throw ConfigError("robot.apis: a robot has one service '" + std::string(table.name) + "'; '" +
-                        api + "' is a second one");
+      throw ConfigError("robot.apis: a robot has only one service '" + std::string(table.name) +
+                        "'; '" + api + "' is a second one");
     }
     tables.push_back(std::move(table));
   }

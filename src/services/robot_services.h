@@ -1,4 +1,4 @@
-// Which services which robot has.
+// Finds the services of a robot and documents them.
 #pragma once
 
 #include <map>
@@ -10,15 +10,15 @@
 
 namespace understudy::services {
 
-// The table of that name; throws std::out_of_range for one that is not among kApiNames.
+// Returns the table of that name. Throws std::out_of_range if it is not among kApiNames.
 ServiceTable TableNamed(std::string_view name);
 
-// The tables of robot.apis, in its order. Throws as above, and ConfigError for two variants of one
-// service.
+// Returns the tables of robot.apis, in its order. Throws as above, and ConfigError for two variants
+// of one service.
 std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis);
 
-// docs/services.md: every table in Markdown, and which robot has which. `robots` maps the name of
-// each robot to its robot.apis.
+// Returns docs/services.md: every table in Markdown, and which robot has which tables. `robots`
+// maps the name of each robot to its robot.apis.
 std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots);
 
 }  // namespace understudy::services

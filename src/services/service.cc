@@ -16,7 +16,7 @@ using nlohmann::json;
 
 constexpr std::int64_t kApiVersion = 1;
 
-// All numbers of the parameter in the schema's order, then `then`.
+// Makes the goal of all numbers of the parameter, in the order of the fields, then of `then`.
 authority::MotionGoal GoalOf(const ApiRow& row, const AskGoal& effect, const json& parameter) {
   authority::goal::Numbers numbers{};
   std::size_t next = 0;
@@ -145,8 +145,8 @@ ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& 
 
 ServiceReply Service::Refuse(const ApiRow& row, std::string* notice) const {
   const std::int32_t code = row.unable_code.value_or(table_.codes.unable);
-  *notice = std::string(table_.name) + " " + std::string(row.name) +
-            ": a robot can do this, nothing here can; answered " + std::to_string(code);
+  *notice = std::string(table_.name) + " " + std::string(row.name) + ": not simulated; answered " +
+            std::to_string(code);
   return {.code = code};
 }
 

@@ -1,4 +1,5 @@
-// A request/response service of the robot: rt/api/<name>/request and /response.
+// One request/response service of the robot, rt/api/<name>/request and /response, without the
+// network.
 #pragma once
 
 #include <chrono>
@@ -10,61 +11,62 @@
 
 namespace understudy::services {
 
-// One client's right to command a service alone.
+// The exclusive right of one client to change things through a service.
 //
-// Asked for on rt/api/<service>_lease: api 101 applies with {"name": text} and is answered
-// {"id": number, "term": µs}, or 3207 while another holds it; api 102 renews the id in
-// header.lease.id, or 3206. A lease that is not renewed within its term of 1 s is over (term and
-// rules: the server of the vendor's Python SDK). Nobody has to hold one: without a lease all
-// requests pass, and the vendor's clients ask for none by default.
+// Clients use rt/api/<service>_lease. Api 101 applies with {"name": text} and is answered with
+// {"id": number, "term": µs}, or with 3207 while another client holds the lease; api 102 renews the
+// id in header.lease.id, or is answered with 3206. A lease expires 1 s after the last renewal (term
+// and rules: the server of the vendor's Python SDK). A lease is optional: while nobody holds one
+// all requests pass, and the vendor's clients apply for none by default.
 class Lease {
  public:
   using Time = std::chrono::nanoseconds;
   static constexpr Time kTerm = std::chrono::seconds(1);
 
-  // The reply to a request on the lease's topic. `now` only has to grow.
+  // Returns the reply to a request on the lease's topic. `now` is wall time and must not go back.
   ServiceReply Answer(std::int64_t api_id, std::string_view parameter, std::int64_t lease_id,
                       Time now);
 
-  // Whether a request that carries `lease_id`, 0 for none, is denied (3205): because another client
-  // holds the lease, or because it names one that is over.
+  // Returns whether a request with `lease_id` (0: none) is denied with 3205: another client holds
+  // the lease, or `lease_id` has expired.
   bool Denies(std::int64_t lease_id, Time now);
 
  private:
   void ForgetIfOver(Time now);
 
-  std::int64_t id_ = 0;  // 0 = nobody's
+  std::int64_t id_ = 0;  // 0 = no holder
   std::int64_t last_id_ = 0;
   Time renewed_{0};
 };
 
-// The longest binary part of a request that is taken: a chunk of the vendor's audio example. More
-// is refused with the service's code for a bad parameter.
+// The longest accepted binary part of a request: one chunk of the vendor's audio example. A longer
+// one is refused with the service's code for a bad parameter.
 inline constexpr std::size_t kMostBinaryBytes = 96000;
 
-// One request without the network. Bytes are as sent: anything may come.
+// One request. Its bytes come from the network and are not checked.
 struct ServiceRequest {
   std::int64_t api_id = 0;
   std::int64_t lease_id = 0;
   std::string_view parameter{};
-  std::size_t parameter_bytes = 0;  // may be more than `parameter` holds: then it is refused
+  std::size_t parameter_bytes = 0;  // more than `parameter` has: refused
   std::size_t binary_bytes = 0;
 };
 
-// Answers by its table. All calls come from the tick's thread; long actions are begun, not done.
+// Answers requests by its table, in the tick's thread. A long action is started and goes on in
+// later ticks.
 class Service {
  public:
   explicit Service(ServiceTable table);
 
   const ServiceTable& table() const { return table_; }
 
-  // False while nothing would answer: the program that serves it is off, or the motion service that
-  // it belongs to. Requests are then dropped, and the caller times out (3104), as seen on an H1-2.
+  // Returns false while the program that serves it, or the motion service that it needs, is off.
+  // Requests are then dropped and clients time out (3104), as seen on an H1-2.
   bool IsServed(const authority::MotorOwner& owner) const;
 
-  // Checks in the order of the vendor's server: api 1 gives the version; an unknown api is 3203; a
-  // lease that another holds 3205; a bad parameter the service's code; then the row's effect. What
-  // throws inside is 3202. `notice` becomes what the log should say of it, "" for nothing.
+  // Checks in the order of the vendor's server: api 1 returns the version; an unknown api gets
+  // 3203; a lease held by another client 3205; a bad parameter the service's code. Then the row
+  // takes effect; an exception in it gets 3202. Sets `notice` to a line for the log, "" for none.
   ServiceReply Answer(const ServiceRequest& request, authority::MotorOwner* owner, Lease::Time now,
                       std::string* notice);
 
@@ -84,7 +86,7 @@ class Service {
   Lease lease_;
 };
 
-// Whether a row only reads: leases do not concern it.
+// Returns whether an api only reads; it then needs no lease.
 bool OnlyReads(const ApiRow& row);
 
 }  // namespace understudy::services

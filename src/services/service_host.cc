@@ -16,8 +16,8 @@ constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
 constexpr std::size_t kMostUrgent = 5;
-constexpr int kMostServed = 8;  // assumed: bounds what a poll costs
-// Assumed: a thousand calls a second, while the machine gives us no time for a quarter of one.
+constexpr int kMostServed = 8;  // assumed: bounds the time of a poll
+// Assumed: a thousand calls a second, with the process stalled for a quarter of a second.
 constexpr int kReaderDepth = 256;
 
 }  // namespace
@@ -69,7 +69,7 @@ std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime n
       }
       if (!channel->pending.empty()) SendPending(channel.get(), *owner, now);
     } catch (const std::exception&) {
-      ++counts_.lost_replies;  // out of memory: the request goes unanswered, the robot goes on
+      ++counts_.lost_replies;  // out of memory: the request gets no reply
     }
   }
   return calls_;
@@ -92,7 +92,7 @@ std::optional<std::int32_t> ServiceHost::Answer(std::string_view service, std::i
 }
 
 void ServiceHost::Receive(Channel* channel) {
-  // What finds no room waits in the reader.
+  // Requests that do not fit stay in the reader.
   const std::size_t room = kMostNormal - channel->normal.size();
   if (room == 0) return;
   channel->reader.Take(
@@ -177,8 +177,8 @@ void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& own
     unitree_api_msg_dds__Response_ response{};
     response.header = pending.header;
     response.data = pending.data.data();
-    // Past the wait it is sent all the same: a reader may be there that discovery has not told us
-    // whose it is.
+    // After the wait the reply is sent anyway: there may be a reader whose participant discovery
+    // has not reported yet.
     if (!channel->writer.Write(response) || !reaches) ++counts_.lost_replies;
     return true;
   };

@@ -1,4 +1,4 @@
-// Serves requests over DDS: one host for all services of a robot.
+// Serves all services of a robot over DDS.
 #pragma once
 
 #include <chrono>
@@ -23,7 +23,7 @@
 
 namespace understudy::services {
 
-// Switches that are thrown by a message instead of a request. Of a Go2 (docs/sources.md#topics):
+// Settings of a Go2 that a message changes instead of a request (docs/sources.md#topics):
 //   rt/utlidar/switch  String_ "ON" or "OFF": the program unitree_lidar. That robot_state then
 //                      lists it so is assumed; no lidar is modelled.
 //   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
@@ -32,7 +32,7 @@ class SwitchTopics {
   // Throws BusError. `uwb_switch` must outlive this.
   SwitchTopics(const bus::Participant& participant, Service* uwb_switch);
 
-  // Takes what waits. Other words than ON and OFF change nothing.
+  // Takes the waiting messages. Words other than ON and OFF change nothing.
   void Poll(authority::MotorOwner* owner);
 
  private:
@@ -41,8 +41,9 @@ class SwitchTopics {
   bus::Reader<unitree_go_msg_dds__UwbSwitch_> uwb_;
 };
 
-// Nothing here waits or throws. The rules are the vendor's (docs/sources.md#requests; the server of
-// the Python SDK):
+// Receives requests, answers them and sends the replies. It never blocks or throws after
+// construction. The rules are the vendor's (docs/sources.md#requests; the server of the Python
+// SDK):
 //
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
 //   - the request's identity is echoed, since clients match a reply by id;
@@ -57,13 +58,13 @@ class SwitchTopics {
 //   - each service has a lease, asked for on <service>_lease.
 class ServiceHost final : public ServicePort {
  public:
-  // Gets what the log should say, of each api at most once a second.
+  // Receives lines for the log, at most one a second per api.
   using Say = std::function<void(const std::string& notice)>;
 
   // Throws BusError. `participant` must outlive the host.
   ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say);
 
-  // Allocates only when there is a request or a reply waits.
+  // Allocates only if there is a request or a waiting reply.
   std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
   std::optional<std::int32_t> Answer(std::string_view service, std::int64_t api_id,
                                      std::string_view parameter, authority::MotorOwner* owner,
@@ -75,15 +76,15 @@ class ServiceHost final : public ServicePort {
   struct Request {
     std::int64_t id, api_id, lease_id;
     bool noreply;
-    std::string parameter;  // empty when it was too long to be read
+    std::string parameter;  // empty if it was too long
     std::size_t parameter_bytes, binary_bytes;
-    std::optional<bus::ParticipantKey> client;  // nullopt when it has gone
+    std::optional<bus::ParticipantKey> client;  // nullopt if its writer has gone
   };
   struct Pending {
     bus::ParticipantKey client;
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
-    bool (*once)(const robot::MotionState& state);  // null: nothing to wait for
+    bool (*once)(const robot::MotionState& state);  // null: no condition
     WallTime give_up;
   };
   struct Channel {
@@ -108,11 +109,11 @@ class ServiceHost final : public ServicePort {
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
-  std::optional<SwitchTopics> switches_;  // of robots that have them
+  std::optional<SwitchTopics> switches_;  // for robots that have them
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
-  std::vector<Call> calls_;  // of the last poll
+  std::vector<Call> calls_;  // carried out in the last poll
   ServiceCounts counts_;
 };
 

@@ -6,9 +6,9 @@
 namespace understudy::terrain {
 namespace {
 
-// Isaac Lab's and legged_gym's curricula for legged robots both end at a grade of 0.4 and at stairs
-// of 0.23 m rise; Isaac Lab's treads have 0.3 m, legged_gym's gaps reach 1 m (docs/terrain.md). The
-// rest is assumed.
+// The curricula of Isaac Lab and legged_gym both end at a grade of 0.4 and at stairs of 0.23 m
+// rise; Isaac Lab's treads are 0.3 m deep, legged_gym's gaps are up to 1 m wide (docs/terrain.md).
+// The other figures are assumed.
 constexpr double kMostGrade = 0.4;
 constexpr double kRise = 0.01, kRiseByDifficulty = 0.22;  // m
 constexpr double kTread = 0.3;                            // m
@@ -24,7 +24,7 @@ void AddStrip(const Stretch& s, double x0, double x1, double top, TerrainPieces*
   pieces->AddGround(x0, x1, -s.width / 2, s.width / 2, top, s.friction);
 }
 
-// A plank whose top goes from (x0, z0) to (x1, z1).
+// Adds a plank whose top goes from (x0, z0) to (x1, z1).
 void AddRamp(const Stretch& s, double x0, double z0, double x1, double z1, TerrainPieces* pieces) {
   constexpr double kThickness = 0.2;  // m, assumed
   pieces->Add({.x = (x0 + x1) / 2,
@@ -42,7 +42,8 @@ int Steps(const Stretch& s) {
   return std::min(kMostSteps, static_cast<int>((s.length - kLanding) / kTread));
 }
 
-// Solid steps, each `rise` higher than the one before, and the landing on the last one's height.
+// Adds solid steps, each `rise` higher than the one before, and a landing at the height of the
+// last.
 double AddFlight(const Stretch& s, double rise, TerrainPieces* pieces) {
   const int steps = Steps(s);
   double top = s.level;

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
 
-// Light, sky and colours, as in models/scene/flat.xml.
+// Light, sky and colours as in models/scene/flat.xml.
 constexpr char kHead[] = R"(  <visual>
     <headlight ambient="0.25 0.25 0.25" diffuse="0.35 0.35 0.35" specular="0.1 0.1 0.1"/>
     <rgba haze="0.82 0.86 0.9 1"/>
@@ -35,11 +35,11 @@ constexpr char kHead[] = R"(  <visual>
 constexpr char kSun[] =
     R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.4 0.25 -0.9" diffuse="0.6 0.6 0.58"/>
 )";
-// Neighbours differ, so that edges show.
+// Neighbouring pieces differ in colour, so that edges are visible.
 constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",
                                                  "0.71 0.67 0.6 1"};
 
-// Nine digits, no finer than a nanometre: the last bits of sums of lengths do not show.
+// Prints nine digits and rounds to nanometres, so that rounding errors of sums do not appear.
 std::string Number(double value) {
   constexpr double kSmallest = 1e-9;
   value = std::round(value / kSmallest) * kSmallest;
@@ -56,7 +56,7 @@ std::string Numbers(std::initializer_list<double> values) {
   return text;
 }
 
-// Of two geoms of equal priority MuJoCo takes the larger friction, else that of the higher one.
+// MuJoCo uses the friction of the geom with the higher priority, at equal priority the larger one.
 std::string Contact(double friction) {
   if (friction == 0) return " condim=\"3\" friction=\"0.8 0.005 0.0001\"";
   return " condim=\"3\" friction=\"" + Number(friction) + " 0.005 0.0001\" priority=\"1\"";
@@ -67,7 +67,7 @@ std::string HeightsName(std::size_t i) { return "terrain_" + std::to_string(i); 
 float Lowest(const HeightGrid& grid) { return *std::min_element(grid.z.begin(), grid.z.end()); }
 float Highest(const HeightGrid& grid) { return *std::max_element(grid.z.begin(), grid.z.end()); }
 
-// Metres per grey level of the PNG: the lattice's step where 16 bits are enough for it.
+// Metres per grey level of the PNG: the step of the lattice if 16 bits suffice.
 double GreyStep(const HeightGrid& grid) {
   return std::max(kHeightStep, (Highest(grid) - Lowest(grid)) / 65535.0);
 }
@@ -89,7 +89,7 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
     return text + "hfield\" hfield=\"" + HeightsName(piece.heights) + "\" pos=\"" + at +
            "\" material=\"floor\" rgba=\"1 0.92 0.8 1\"" + Contact(piece.friction) + "/>\n";
   }
-  // The middle of a pitched plank is half its thickness away from its top, at right angles to it.
+  // The centre of a pitched plank is half its thickness below its top, along the top's normal.
   const double half = thickness / 2;
   const std::string at = Numbers(
       {piece.x - half * std::sin(piece.pitch), piece.y, piece.top - half * std::cos(piece.pitch)});
@@ -119,8 +119,8 @@ std::string SceneXml(const TerrainPieces& terrain, const std::string& name, doub
   text += kSun;
   text += "    <geom name=\"floor\" type=\"plane\" size=\"0 0 0.5\" pos=\"" +
           Numbers({0, 0, terrain.floor()}) + "\" material=\"floor\"" + Contact(friction) + "/>\n";
-  // Static bodies of a metre each: MuJoCo 2 compares every geom of one body with every geom of
-  // another that is near, and the world's own body is near everything.
+  // Groups the pieces into static bodies of a metre each: MuJoCo 2 tests all pairs of geoms of two
+  // nearby bodies, and the world body is near everything.
   std::map<int, std::string> slabs;
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     slabs[static_cast<int>(std::floor(pieces[i].x))] += Geom(pieces[i], i, terrain.floor());
@@ -135,7 +135,8 @@ void WriteBytes(const std::filesystem::path& file, const std::string& bytes) {
   if (!stream.flush()) throw ModelError(file.string() + ": cannot be written");
 }
 
-// Rows and columns as 32 bit integers, then the heights as 32 bit floats, in the machine's order.
+// Rows and columns as 32-bit integers, then the heights as 32-bit floats, in the machine's byte
+// order.
 void WriteBinary(const std::filesystem::path& file, const HeightGrid& grid) {
   static_assert(std::endian::native == std::endian::little);
   const std::array<std::int32_t, 2> sides{grid.rows, grid.columns};

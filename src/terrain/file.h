@@ -8,8 +8,8 @@
 
 namespace understudy::terrain {
 
-// Writes scene.xml and the height fields as WriteTerrain says. `floor_friction` is that of the
-// endless floor. Creates the folder. Throws ModelError when something cannot be written.
+// Writes scene.xml and the height fields as described at WriteTerrain. `floor_friction` is that of
+// the endless floor. Creates the folder. Throws ModelError if a file cannot be written.
 void WriteTerrainFiles(const TerrainPieces& pieces, const std::string& name, double floor_friction,
                        const std::filesystem::path& folder);
 

@@ -10,7 +10,8 @@
 namespace understudy::terrain {
 namespace {
 
-// Isaac Lab's and legged_gym's height fields have 0.1 m cells. The rest is assumed.
+// The height fields of Isaac Lab and legged_gym have 0.1 m cells (docs/terrain.md). The other
+// figures are assumed.
 constexpr double kCell = 0.1;                       // m
 constexpr double kRoughness = 0.1;                  // m up and down at difficulty 1
 constexpr double kScales[] = {1.6, 0.8, 0.4, 0.2};  // m, of the noise; each half as strong
@@ -26,7 +27,7 @@ HeightGrid GridOver(const Stretch& s) {
   return grid;
 }
 
-// height(column, row) over the whole grid, on the lattice.
+// Makes a grid of height(column, row), rounded to the lattice.
 template <class F>
 void Fill(HeightGrid* grid, F height) {
   std::size_t i = 0;
@@ -42,7 +43,7 @@ double AddGrid(const Stretch& s, HeightGrid grid, TerrainPieces* pieces) {
   return s.level;
 }
 
-// Adds smooth noise between -strength and strength whose knots are `every` cells apart.
+// Adds smooth noise between -strength and strength with knots `every` cells apart.
 void AddNoise(const HeightGrid& grid, int every, double strength, TerrainRandom* random,
               std::vector<double>* noise) {
   const int columns = (grid.columns - 1) / every + 2;

@@ -18,7 +18,7 @@ namespace understudy::terrain {
 namespace {
 
 constexpr int kLeastSide = 2, kMostSide = 2000;    // pixels
-constexpr std::uintmax_t kMostBytes = 64U << 20U;  // a plain PGM of 2000 x 2000 has 24 MB
+constexpr std::uintmax_t kMostBytes = 64U << 20U;  // a plain PGM of 2000 x 2000 pixels has 24 MB
 
 [[noreturn]] void Refuse(const std::filesystem::path& file, const std::string& what) {
   throw ModelError(file.string() + ": " + what);
@@ -31,8 +31,8 @@ void RequireSides(const std::filesystem::path& file, std::uint64_t width, std::u
                    std::to_string(height));
 }
 
-// One PNG being read from memory. libpng reports errors by longjmp; nothing with a
-// destructor lives in the functions that call it.
+// Reads a PNG from memory. libpng reports errors by longjmp, so functions that call it have no
+// objects with destructors.
 struct PngJob {
   std::jmp_buf back;
   std::array<char, 200> error{};
@@ -70,7 +70,7 @@ bool ReadPngHead(PngJob* job, png_structp png, png_infop info, PngHead* head) {
   return true;
 }
 
-// rows: one pointer per row, to 2 bytes per pixel.
+// `rows` has one pointer per row, to 2 bytes per pixel.
 bool ReadPngRows(PngJob* job, png_structp png, int depth, unsigned char** rows) {
   if (setjmp(job->back) != 0) return false;
   if (depth < 8) png_set_expand_gray_1_2_4_to_8(png);
@@ -113,12 +113,12 @@ GreyImage ReadPng(const std::filesystem::path& file, const std::string& bytes) {
   return image;
 }
 
-// The header of a PGM and the numbers of a plain one: words between blanks and comments.
+// Reads the words of a PGM: its header, and the pixels of a plain one. Skips blanks and comments.
 class PgmWords {
  public:
   explicit PgmWords(std::string_view text) : text_(text) {}
 
-  // The next number; none when there is no more or it is no number.
+  // Returns the next number; nullopt at the end or for another word.
   std::optional<std::uint32_t> Next() {
     while (!text_.empty() && (IsBlank(text_[0]) || text_[0] == '#')) {
       if (text_[0] == '#') {
@@ -133,7 +133,7 @@ class PgmWords {
     text_.remove_prefix(static_cast<std::size_t>(end - text_.data()));
     return value;
   }
-  // What stands behind the one blank after the last number.
+  // Returns the bytes after the single blank that follows the last number.
   std::string_view rest() const { return text_.substr(std::min<std::size_t>(1, text_.size())); }
 
  private:
@@ -146,14 +146,14 @@ GreyImage ReadPgm(const std::filesystem::path& file, const std::string& bytes) {
   PgmWords words(std::string_view(bytes).substr(2));
   const auto width = words.Next(), height = words.Next(), white = words.Next();
   if (!width || !height || !white || *white < 1 || *white > 65535) {
-    Refuse(file, "not a sound PGM: expected width, height and a white of 1 to 65535");
+    Refuse(file, "invalid PGM: expected width, height and a white of 1 to 65535");
   }
   RequireSides(file, *width, *height);
   GreyImage image{static_cast<int>(*width), static_cast<int>(*height), {}};
   image.grey.resize(std::size_t{*width} * *height);
   const std::size_t depth = *white < 256 ? 1 : 2;
   const std::string_view raw = words.rest();
-  if (!plain && raw.size() < depth * image.grey.size()) Refuse(file, "not a sound PGM: cut short");
+  if (!plain && raw.size() < depth * image.grey.size()) Refuse(file, "invalid PGM: cut short");
   const auto byte = [&](std::size_t i) {
     return static_cast<std::uint32_t>(static_cast<unsigned char>(raw[i]));
   };
@@ -164,8 +164,8 @@ GreyImage ReadPgm(const std::filesystem::path& file, const std::string& bytes) {
     } else {
       value = depth == 1 ? byte(i) : 256 * byte(2 * i) + byte(2 * i + 1);
     }
-    if (!value) Refuse(file, "not a sound PGM: cut short");
-    if (*value > *white) Refuse(file, "not a sound PGM: a pixel is whiter than white");
+    if (!value) Refuse(file, "invalid PGM: cut short");
+    if (*value > *white) Refuse(file, "invalid PGM: a pixel exceeds the value of white");
     image.grey[i] = static_cast<double>(*value) / *white;
   }
   return image;

@@ -9,13 +9,13 @@
 
 namespace understudy::terrain {
 
-// Numbers that are the same on every machine: std::mt19937_64 is specified to the bit, and the
-// standard's distributions, which are not, are left out.
+// Random numbers that are the same on every machine: std::mt19937_64 is specified exactly; the
+// standard's distributions, which are not, are not used.
 class TerrainRandom {
  public:
   explicit TerrainRandom(std::uint64_t seed) : engine_(seed) {}
 
-  // At least `low` and below `high`, in steps of 2^-53 of their distance.
+  // Returns a number in [low, high), in steps of (high - low) 2^-53.
   double Between(double low, double high) {
     return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
   }
@@ -24,7 +24,8 @@ class TerrainRandom {
   std::mt19937_64 engine_;
 };
 
-// The place a patch fills: x to x + length, |y| <= width / 2, beginning at height `level` [m].
+// The area of a patch: x to x + length, |y| <= width / 2, beginning at height `level` [m]; and its
+// parameters.
 struct Stretch {
   double x = 0;
   double length = 0;
@@ -37,8 +38,8 @@ struct Stretch {
   double image_height = 0;  // m
 };
 
-// Each adds its ground and returns the height [m] at which it ends. docs/terrain.md has the figures
-// and where they come from.
+// Each adds its ground and returns the height [m] at its end. docs/terrain.md has the figures and
+// their sources.
 
 // Blocks (blocks.cc)
 double AddFlat(const Stretch& s, TerrainPieces* pieces);
@@ -56,7 +57,7 @@ double AddObstacles(const Stretch& s, TerrainPieces* pieces);
 // Height fields (heights.cc)
 double AddRough(const Stretch& s, TerrainPieces* pieces);
 double AddWaves(const Stretch& s, TerrainPieces* pieces);
-// Throws ModelError when the image cannot be read.
+// Throws ModelError if the image cannot be read.
 double AddImage(const Stretch& s, TerrainPieces* pieces);
 
 }  // namespace understudy::terrain

@@ -10,8 +10,7 @@ namespace understudy::terrain {
 namespace {
 
 constexpr std::size_t kMostPieces = 4000;
-// A height field's lowest point stays so far [m] above the floor that nothing touches both;
-// assumed.
+// The least distance [m] of a height field above the floor, so that nothing touches both; assumed.
 constexpr double kOverFloor = 0.05;
 
 }  // namespace
@@ -32,7 +31,7 @@ void TerrainPieces::AddGround(double x0, double x1, double y0, double y1, double
 void TerrainPieces::Add(const TerrainPiece& piece) {
   if (pieces_.size() == kMostPieces) {
     throw ModelError("the terrain would need more than " + std::to_string(kMostPieces) +
-                     " pieces; make terrain.size smaller or the patches fewer");
+                     " pieces; reduce terrain.size or the number of patches");
   }
   pieces_.push_back(piece);
   if (!piece.thickness) Lower(piece.top);

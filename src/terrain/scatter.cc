@@ -10,7 +10,7 @@ namespace {
 // Isaac Lab's grid of boxes has 0.45 m pitch; legged_gym's discrete obstacles reach 0.25 m
 // (docs/terrain.md). The rest is assumed.
 constexpr double kStonePitch = 0.6;                         // m
-constexpr double kGapByDifficulty = 0.4;                    // m of the pitch
+constexpr double kGapByDifficulty = 0.4;                    // m, part of the pitch
 constexpr double kStoneUnevenness = 0.05;                   // m up or down at difficulty 1
 constexpr double kStonePit = 0.5;                           // m
 constexpr double kBoxPitch = 0.45;                          // m
@@ -25,7 +25,7 @@ struct Cells {
   double y;  // where the first row begins
 };
 
-// As many cells of that pitch as fit along x and as cover the width, and ground behind the last.
+// A grid of cells: as many as fit along x and as cover the width, with ground after the last.
 Cells LayCells(const Stretch& s, double pitch, TerrainPieces* pieces) {
   constexpr double kRounding = 1e-9;
   const int columns = static_cast<int>(s.length / pitch + kRounding);

@@ -11,7 +11,7 @@
 namespace understudy::terrain {
 namespace {
 
-// A G1 that lies on its back needs 1.3 m; the rest is assumed.
+// A G1 that lies on its back needs 1.3 m; the other figures are assumed.
 constexpr double kPlatform = 1.5;     // m before and behind the origin
 constexpr double kPlatformWidth = 3;  // m at least
 constexpr double kLastPlatform = 2;   // m
@@ -44,8 +44,8 @@ const Kind& FindKind(const std::string& name) {
   throw ModelError("no kind of terrain '" + name + "'");
 }
 
-// Sebastiano Vigna's splitmix64 of the seed and the patch's number: neighbours have nothing in
-// common, and what a patch looks like does not depend on those before it.
+// The splitmix64 of Sebastiano Vigna, applied to the seed and the patch's number: the patches are
+// uncorrelated, and each is independent of the number and kind of the others.
 std::uint64_t PatchSeed(int seed, std::size_t patch) {
   std::uint64_t z = (static_cast<std::uint64_t>(seed) << 32U) + patch + 0x9e3779b97f4a7c15U;
   z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;

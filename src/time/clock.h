@@ -1,4 +1,4 @@
-// Wall time, injected so that tests own it.
+// Reads wall time and sleeps. Tests use a manual clock.
 #pragma once
 
 #include <chrono>
@@ -7,11 +7,11 @@ namespace understudy::time {
 
 class Clock {
  public:
-  using Time = std::chrono::nanoseconds;  // since an arbitrary start, never goes back
+  using Time = std::chrono::nanoseconds;  // since an arbitrary origin; never goes back
 
   virtual ~Clock() = default;
   virtual Time Now() = 0;
-  // Returns at `deadline` or later; at once when it has passed. A signal may end it early.
+  // Returns at `deadline` or later, immediately if it has passed. A signal may end the wait early.
   virtual void SleepUntil(Time deadline) = 0;
 };
 
@@ -22,7 +22,7 @@ class SteadyClock final : public Clock {
   void SleepUntil(Time deadline) override;
 };
 
-// Stands still until told; sleeping moves it to the deadline.
+// Changes only by Advance and by SleepUntil, which sets it to the deadline.
 class ManualClock final : public Clock {
  public:
   Time Now() override { return now_; }

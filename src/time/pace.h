@@ -1,11 +1,11 @@
-// How simulated time is to go on.
+// The requested pace of simulated time: its speed, and whether it is paused.
 #pragma once
 
 #include <cstdint>
 
 namespace understudy::time {
 
-// *Assumed*: slower than the slowest is a pause, and no machine reaches the fastest.
+// *Assumed*: a lower speed is as good as a pause, and no machine reaches the highest.
 inline constexpr double kLeastSpeed = 0.001;
 inline constexpr double kMostSpeed = 1000;
 inline constexpr char kSpeedRange[] = "0 (as fast as possible) or 0.001 to 1000";
@@ -13,11 +13,11 @@ constexpr bool IsSpeed(double speed) {
   return speed == 0 || (speed >= kLeastSpeed && speed <= kMostSpeed);
 }
 
-// As orders have it. Whoever calls the tick keeps to it.
+// Set by requests; the loop that calls the tick follows it.
 struct Pace {
   double speed = 1;  // simulated seconds per wall second; 0 = as fast as possible
   bool paused = false;
-  std::int64_t steps_left = 0;  // to be made although paused
+  std::int64_t steps_left = 0;  // steps to make while paused
 
   bool stands_still() const { return paused && steps_left == 0; }
 };

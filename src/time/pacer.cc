@@ -13,14 +13,15 @@ double Seconds(Clock::Time t) { return std::chrono::duration<double>(t).count();
 Pacer::Pacer(Clock* clock, Clock::Time period, double speed)
     : clock_(clock), period_(period), speed_(speed), start_(clock->Now()), window_start_(start_) {}
 
-bool Pacer::WaitFor(std::int64_t step, Clock::Time most) {
+Wait Pacer::WaitFor(std::int64_t step, Clock::Time most) {
+  Wait wait{.due = true};
   Clock::Time now = clock_->Now();
   if (speed_ > 0) {
     const double wall = static_cast<double>((step - start_step_) * period_.count()) / speed_;
     const Clock::Time deadline = start_ + Clock::Time(std::llround(wall));
     if (deadline - now > most) {
       clock_->SleepUntil(now + most);
-      return false;
+      return {};
     }
     if (now < deadline) {
       clock_->SleepUntil(deadline);
@@ -30,25 +31,29 @@ bool Pacer::WaitFor(std::int64_t step, Clock::Time most) {
     reading_.lateness = Seconds(late);
     reading_.latenesses.Add(reading_.lateness);
     reading_.worst_lateness = std::max(reading_.worst_lateness, reading_.lateness);
-    if (reading_.lateness > Seconds(period_) / speed_) ++reading_.overruns;
+    if (reading_.lateness > Seconds(period_) / speed_) {
+      ++reading_.overruns;
+      wait.overrun = reading_.lateness;
+    }
     if (late > kMostMadeUp) {
       start_ += late;
       ++reading_.shifts;
-      reading_.shifted += Seconds(late);
+      wait.shift = reading_.lateness;
+      reading_.shifted += wait.shift;
     }
   }
   reached_ = now;
   Measure(step, now);
-  return true;
+  return wait;
 }
 
-bool Pacer::Follow(const Pace& pace, std::int64_t step, Clock::Time most) {
+Wait Pacer::Follow(const Pace& pace, std::int64_t step, Clock::Time most) {
   if (pace.stands_still()) {
     still_ = true;
     reading_.lateness = 0;
     reading_.real_time_factor = 0;
     clock_->SleepUntil(clock_->Now() + most);
-    return false;
+    return {};
   }
   if (still_ || pace.speed != speed_) Resume(step, pace.speed);
   return WaitFor(step, most);

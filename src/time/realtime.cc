@@ -9,14 +9,14 @@
 namespace understudy::time {
 namespace {
 
-constexpr int kPriority = 10;  // above everything ordinary, below what a system runs for itself
+constexpr int kPriority = 10;  // above normal threads, below the kernel's interrupt threads (50)
 
 }  // namespace
 
 RealtimeGrant RequestRealtime() {
   RealtimeGrant grant;
   const sched_param parameter{.sched_priority = kPriority};
-  // Reset on fork: neither a thread nor a program that we start inherits it.
+  // Reset on fork: threads and programs that we start do not inherit it.
   grant.fifo = sched_setscheduler(0, SCHED_FIFO | SCHED_RESET_ON_FORK, &parameter) == 0;
   grant.text = grant.fifo ? "SCHED_FIFO granted"
                           : std::string("SCHED_FIFO not granted (") + std::strerror(errno) +

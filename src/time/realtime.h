@@ -1,4 +1,4 @@
-// Asks the kernel for punctuality.
+// Asks the kernel for real-time scheduling and locked memory.
 #pragma once
 
 #include <string>
@@ -8,11 +8,11 @@ namespace understudy::time {
 struct RealtimeGrant {
   bool fifo = false;    // the calling thread runs under SCHED_FIFO
   bool locked = false;  // memory stays in RAM once touched
-  std::string text;     // one line for the log: what was granted, what not and why
+  std::string text;     // one line for the log: what was granted, and why the rest was not
 };
 
-// SCHED_FIFO at a low real-time priority for the calling thread only, so that threads started
-// before and after keep the ordinary policy, and mlockall for what is and will be touched.
+// Requests SCHED_FIFO at a low real-time priority for the calling thread only (other threads keep
+// the normal policy) and mlockall for present and future memory.
 RealtimeGrant RequestRealtime();
 
 }  // namespace understudy::time

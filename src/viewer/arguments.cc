@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <charconv>
-#include <filesystem>
 #include <sstream>
 #include <system_error>
 
@@ -12,6 +10,7 @@
 
 #include "base/nearest_word.h"
 #include "ctl/check.h"
+#include "viewer/film_formats.h"
 
 namespace understudy::viewer {
 namespace {
@@ -115,36 +114,38 @@ void AddShow(CLI::App* command, ShowChoice* show) {
       ->check([](const std::string& text) { return ReadShow(text, nullptr); });
 }
 
-// A name that ends in `ending`.
-CLI::Validator Ending(const std::string& ending) {
-  return {[ending](std::string& text) {
-            std::string found = std::filesystem::path(text).extension().string();
-            for (char& c : found)
-              c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-            return found == ending ? std::string()
-                                   : "expected a name that ends in " + ending + ", got " + text;
+// A name that ends in one of `endings`.
+CLI::Validator Ending(const std::vector<std::string>& endings) {
+  return {[endings](std::string& text) {
+            const std::string found = EndingOf(text);
+            for (const std::string& ending : endings) {
+              if (found == ending) return std::string();
+            }
+            return "expected a name that ends in " + CLI::detail::join(endings, " or ") + ", got " +
+                   text;
           },
           ""};
 }
 
-void AddPicture(CLI::App* command, PictureArguments* picture, const std::string& ending) {
-  command->add_option("out", picture->out, "The file to write")
+void AddDrawing(CLI::App* command, DrawingArguments* drawing,
+                const std::vector<std::string>& endings) {
+  command->add_option("out", drawing->out, "The file to write")
       ->required()
-      ->type_name("OUT" + ending)
-      ->check(Ending(ending));
-  client::AddRobotChoice(command, &picture->robot);
+      ->type_name("OUT" + endings.front())
+      ->check(Ending(endings));
+  client::AddRobotChoice(command, &drawing->robot);
   command
-      ->add_option("--recording", picture->recording,
+      ->add_option("--recording", drawing->recording,
                    "An MCAP file of `understudy run --record` instead of a running robot")
       ->type_name("FILE")
       ->excludes("--name")
       ->excludes("--socket");
-  AddSize(command, &picture->size, "Pixels [1280x720]");
-  AddCamera(command, &picture->camera);
-  AddShow(command, &picture->show);
-  command->add_flag("--overwrite", picture->overwrite, "Replace the file that is there");
+  AddSize(command, &drawing->size, "Pixels [1280x720]");
+  AddCamera(command, &drawing->camera);
+  AddShow(command, &drawing->show);
+  command->add_flag("--overwrite", drawing->overwrite, "Replace the file that is there");
   command
-      ->add_option("--gl", picture->gl,
+      ->add_option("--gl", drawing->gl,
                    "Which OpenGL draws it: egl or osmesa [the first that works]")
       ->check(CLI::IsMember({"egl", "osmesa"}))
       ->type_name("WHICH");
@@ -167,25 +168,27 @@ CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments) {
   return view;
 }
 
-CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments) {
-  CLI::App* snapshot = app->add_subcommand(
-      "snapshot", "Draw a picture of a running robot, or of a recording; needs no display");
-  AddPicture(snapshot, &arguments->picture, ".png");
-  AddNumber(snapshot, "--at", &arguments->at, "Second of simulated time in the recording [its end]",
+CLI::App* AddPictureCommand(CLI::App* app, PictureArguments* arguments) {
+  CLI::App* picture = app->add_subcommand(
+      "picture", "Draw a picture of a running robot, or of a recording; needs no display");
+  AddDrawing(picture, &arguments->drawing, {".png"});
+  AddNumber(picture, "--at", &arguments->at, "Second of simulated time in the recording [its end]",
             0, kLongestRun, "S")
       ->needs("--recording");
-  snapshot->footer(
+  picture->footer(
       "Examples:\n"
-      "  understudy snapshot go2.png\n"
-      "  understudy snapshot feet.png --track FR_calf --distance 0.6 --show contacts,forces\n"
-      "  understudy snapshot fall.png --recording run.mcap --at 12.5 --size 1920x1080");
-  return snapshot;
+      "  understudy picture go2.png\n"
+      "  understudy picture feet.png --track FR_calf --distance 0.6 --show contacts,forces\n"
+      "  understudy picture fall.png --recording run.mcap --at 12.5 --size 1920x1080");
+  return picture;
 }
 
 CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   CLI::App* film = app->add_subcommand(
       "film", "Film a running robot, or a recording, through ffmpeg; needs no display");
-  AddPicture(film, &arguments->picture, ".mp4");
+  std::vector<std::string> endings;
+  for (const FilmFormat& format : kFilmFormats) endings.emplace_back(format.ending);
+  AddDrawing(film, &arguments->drawing, endings);
   AddNumber(film, "--seconds", &arguments->seconds,
             "Simulated seconds of a running robot to film [10]", 0.1, kLongest, "S")
       ->excludes("--recording");
@@ -204,6 +207,7 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   film->footer(
       "Examples:\n"
       "  understudy film go2.mp4 --seconds 5\n"
+      "  understudy film go2.webp --size 480x270 --fps 15    .webp and .gif for a page\n"
       "  understudy film slow.mp4 --recording run.mcap --from 10 --to 12 --speed 0.1 --fps 60\n"
       "Ctrl-C ends the film where it is; what was filmed can be played.");
   return film;

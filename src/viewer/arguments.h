@@ -1,5 +1,5 @@
-// What `understudy view`, `snapshot` and `film` are told. Knows no OpenGL: the daemon's program
-// parses these too, for --help and completions.
+// The command lines of `understudy view`, `picture` and `film`. Without OpenGL, since `understudy`
+// parses them too, for --help and completions.
 #pragma once
 
 #include <optional>
@@ -19,18 +19,18 @@ struct PictureSize {
   int height = 720;
 };
 
-// Where to look from. What is not given is chosen so that the robot fills the picture.
+// The camera. Values that are not given are chosen so that the robot fills the picture.
 struct CameraChoice {
   std::string name;                 // a camera of the model; "" for a free one
   std::optional<double> azimuth;    // degrees, as in MuJoCo's free camera: 0 looks along x
   std::optional<double> elevation;  // degrees, negative from above
   std::optional<double> distance;   // m
-  std::vector<double> lookat;       // m, world: a point that stands; empty follows the robot
+  std::vector<double> lookat;       // m, world: a fixed point; empty follows the robot
   std::string track;                // a body to follow; "" for the robot as a whole
   bool fixed() const { return !name.empty(); }
 };
 
-// What to draw beside the robot, each by its word; see kShown.
+// What to draw besides the robot; kShown has the words.
 struct ShowChoice {
   bool contacts = false;   // a disc at every contact
   bool forces = false;     // contact forces, pushes and the crane's pull
@@ -46,8 +46,8 @@ struct ViewArguments {
   ShowChoice show;
 };
 
-// Common to one picture and many.
-struct PictureArguments {
+// Options of both picture and film.
+struct DrawingArguments {
   std::string out;
   client::RobotChoice robot;
   std::string recording;  // an MCAP file; "" for a running robot
@@ -58,13 +58,13 @@ struct PictureArguments {
   bool overwrite = false;
 };
 
-struct SnapshotArguments {
-  PictureArguments picture;
+struct PictureArguments {
+  DrawingArguments drawing;
   std::optional<double> at;  // s of simulated time, in a recording; nullopt for its end
 };
 
 struct FilmArguments {
-  PictureArguments picture;
+  DrawingArguments drawing;
   double seconds = 10;         // of a running robot, simulated
   std::optional<double> from;  // s of simulated time, in a recording
   std::optional<double> to;
@@ -75,10 +75,10 @@ struct FilmArguments {
 
 // Each adds the subcommand with its options, which must outlive the parsing.
 CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments);
-CLI::App* AddSnapshotCommand(CLI::App* app, SnapshotArguments* arguments);
+CLI::App* AddPictureCommand(CLI::App* app, PictureArguments* arguments);
 CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments);
 
-// What a build that has no understudy-view says.
+// The hint of a build without understudy-view.
 inline constexpr char kViewerMissing[] =
     "build it: apt-get install libglfw3-dev libegl-dev (or run ./tools/up), and not with "
     "-DUNDERSTUDY_VIEWER=OFF";

@@ -10,11 +10,11 @@ namespace understudy::viewer {
 namespace {
 
 // *Assumed*: what looks good.
-constexpr double kAzimuth = 135;     // degrees
-constexpr double kElevation = -18;   // degrees
-constexpr double kCloseness = 0.92;  // of the distance from which the whole ball is seen
-constexpr double kLateness = 0.15;   // s that the camera is behind what it follows
-constexpr double kJump = 0.5;        // m; further is a reset, not a movement
+constexpr double kAzimuth = 135;    // degrees
+constexpr double kElevation = -18;  // degrees
+constexpr double kCloseness = 1.1;  // of the distance from which the whole ball is seen
+constexpr double kLateness = 0.15;  // s that the camera is behind what it follows
+constexpr double kJump = 0.5;       // m; further is a reset, not a movement
 
 double DistanceFor(double radius, double fovy, const PictureSize& size) {
   const double half = fovy / 2 * std::numbers::pi / 180;

@@ -7,15 +7,15 @@ namespace understudy::viewer {
 
 class CameraOperator {
  public:
-  // Looks as `choice` says at what the stage shows now, for a picture of that size. Throws
-  // ModelError for a camera or body that the model has not.
+  // Sets up the camera of `choice` for the present scene and a picture of that size. Throws
+  // ModelError for a camera or body that the model does not have.
   CameraOperator(const Stage& stage, const CameraChoice& choice, const PictureSize& size);
 
-  // Moves along with what is followed, after Stage::Show(). `seconds`: since the last call, in the
-  // time of whoever looks on; the camera is gently late.
+  // Follows the tracked body, smoothed. Call it after Stage::Show(). `seconds` is the viewer's time
+  // since the last call.
   void Follow(const Stage& stage, double seconds);
 
-  // Follows that body, or nothing (-1), from where the camera looks now.
+  // Tracks that body, or none (-1), from the present view.
   void Track(const Stage& stage, int body);
   int tracked() const { return tracked_; }
 
@@ -24,7 +24,7 @@ class CameraOperator {
  private:
   mjvCamera camera_;
   int tracked_ = -1;
-  Point offset_{};  // m, world: from the tracked body to where the camera looks
+  Point offset_{};  // m, world: from the tracked body to the look-at point
 };
 
 }  // namespace understudy::viewer

@@ -99,7 +99,7 @@ void CheckWritable(const std::filesystem::path& file, bool overwrite) {
   }
   if (!overwrite && std::filesystem::exists(file, ignored)) {
     throw SetupError(file.string() +
-                     " is there already; name another file, or replace it with --overwrite");
+                     " exists already; name another file, or replace it with --overwrite");
   }
   const std::filesystem::path folder = std::filesystem::absolute(file).parent_path();
   if (!std::filesystem::is_directory(folder, ignored)) {

@@ -1,4 +1,4 @@
-// Draws what a Stage has composed into pictures, in memory and in files.
+// Renders the scene of a Stage into images and writes image files.
 #pragma once
 
 #include <cstdint>
@@ -13,34 +13,33 @@ namespace understudy::viewer {
 struct Image {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgb;  // the upper row first
+  std::vector<std::uint8_t> rgb;  // top row first
 };
 
-// The mean of every 2 x 2 pixels: half as wide and high; both are even.
+// Returns the means of 2 x 2 pixels: half as wide and high. Both must be even.
 Image Halve(const Image& big);
 
-// Writes the whole file or none: whoever reads `file` meanwhile finds the one before. Throws
-// SetupError with the reason.
+// Writes a PNG file, replacing an existing one atomically. Throws SetupError with the reason.
 void WritePng(const Image& image, const std::filesystem::path& file);
 
-// Throws SetupError when the file is there and may not be overwritten, or its folder is not.
+// Throws SetupError if the file exists and `overwrite` is false, or if its folder does not exist.
 void CheckWritable(const std::filesystem::path& file, bool overwrite);
 
 class Canvas {
  public:
-  // Needs a current OpenGL context, also at its end. `fine` draws at twice the size and averages:
-  // better edges, four times the work. Throws SetupError when the context cannot have such a
-  // picture.
+  // Needs a current OpenGL context, also in the destructor. `fine` renders at twice the size and
+  // averages: smoother edges at four times the cost. Throws SetupError if the context cannot have
+  // images of this size.
   Canvas(Stage* stage, const PictureSize& size, bool fine);
   ~Canvas();
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  // What the stage has composed last. The reference holds until the next call.
+  // Renders the last composed scene. The reference is valid until the next call.
   const Image& Draw(Stage* stage);
 
  private:
-  PictureSize drawn_;  // twice the picture where it is averaged
+  PictureSize drawn_;  // twice the image size if it is averaged
   bool fine_;
   mjrContext context_;
   Image image_, upside_down_;

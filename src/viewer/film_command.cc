@@ -16,20 +16,20 @@
 namespace understudy::viewer {
 namespace {
 
-constexpr int kMostHz = 240;                         // that a robot sends frames at
+constexpr int kMostHz = 240;                         // that a robot sends snapshots at
 constexpr std::chrono::milliseconds kPatience{200};  // between looks at the stop flag
 constexpr std::chrono::seconds kStandstill{2};       // until it is said that time stands still
 
-// Where the pictures go: the file from the first on, so that nothing is there that is no film.
+// The output. It creates the file with the first picture, so that no empty file appears.
 class Output {
  public:
   explicit Output(const FilmArguments& arguments) : arguments_(arguments) {
-    const PictureSize& size = arguments.picture.size;
+    const PictureSize& size = arguments.drawing.size;
     if (size.width % 2 != 0 || size.height % 2 != 0) {
       throw SetupError("--size " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                        ": a film is an even number of pixels wide and high");
     }
-    file_.emplace(arguments.picture.out, size, arguments.fps);
+    file_.emplace(arguments.drawing.out, size, arguments.fps);
   }
 
   void Add(const Image& image) {
@@ -37,11 +37,11 @@ class Output {
     ++pictures_;
   }
 
-  // Says what it came to. A film without a picture is none.
+  // Reports the result. A film without pictures is an error.
   void Finish() {
     if (pictures_ == 0) throw SetupError("nothing was filmed");
     file_->Finish();
-    std::fprintf(stderr, "%s: %d pictures, %.1f s\n", arguments_.picture.out.c_str(), pictures_,
+    std::fprintf(stderr, "%s: %d pictures, %.1f s\n", arguments_.drawing.out.c_str(), pictures_,
                  static_cast<double>(pictures_) / arguments_.fps);
   }
 
@@ -53,11 +53,11 @@ class Output {
 
 FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage* stage,
                         Output* output) {
-  const PictureArguments& picture = arguments.picture;
+  const DrawingArguments& drawing = arguments.drawing;
   return {stage,
-          picture.camera,
-          picture.show,
-          picture.size,
+          drawing.camera,
+          drawing.show,
+          drawing.size,
           {.fps = arguments.fps,
            .speed = arguments.speed,
            .orbit = arguments.orbit,
@@ -66,17 +66,17 @@ FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage*
 }
 
 void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  const std::filesystem::path socket = client::ChosenSocket(arguments.picture.robot);
+  const std::filesystem::path socket = client::ChosenSocket(arguments.drawing.robot);
   Stage stage(FetchModel(socket));
-  const auto gl = MakeHeadlessGl(arguments.picture.gl);
+  const auto gl = MakeHeadlessGl(arguments.drawing.gl);
   Output output(arguments);
   const double whole = arguments.seconds / arguments.speed;
   FilmMaker maker = MakeFilmMaker(arguments, arguments.seconds, &stage, &output);
-  // Twice as many states as pictures: those in between are then hardly guessed.
+  // Twice as many states as pictures, so that interpolation is accurate.
   const int hz = static_cast<int>(std::lround(2 * arguments.fps / arguments.speed));
   LiveRobot robot(socket, std::clamp(hz, 1, kMostHz), stage.positions());
   {
-    ProgressBar bar(std::filesystem::path(arguments.picture.out).filename().string());
+    ProgressBar bar(std::filesystem::path(arguments.drawing.out).filename().string());
     auto moved = std::chrono::steady_clock::now();
     double newest = -1;
     for (bool more = true; more && !should_stop();) {
@@ -99,14 +99,14 @@ void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& shou
 }
 
 void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  const Recording recording(arguments.picture.recording);
+  const Recording recording(arguments.drawing.recording);
   const Recording::Span span = recording.Cut(arguments.from, arguments.to);
   Stage stage(recording.ReadModel());
-  const auto gl = MakeHeadlessGl(arguments.picture.gl);
+  const auto gl = MakeHeadlessGl(arguments.drawing.gl);
   Output output(arguments);
   FilmMaker maker = MakeFilmMaker(arguments, span.to - span.from, &stage, &output);
   {
-    ProgressBar bar(std::filesystem::path(arguments.picture.out).filename().string());
+    ProgressBar bar(std::filesystem::path(arguments.drawing.out).filename().string());
     recording.Read(span, stage.positions(), [&](const SceneState& state) {
       const bool more = maker.Add(state) && !should_stop();
       bar.Show(maker.seconds(), (span.to - span.from) / arguments.speed);
@@ -119,8 +119,8 @@ void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& 
 }  // namespace
 
 void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop) {
-  CheckWritable(arguments.picture.out, arguments.picture.overwrite);
-  if (arguments.picture.recording.empty()) {
+  CheckWritable(arguments.drawing.out, arguments.drawing.overwrite);
+  if (arguments.drawing.recording.empty()) {
     FilmRobot(arguments, should_stop);
   } else {
     FilmRecording(arguments, should_stop);

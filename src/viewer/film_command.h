@@ -7,9 +7,8 @@
 
 namespace understudy::viewer {
 
-// Returns when it is done; `should_stop` is asked again and again. Stopped early, what was filmed
-// is a whole file. Throws SetupErrors: no robot, no OpenGL, no ffmpeg, a file that cannot be
-// written.
+// Makes the film; calls `should_stop` regularly. If it is stopped early, the file has the film so
+// far. Throws SetupError: no robot, no OpenGL, no ffmpeg, a file that cannot be written.
 void Film(const FilmArguments& arguments, const std::function<bool()>& should_stop);
 
 }  // namespace understudy::viewer

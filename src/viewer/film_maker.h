@@ -1,4 +1,4 @@
-// Turns states that come at any times into pictures at even times.
+// Resamples states at arbitrary times to pictures at a constant rate.
 #pragma once
 
 #include <functional>
@@ -9,8 +9,8 @@
 
 namespace understudy::viewer {
 
-// Returns the state `share` of the way from a to b: positions are interpolated, all else is a's.
-// Returns a when the robot was reset in between.
+// Interpolates positions at the fraction `share` between a and b; all else is a's. Returns a if the
+// robot was reset in between.
 SceneState Between(const mjModel& model, const SceneState& a, const SceneState& b, double share);
 
 // Draws a picture for every 1 / fps seconds of film, whatever the rate of the states.
@@ -20,15 +20,16 @@ class FilmMaker {
     int fps = 30;
     double speed = 1;    // simulated seconds per second of film
     double orbit = 0;    // degrees per second of film
-    double seconds = 0;  // of film; what comes after is not drawn
+    double seconds = 0;  // of film; later states are not drawn
   };
 
-  // `stage` must outlive this. `out` gets the pictures in order.
+  // `stage` must outlive it. `out` gets the pictures in order.
   FilmMaker(Stage* stage, const CameraChoice& camera, const ShowChoice& show,
             const PictureSize& size, const Plan& plan, std::function<void(const Image&)> out);
 
-  // Takes the next state. The film begins at the first; a state that is not later than the one
-  // before is ignored. Needs a current OpenGL context. False once the film is as long as planned.
+  // Takes the next state. The film begins at the first; a state that is not later than the previous
+  // one is ignored. Needs a current OpenGL context. Returns false when the film has its planned
+  // length.
   bool Add(const SceneState& state);
 
   double seconds() const { return pictures_ / static_cast<double>(plan_.fps); }  // of film so far

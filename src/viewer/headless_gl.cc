@@ -14,15 +14,15 @@
 namespace understudy::viewer {
 namespace {
 
-// A shared library, by the name that its Debian package gives it. One that gave a context stays:
-// drivers do not survive being unloaded and loaded again.
+// A shared library, by its name in Debian. One that gave a context stays loaded, as drivers do not
+// survive reloading.
 class Library {
  public:
   explicit Library(const char* name) : handle_(::dlopen(name, RTLD_NOW | RTLD_GLOBAL)) {
     if (handle_ == nullptr) throw SetupError(::dlerror());
   }
 
-  // One that gave none goes: of two that are loaded MuJoCo would ask the wrong one.
+  // One without a context is unloaded: with two libraries MuJoCo would use the wrong one.
   void Unload() { ::dlclose(handle_); }
 
   template <typename Function>
@@ -39,7 +39,7 @@ class Library {
 class Egl final : public HeadlessGl {
  public:
   Egl() {
-    // Mesa says on standard error which drivers it tried in vain.
+    // Mesa prints drivers that failed to standard error.
     ::setenv("EGL_LOG_LEVEL", "fatal", 0);
     for (EGLDisplay display : Displays()) {
       if (MakeCurrent(display)) return;
@@ -136,7 +136,7 @@ class OsMesa final : public HeadlessGl {
 
  private:
   Library library_{"libOSMesa.so.8"};
-  std::array<unsigned char, 4> pixel_{};  // its own picture, which nobody looks at
+  std::array<unsigned char, 4> pixel_{};  // its buffer, which is not used
   void* context_ = nullptr;
 };
 

@@ -1,4 +1,4 @@
-// OpenGL without a display.
+// Creates OpenGL contexts without a display.
 #pragma once
 
 #include <memory>
@@ -6,17 +6,17 @@
 
 namespace understudy::viewer {
 
-// A context that is current in the thread that made it, as long as it lives. It has no surface:
-// MuJoCo draws into buffers of its own.
+// A context that is current in the creating thread while it exists. It has no surface: MuJoCo
+// renders into framebuffers.
 class HeadlessGl {
  public:
   virtual ~HeadlessGl() = default;
 };
 
-// By EGL (a graphics card, else Mesa's software), or by OSMesa (always software): `which` is "egl",
-// "osmesa" or "" for the first of these that works. The libraries are loaded when asked for, one
-// alone in a process: MuJoCo takes its functions from what is loaded.
-// Throws SetupError, naming the Debian packages, when there is none.
+// Uses EGL (a graphics card, else Mesa's software renderer) or OSMesa (always software): `which` is
+// "egl", "osmesa" or "" for the first that works. Loads only one of the libraries per process,
+// because MuJoCo takes its functions from the loaded one. Throws SetupError, with the Debian
+// packages, if none works.
 std::unique_ptr<HeadlessGl> MakeHeadlessGl(const std::string& which);
 
 }  // namespace understudy::viewer

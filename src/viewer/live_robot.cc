@@ -30,7 +30,7 @@ mjcf::ModelHandle FetchModel(const std::filesystem::path& socket) {
 }
 
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq) {
-  return ReadFrame(Get(socket, "/frame" + kParts), nq);
+  return ReadSnapshot(Get(socket, "/snapshot" + kParts), nq);
 }
 
 LiveRobot::LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,
@@ -42,10 +42,10 @@ LiveRobot::LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq
 
 void LiveRobot::Receive(const std::stop_token& stop, const std::filesystem::path& socket) {
   try {
-    client::ControlStream stream(socket, "/frames" + kParts + "&hz=" + std::to_string(hz_),
+    client::ControlStream stream(socket, "/snapshots" + kParts + "&hz=" + std::to_string(hz_),
                                  kPatience);
     while (!stop.stop_requested()) {
-      SceneState state = ReadFrame(stream.Next(), nq_);
+      SceneState state = ReadSnapshot(stream.Next(), nq_);
       {
         const std::lock_guard lock(mutex_);
         states_.push_back(std::move(state));

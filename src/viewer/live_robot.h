@@ -16,18 +16,19 @@
 
 namespace understudy::viewer {
 
-// The robot's model, compiled with what is only looked at. Throws ControlError when it does not
-// answer, ModelError when it is of another MuJoCo.
+// Returns the robot's model with its visual-only elements. Throws ControlError if the robot does
+// not answer, ModelError if the model is of another MuJoCo version.
 mjcf::ModelHandle FetchModel(const std::filesystem::path& socket);
 
-// Its state now. Throws ControlError.
+// Returns its present state. Throws ControlError.
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
 
-// Receives its states in a thread of their own.
+// Receives its states in a separate thread.
 class LiveRobot {
  public:
-  // `hz`: states per second of wall time, at most; `nq`: of its model; `on_news` is called in that
-  // thread whenever there is something to take. Throws ControlError when nobody listens.
+  // `hz` is the highest number of states per second of wall time, `nq` that of the model. `on_news`
+  // is called in the thread when there is something to take. Throws ControlError if nothing
+  // listens.
   LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,
             std::function<void()> on_news = {});
 
@@ -35,7 +36,7 @@ class LiveRobot {
   // States that are not taken for a minute are dropped.
   std::deque<SceneState> Take(std::chrono::milliseconds patience);
 
-  // The reason why no more states will come; "" while there may.
+  // Returns why no more states will come; "" while they may.
   std::string gone() const;
 
  private:

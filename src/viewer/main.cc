@@ -1,4 +1,4 @@
-// understudy-view: the program behind `understudy view`, `snapshot` and `film`.
+// understudy-view: the program behind `understudy view`, `picture` and `film`.
 #include <functional>
 
 #include <CLI/CLI.hpp>
@@ -18,42 +18,42 @@
 namespace understudy::viewer {
 namespace {
 
-void Draw(Stage* stage, const SceneState& state, const PictureArguments& picture) {
-  const auto gl = MakeHeadlessGl(picture.gl);
+void Draw(Stage* stage, const SceneState& state, const DrawingArguments& drawing) {
+  const auto gl = MakeHeadlessGl(drawing.gl);
   stage->Show(state);
-  CameraOperator camera(*stage, picture.camera, picture.size);
-  Canvas canvas(stage, picture.size, /*fine=*/true);
-  stage->Compose(camera.camera(), picture.show, nullptr);
-  WritePng(canvas.Draw(stage), picture.out);
+  CameraOperator camera(*stage, drawing.camera, drawing.size);
+  Canvas canvas(stage, drawing.size, /*fine=*/true);
+  stage->Compose(camera.camera(), drawing.show, nullptr);
+  WritePng(canvas.Draw(stage), drawing.out);
 }
 
-void Snapshot(const SnapshotArguments& arguments) {
-  const PictureArguments& picture = arguments.picture;
-  CheckWritable(picture.out, picture.overwrite);
-  if (!picture.recording.empty()) {
-    const Recording recording(picture.recording);
+void DrawPicture(const PictureArguments& arguments) {
+  const DrawingArguments& drawing = arguments.drawing;
+  CheckWritable(drawing.out, drawing.overwrite);
+  if (!drawing.recording.empty()) {
+    const Recording recording(drawing.recording);
     Stage stage(recording.ReadModel());
-    Draw(&stage, recording.At(arguments.at, stage.positions()), picture);
+    Draw(&stage, recording.At(arguments.at, stage.positions()), drawing);
     return;
   }
-  const std::filesystem::path socket = client::ChosenSocket(picture.robot);
+  const std::filesystem::path socket = client::ChosenSocket(drawing.robot);
   Stage stage(FetchModel(socket));
-  Draw(&stage, FetchState(socket, stage.positions()), picture);
+  Draw(&stage, FetchState(socket, stage.positions()), drawing);
 }
 
 int Main(int argc, char** argv) {
-  CLI::App app("What looks at a robot; started by `understudy view`, `snapshot` and `film`",
+  CLI::App app("What looks at a robot; started by `understudy view`, `picture` and `film`",
                "understudy");
   app.require_subcommand(1);
   ViewArguments view;
-  SnapshotArguments snapshot;
+  PictureArguments picture;
   FilmArguments film;
   const auto should_stop = [] { return StopSignal() != 0; };
   AddViewCommand(&app, &view)->final_callback([&] {
     CatchStopSignals();
     Viewer(client::ChosenSocket(view.robot), view).Run(should_stop);
   });
-  AddSnapshotCommand(&app, &snapshot)->final_callback([&] { Snapshot(snapshot); });
+  AddPictureCommand(&app, &picture)->final_callback([&] { DrawPicture(picture); });
   AddFilmCommand(&app, &film)->final_callback([&] {
     CatchStopSignals();
     Film(film, should_stop);

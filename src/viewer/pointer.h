@@ -1,4 +1,4 @@
-// Moves the camera, selects a body and drags it with the mouse, as MuJoCo's own viewer does.
+// Moves the camera, selects bodies and drags them with the mouse, as MuJoCo's viewer does.
 #pragma once
 
 #include <optional>
@@ -18,11 +18,11 @@ struct Grip {
 
 class Pointer {
  public:
-  // A double click selects, or lets go where nothing is; with the right button it turns the camera
-  // to the point. Dragging turns (left), moves (right) and nears (middle) the camera, shift takes
-  // the horizontal plane; with control held it moves the grip on the selected body in the plane of
-  // the picture, with shift in the horizontal one. `aspect`: of the window, width to height.
-  // `seconds`: of any steady clock. Returns whether the picture changed.
+  // Processes an event. A double click selects a body, or none beside bodies; with the right button
+  // it centres the camera on the point. Dragging rotates (left), moves (right) and zooms (middle)
+  // the camera, with shift in the horizontal plane. With Ctrl, dragging moves the grip on the
+  // selected body in the image plane, with shift in the horizontal one. `aspect` is width over
+  // height of the window, `seconds` of any steady clock. Returns whether the picture changed.
   bool Take(const WindowEvent& event, double aspect, double seconds, Stage* stage,
             CameraOperator* camera);
 
@@ -44,7 +44,7 @@ class Pointer {
     return none;
   }();
   std::optional<Grip> grip_;
-  int button_ = -1;  // that is down, GLFW's
+  int button_ = -1;  // the pressed one, GLFW's
   double x_ = 0, y_ = 0;
   int last_button_ = -1;
   double last_press_ = -1;  // s

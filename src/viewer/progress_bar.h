@@ -6,11 +6,11 @@
 
 namespace understudy::viewer {
 
-// "go2.mp4 [##########----------]  50 %  5.0 of 10.0 s, 3 s to go". `elapsed`: wall seconds since
-// the begin.
+// Returns "go2.mp4 [##########----------] 50 % 5.0 of 10.0 s, 3 s to go". `elapsed` is wall time
+// [s] since the start.
 std::string ProgressText(const std::string& what, double done, double whole, double elapsed);
 
-// Redraws one line of standard error; does nothing when that is no terminal.
+// Redraws one line of standard error; does nothing if that is not a terminal.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string what);

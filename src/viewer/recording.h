@@ -13,8 +13,8 @@
 
 namespace understudy::viewer {
 
-// What `understudy run --record` wrote: the simulation's truth, and the model beside it. Every
-// function throws RecordError for a file that is none or lacks one of them.
+// A recording of `understudy run --record`: the simulation's truth and the model. All functions
+// throw RecordError for another file, or one without these.
 class Recording {
  public:
   struct Span {
@@ -25,15 +25,15 @@ class Recording {
 
   mjcf::ModelHandle ReadModel() const;
 
-  // The part of it that is asked for, nullopt for its begin and end. Throws SetupError where there
-  // is none.
+  // Returns the requested part; nullopt stands for the beginning and the end. Throws SetupError if
+  // it is empty.
   Span Cut(std::optional<double> from, std::optional<double> to) const;
 
-  // The state at that time, or the last before it, or where it has none the first; nullopt asks for
-  // the end. Throws SetupError for a time after its end. `nq`: of the model.
+  // Returns the state at that time or the last one before, else the first; nullopt means the end.
+  // Throws SetupError for a time after the end. `nq` is that of the model.
   SceneState At(std::optional<double> time, std::size_t nq) const;
 
-  // Visits the states of that time in order, until `visit` says false.
+  // Visits the states of that time in order until `visit` returns false.
   void Read(const Span& span, std::size_t nq,
             const std::function<bool(const SceneState&)>& visit) const;
 

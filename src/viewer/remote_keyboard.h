@@ -1,4 +1,4 @@
-// The keyboard of a window as the remote controller, with the keys of `understudy remote`.
+// Maps a window's keyboard to the remote controller, with the keys of `understudy remote`.
 #pragma once
 
 #include <map>
@@ -9,15 +9,14 @@ namespace understudy::viewer {
 
 class RemoteKeyboard {
  public:
-  // A key of GLFW's that went down or up; what stands for nothing is left aside. With shift a stick
-  // goes half the way.
+  // Take a GLFW key that was pressed or released; others than those of the remote are ignored. With
+  // shift a stick deflects half.
   void Press(int key, bool shift = false) { down_[key] = shift; }
   void Release(int key) { down_.erase(key); }
-  // As when the window lost them.
+  // Releases all keys, as when the window loses the focus.
   void ReleaseAll() { down_.clear(); }
 
-  // What the keys that are down make of the remote controller. Opposite directions of a stick
-  // cancel each other.
+  // Returns the remote's state for the pressed keys. Opposite directions of a stick cancel.
   robot::RemoteReading Read() const;
 
  private:

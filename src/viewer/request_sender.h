@@ -1,4 +1,4 @@
-// Requests from a window to its robot, without the window waiting for an answer.
+// Sends requests from a window to its robot without waiting for the answers.
 #pragma once
 
 #include <condition_variable>
@@ -17,12 +17,12 @@ class RequestSender {
  public:
   explicit RequestSender(const std::filesystem::path& socket);
 
-  // A request of the table, with its values. A drag replaces one that still waits.
+  // Sends a request of the table with its values. A drag replaces a waiting one.
   void Send(const std::string& name, const nlohmann::json& values = nlohmann::json::object());
 
-  // The last refusal since the last call, "" for none.
+  // Returns the last refusal since the last call, "" for none.
   std::string TakeRefusal();
-  // Which motion service holds the motors, asked once a second; "" before it is known.
+  // Returns the motion service that is on, as of the last second; "" before it is known.
   std::string service() const;
 
  private:

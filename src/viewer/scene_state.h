@@ -1,4 +1,4 @@
-// The state of a robot at one instant, as it is drawn.
+// The state of a robot at one instant, for drawing.
 #pragma once
 
 #include <array>
@@ -24,17 +24,17 @@ struct SceneState {
 
   std::int64_t step = 0;
   double time = 0;   // s, simulated
-  double speed = 1;  // that was asked for; 0 is as fast as possible
+  double speed = 1;  // as requested; 0 is as fast as possible
   bool paused = false;
-  std::vector<double> qpos;  // as MuJoCo has it
+  std::vector<double> qpos;  // mjData::qpos
   std::vector<Force> contacts;
   std::vector<Force> pushes;
   std::optional<Crane> crane;
-  std::string keys;  // down on the remote controller, as in "L2+B"
+  std::string keys;  // pressed on the remote controller, as in "L2+B"
 };
 
-// Reads a Frame of the control plane (docs/control.md), of which at least "step", "time" and `nq`
-// numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
-SceneState ReadFrame(const std::string& text, std::size_t nq);
+// Reads a Snapshot of the control plane (docs/control.md), of which at least "step", "time" and
+// `nq` numbers of "qpos" have to be there. Throws ControlError that says what is wrong.
+SceneState ReadSnapshot(const std::string& text, std::size_t nq);
 
 }  // namespace understudy::viewer

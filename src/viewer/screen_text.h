@@ -1,4 +1,4 @@
-// What a window says over its picture.
+// Formats the text over a window's picture.
 #pragma once
 
 #include <deque>
@@ -15,7 +15,7 @@ struct TextBlock {
   void Add(const std::string& name, const std::string& value);
 };
 
-// Simulated seconds per second of wall time, over the last second or so.
+// Computes simulated seconds per wall second over about the last second.
 class RealTimeFactor {
  public:
   void Add(double simulated, double wall);
@@ -25,10 +25,10 @@ class RealTimeFactor {
   std::deque<std::pair<double, double>> last_;  // simulated, wall
 };
 
-// Time, speed and who holds the motors. `service` may be "" for unknown.
+// Formats time, speed and the motion service. `service` is "" if unknown.
 TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& service);
 
-// The keys and what the mouse does.
+// Lists the functions of keys and mouse.
 TextBlock HelpText();
 
 }  // namespace understudy::viewer

@@ -69,7 +69,7 @@ Stage::Stage(mjcf::ModelHandle model) : model_(std::move(model)), data_(mj_makeD
   mjv_defaultScene(&scene_);
   mjv_defaultOption(&option_);
   mjv_makeScene(model_.get(), &scene_, 2 * model_->ngeom + kDecorGeoms);
-  // A floor mirrors highlights of what stands on it, as streaks that nobody understands.
+  // Without reflections: a floor would show highlights of objects as streaks.
   scene_.flags[mjRND_REFLECTION] = 0;
   // The root of the first body that can move; of several robots the first.
   for (int body = 1; body < model_->nbody && root_ == 0; ++body) {
@@ -122,7 +122,7 @@ Ball Stage::BodyBall(int body) const {
     }
   }
   Ball ball;
-  if (low[0] > high[0]) {  // no shape at all
+  if (low[0] > high[0]) {  // no shapes
     for (std::size_t i = 0; i < 3; ++i) {
       ball.center[i] = data_->xpos[3 * static_cast<std::size_t>(body) + i];
     }
@@ -166,7 +166,7 @@ int Stage::Camera(const std::string& name) const {
 void Stage::Choose(const ShowChoice& show) {
   const bool collision = show.collision || only_collision_;
   for (int group = 0; group < mjNGROUP; ++group) {
-    const bool bare = show.collision && group == 2;  // their usual place for what is only seen
+    const bool bare = show.collision && group == 2;  // the usual group of visual geoms
     option_.geomgroup[group] =
         group < kVisibleGroups ? !bare : group == kCollisionGroup && collision;
   }
@@ -175,8 +175,7 @@ void Stage::Choose(const ShowChoice& show) {
 }
 
 void Stage::AddForce(const SceneState::Force& force, const float rgba[4]) {
-  // A force as large as the robot's weight is drawn as long as the robot is big, a larger one no
-  // longer than that.
+  // A force of the robot's weight is drawn with the robot's size; larger ones are not drawn longer.
   const double weight = model_->body_subtreemass[root_] * 9.81;
   const double size = Length(force.force);
   if (!(size > 0.002 * weight) || !std::isfinite(size)) return;
@@ -195,7 +194,7 @@ void Stage::AddDecor(const ShowChoice& show) {
   if (show.forces) {
     for (const SceneState::Force& contact : state_.contacts) AddForce(contact, kContactColor);
   }
-  // What a person does to the robot is always in sight.
+  // Forces by the user are always visible.
   for (const SceneState::Force& push : state_.pushes) AddForce(push, kPushColor);
   if (state_.crane) {
     const double rope = 0.01 * size_;

@@ -1,5 +1,5 @@
-// The robot and its surroundings as MuJoCo draws them: a model and positions of our own, never
-// those of the physics.
+// Composes the scene that MuJoCo draws, from a separate model and positions, not those of the
+// physics.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace understudy::viewer {
 
-// A ball around something: what a camera has to see of it.
+// A bounding sphere that the camera has to show.
 struct Ball {
   Point center{};
   double radius = 0;  // m
@@ -20,35 +20,36 @@ struct Ball {
 
 class Stage {
  public:
-  // Shows the model's reference pose until told otherwise.
+  // Shows the model's reference pose at first.
   explicit Stage(mjcf::ModelHandle model);
   ~Stage();
   Stage(const Stage&) = delete;
   Stage& operator=(const Stage&) = delete;
 
-  // Puts the robot there. `state.qpos` has model().nq numbers; what is not finite in it stays.
+  // Sets the positions. `state.qpos` has model().nq numbers; those that are not finite keep the old
+  // value.
   void Show(const SceneState& state);
   const SceneState& state() const { return state_; }
 
-  // Fills scene() for a look by that camera. `perturb` may be null.
+  // Fills scene() for that camera. `perturb` may be null.
   void Compose(mjvCamera* camera, const ShowChoice& show, const mjvPerturb* perturb);
 
-  // Adds a line with a ball at its end to what was composed.
+  // Adds a line with a ball at its end to the composed scene.
   void AddLine(const Point& from, const Point& to, const float rgba[4]);
 
-  // Of the robot, or of a body with all that hangs on it. As of Show().
+  // Return the sphere around the robot, or around the subtree of a body, as of Show().
   Ball RobotBall() const;
   Ball BodyBall(int body) const;
 
-  // A point of a body in the world, and one of the world in the body's frame.
+  // Convert a point of a body to the world frame, and back.
   Point InWorld(int body, const Point& p) const;
   Point InBody(int body, const Point& p) const;
 
-  // Throws ModelError with the nearest name when there is none.
+  // Returns the id of a body. Throws ModelError with the nearest name if there is none.
   int Body(const std::string& name) const;
   int Camera(const std::string& name) const;
 
-  // The body that the robot hangs together by.
+  // The root body of the robot.
   int root() const { return root_; }
   const mjModel& model() const { return *model_; }
   const mjData& data() const { return *data_; }

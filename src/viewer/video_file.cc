@@ -3,6 +3,9 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <iterator>
+#include <sstream>
+#include <string>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -14,25 +17,31 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "viewer/film_formats.h"
 
 namespace understudy::viewer {
 namespace {
 
 // ffmpeg's command line, reading raw pictures from its standard input.
-std::vector<std::string> Arguments(const PictureSize& size, int fps, const std::string& out) {
+std::vector<std::string> Arguments(const PictureSize& size, int fps, const FilmFormat& format,
+                                   const std::string& out) {
   const std::string pixels = std::to_string(size.width) + "x" + std::to_string(size.height);
-  return {
-      "ffmpeg",   "-nostdin", "-loglevel",  "error",     "-f",         "rawvideo",
-      "-pix_fmt", "rgb24",    "-s",         pixels,      "-framerate", std::to_string(fps),
-      "-i",       "pipe:0",   "-an",        "-c:v",      "libx264",    "-crf",
-      "20",       "-pix_fmt", "yuv420p",    "-movflags", "+faststart", "-f",
-      "mp4",      "-y",       "file:" + out};  // whatever protocol or option the name looks like
+  std::vector<std::string> arguments = {"ffmpeg", "-nostdin", "-loglevel",  "error",
+                                        "-f",     "rawvideo", "-pix_fmt",   "rgb24",
+                                        "-s",     pixels,     "-framerate", std::to_string(fps),
+                                        "-i",     "pipe:0",   "-an"};
+  std::istringstream options{std::string(format.options)};
+  arguments.insert(arguments.end(), std::istream_iterator<std::string>(options), {});
+  arguments.insert(arguments.end(), {"-y", "file:" + out});  // whatever protocol it looks like
+  return arguments;
 }
 
 }  // namespace
 
 VideoFile::VideoFile(std::filesystem::path file, const PictureSize& size, int fps)
     : file_(std::move(file)), part_(file_.string() + "." + std::to_string(::getpid()) + ".part") {
+  const FilmFormat* const format = FindFilmFormat(file_);
+  if (format == nullptr) throw SetupError(file_.string() + ": no kind of film ends like this");
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0) {
     throw SetupError(std::string("no pipe for ffmpeg: ") + std::generic_category().message(errno));
@@ -41,7 +50,7 @@ VideoFile::VideoFile(std::filesystem::path file, const PictureSize& size, int fp
   pictures_ = UniqueFd(ends[1]);
   words_ = UniqueFd(::memfd_create("ffmpeg", MFD_CLOEXEC));
 
-  std::vector<std::string> texts = Arguments(size, fps, part_.string());
+  std::vector<std::string> texts = Arguments(size, fps, *format, part_.string());
   std::vector<char*> arguments;
   for (std::string& text : texts) arguments.push_back(text.data());
   arguments.push_back(nullptr);
@@ -53,7 +62,7 @@ VideoFile::VideoFile(std::filesystem::path file, const PictureSize& size, int fp
   posix_spawn_file_actions_adddup2(&files, words_.get(), STDERR_FILENO);
   posix_spawnattr_t attributes;
   posix_spawnattr_init(&attributes);
-  // A group of its own: Ctrl-C is for us, who then tell it that there are no more pictures.
+  // A separate process group: Ctrl-C reaches only us, and we then end ffmpeg's input.
   sigset_t defaults;
   sigemptyset(&defaults);
   sigaddset(&defaults, SIGPIPE);
@@ -93,7 +102,7 @@ void VideoFile::Add(const Image& image) {
 
 void VideoFile::Finish() {
   pictures_.reset();
-  // It says "error" of a full disk and may exit with 0 all the same.
+  // For a full disk it prints "error" but may exit with 0.
   if (Wait() != 0 || !Said().empty()) Fail();
   std::error_code error;
   std::filesystem::rename(part_, file_, error);

@@ -1,4 +1,4 @@
-// Writes an MP4 picture by picture, encoded by ffmpeg.
+// Writes a film picture by picture, encoded by ffmpeg.
 #pragma once
 
 #include <filesystem>
@@ -12,20 +12,22 @@
 
 namespace understudy::viewer {
 
-// H.264 in 4:2:0, which every player takes, so width and height have to be even. The file has
-// another name until Finish().
+// Width and height must be even, as for H.264 in 4:2:0. The file has a temporary name until
+// Finish().
 class VideoFile {
  public:
-  // Throws SetupError when there is no ffmpeg (with the package to install).
+  // `file` has the extension of a row of kFilmFormats. Throws SetupError if it does not, or, with
+  // the package to install, if there is no ffmpeg.
   VideoFile(std::filesystem::path file, const PictureSize& size, int fps);
   // Removes the file if it was not finished.
   ~VideoFile();
   VideoFile(const VideoFile&) = delete;
   VideoFile& operator=(const VideoFile&) = delete;
 
-  // Waits while ffmpeg is behind. Throws SetupError with ffmpeg's words when it has given up.
+  // Adds a picture; waits while ffmpeg is behind. Throws SetupError with ffmpeg's message if it has
+  // failed.
   void Add(const Image& image);
-  // The file is whole, under its name, when this returns. Throws as above; then there is none.
+  // Completes the file and gives it its name. Throws as above; then there is no file.
   void Finish();
 
  private:

@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kHz = 60;                  // of frames asked for
+constexpr int kHz = 60;                  // of snapshots asked for
 constexpr double kPullPeriod = 1. / 30;  // s; a drag holds for 0.5 s unless renewed
 constexpr double kNoticeTime = 4;        // s that a refusal is to be read
 constexpr double kIdle = 0.1;            // s that the window waits for news
@@ -100,7 +100,7 @@ void Viewer::Take(const WindowEvent& event) {
   }
   const bool pressed = event.kind == Kind::kKeyDown || event.kind == Kind::kKeyAgain;
   if (pressed) Press(event);
-  // While a picture is drawn nothing is heard: that is not the person's time.
+  // Subtracts the time spent drawing, in which events wait, from the time between clicks.
   const bool moved = pointer_.Take(event, window_.aspect(), Now() - drawing_, &stage_, &camera_);
   dirty_ = dirty_ || pressed || moved || event.kind == Kind::kRedraw;
 }

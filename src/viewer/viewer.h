@@ -1,4 +1,4 @@
-// A window onto a running robot: what it shows, and what its keys and mouse do.
+// The window of `understudy view`: shows a running robot and handles keys and mouse.
 #pragma once
 
 #include <chrono>
@@ -24,7 +24,7 @@ class Viewer {
   Viewer(const Viewer&) = delete;
   Viewer& operator=(const Viewer&) = delete;
 
-  // Until the window is closed or `should_stop`.
+  // Runs until the window is closed or `should_stop` returns true.
   void Run(const std::function<bool()>& should_stop);
 
  private:
@@ -56,7 +56,7 @@ class Viewer {
   RequestSender requests_;
   std::string notice_;       // of a refusal
   double notice_until_ = 0;  // s
-  double drawing_ = 0;       // s spent on it in all
+  double drawing_ = 0;       // s spent drawing in total
   double drawn_at_ = 0;      // s
   double pulled_at_ = -1;    // s
   bool pulling_ = false;

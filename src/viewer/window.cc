@@ -27,8 +27,7 @@ GLFWwindow* Open(const std::string& title, const PictureSize& size) {
     window = glfwCreateWindow(size.width, size.height, title.c_str(), nullptr, nullptr);
   }
   if (window == nullptr) {
-    throw SetupError("no window with OpenGL: " + LastError() +
-                     "; `understudy snapshot` needs none");
+    throw SetupError("no window with OpenGL: " + LastError() + "; `understudy picture` needs none");
   }
   return window;
 }
@@ -38,7 +37,7 @@ GLFWwindow* Open(const std::string& title, const PictureSize& size) {
 Window::Library::Library() {
   if (glfwInit() != GLFW_TRUE) {
     throw SetupError("no window: " + LastError() +
-                     "; is DISPLAY set? `understudy snapshot` and the panel need no display");
+                     "; is DISPLAY set? `understudy picture` and the panel need no display");
   }
 }
 

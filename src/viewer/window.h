@@ -18,14 +18,14 @@ struct WindowEvent {
   int code = 0;  // of the key or button, GLFW's
   bool shift = false;
   bool control = false;
-  double x = 0, y = 0;  // of the pointer, from the upper left corner, in heights of the window
-  double scroll = 0;    // notches, positive away from the person
+  double x = 0, y = 0;  // of the pointer, from the top left corner, in window heights
+  double scroll = 0;    // notches, positive away from the user
 };
 
 class Window {
  public:
-  // Opens it and makes its OpenGL current in this thread, which has to be the main one. Throws
-  // SetupError when there is no display or no OpenGL.
+  // Opens the window and makes its OpenGL context current in this thread, which must be the main
+  // one. Throws SetupError if there is no display or no OpenGL.
   Window(const std::string& title, const PictureSize& size);
   ~Window();
   Window(const Window&) = delete;
@@ -33,13 +33,13 @@ class Window {
 
   // Returns the events since the last call; waits up to `seconds` for the first.
   std::vector<WindowEvent> Wait(double seconds);
-  // Ends another thread's Wait() early. May be called in any thread.
+  // Ends Wait() early. For any thread.
   static void Wake();
   void Swap();
 
   bool closed() const;
-  PictureSize pixels() const;  // of what is drawn; more than asked for where they are small
-  double scale() const;        // of text
+  PictureSize pixels() const;  // of the framebuffer; more than the window's on high-density screens
+  double scale() const;        // scale of text
   double aspect() const { return static_cast<double>(pixels().width) / pixels().height; }
 
  private:

@@ -1,4 +1,4 @@
-// A topic that brings commands for motors.
+// Reads commands to motors from one topic.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@ class CommandSource {
  public:
   virtual ~CommandSource() = default;
 
-  // As RobotPort::Take.
+  // See RobotPort::Take.
   virtual bool Take(robot::RobotCommand* command, robot::Refusal* form) = 0;
   virtual int writers() const = 0;  // matched now
 };
 
-// Reads messages by robot::Refusal decode(const Msg&, robot::RobotCommand*), which tells what is
-// wrong with the form of one.
+// Decodes messages with robot::Refusal decode(const Msg&, robot::RobotCommand*), which returns the
+// fault of form.
 template <typename Msg, typename Decode>
 class MessageSource final : public CommandSource {
  public:
-  // Throws BusError when Cyclone refuses.
+  // Throws BusError if Cyclone refuses.
   MessageSource(const bus::Participant& participant, const bus::Topic<Msg>& topic, Decode decode)
       : reader_(participant, topic), decode_(std::move(decode)) {}
 
@@ -45,7 +45,7 @@ class MessageSource final : public CommandSource {
  private:
   bus::Reader<Msg> reader_;
   Decode decode_;
-  std::uint64_t undecoded_ = reader_.undecoded();  // told so far
+  std::uint64_t undecoded_ = reader_.undecoded();  // reported so far
 };
 
 }  // namespace understudy::wire

@@ -24,8 +24,8 @@ constexpr std::uint8_t kLowLevel = 0xFF;  // LowCmd's level_flag; LowState's is 
 constexpr std::uint8_t kServo = 0x01;
 constexpr std::uint8_t kServoStrong = 0x0A;  // vendor, H1 basic services
 
-// Where no source is named: the values of two complete LowStates of real Go2 (public captures,
-// 2024-09 and 2026-03). That other robots of the family send the same is *assumed*.
+// Values without a source are those of two complete LowStates of real Go2 (public captures, 2024-09
+// and 2026-03). That other robots of the family send the same is *assumed*.
 constexpr std::uint32_t kMotorRate = 602;  // seen 523..638, the same for all motors; unit unknown
 constexpr std::uint8_t kBmsVersion[] = {1, 16};
 constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services

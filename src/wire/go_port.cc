@@ -12,8 +12,8 @@ void Port::OpenGo() {
   CheckFits(spec_, kGoMotorSlots, kGoCells);
 
   Hear(robot::kLowCmdTopic, kGoLowCmd, [this](const LowCmd& message, robot::RobotCommand* command) {
-    if (HeadIsUnset(message)) ++counts_.unset_heads;
-    counts_.unused_slots += UnusedSlotCommands(message, spec_);
+    if (HeadIsUnset(message)) NoteUnsetHead();
+    NoteUnusedSlots(UnusedSlotCommands(message, spec_));
     return Decode(message, spec_, command);
   });
   if (!spec_.arm_sdk.slots.empty()) {

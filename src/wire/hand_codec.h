@@ -1,4 +1,5 @@
-// HandCmd_ and HandState_: hands with motors of their own, as the Dex3-1.
+// Encodes and decodes the messages of hands with motors, such as the Dex3-1: HandCmd_ and
+// HandState_.
 #pragma once
 
 #include <span>
@@ -11,33 +12,32 @@
 
 namespace understudy::wire {
 
-// The mode byte of a hand's motor (RIS_Mode_t of unitree_sdk2 g1_dex3_example): id in bits 0 to 3,
-// status in 4 to 6, 0 locked and 1 following; bit 7 of a command has the motor watched, of a state
-// tells that a watched motor timed out (Dex3-1 page).
+// The mode byte of a hand's motor (RIS_Mode_t of unitree_sdk2 g1_dex3_example): bits 0 to 3 are the
+// id, 4 to 6 the status, 0 locked and 1 following; bit 7 of a command has the motor watched, in a
+// state it means that a watched motor has timed out (Dex3-1 page).
 inline constexpr int kHandIds = 16;  // of motors, 0 to 15
 
-// Reads a command into `command`, which takes the message's size where that fits, and tells the
-// first thing wrong with its form, in this order: one entry per motor (kMotorCount; `command` is
-// left as it was), each with its own place as id and a status of 0 or 1 (kMotorMode; `command` is
-// filled, the id not looked at and any other status taken for 1). That a robot refuses such
-// commands is *assumed*. `reserve` is not read.
+// Decodes a message into `command` and returns the first fault of form. kMotorCount: not one entry
+// per motor; `command` does not change. kMotorMode: an id that is not the entry's index, or a
+// status other than 0 and 1; `command` is filled in, ignoring the ids and taking other statuses for
+// 1. That a robot refuses such commands is *assumed*. `reserve` is ignored.
 robot::Refusal Decode(const unitree_hg_msg_dds__HandCmd_& message, const robot::HandSpec& spec,
                       robot::RobotCommand* command);
 
-// A message whose sequences point into memory of this class.
+// A HandState_ and the memory of its sequences.
 class HandStateMessage {
  public:
-  // All zero but for what never changes: ids, pads and power_v.
+  // Sets what never changes, ids, pads and power_v; all else is 0.
   //
-  // Each taxel that a pad has shows `kUntouched`, the others `kNoTaxel` (Dex3-1 page: 30000 is no
-  // value, from 100000 on it is valid). That an untouched taxel shows the least valid value is
-  // *assumed*; contacts are not felt. Nothing is known of a unit behind imu_state, which stays 0;
-  // power_a, system_v, device_v and errors are not modelled and stay 0.
+  // The taxels of a pad are `kUntouched`, the others `kNoTaxel` (Dex3-1 page: 30000 is no value,
+  // valid ones start at 100000). That an untouched taxel has the least valid value is *assumed*;
+  // contacts are not modelled. imu_state stays 0, as no unit is known; power_a, system_v, device_v
+  // and errors are not modelled and stay 0.
   explicit HandStateMessage(const robot::HandSpec& spec);
   HandStateMessage(HandStateMessage&&) = default;
   HandStateMessage& operator=(HandStateMessage&&) = default;
 
-  // Of its motors, in their order; more than it has are not looked at.
+  // Encodes the readings of its motors, in their order; ignores further ones.
   void Encode(std::span<const robot::MotorReading> reading);
 
   const unitree_hg_msg_dds__HandState_& message() const { return message_; }

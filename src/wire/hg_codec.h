@@ -1,4 +1,4 @@
-// unitree_hg: the low level of G1, H1-2, H2 and R1.
+// Encodes and decodes the low-level messages of the hg family: G1, H1-2, H2 and R1.
 #pragma once
 
 #include "idl/unitree_hg.h"
@@ -8,26 +8,26 @@
 
 namespace understudy::wire {
 
-// Reads a command into `command`, which takes the robot's size, and tells the first thing
-// wrong with its form, in this order: crc (kCrc), mode_machine equal to the robot's (kModeMachine),
-// mode_pr 0 or 1 (kModePr), the mode of a slot with a motor, 0 or 1 (kMotorMode). `command` is
-// filled in any case; an unknown mode_pr counts as PR there, an unknown mode as enabled.
+// Decodes a message into `command`, resized to the robot's motors, and returns the first fault of
+// form in this order: crc (kCrc); mode_machine differs from the robot's (kModeMachine); mode_pr is
+// not 0 or 1 (kModePr); the mode of a slot with a motor is not 0 or 1 (kMotorMode). `command` is
+// always filled in; an unknown mode_pr counts as PR, an unknown mode as enabled.
 robot::Refusal Decode(const unitree_hg_msg_dds__LowCmd_& message, const robot::RobotSpec& spec,
                       robot::RobotCommand* command);
 
-// Writes a state: all fields but those that stay 0 on real robots. Call it with the same message
-// each time, all zero before the first (EncodeImu tells why). Slots without a motor stay as they
-// are. With state.joint_space kMotors the parallel pairs show their motors: B in the slot of pitch,
-// A in that of roll, torques mapped so that power is the same.
+// Encodes a state, without the fields that are 0 on real robots. Call it with the same message each
+// time, all zero before the first (see EncodeImu). Slots without a motor do not change. With
+// state.joint_space kMotors the slots of parallel pairs have the values of their motors, B in the
+// slot of pitch and A in that of roll, with torques of equal power.
 //
-// `vol` is the bus voltage, in the steps of 0.5 V seen (docs/sources.md#g1-logs). Not modelled:
-// faults (motorstate), the sensor words.
+// `vol` is the bus voltage in steps of 0.5 V, as seen on a G1 (docs/sources.md#g1-logs). Not
+// modelled: faults (motorstate), the sensor words.
 void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_hg_msg_dds__LowState_* message);
 
-// Writes the battery's message. No vendor page documents its fields: cell_vol and bmsvoltage[0] in
-// mV, current in mA, soc and soh in percent and all temperatures that of the pack are *assumed*, by
-// the go family's units. Versions, fn, cycle, date and state words stay 0.
+// Encodes the battery's message. Its fields are not documented. Units as in the go family are
+// *assumed*: cell_vol and bmsvoltage[0] in mV, current in mA, soc and soh in percent; all
+// temperatures are that of the pack. Versions, fn, cycle, date and state words stay 0.
 void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
                unitree_hg_msg_dds__BmsState_* message);
 

@@ -1,4 +1,4 @@
-// Topics of the unitree_hg family, those of hands among them.
+// Topics of the unitree_hg family, including those of hands.
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -18,8 +18,7 @@
 namespace understudy::wire {
 namespace {
 
-// Throws ModelError when the hand has more motors or a pad other taxels than the messages have room
-// for.
+// Throws ModelError if the hand has more motors, or a pad other taxels, than the messages have.
 void CheckFits(const robot::HandSpec& spec) {
   if (spec.motors.size() > kHandIds) {
     throw ModelError("hand " + spec.name + " has " + std::to_string(spec.motors.size()) +
@@ -40,8 +39,9 @@ void Port::OpenHg() {
   using LowCmd = unitree_hg_msg_dds__LowCmd_;
   CheckFits(spec_, kHgMotorSlots, kHgCells);
 
+  // Commands.
   Hear(robot::kLowCmdTopic, kHgLowCmd, [this](const LowCmd& message, robot::RobotCommand* command) {
-    counts_.unused_slots += UnusedSlotCommands(message, spec_);
+    NoteUnusedSlots(UnusedSlotCommands(message, spec_));
     return Decode(message, spec_, command);
   });
   const auto decode_unsigned = [this](const LowCmd& message, robot::RobotCommand* command) {
@@ -50,6 +50,7 @@ void Port::OpenHg() {
   if (!spec_.arm_sdk.slots.empty()) Hear(robot::kArmSdkTopic, kHgArmSdk, decode_unsigned);
   if (spec_.user_lowcmd) Hear(robot::kUserLowCmdTopic, kUserLowCmd, decode_unsigned);
 
+  // States.
   const robot::RateSpec& rates = spec_.rates;
   Tell({TopicRow{kHgLowState, rates.lowstate_hz}, {kHgLfLowState, rates.lf_hz}},
        [this](const robot::RobotState& state, unitree_hg_msg_dds__LowState_* message) {
@@ -70,7 +71,7 @@ void Port::OpenHg() {
          EncodeBms(state, spec_, message);
          return true;
        });
-  // No page documents what is in MainBoardState_: it is all 0.
+  // The content of MainBoardState_ is not documented: all 0.
   Tell({TopicRow{kLfMainBoardState, rates.lf_hz}},
        [](const robot::RobotState&, unitree_hg_msg_dds__MainBoardState_*) { return true; });
   for (std::size_t hand = 0, motor = spec_.motors.size(); hand < spec_.hands.size(); ++hand) {
@@ -78,7 +79,7 @@ void Port::OpenHg() {
     motor += spec_.hands[hand].motors.size();
   }
 
-  // What the motion service tells, while one is on.
+  // The state of the motion service, while one is on.
   if (robot::TellsStateId(spec_)) {
     Tell({TopicRow{kHgSportModeState, rates.motion_hz}, {kLfHgSportModeState, rates.lf_hz}},
          [](const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message) {

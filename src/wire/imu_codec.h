@@ -1,4 +1,4 @@
-// The inertial unit's part of states, the same in both families but for the temperature's type.
+// Encodes IMU readings. Both families have the same message except for the temperature's type.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,15 +10,16 @@
 
 namespace understudy::wire {
 
-// Roll, pitch, yaw [rad] of a unit quaternion: R = Rz(yaw) Ry(pitch) Rx(roll). Pitch lies in ±π/2,
-// roll and yaw in ±π. Never NaN for finite input; at pitch ±π/2, where only the sum or difference
-// of roll and yaw is determined, each is some finite value.
+// Returns roll, pitch, yaw [rad] of a unit quaternion: R = Rz(yaw) Ry(pitch) Rx(roll), pitch in
+// ±π/2, roll and yaw in ±π. Never NaN for finite input; at pitch ±π/2, where only the sum or
+// difference of roll and yaw is determined, both are finite.
 Eigen::Vector3d RollPitchYaw(const Eigen::Quaterniond& R_WI);
 
-// Writes a reading. The quaternion (w, x, y, z) is normalised, and of its two signs has the one
-// that is nearer to what `message` holds from before, so that a stream does not jump; w >= 0 in an
-// all-zero message. A quaternion of length 0 or not finite becomes 1, 0, 0, 0. The temperature is
-// rounded to °C; go has 0..127 (the vendor's Python packs a signed byte, its IDL says unsigned).
+// Encodes a reading. Normalises the quaternion (w, x, y, z) and chooses the sign nearer to the
+// previous quaternion in `message`, so that a stream does not jump; w >= 0 if `message` is all
+// zero. A quaternion of length 0 or not finite becomes 1, 0, 0, 0. The temperature is rounded to
+// °C, in go clamped to 0..127 (the vendor's Python packs a signed byte, its IDL has an unsigned
+// one).
 void EncodeImu(const robot::ImuReading& reading, unitree_go_msg_dds__IMUState_* message);
 void EncodeImu(const robot::ImuReading& reading, unitree_hg_msg_dds__IMUState_* message);
 

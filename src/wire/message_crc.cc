@@ -51,19 +51,19 @@ static_assert(offsetof(HgLowState, motor_state) == 72);
 static_assert(offsetof(HgLowState, wireless_remote) == 2032);
 static_assert(offsetof(HgLowState, reserve) == 2072 && offsetof(HgLowState, crc) == 2088);
 
-// The words of a message that its CRC covers, all but the last, with zeros where the gaps are.
+// The words of a message that its CRC covers, all but the last, with zeros in the padding.
 template <typename Msg>
 class CoveredWords {
  public:
   constexpr CoveredWords() { words_.fill(0xFFFFFFFF); }
 
-  // Marks the bytes [begin, end) of the message as a gap. They lie within one word.
+  // Marks the bytes [begin, end) of the message as padding. They must be within one word.
   constexpr CoveredWords& Gap(std::size_t begin, std::size_t end) {
     for (std::size_t byte = begin; byte < end; ++byte) words_[byte / 4] &= ~(0xFFU << byte % 4 * 8);
     return *this;
   }
 
-  // Likewise the bytes [from, to) of each motor, of `size` bytes, in [begin, end).
+  // Marks the bytes [from, to) of each motor, of `size` bytes, in [begin, end).
   constexpr CoveredWords& GapInEach(std::size_t begin, std::size_t end, std::size_t size,
                                     std::size_t from, std::size_t to) {
     for (; begin < end; begin += size) Gap(begin + from, begin + to);
@@ -109,8 +109,8 @@ constexpr std::size_t kTables = 4 * kWordsAtOnce;
 
 using Tables = std::array<std::array<std::uint32_t, 256>, kTables>;
 
-// kTable[n][b]: what byte b adds to the register when n more bytes follow it in its group of words
-// ("slicing by 16"). One look-up per byte, none of which waits for another.
+// kTable[n][b] is the contribution of byte b if n more bytes follow it in its group of words
+// ("slicing by 16"): one independent look-up per byte.
 constexpr Tables kTable = [] {
   Tables tables{};
   for (std::uint32_t byte = 0; byte < 256; ++byte) {
@@ -129,8 +129,8 @@ constexpr Tables kTable = [] {
   return tables;
 }();
 
-// What a word adds when `after` words follow it in its group. Left to itself, -O2 makes this a call
-// and the whole take twice as long.
+// The contribution of a word that `after` words follow in its group. Forced inline: as a call,
+// which -O2 prefers, the CRC takes twice as long.
 [[gnu::always_inline]] inline std::uint32_t Slice(std::uint32_t word, std::size_t after) {
   return kTable[4 * after + 3][word >> 24] ^ kTable[4 * after + 2][(word >> 16) & 0xFF] ^
          kTable[4 * after + 1][(word >> 8) & 0xFF] ^ kTable[4 * after][word & 0xFF];

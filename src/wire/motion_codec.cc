@@ -23,7 +23,10 @@ constexpr float kFootRaise = 0.09F;     // m
 constexpr float kBodyHeight = 0.32F;    // m
 constexpr float kRangeObstacle = 2.0F;  // m
 
-void EncodeFeet(const robot::MotionState& motion, unitree_go_msg_dds__SportModeState_* message) {
+// What a service that estimates knows of its gait and feet.
+void EncodeGait(const robot::MotionState& motion, unitree_go_msg_dds__SportModeState_* message) {
+  message->gait_type = static_cast<std::uint8_t>(motion.gait);
+  message->body_height = static_cast<float>(motion.wanted_height);
   if (motion.foot_raise > 0) message->foot_raise_height = static_cast<float>(motion.foot_raise);
   for (std::size_t foot = 0; foot < motion.feet.size(); ++foot) {
     for (int axis = 0; axis < 3; ++axis) {
@@ -69,7 +72,7 @@ void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, 
     message->foot_raise_height = kFootRaise;
     message->body_height = kBodyHeight;
     std::ranges::fill(message->range_obstacle, kRangeObstacle);
-    if (state.motion && state.motion->estimates) EncodeFeet(*state.motion, message);
+    if (state.motion && state.motion->estimates) EncodeGait(*state.motion, message);
     const std::size_t feet = std::min(state.foot_force.size(), std::size(message->foot_force));
     for (std::size_t i = 0; i < feet; ++i) {
       message->foot_force[i] = FootCounts(state.foot_force[i], spec.foot_sensor);

@@ -1,5 +1,5 @@
-// Where the base is and what the motion service does: SportModeState of the go family, which
-// humanoids use too for their odometry, and that of the hg family.
+// Encodes motion states: SportModeState of the go family, which humanoids also use for odometry,
+// and SportModeState of the hg family.
 #pragma once
 
 #include <array>
@@ -11,33 +11,35 @@
 
 namespace understudy::wire {
 
-// What a robot fills beside stamp, imu_state, position, body_height, velocity and yaw_speed.
+// Which fields a robot fills besides stamp, imu_state, position, body_height, velocity and
+// yaw_speed.
 enum class MotionFields : std::uint8_t {
-  kNone,     // not a quadruped: nothing (*assumed*)
-  kMode,     // firmware before RobotSpec::state_id_since: mode, progress and their kin
+  kNone,     // not a quadruped: none (*assumed*)
+  kMode,     // firmware before RobotSpec::state_id_since: mode, progress, gait_type, ...
   kStateId,  // later: error_code is the state machine's id
 };
 MotionFields MotionFieldsOf(const robot::RobotSpec& spec);
 
-// Writes one instant. In the world frame
-// (*assumed*: no page states it), except yaw_speed, which is the gyro's z, the same float.
-// stamp is simulated time since start (*assumed*). Nothing is estimated: position and velocity are
-// the simulation's truth, without drift.
+// Encodes one instant, in the world frame (*assumed*, as it is not documented); yaw_speed is the z
+// of imu_state's gyroscope. stamp is simulated time since start (*assumed*). Position and velocity
+// are the estimate of the motion service if it has one (MotionState::estimates), else the
+// simulation's truth, without drift.
 //
-// kStateId is what a Go2 fills in 2026 (public capture of a real one, 2026-03): body_height is the
-// height of the base over the world's ground plane (*assumed*; the capture shows 8 mm more than
-// position z). kMode is what one filled in 2024 (capture of 2024-09): constant body_height,
-// gait_type, foot_raise_height and range_obstacle, and foot_force as in LowState; its feet's
-// positions are left 0 here. While no motion service is on both say that the robot is damped
-// (*assumed*).
+// kStateId has the fields of a Go2 of 2026 (public capture of a real one, 2026-03); body_height is
+// position z (*assumed*; the capture has 8 mm more). kMode has those of a Go2 of 2024 (capture of
+// 2024-09): constant body_height, gait_type, foot_raise_height and range_obstacle, foot_force as in
+// LowState, and, if the service
+// estimates, the gait and the height that are set, and the feet. While no motion service is on,
+// both report a damped robot (*assumed*).
 void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, MotionFields fields,
                   unitree_go_msg_dds__SportModeState_* message);
 
-// The state machine of a humanoid; state.motion must be there. task_id and task_time stay 0.
+// Encodes the state machine of a humanoid. state.motion must have a value. task_id and task_time
+// stay 0.
 void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message);
 
-// rt/arm/action/state: {"holding":true,"id":25,"name":"face wave"}; id 0 while there is none
-// (unitree_sdk2 g1_arm_action_client.hpp). Does not allocate.
+// Returns the text of rt/arm/action/state: {"holding":true,"id":25,"name":"face wave"}; id 0 while
+// no action is under way (unitree_sdk2 g1_arm_action_client.hpp). Does not allocate.
 std::array<char, 96> ArmActionText(const robot::MotionState& motion);
 
 }  // namespace understudy::wire

@@ -1,6 +1,7 @@
 #include "wire/port.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "wire/motion_codec.h"
 #include "wire/remote_codec.h"
@@ -25,16 +26,28 @@ bool Port::Due(std::int64_t step) const {
 }
 
 void Port::Publish(const robot::RobotState& state, std::int64_t step) {
-  for (const auto& publication : publications_) publication->Publish(state, step);
+  std::uint64_t failures = 0;
+  for (const auto& publication : publications_) failures += publication->Publish(state, step);
+  counts_.write_failures += failures;
+  news_.write_failures += failures;
   if (lowstate_.Due(step)) ++counts_.lowstates;
 }
 
 int Port::command_writers() const { return sources_[robot::kLowCmdTopic]->writers(); }
 
-robot::PortCounts Port::counts() const {
-  robot::PortCounts counts = counts_;
-  for (const auto& publication : publications_) counts.write_failures += publication->failures();
-  return counts;
+robot::PortNews Port::TakeNews() {
+  const int writers = command_writers();
+  if (std::exchange(writers_, writers) != writers && writers > 1) news_.writers = writers;
+  return std::exchange(news_, {});
+}
+
+void Port::NoteUnusedSlots(std::uint64_t slots) {
+  if (slots > 0 && counts_.unused_slots == 0) news_.unused_slot = true;
+  counts_.unused_slots += slots;
+}
+
+void Port::NoteUnsetHead() {
+  if (counts_.unset_heads++ == 0) news_.unset_head = true;
 }
 
 void Port::TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,

@@ -1,4 +1,4 @@
-// The topics of a robot's low level on the bus.
+// The topics of a robot on the bus.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@
 
 namespace understudy::wire {
 
-// What a robot hears and tells, as two lists that are made once, by spec.family; go_port.cc and
-// hg_port.cc have the rows.
+// Reads a robot's commands and publishes its states. Both lists of topics are made once, by
+// spec.family; go_port.cc and hg_port.cc have the rows.
 class Port final : public RobotPort {
  public:
-  // `participant` and `spec` must outlive the port; steps are of `timestep` seconds. Throws
-  // BusError when Cyclone refuses and ModelError when the robot does not fit into the messages.
+  // `participant` and `spec` must outlive the port; `timestep` [s] is that of the physics. Throws
+  // BusError if Cyclone refuses and ModelError if the robot does not fit into the messages.
   Port(const bus::Participant& participant, const robot::RobotSpec& spec, double timestep);
   Port(const Port&) = delete;
   Port& operator=(const Port&) = delete;
@@ -34,17 +34,21 @@ class Port final : public RobotPort {
   bool Due(std::int64_t step) const override;
   void Publish(const robot::RobotState& state, std::int64_t step) override;
   int command_writers() const override;
-  robot::PortCounts counts() const override;
+  robot::PortCounts counts() const override { return counts_; }
+  robot::PortNews TakeNews() override;
 
  private:
   void OpenGo();
   void OpenHg();
-  // `first_motor`: its place in motor order.
+  // `first_motor` is its first index in motor order.
   void OpenHand(std::size_t hand, std::size_t first_motor);
-  // What both families have in the same type.
+  // Adds the topics that both families have with the same type.
   void TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,
                   const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow);
   void TellRemote();
+  // Of what a command of rt/lowcmd has beyond its motors.
+  void NoteUnusedSlots(std::uint64_t slots);
+  void NoteUnsetHead();
 
   template <typename Msg, typename Decode>
   void Hear(std::size_t number, const bus::Topic<Msg>& topic, Decode decode) {
@@ -64,6 +68,8 @@ class Port final : public RobotPort {
   std::array<std::unique_ptr<CommandSource>, robot::kMostCommandTopics> sources_;  // null: none
   std::vector<std::unique_ptr<Publication>> publications_;
   robot::PortCounts counts_;
+  robot::PortNews news_;
+  int writers_ = 0;  // of rt/lowcmd when they were last news
 };
 
 }  // namespace understudy::wire

@@ -1,4 +1,4 @@
-// A message that a robot sends by itself: its topics, when each is due, and how it is made.
+// A publication: a periodic message, its topics with their rates, and how it is made.
 #pragma once
 
 #include <algorithm>
@@ -18,16 +18,15 @@ class Publication {
  public:
   virtual ~Publication() = default;
 
-  // Whether one of its topics is due in that step.
+  // Returns whether one of its topics is due in that step.
   virtual bool Due(std::int64_t step) const = 0;
-  // Sends what is due in that step and has readers. Neither blocks nor throws, nor allocates after
-  // the first few calls.
-  virtual void Publish(const robot::RobotState& state, std::int64_t step) = 0;
-  // Messages that the bus did not take, since start.
-  virtual std::uint64_t failures() const = 0;
+  // Sends the message on the topics that are due in that step and have readers. Never blocks or
+  // throws, and does not allocate after the first few calls. Returns how many messages Cyclone has
+  // refused.
+  virtual std::uint64_t Publish(const robot::RobotState& state, std::int64_t step) = 0;
 };
 
-// A row of topics: a topic and how often a second [1/s of simulated time] it is due.
+// A topic and its rate [1/s of simulated time].
 template <typename Msg>
 struct TopicRow {
   bus::Topic<Msg> topic;
@@ -37,13 +36,13 @@ template <typename Msg>
 TopicRow(bus::Topic<Msg>, double)
     -> TopicRow<Msg>;  // Clang deduces none for an aggregate before 17
 
-// Sends one message on topics of different rates, made once for all that are due in a step, by
-// bool encode(const robot::RobotState&, Msg*): false when there is nothing to tell. It is given the
-// same message each time, all zero before the first.
+// Sends one message on topics of different rates, made once for all topics that are due in a step
+// by bool encode(const robot::RobotState&, Msg*), which returns false if there is nothing to send.
+// `encode` gets the same message each time, all zero before the first.
 template <typename Msg, typename Encode>
 class MessagePublication final : public Publication {
  public:
-  // Throws BusError when Cyclone refuses.
+  // Throws BusError if Cyclone refuses.
   MessagePublication(const bus::Participant& participant, double timestep,
                      std::initializer_list<TopicRow<Msg>> rows, Encode encode)
       : encode_(std::move(encode)) {
@@ -56,19 +55,15 @@ class MessagePublication final : public Publication {
     return std::ranges::any_of(outlets_, [step](const Outlet& o) { return o.rate.Due(step); });
   }
 
-  void Publish(const robot::RobotState& state, std::int64_t step) override {
+  std::uint64_t Publish(const robot::RobotState& state, std::int64_t step) override {
     bool made = false;
+    std::uint64_t failures = 0;
     for (Outlet& outlet : outlets_) {
       if (!outlet.rate.Due(step) || !outlet.writer.has_readers()) continue;
-      if (!made && !encode_(state, &message_)) return;
+      if (!made && !encode_(state, &message_)) break;
       made = true;
-      outlet.writer.Write(message_);
+      if (!outlet.writer.Write(message_)) ++failures;
     }
-  }
-
-  std::uint64_t failures() const override {
-    std::uint64_t failures = 0;
-    for (const Outlet& outlet : outlets_) failures += outlet.writer.failures();
     return failures;
   }
 

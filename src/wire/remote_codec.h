@@ -1,4 +1,4 @@
-// The remote controller, which both families tell in the same way.
+// Encodes the remote controller, in the same way for both families.
 #pragma once
 
 #include <array>
@@ -9,9 +9,9 @@
 
 namespace understudy::wire {
 
-// LowState.wireless_remote: head 55 51 (public notes on a real G1), keys, lx, rx, ry, L2, ly
-// (unitree_sdk2 dds_wrapper/common/unitree_joystick.hpp), 16 bytes of zero. L2 as a number is 0 or
-// 1 (*assumed*). All zero while no remote is there, as captured on Go2 and G1.
+// Returns LowState.wireless_remote: head 55 51 (public notes on a real G1), keys, lx, rx, ry, L2,
+// ly (unitree_sdk2 dds_wrapper/common/unitree_joystick.hpp), 16 zero bytes. L2 as a number is 0 or
+// 1 (*assumed*). All bytes are zero while the remote is off, as captured on Go2 and G1.
 std::array<std::uint8_t, 40> EncodeRemote(const robot::RemoteReading& remote);
 
 // rt/wirelesscontroller.

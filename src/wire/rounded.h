@@ -1,4 +1,4 @@
-// From our values to the integers of the wire.
+// Rounds values to the integers of the messages.
 #pragma once
 
 #include <cmath>
@@ -10,7 +10,7 @@
 
 namespace understudy::wire {
 
-// x rounded to the nearest integer within lo..hi; NaN becomes lo.
+// Returns x rounded to the nearest integer in lo..hi; NaN becomes lo.
 template <std::integral Int>
 Int Rounded(double x, Int lo = std::numeric_limits<Int>::min(),
             Int hi = std::numeric_limits<Int>::max()) {
@@ -19,7 +19,7 @@ Int Rounded(double x, Int lo = std::numeric_limits<Int>::min(),
   return static_cast<Int>(std::lround(x));
 }
 
-// What foot_force shows of a force [N]: counts, 0..4095.
+// Returns the foot_force value of a force [N]: counts, 0..4095.
 inline std::int16_t FootCounts(double force, const robot::FootSensorSpec& sensor) {
   return Rounded<std::int16_t>(sensor.offset_counts + sensor.counts_per_newton * force, 0, 4095);
 }

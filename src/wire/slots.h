@@ -1,4 +1,4 @@
-// Motor slots: a message has more of them than the robot has motors.
+// Converts between motors and the slots of messages.
 #pragma once
 
 #include <cstddef>
@@ -12,11 +12,11 @@ namespace understudy::wire {
 
 inline constexpr std::size_t kGoMotorSlots = 20;
 inline constexpr std::size_t kHgMotorSlots = 35;
-inline constexpr std::size_t kGoCells = 15;  // battery cells that a message has room for
+inline constexpr std::size_t kGoCells = 15;  // battery cells of a message
 inline constexpr std::size_t kHgCells = 40;
 
-// Throws ModelError unless the robot's motors stand in ascending slots below `slots` and its
-// battery has 1..cells cells.
+// Throws ModelError unless the motors have ascending slots below `slots` and the battery has
+// 1..cells cells.
 void CheckFits(const robot::RobotSpec& spec, std::size_t slots, std::size_t cells);
 
 // A motor's slot as an index.
@@ -24,8 +24,8 @@ inline std::size_t SlotOf(const robot::MotorSpec& motor) {
   return static_cast<std::size_t>(motor.slot);
 }
 
-// What a slot of either family's LowCmd asks of a motor. The marks for "no position" and "no
-// velocity" are exact in float and pass as kNoPosition and kNoVelocity.
+// Decodes a slot of either family's LowCmd. The marks for "no position" and "no velocity" are exact
+// in float and become kNoPosition and kNoVelocity.
 template <typename MotorCmd>
 robot::MotorCommand DecodeMotor(const MotorCmd& wire) {
   static_assert(static_cast<double>(2.146e9F) == robot::kNoPosition);
@@ -38,7 +38,7 @@ robot::MotorCommand DecodeMotor(const MotorCmd& wire) {
           .kd = wire.kd};
 }
 
-// The weight of a command of rt/arm_sdk: as sent, neither cut nor checked.
+// Returns the weight of a command of rt/arm_sdk as sent, without limits or checks.
 template <typename LowCmd>
 double ArmWeight(const LowCmd& message, const robot::ArmSdkSpec& spec) {
   if constexpr (requires { message.mode_pr; }) {
@@ -47,9 +47,9 @@ double ArmWeight(const LowCmd& message, const robot::ArmSdkSpec& spec) {
   return message.motor_cmd[static_cast<std::size_t>(spec.weight_slot)].q;
 }
 
-// A command of rt/arm_sdk or rt/user_lowcmd, with whose form nothing is ever wrong: neither crc nor
-// modes are looked at. Every motor counts as enabled, for the vendor's clients leave the mode 0,
-// and as commanded in PR.
+// Decodes a command of rt/arm_sdk or rt/user_lowcmd. Its form is never refused: crc and modes are
+// ignored. Every motor counts as enabled, since the vendor's clients leave the mode 0, and as
+// commanded in PR.
 template <typename LowCmd>
 robot::Refusal DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spec,
                               robot::RobotCommand* command) {
@@ -63,7 +63,7 @@ robot::Refusal DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spe
   return robot::Refusal::kNone;
 }
 
-// How many slots without a motor carry gains or torque.
+// Returns how many slots without a motor have gains or torque.
 template <typename LowCmd>
 std::uint64_t UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
   std::uint64_t count = 0;

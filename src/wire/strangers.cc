@@ -7,7 +7,7 @@
 namespace understudy::wire {
 namespace {
 
-// As many samples as a poll can visit: with fewer, one stranger's would push out another's.
+// As many samples as a poll can visit; with fewer, one stranger's would displace another's.
 constexpr bus::ReaderOptions kEar{.depth = bus::kMaxTake, .reliable = false, .foreign_only = true};
 
 }  // namespace
@@ -33,7 +33,7 @@ StrangerWatch::News StrangerWatch::Poll() {
     strangers_.push_back({.who = writer});
     news.appeared.push_back(writer);
   }
-  // Listened to in any case: a last word left unread would be heard at a later time.
+  // Always reads the samples: one left unread would be taken for a later publication.
   Hear(&go_, &news);
   Hear(&hg_, &news);
   return news;

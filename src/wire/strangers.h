@@ -1,4 +1,4 @@
-// Who else on this network has what only one robot may have: a writer of rt/lowstate.
+// Watches for other robots on the network: other writers of rt/lowstate.
 #pragma once
 
 #include <optional>
@@ -12,21 +12,21 @@
 
 namespace understudy::wire {
 
-// Watches for foreign participants that write rt/lowstate, and tells those that only hold a writer
-// from those that send with it: clients on the vendor's C++ library may hold one and never use it
-// (far-unitree-sdk 0.1.8 does). A participant is one stranger, however many writers it has.
+// Watches for other participants with a writer of rt/lowstate. It distinguishes those that publish
+// from those that only have a writer, as some C++ clients do (far-unitree-sdk 0.1.8). A participant
+// is one stranger, even with several writers.
 class StrangerWatch {
  public:
-  // Watches and listens from now on. Throws BusError when Cyclone refuses.
+  // Starts watching. Throws BusError if Cyclone refuses.
   explicit StrangerWatch(const bus::Participant& participant);
 
-  // What is new since the last call, in the order of discovery. Each stranger appears once and
-  // speaks for the first time once, until it has gone.
+  // The changes since the last call, in the order of discovery. Each stranger appears once and is
+  // reported once when it first publishes, until it has gone.
   struct News {
     std::vector<bus::Neighbour> appeared;
     std::vector<bus::Neighbour> spoke;
   };
-  // Never blocks. Allocates nothing while no stranger is there.
+  // Never blocks. Does not allocate while there is no stranger.
   News Poll();
 
   // As of the last Poll.
@@ -49,7 +49,7 @@ class StrangerWatch {
   std::vector<Stranger> strangers_;
 };
 
-// "A", "A and B", "A, B and C", each as Describe() has it; "" for nobody.
+// Returns "A", "A and B" or "A, B and C", each as described by bus::Describe; "" for none.
 std::string Describe(const std::vector<bus::Neighbour>& neighbours);
 
 }  // namespace understudy::wire

@@ -227,12 +227,21 @@ TEST_F(CommandRouterTest, SticksMoveAndTheirEndStops) {
   Make();
   router_->Obey({.there = true, .lx = 0.5, .ly = 1, .rx = -1}, 0);
   ASSERT_EQ(asked_.size(), 1U);
-  EXPECT_EQ(asked_[0], MotionGoal(goal::Move{1, -0.25, 2, 0.1}));
+  EXPECT_EQ(asked_[0], MotionGoal(goal::Move{1, -0.25, 2, 0.1, true}));
   router_->Obey({.there = true}, 0);
   ASSERT_EQ(asked_.size(), 2U);
-  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1}));
+  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1, true}));
   router_->Obey({.there = true}, 0);
   EXPECT_EQ(asked_.size(), 2U);
+}
+
+TEST_F(CommandRouterTest, SticksWithinTheirRestMoveNothing) {
+  Make();
+  router_->Obey({.there = true, .lx = 0.009, .ly = -0.009, .rx = 0.009}, 0);
+  EXPECT_TRUE(asked_.empty());
+  router_->Obey({.there = true, .lx = 0.009, .ly = 0.02}, 0);
+  ASSERT_EQ(asked_.size(), 1U);
+  EXPECT_EQ(asked_[0], MotionGoal(goal::Move{0.02, 0, 0, 0.1, true}));
 }
 
 TEST_F(CommandRouterTest, SticksThatAreSwitchedOffStopWhatTheyBeganAndMoveNothing) {
@@ -241,7 +250,7 @@ TEST_F(CommandRouterTest, SticksThatAreSwitchedOffStopWhatTheyBeganAndMoveNothin
   router_->owner().SetSticks(false);
   router_->Obey({.there = true, .ly = 1}, 0);
   ASSERT_EQ(asked_.size(), 2U);
-  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1}));
+  EXPECT_EQ(asked_[1], MotionGoal(goal::Move{0, 0, 0, 0.1, true}));
   router_->Obey({.there = true, .ly = 1}, 0);
   EXPECT_EQ(asked_.size(), 2U);
   EXPECT_EQ(router_->stick_wish(), (std::array<double, 3>{}));

@@ -1,4 +1,4 @@
-// That the benchmark gives its figures; never how good they are.
+// Checks that the benchmark prints its figures, not their values.
 #include <cstdio>
 #include <filesystem>
 #include <set>

@@ -1,4 +1,4 @@
-// Messages as bytes, in and out.
+// Tests reading and writing serialized messages.
 #include "bus/cdr.h"
 
 #include <string>

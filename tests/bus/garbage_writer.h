@@ -1,4 +1,4 @@
-// Somebody who sends what is not of the topic's type.
+// A writer that sends bytes of another type than the topic's.
 #pragma once
 
 #include <string>

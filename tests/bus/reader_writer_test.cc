@@ -172,7 +172,6 @@ TEST(WriterTest, WritesWithoutAReader) {
   EXPECT_EQ(writer.matched_readers(), 0);
   EXPECT_FALSE(writer.has_readers());
   EXPECT_TRUE(writer.Write(Greeting(1)));
-  EXPECT_EQ(writer.failures(), 0);
 }
 
 TEST(WriterTest, SatisfiesReliableReadersOfXcdr1) {
@@ -219,7 +218,6 @@ TEST(WriterTest, CountsRefusedMessages) {
   EXPECT_TRUE(orphan.Write(Greeting(1)));
   Writer<Hello> taken = std::move(orphan);
   EXPECT_FALSE(orphan.Write(Greeting(2)));  // NOLINT(bugprone-use-after-move): its state is defined
-  EXPECT_EQ(orphan.failures(), 1);
 }
 
 // A program with a reliable reader, until the end of the scope. To be made before this process
@@ -260,7 +258,6 @@ TEST(WriterTest, IsNotHeldUpByAProgramThatHangs) {
   program.Hang();
   for (std::int64_t id = 0; id < 20000; ++id) ASSERT_TRUE(writer.Write(Greeting(id)));
   EXPECT_EQ(writer.matched_readers(), 1);
-  EXPECT_EQ(writer.failures(), 0);
 }
 
 }  // namespace

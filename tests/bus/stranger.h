@@ -1,4 +1,4 @@
-// Another participant on the bus, for tests: made with the C API alone, as somebody else's program.
+// Another participant on the bus, made only with the C API, like another program.
 #pragma once
 
 #include <memory>
@@ -31,7 +31,7 @@ struct StrangerQos {
 
 class Stranger {
  public:
-  // In a domain that this process has already; messages take the short way.
+  // Joins a domain of this process, in which messages do not use the network.
   explicit Stranger(int domain)
       : participant_(dds_create_participant(static_cast<dds_domainid_t>(domain), nullptr, nullptr),
                      "create a stranger") {}

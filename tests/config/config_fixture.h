@@ -1,4 +1,4 @@
-// Files to load from, in a directory of the test's own.
+// A temporary directory with configuration files to load.
 #pragma once
 
 #include <filesystem>

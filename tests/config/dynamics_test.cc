@@ -1,4 +1,4 @@
-// Whose figures of joints and drives hold: robot.dynamics.
+// Tests which joint friction, damping and armature a robot gets: robot.dynamics.
 #include "config_fixture.h"
 #include "robot/motor.h"
 #include "tests/support/robots.h"

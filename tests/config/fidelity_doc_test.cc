@@ -1,4 +1,4 @@
-// docs/fidelity.md promises that every figure marked assumed shows in its last chapter.
+// Checks that the last chapter of docs/fidelity.md lists every figure marked assumed.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>

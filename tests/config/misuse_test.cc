@@ -1,4 +1,4 @@
-// What a user can get wrong in a file or on the command line, one by one.
+// Tests the errors for wrong files and command lines.
 #include <clocale>
 
 #include "config_fixture.h"

@@ -1,4 +1,4 @@
-// What may stand under randomization, and what may not.
+// Tests valid and invalid values of the section randomization.
 #include "config/randomization_keys.h"
 #include "config_fixture.h"
 

@@ -1,4 +1,4 @@
-// The robots that we ship: what their files must say to be the robots they name.
+// Checks the descriptions of the robots in config/robots.
 #include <cmath>
 #include <fstream>
 

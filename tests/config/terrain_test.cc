@@ -1,4 +1,4 @@
-// How scene and terrain are said, and what can go wrong.
+// Tests the keys scene and terrain, and their errors.
 #include "config/validate.h"
 #include "config_fixture.h"
 

@@ -181,13 +181,25 @@ TEST_F(ValidateTest, RefusesPosesAndNumbersSetByAProgram) {
 
 TEST_F(ValidateTest, AMotionServiceIsOneOfTheFirmwares) {
   EXPECT_THAT(SetError("motion.service=ai"), testing::HasSubstr("has no motion service 'ai'"));
-  Load({}, {"motion.service=none"});
+  Load({}, {"motion.service=none", "start.pose=standing"});
   Load({}, {"robot.services=[{name: sport, alias: ai}]", "motion.service=ai"});
   EXPECT_THAT(ErrorOf([&] {
                 Load({}, {"robot.services=[{name: sport, alias: ai, since: \"2\"}]",
                           "robot.firmware=\"1\"", "motion.service=ai"});
               }),
               testing::HasSubstr("firmware '1' has no motion service 'ai'"));
+}
+
+TEST(ValidateStartTest, AHumanoidDoesNotStandWithNobodyToBalanceIt) {
+  const auto load = [](const std::string& pose, const std::string& service) {
+    LoadConfig({.robot = "g1", .sets = {"start.pose=" + pose, "motion.service=" + service}},
+               UNDERSTUDY_SOURCE_DIR);
+  };
+  EXPECT_THAT(ErrorOf([&] { load("standing", "none"); }),
+              testing::HasSubstr("start.pose: a standing humanoid falls while no motion service"));
+  load("standing", "ai");
+  load("hanging", "none");
+  load("clamped", "none");
 }
 
 TEST_F(ValidateTest, FirmwareIsNumbersBetweenDots) {

@@ -1,7 +1,7 @@
 """What each call of services_walk.py must be answered with: (good arguments, bad ones).
 
 The robot lies or hangs damped at every motion call. Codes are those of the SDK's headers (sport of a
-quadruped 4201, 4205; of a humanoid 7301; arm 7402, 7404; motion_switcher 7001, 7004; robot_state
+quadruped 4201, 4205; of a humanoid 7301; arm 7402, 7404; motion_switcher 7001, 7002, 7004; robot_state
 5203; vui, voice and video 100; any 3204), 4206 that of the vendor's Go2 page. That 4201 answers what
 a state forbids, 4205, 7301 and 5203 what is not played, and 3204 arguments of a wrong type is assumed
 (docs/services.md), and so is that a humanoid answers 0 to heights, balance modes and arm tasks that its
@@ -33,7 +33,7 @@ QUADRUPED = {
     "RecoveryStand": plain(OK),
     "BalanceStand": plain(POSTURE),
     "Move": NO_REPLY,
-    "SpeedLevel": taking(NOT_PLAYED),
+    "SpeedLevel": taking(OK),
     "AutoRecoverySet": taking(OK),
 }
 GO2_SPORT = QUADRUPED | {
@@ -45,20 +45,23 @@ GO2_SPORT = QUADRUPED | {
     "Pose": taking(GESTURE),
     "SwitchJoystick": taking(OK),
     "AutoRecoveryGet": plain(OK),
+    **{name: plain(GESTURE) for name in ("Content", "Dance1", "Dance2", "Scrape", "Heart")},
+    **{name: plain(POSTURE) for name in ("FreeWalk", "StaticWalk", "TrotRun")},
+    "ClassicWalk": taking(POSTURE),
     **{name: plain(NOT_PLAYED) for name in (
-        "Content", "Dance1", "Dance2", "Scrape", "FrontFlip", "FrontJump", "FrontPounce", "Heart",
-        "LeftFlip", "BackFlip", "FreeWalk", "StaticWalk", "TrotRun", "SwitchAvoidMode")},
+        "FrontFlip", "FrontJump", "FrontPounce", "LeftFlip", "BackFlip", "SwitchAvoidMode")},
     **{name: taking(NOT_PLAYED) for name in (
-        "FreeBound", "FreeJump", "FreeAvoid", "WalkUpright", "CrossStep", "HandStand",
-        "ClassicWalk")},
+        "FreeBound", "FreeJump", "FreeAvoid", "WalkUpright", "CrossStep", "HandStand")},
 }  # fmt: skip
 B2_SPORT = QUADRUPED | {
     "BodyHeight": taking(POSTURE),
     "TrajectoryFollow": (OK, 4101),  # sent without a reply; the client counts the points itself
-    "FreeWalk": plain(NOT_PLAYED),
-    **{name: taking(NOT_PLAYED) for name in (
-        "SwitchGait", "ContinuousGait", "MoveToPos", "SwitchMoveMode", "VisionWalk", "HandStand",
-        "ClassicWalk", "FastWalk", "FreeEuler")},
+    "FreeWalk": plain(POSTURE),
+    "ContinuousGait": taking(OK),
+    "SwitchMoveMode": taking(OK),
+    **{name: taking(POSTURE) for name in (
+        "SwitchGait", "MoveToPos", "ClassicWalk", "FastWalk", "FreeEuler")},
+    **{name: taking(NOT_PLAYED) for name in ("VisionWalk", "HandStand")},
 }  # fmt: skip
 A2_SPORT = {name: code for name, code in QUADRUPED.items() if name != "AutoRecoverySet"} | {
     "Move": taking(POSTURE),  # its client wants a reply
@@ -67,10 +70,11 @@ A2_SPORT = {name: code for name, code in QUADRUPED.items() if name != "AutoRecov
     "SetAutoRecovery": taking(OK),
     "SpeedLevel": taking(OK),  # read by GetState
     "GetState": plain(OK),
-    **{name: plain(NOT_PLAYED) for name in ("FrontFlip", "BackFlip", "ResetEstimator")},
+    "ResetEstimator": plain(POSTURE),
+    **{name: taking(POSTURE) for name in ("BodyPosition", "SwitchGait", "Trajectory")},
+    **{name: plain(NOT_PLAYED) for name in ("FrontFlip", "BackFlip")},
     **{name: taking(NOT_PLAYED) for name in (
-        "BodyPosition", "SwitchGait", "LeftSideGait", "RightSideGait", "HandStand", "BipedStand",
-        "Trajectory")},
+        "LeftSideGait", "RightSideGait", "HandStand", "BipedStand")},
 }  # fmt: skip
 
 
@@ -154,7 +158,8 @@ B2_OTHERS = {
     "back_videohub": VIDEO,
 }
 CODES = {
-    "go2": {"sport": GO2_SPORT} | GO2_OTHERS,
+    # `mcf` is on, so that no other can be selected
+    "go2": {"sport": GO2_SPORT} | GO2_OTHERS | {"motion_switcher": SWITCHER | {"SelectMode": (7002, 7001)}},
     "go2w": {"sport": GO2_SPORT} | GO2_OTHERS,
     "b2": {"sport": B2_SPORT} | B2_OTHERS,
     "b2w": {"sport": B2_SPORT} | B2_OTHERS,

@@ -1,4 +1,4 @@
-"""What rt/lowstate carries, read with the vendor's types and CRC.
+"""The content of rt/lowstate, read with the vendor's types and CRC.
 
 Field values that hold on real robots: public captures of a Go2 (2024-09 and 2026-03) and an audit
 of 35,998 messages of a 29-joint G1. The Go2's 500 Hz is the vendor's control loop rate; the G1's

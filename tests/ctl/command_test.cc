@@ -80,12 +80,12 @@ TEST_F(CtlCommandTest, WatchesUntilTheRobotIsGone) {
   EXPECT_NE(why, "");
 }
 
-TEST_F(CtlCommandTest, WatchesFramesUntilTheRobotGoes) {
+TEST_F(CtlCommandTest, WatchesSnapshotsUntilTheRobotGoes) {
   std::optional<FakeRobot> robot(std::in_place, Socket("one"));
   std::ostringstream out;
   CLI::App app;
   CtlCommand dut(&app, &out);
-  app.parse("ctl frame --watch --hz 240 --parts com --socket " + Socket("one").string());
+  app.parse("ctl snapshot --watch --hz 240 --parts com --socket " + Socket("one").string());
   std::thread watching([&] { EXPECT_THROW(dut.Run(), ControlError); });
   const std::int64_t before = robot->shown();
   EXPECT_TRUE(test::Eventually([&] { return robot->shown() > before + 2; }));
@@ -99,9 +99,9 @@ TEST_F(CtlCommandTest, WatchesFramesUntilTheRobotGoes) {
   EXPECT_GE(seen, 2);
 }
 
-TEST_F(CtlCommandTest, PrintsOneFrameAndTheFiguresForPrometheus) {
+TEST_F(CtlCommandTest, PrintsOneSnapshotAndTheFiguresForPrometheus) {
   const FakeRobot robot(Socket("one"));
-  EXPECT_THAT(Run("ctl frame --parts com"), StartsWith("{\"step\":"));
+  EXPECT_THAT(Run("ctl snapshot --parts com"), StartsWith("{\"step\":"));
   EXPECT_THAT(Run("ctl metrics"), HasSubstr("\nunderstudy_steps_total "));
   EXPECT_THAT(Run("ctl events"), EndsWith(" s  clamped\n"));
 }
@@ -256,7 +256,7 @@ TEST_F(CtlCommandTest, RefusesWhatIsMissingTooMuchOrOutOfRange) {
                            "ctl drag trunk 1 2 x",
                            "ctl drag trunk 1 2 3 --for 61",
                            "ctl drag trunk 1 2 3 --at 0 0",
-                           "ctl frame --parts qpos&x=1",
+                           "ctl snapshot --parts qpos&x=1",
                            "ctl status --watch --every 0",
                            "ctl crane lower",
                            "ctl crane lower far",

@@ -1,4 +1,4 @@
-// A robot for `understudy ctl`: a server without a tick behind it.
+// A fake robot for `understudy ctl`: a server without a tick.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 
 namespace understudy::ctl {
 
-// Notes what is asked of it and answers as it was told.
+// Records requests and gives the set answers.
 class FakeRobot {
  public:
   explicit FakeRobot(const std::filesystem::path& socket, emulator::Answer answer = {})
@@ -18,15 +18,15 @@ class FakeRobot {
                    last_ = request;
                    return answer;
                  }),
-        showing_(&frames_),
+        showing_(&snapshots_),
         server_(socket, {.identity = {.robot = "g1"},
                          .board = &board_,
                          .inbox = &inbox_,
-                         .frames = &frames_,
+                         .snapshots = &snapshots_,
                          .events = server::EventHistory(&events_)}) {}
 
   emulator::StatusBoard* board() { return &board_; }
-  // Frames so far.
+  // Snapshots so far.
   std::int64_t shown() const { return showing_.shown(); }
   // Only after a request was answered.
   const emulator::Request& last() const { return last_; }
@@ -41,7 +41,7 @@ class FakeRobot {
   emulator::Request last_;
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;
-  emulator::SnapshotMailbox frames_{emulator::Frame{}};
+  emulator::SnapshotMailbox snapshots_{emulator::Snapshot{}};
   test::Ticking ticking_;
   test::Showing showing_;
   server::ControlServer server_;

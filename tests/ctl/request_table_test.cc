@@ -1,4 +1,4 @@
-// That every request reads the same from JSON, from a script and from the command line.
+// Checks that every request reads the same from JSON, a script and the command line.
 #include <cstdio>
 #include <sstream>
 

@@ -1,4 +1,4 @@
-// docs/architecture.md promises which room includes which.
+// Checks the includes between rooms against docs/architecture.md.
 #include <filesystem>
 #include <fstream>
 #include <iterator>

@@ -1,4 +1,4 @@
-// Citations lead to something that is here, and docs/sources.md says what each source is.
+// Checks that cited files exist and that docs/sources.md describes each source.
 #include <cctype>
 #include <filesystem>
 #include <fstream>

@@ -218,19 +218,19 @@ TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   EXPECT_EQ(status.steps, 10);
 }
 
-TEST_F(AllocationTest, DoesNotHappenForAFrame) {
+TEST_F(AllocationTest, DoesNotHappenForASnapshot) {
   StartAs("standing");
   Ask("push", {{"force", {1, 0, 0}}, {"for", 1}});
   robot::RobotCommand command = Torque(1);
   command.motors[2].tau = NAN;
   port_.SendEveryTick(command);
   CountIn(10);
-  Frame frame = world_->MakeFrame();
-  frame.parts = kAllFrameParts;
+  Snapshot snapshot = world_->MakeSnapshot();
+  snapshot.parts = kAllSnapshotParts;
   const std::int64_t before = allocations;
-  for (int i = 0; i < 10; ++i) world_->Show(&frame);
+  for (int i = 0; i < 10; ++i) world_->Show(&snapshot);
   EXPECT_EQ(allocations - before, 0);
-  EXPECT_FALSE(frame.contacts.empty());
+  EXPECT_FALSE(snapshot.contacts.empty());
   EXPECT_FALSE(Told(EventKind::kRefused).empty());
 }
 

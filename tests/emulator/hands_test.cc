@@ -1,4 +1,4 @@
-// Hands in whole ticks.
+// Tests hands in whole ticks.
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -48,19 +48,19 @@ TEST_F(HandsTest, FollowPositionCommandsMotorByMotor) {
 }
 
 TEST_F(HandsTest, AreShownBehindTheBody) {
-  Frame frame = world_->MakeFrame();
-  frame.parts = kPartMotors | kPartCommand;
-  world_->Show(&frame);  // before the first tick
+  Snapshot snapshot = world_->MakeSnapshot();
+  snapshot.parts = kPartMotors | kPartCommand;
+  world_->Show(&snapshot);  // before the first tick
   port_.SendHand(0, Reach(0.5, -0.25));
   Tick(1500);
-  world_->Show(&frame);
-  ASSERT_EQ(frame.motors.size(), 6U);
-  ASSERT_EQ(frame.motor_names.size(), 6U);
-  EXPECT_EQ(frame.motor_names[4], "neck_roll_joint");
-  EXPECT_NEAR(frame.motors[4].q, 0.5, 1e-3);
-  EXPECT_NEAR(frame.motors[5].q, -0.25, 1e-3);
-  ASSERT_EQ(frame.command.size(), 6U);
-  EXPECT_EQ(frame.command[5].q, -0.25);
+  world_->Show(&snapshot);
+  ASSERT_EQ(snapshot.motors.size(), 6U);
+  ASSERT_EQ(snapshot.motor_names.size(), 6U);
+  EXPECT_EQ(snapshot.motor_names[4], "neck_roll_joint");
+  EXPECT_NEAR(snapshot.motors[4].q, 0.5, 1e-3);
+  EXPECT_NEAR(snapshot.motors[5].q, -0.25, 1e-3);
+  ASSERT_EQ(snapshot.command.size(), 6U);
+  EXPECT_EQ(snapshot.command[5].q, -0.25);
 }
 
 TEST_F(HandsTest, HoldWhatTheyWereLastToldWhenNobodyWatches) {

@@ -104,24 +104,24 @@ TEST(StatusBoardTest, KeepsTheLastPostHoweverOftenItIsRead) {
 }
 
 TEST(SnapshotMailboxTest, NothingIsWantedUntilSomebodyAsks) {
-  SnapshotMailbox dut{Frame{}};
+  SnapshotMailbox dut{Snapshot{}};
   const SnapshotMailbox::Observer* observer = dut.Join();
   EXPECT_EQ(dut.Wanted(), nullptr);
   EXPECT_FALSE(observer->bell().Answer());
 }
 
 TEST(SnapshotMailboxTest, OneSnapshotServesAllThatHaveAskedAndWakesThem) {
-  SnapshotMailbox dut{Frame{}};
+  SnapshotMailbox dut{Snapshot{}};
   SnapshotMailbox::Observer* one = dut.Join();
   SnapshotMailbox::Observer* other = dut.Join();
   const SnapshotMailbox::Observer* idle = dut.Join();
   one->Ask(kPartCom);
   other->Ask(kPartFeet);
-  Frame* frame = dut.Wanted();
-  ASSERT_NE(frame, nullptr);
-  EXPECT_EQ(frame->parts, kPartCom | kPartFeet);
+  Snapshot* snapshot = dut.Wanted();
+  ASSERT_NE(snapshot, nullptr);
+  EXPECT_EQ(snapshot->parts, kPartCom | kPartFeet);
   EXPECT_FALSE(one->bell().Answer());
-  frame->step = 3;
+  snapshot->step = 3;
   dut.Post();
   EXPECT_TRUE(one->bell().Answer());
   EXPECT_TRUE(other->bell().Answer());
@@ -131,27 +131,27 @@ TEST(SnapshotMailboxTest, OneSnapshotServesAllThatHaveAskedAndWakesThem) {
 }
 
 TEST(SnapshotMailboxTest, AskingForNoPartAsksForStepAndTime) {
-  SnapshotMailbox dut{Frame{}};
+  SnapshotMailbox dut{Snapshot{}};
   dut.Join()->Ask(0);
-  const Frame* frame = dut.Wanted();
-  ASSERT_NE(frame, nullptr);
-  EXPECT_EQ(frame->parts, 0U);
+  const Snapshot* snapshot = dut.Wanted();
+  ASSERT_NE(snapshot, nullptr);
+  EXPECT_EQ(snapshot->parts, 0U);
 }
 
 TEST(SnapshotMailboxTest, HasRoomForSoManyObserversOnly) {
-  SnapshotMailbox dut{Frame{}};
+  SnapshotMailbox dut{Snapshot{}};
   for (std::size_t i = 0; i < SnapshotMailbox::kMostObservers; ++i) dut.Join();
   EXPECT_THROW(dut.Join(), std::length_error);
 }
 
 TEST(SnapshotMailboxTest, IsSafeBetweenTheTickAndTwoObservers) {
-  SnapshotMailbox dut{Frame{}};
+  SnapshotMailbox dut{Snapshot{}};
   const test::Showing tick(&dut);
   const auto observe = [&] {
     SnapshotMailbox::Observer* observer = dut.Join();
     std::int64_t last = 0;
     for (int i = 0; i < 50; ++i) {
-      observer->Ask(kAllFrameParts);
+      observer->Ask(kAllSnapshotParts);
       EXPECT_TRUE(test::Eventually([&] { return observer->bell().Answer(); }));
       EXPECT_GT(dut.Newest()->step, last);
       last = dut.Newest()->step;

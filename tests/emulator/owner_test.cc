@@ -1,4 +1,4 @@
-// Who moves the motors, in whole ticks.
+// Tests in whole ticks who moves the motors.
 #include <gmock/gmock.h>
 
 #include "tests/emulator/emulator_test.h"

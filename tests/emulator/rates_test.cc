@@ -1,3 +1,5 @@
+#include <gmock/gmock.h>
+
 #include "tests/emulator/emulator_test.h"
 
 namespace understudy::emulator {
@@ -69,6 +71,17 @@ TEST_F(SamplesTest, StopUnderSilenceWhileCommandsAreTaken) {
   Tick();
   EXPECT_TRUE(port_.idle());
   EXPECT_EQ(world_->status().commands.accepted, 1U);
+}
+
+TEST_F(SamplesTest, AreTheMomentToTellOnceOfWhatThePortWentOnInSpiteOf) {
+  Start();
+  port_.Bring({.write_failures = 3, .unused_slot = true, .unset_head = true, .writers = 2});
+  Tick(10);
+  EXPECT_THAT(Told(EventKind::kWriteFailure),
+              testing::ElementsAre(testing::HasSubstr("3 messages")));
+  EXPECT_THAT(Told(EventKind::kUnusedSlot), testing::SizeIs(1));
+  EXPECT_THAT(Told(EventKind::kUnsetHead), testing::SizeIs(1));
+  EXPECT_THAT(Told(EventKind::kWriters), testing::ElementsAre(testing::HasSubstr("2 programs")));
 }
 
 }  // namespace

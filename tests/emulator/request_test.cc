@@ -315,6 +315,18 @@ TEST(RequestTest, SaysWhatWasAskedAndGivesItsValuesBack) {
   EXPECT_EQ(Describe(RequestOf("remote.press", "B+L2")), "remote.press L2+B");
 }
 
+TEST(RequestTest, MeansTheFirstRobotOfItsWorldUnlessToldOtherwise) {
+  EXPECT_EQ(RequestOf("clamp", "on").robot, 0U);
+  const Request second = RequestOf("clamp", {{"on", true}, {"robot", 1}});
+  EXPECT_EQ(second.robot, 1U);
+  EXPECT_EQ(Describe(second), "clamp on robot 1");
+  EXPECT_EQ(ReadRequest("clamp", ValuesOf(second))->robot, 1U);
+  for (const json& none : {json(-1), json(0.5), json(256), json("g1")}) {
+    EXPECT_THAT(ReadRequest("clamp", {{"on", true}, {"robot", none}}).why(),
+                StartsWith("robot: expected a whole number from 0 to 255, got"));
+  }
+}
+
 TEST(RequestTest, KeepsNamesThatAreTooLongOut) {
   EXPECT_TRUE(ReadRequest("let_go", std::string(63, 'x')));
   EXPECT_FALSE(ReadRequest("let_go", std::string(64, 'x')));

@@ -61,6 +61,14 @@ TEST_F(ScriptTest, RefusesABodyThatTheModelDoesNotHave) {
       ConfigError);
 }
 
+TEST_F(ScriptTest, RefusesARobotThatIsNotInTheWorld) {
+  Start();
+  EXPECT_THROW(world_->Play({{.at = 0,
+                              .request = test::RequestOf("clamp", {{"on", true}, {"robot", 1}}),
+                              .where = "s:1"}}),
+               ConfigError);
+}
+
 TEST_F(ScriptTest, PausesStepsDragsAndLetsGo) {
   StartAs("clamped");
   world_->Play({{.at = 0.01, .request = test::RequestOf("pause"), .where = ""},

@@ -1,4 +1,4 @@
-// What a motion service knows of the robot, in whole ticks of a Go2.
+// Tests in whole ticks of a Go2 which readings the motion service gets.
 #include <filesystem>
 
 #include "config/load.h"
@@ -54,6 +54,7 @@ TEST_F(SensedTest, IdealSensorsTellAMotionServiceTheTruth) {
 
 TEST_F(SensedTest, AMotionServiceKnowsItsJointsAndHowFastTheyTurn) {
   config_.start.pose = "lying";
+  config_.robot.motion.quadruped.stands_up = false;
   StartGo2();
   Tick(500);
   services_.Call([](authority::MotorOwner* owner) { owner->Ask(authority::goal::StandUp{}); });

@@ -1,4 +1,4 @@
-// A state as bytes, so that "equal" means bit for bit.
+// Converts a state to bytes, for comparisons bit for bit.
 #pragma once
 
 #include <string>

@@ -14,6 +14,7 @@
 #include "tests/support/eventually.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/new_domain.h"
+#include "tests/support/requests.h"
 #include "wire/message_crc.h"
 #include "wire/port.h"
 #include "wire/topics.h"
@@ -190,6 +191,42 @@ TEST_F(TwoRobotsTest, AreResetOneByOne) {
   Tick(1);
   EXPECT_TRUE(world_.physics().robot(0).clamped());
   EXPECT_FALSE(world_.physics().robot(1).clamped());
+}
+
+TEST_F(TwoRobotsTest, AreEachAskedByTheirNumberAndSayHowTheyAre) {
+  const auto answered = [&](std::string_view name, const nlohmann::json& values) {
+    auto answer = inbox_.Put(test::RequestOf(name, values), Inbox::WallTime::max());
+    Tick(1);
+    return answer->get().why();
+  };
+  const auto clamped = [&](std::size_t robot) { return world_.status({}, robot).clamped; };
+  const auto hangs = [&](std::size_t robot) { return world_.status({}, robot).crane_attached; };
+  EXPECT_EQ(answered("crane.attach", {{"robot", 1}}), "");
+  EXPECT_FALSE(hangs(0));
+  EXPECT_TRUE(hangs(1));
+  EXPECT_EQ(answered("clamp", {{"on", false}, {"robot", 1}}), "");
+  EXPECT_TRUE(clamped(0));
+  EXPECT_FALSE(clamped(1));
+  EXPECT_EQ(answered("reset", {{"robot", 1}}), "");
+  EXPECT_FALSE(hangs(1));
+  EXPECT_TRUE(clamped(1));
+  EXPECT_EQ(answered("push", {{"force", {0, 5, 0}}, {"robot", 1}}), "");
+  EXPECT_EQ(world_.pushes()[0].body, world_.physics().robot(1).Body("pelvis"));
+  EXPECT_EQ(answered("clamp", {{"on", false}, {"robot", 2}}), "robot: the world has no robot 2");
+}
+
+TEST_F(TwoRobotsTest, AreEachSeenInASnapshotOfTheirWorld) {
+  Tick(10);
+  Snapshot go2 = world_.MakeSnapshot(0), g1 = world_.MakeSnapshot(1);
+  for (Snapshot* snapshot : {&go2, &g1}) {
+    snapshot->parts = kAllSnapshotParts;
+    world_.Show(snapshot);
+  }
+  EXPECT_EQ(go2.motors.size(), 12U);
+  EXPECT_EQ(g1.motors.size(), 29U);
+  EXPECT_NEAR(go2.com[0], 0, 0.3);
+  EXPECT_NEAR(g1.com[0], 2, 0.3);
+  EXPECT_EQ(go2.bodies, g1.bodies);
 }
 
 }  // namespace

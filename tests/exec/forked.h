@@ -1,4 +1,4 @@
-// For tests of what changes a whole process: bodies that run in a forked one, and pipes to them.
+// Runs tests that change the whole process in a forked one, with pipes to it.
 #pragma once
 
 #include <functional>

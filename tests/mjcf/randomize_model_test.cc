@@ -2,10 +2,14 @@
 
 #include <cmath>
 #include <map>
+#include <span>
+#include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <mujoco/mujoco.h>
 
+#include "mjcf/join.h"
 #include "physics/world.h"
 #include "physics/world_model.h"
 #include "tests/support/fixture_robot.h"
@@ -29,7 +33,7 @@ class RandomizeModelTest : public test::MujocoTest {
   ModelHandle Randomized(const robot::RandomizationSpec& ranges, int seed = 1) {
     ModelHandle model = Load();
     robot::Dice dice(seed);
-    RandomizeModel(ranges, spec_, &dice, model.get());
+    RandomizeModel(ranges, std::span(&spec_, 1), &dice, model.get());
     drawn_.clear();
     for (const robot::Drawn& drawn : dice.draws().values) {
       drawn_[drawn.quantity + (drawn.element.empty() ? "" : "/" + drawn.element)] = drawn.value;
@@ -85,6 +89,40 @@ TEST_F(RandomizeModelTest, ScalesTheSlidingFrictionOfAllGeomsAlike) {
     EXPECT_EQ(model->geom_friction[3 * geom], factor * plain_->geom_friction[3 * geom]);
     EXPECT_EQ(model->geom_friction[3 * geom + 1], plain_->geom_friction[3 * geom + 1]);
   }
+}
+
+TEST_F(RandomizeModelTest, ScalesTheWorldOnceAndEachOfItsRobotsByItself) {
+  std::vector<physics::PlacedRobot> placed;
+  std::vector<robot::RobotSpec> robots;
+  for (const std::string prefix : {"a/", "b/"}) {
+    placed.push_back({.spec = spec_, .file = spec_.model, .prefix = prefix});
+    robots.push_back(WithPrefix(prefix, spec_));
+  }
+  placed[1].x = 3;
+  const auto load = [&] {
+    return physics::LoadWorldModel(placed, test::FixtureFile("fixture_ground.xml"), 0.001);
+  };
+  const ModelHandle plain = load(), model = load();
+  robot::Dice dice(1);
+  RandomizeModel({.friction = {0.5, 0.5},
+                  .mass = {0.5, 1.5},
+                  .gravity_tilt = {0.2, 0.2},
+                  .floor_softness = {4, 4}},
+                 robots, &dice, model.get());
+  for (int geom = 0; geom < model->ngeom; ++geom) {
+    EXPECT_EQ(model->geom_friction[3 * geom], 0.5 * plain->geom_friction[3 * geom]);
+    EXPECT_EQ(model->geom_solref[mjNREF * geom], 2 * plain->geom_solref[mjNREF * geom]);
+  }
+  EXPECT_NEAR(model->opt.gravity[2], -10 * std::cos(0.2), 1e-9);
+  const std::map<std::string, double> masses = Masses(*model);
+  for (const robot::Drawn& one : dice.draws().values) {
+    if (one.quantity == "mass") {
+      EXPECT_EQ(masses.at(one.element), one.value);
+    }
+  }
+  EXPECT_NE(masses.at("a/base"), 1);
+  EXPECT_NE(masses.at("b/base"), 1);
+  EXPECT_NE(masses.at("a/base"), masses.at("b/base"));
 }
 
 TEST_F(RandomizeModelTest, GivesEachBodyAMassOfItsOwnAndInertiaWithIt) {
@@ -164,7 +202,8 @@ TEST_F(RandomizeModelTest, ScalesArmatureAndFrictionOfEachMotorsJoint) {
       physics::LoadWorldModel({{spec, spec.model}}, test::FixtureFile("fixture_ground.xml"), 0.001);
   const double weight_before = model->dof_invweight0[Dof("FR_joint")];
   robot::Dice dice(1);
-  RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, spec, &dice, model.get());
+  RandomizeModel({.armature = {2, 3}, .frictionloss = {0, 0.5}}, std::span(&spec, 1), &dice,
+                 model.get());
   std::map<std::string, double> drawn;
   for (const robot::Drawn& one : dice.draws().values) drawn[one.quantity + one.element] = one.value;
   EXPECT_THAT(drawn, SizeIs(12));

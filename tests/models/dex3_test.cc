@@ -1,4 +1,4 @@
-// What the Dex3-1 hands of the G1's model do when they are stepped.
+// Simulates the Dex3-1 hands of the G1's model.
 
 #include <algorithm>
 #include <cmath>

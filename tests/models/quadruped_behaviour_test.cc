@@ -1,4 +1,4 @@
-// What the quadrupeds do when they are stepped: stand, lie, roll, keep clear of themselves.
+// Simulates the models of quadrupeds: they stand, lie, roll, and do not touch themselves.
 
 #include <algorithm>
 #include <cmath>

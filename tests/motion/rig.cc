@@ -29,11 +29,14 @@ physics::World PhysicsOf(const config::Config& config, const std::filesystem::pa
 }
 
 MotionRig::MotionRig(const config::Config& config, const std::filesystem::path& scene)
+    : MotionRig(config, PhysicsOf(config, scene)) {}
+
+MotionRig::MotionRig(const config::Config& config, physics::World world)
     : config_(config), torque_(spec().motors.size()), saturated_(spec().motors.size()) {
   port_.KeepTheLastOnly();
 
   world_ = std::make_unique<emulator::World>(
-      PhysicsOf(config, scene), config::WorldSettingsOf(config),
+      std::move(world), config::WorldSettingsOf(config),
       std::vector<emulator::RobotParts>{{.spec = spec(),
                                          .settings = config::RobotSettingsOf(config),
                                          .port = &port_,

@@ -1,4 +1,4 @@
-// A robot under its own motion service: whole ticks of the emulator, with nobody at its port.
+// A robot under its motion service, in whole ticks of the emulator, without commands at its port.
 #pragma once
 
 #include <filesystem>
@@ -30,6 +30,8 @@ class MotionRig {
   // In the start pose that `config` names.
   explicit MotionRig(const config::Config& config,
                      const std::filesystem::path& scene = FlatScene());
+  // The same in a world that was made of it.
+  MotionRig(const config::Config& config, physics::World world);
 
   // A request, carried out at once.
   void Request(std::string_view name, const nlohmann::json& values = {});

@@ -1,6 +1,10 @@
 #include "physics/set_down.h"
 
+#include <cmath>
+#include <filesystem>
 #include <string>
+
+#include <mujoco/mujoco.h>
 
 #include "physics/world.h"
 #include "physics/world_model.h"
@@ -77,6 +81,22 @@ TEST_F(SetDownTest, StandsOnWhateverOfItTouchesFirst) {
 
 TEST_F(SetDownTest, StandsOnTheFloorOfARoom) {
   EXPECT_EQ(Base(Plane("0") + Box("0 0 2"), 0.3), 0.3);
+}
+
+TEST_F(SetDownTest, StandsWhereItIsPlacedAndAsTurned) {
+  const std::filesystem::path ground = folder_.Write(
+      "ground.xml", "<mujoco><worldbody>" + Plane("0") + Box("2 1 0") + "</worldbody></mujoco>");
+  const PlacedRobot placed{
+      .spec = spec_, .file = folder_.Write("robot.xml", kRobot), .x = 2, .y = 1, .yaw = 0.5};
+  World world(LoadWorldModel({placed}, ground, 0.001), {placed});
+  robot::PoseSpec pose;
+  pose.q = {0};
+  pose.height = 0.3;
+  world.robot().Reset(pose);
+  EXPECT_NEAR((world.robot().base().p_WB - Eigen::Vector3d(2, 1, 0.4)).norm(), 0, 1e-9);
+  const double* turned = world.data().qpos + 3;
+  EXPECT_NEAR(turned[0], std::cos(0.25), 1e-9);
+  EXPECT_NEAR(turned[3], std::sin(0.25), 1e-9);
 }
 
 TEST_F(SetDownTest, TakesNoNoticeOfWhatMoves) {

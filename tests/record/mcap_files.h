@@ -1,4 +1,4 @@
-// Small MCAP files for tests, sound and not.
+// Makes small valid and invalid MCAP files.
 #pragma once
 
 #include <filesystem>

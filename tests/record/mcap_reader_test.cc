@@ -157,8 +157,8 @@ TEST_F(McapReaderTest, SaysThatAFileIsNotThere) {
 }
 
 TEST_F(McapReaderTest, RefusesWhatIsNoMcap) {
-  EXPECT_THAT(Reading(""), HasSubstr("is no MCAP file"));
-  EXPECT_THAT(Reading("rosbag #2.0"), HasSubstr("is no MCAP file"));
+  EXPECT_THAT(Reading(""), HasSubstr("is not an MCAP file"));
+  EXPECT_THAT(Reading("rosbag #2.0"), HasSubstr("is not an MCAP file"));
   EXPECT_THAT(Reading(Magic()), HasSubstr("ends before its header"));
   EXPECT_THAT(Reading(Magic() + ChannelText()), HasSubstr("expected the header"));
 }
@@ -196,7 +196,7 @@ TEST_F(McapReaderTest, RefusesAChunkThatUnpacksToMoreThanItSays) {
 TEST_F(McapReaderTest, RefusesAChunkThatIsDamaged) {
   const std::string records = ChannelText() + MessageText(1, 7);
   EXPECT_THAT(Reading(HeaderText() + ChunkText(records.size(), 12345, "", records)),
-              HasSubstr("a chunk's checksum does not fit it"));
+              HasSubstr("a chunk's checksum is wrong"));
   EXPECT_THAT(Reading(HeaderText() + ChunkText(4, 0, "zstd", "junk")),
               HasSubstr("a chunk does not unpack"));
   EXPECT_THAT(Reading(HeaderText() + ChunkText(4, 0, "", "junk")), HasSubstr("expected"));
@@ -223,11 +223,11 @@ TEST_F(McapReaderTest, RefusesASummaryThatLies) {
   const std::string whole = FileText(Written());
   std::string wrong = whole;
   wrong[whole.size() - 60] ^= 1;
-  EXPECT_THAT(Reading(wrong), HasSubstr("the summary's checksum does not fit it"));
+  EXPECT_THAT(Reading(wrong), HasSubstr("the summary's checksum is wrong"));
   wrong = whole;
   const std::uint64_t beyond = whole.size() * 2;
   std::memcpy(wrong.data() + whole.size() - 28, &beyond, 8);
-  EXPECT_THAT(Reading(wrong), HasSubstr("the summary is said to begin at"));
+  EXPECT_THAT(Reading(wrong), HasSubstr("the footer has the summary begin at"));
 }
 
 TEST_F(McapReaderTest, RefusesARecordingThatEndsBeforeItBegins) {
@@ -246,7 +246,7 @@ TEST_F(McapReaderTest, RefusesAFooterThatIsTooShort) {
 TEST_F(McapReaderTest, RefusesAnAttachmentThatIsDamaged) {
   std::string wrong = FileText(Written());
   wrong[wrong.find("words")] = 'W';
-  EXPECT_THAT(Reading(wrong), HasSubstr("the attachment's checksum does not fit it"));
+  EXPECT_THAT(Reading(wrong), HasSubstr("the attachment's checksum is wrong"));
 }
 
 // Any one byte wrong anywhere: read or refused, in words, and never more than that.

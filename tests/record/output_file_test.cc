@@ -18,7 +18,7 @@ class OutputFileTest : public McapFilesTest {};
 TEST_F(OutputFileTest, DoesNotReplaceAFileUnasked) {
   folder_.Write("run.mcap", "precious");
   EXPECT_THAT([&] { OutputFile(File(), false); },
-              ThrowsMessage<RecordError>(HasSubstr("is there already; name another file, or "
+              ThrowsMessage<RecordError>(HasSubstr("exists already; name another file, or "
                                                    "replace it with --overwrite")));
   EXPECT_EQ(FileText(File()), "precious");
 }

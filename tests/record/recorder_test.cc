@@ -238,7 +238,7 @@ TEST_F(RecorderTest, GoesOnWithoutAFileThatIsFull) {
   EXPECT_TRUE(test::Eventually([&] { return !said().empty(); }));
   recorder.reset();
   ASSERT_THAT(said(), SizeIs(1));
-  EXPECT_THAT(said()[0], HasSubstr("File too large: nothing more is recorded; the robot goes on"));
+  EXPECT_THAT(said()[0], HasSubstr("File too large: recording has stopped; the robot continues"));
   const McapReader reader(File());  // what is there can be read
   EXPECT_EQ(reader.contents().metadata.at("understudy").at("robot"), "go2");
 }

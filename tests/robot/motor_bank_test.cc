@@ -51,6 +51,15 @@ TEST_F(MotorBankTest, CutsEachMotorToItsOwnLimit) {
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{5, 9, -9}));
 }
 
+TEST_F(MotorBankTest, GivesOfAFaultyMotorTheShareOfItsFault) {
+  for (std::size_t fault = 0; fault < kMotorFaults.size(); ++fault) {
+    bank_.SetFault(1, fault);
+    const auto tau = bank_.Step(Torques(1, 2, 3), q_, dq_, 0.001);
+    EXPECT_EQ(tau[0], 1);
+    EXPECT_EQ(tau[1], 2 * kMotorFaults[fault].torque_share) << kMotorFaults[fault].name;
+  }
+}
+
 TEST_F(MotorBankTest, MapsMotorSpaceTorquesToTheSerialJoints) {
   RobotCommand command = Torques(1, 2, 3);  // B = 2 is in the pitch slot, A = 3 in the roll slot
   command.joint_space = JointSpace::kMotors;

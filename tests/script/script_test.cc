@@ -48,7 +48,7 @@ TEST(ScriptTest, SortsByTimeAndKeepsTheOrderOfEqualTimes) {
 }
 
 TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
-  EXPECT_EQ(ErrorIn("{reset: }"), "s:2: at: missing; when is it to happen?");
+  EXPECT_EQ(ErrorIn("{reset: }"), "s:2: at: missing; expected the time of the event in seconds");
   EXPECT_EQ(ErrorIn("{at: soon, reset: }"), "s:2: at: expected seconds, got 'soon'");
   EXPECT_EQ(ErrorIn("{at: -1, reset: }"), "s:2: at: expected seconds, got '-1'");
   EXPECT_EQ(ErrorIn("{at: 1}"), "s:2: what is to happen at 1?");
@@ -69,6 +69,19 @@ TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
             "s:2: clamp: on: expected true or false, got \"maybe\"");
   EXPECT_EQ(ErrorIn("5"),
             "s:2: script: expected an event, as in {at: 1.5, remote.press: L2+B}, got '5'");
+}
+
+TEST(ScriptTest, SaysOnWhichLineTheWrongValueOfARequestStands) {
+  const auto error_in = [](const std::string& push) {
+    return config::ErrorOf([&] { Read("script:\n- at: 1\n  push:\n" + push); });
+  };
+  EXPECT_EQ(error_in("    force: [1, 2, 3]\n    for: 0\n"),
+            "s:5: push: for: expected a number from 0.0001 to 1000000 s, got 0");
+  EXPECT_THAT(error_in("    for: 1\n    force:\n    - 1\n    - 2\n"),
+              testing::StartsWith("s:5: push: force: expected three numbers"));
+  EXPECT_THAT(error_in("    for: 1\n    forse: [1, 2, 3]\n"),
+              testing::StartsWith("s:5: push: unknown key \"forse\""));
+  EXPECT_THAT(error_in("    for: 1\n"), testing::StartsWith("s:3: push: expected either force"));
 }
 
 TEST(ScriptTest, NamesTheNearestOfAnUnknownKey) {

@@ -37,7 +37,9 @@ TEST_F(AccessTest, TakesTheNamesOfThisMachine) {
 
 TEST_F(AccessTest, RefusesEveryOtherHost) {
   for (const char* host : {"", "evil.example:7707", "localhost.evil.example", "127.evil.example",
-                           "127.0.0.1.evil.example", "10.0.0.1:7707", "[", "[]", ":", "[::2]"}) {
+                           "127.0.0.1.evil.example", "10.0.0.1:7707", "[", "[]", ":", "[::2]",
+                           "localhost:7707 x", "localhost:x", "user@localhost", "localhost:7707:1",
+                           "localhost:123456", "[::1]x", "[::1]:7707/"}) {
     EXPECT_EQ(OfHost(host), 403u) << host;
   }
 }

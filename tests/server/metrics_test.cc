@@ -16,16 +16,16 @@ using ::testing::Not;
 class MetricsTest : public ::testing::Test {
  protected:
   MetricsTest() {
-    frame_.motor_names = {"hip", "kn\"ee"};
-    frame_.motors.resize(2);
-    frame_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
+    snapshot_.motor_names = {"hip", "kn\"ee"};
+    snapshot_.motors.resize(2);
+    snapshot_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
   }
   std::string Dut() const {
-    return MetricsText({.robot = "g1", .version = "0.1"}, status_, frame_, events_);
+    return MetricsText({.robot = "g1", .version = "0.1"}, status_, snapshot_, events_);
   }
 
   emulator::Status status_;
-  emulator::Frame frame_;
+  emulator::Snapshot snapshot_;
   std::array<std::uint64_t, emulator::kEventKinds> events_{};
 };
 
@@ -60,7 +60,7 @@ TEST_F(MetricsTest, BucketsAddUpToTheCount) {
 }
 
 TEST_F(MetricsTest, TellsMotorsByTheirJoints) {
-  frame_.motors[0] = {.tau = -2.5, .casing_c = 40, .winding_c = 50.5};
+  snapshot_.motors[0] = {.tau = -2.5, .casing_c = 40, .winding_c = 50.5};
   const std::string text = Dut();
   EXPECT_THAT(text, HasSubstr("understudy_motor_torque_newton_metres{motor=\"hip\"} -2.5\n"));
   EXPECT_THAT(text, HasSubstr("understudy_motor_winding_celsius{motor=\"hip\"} 50.5\n"));
@@ -68,7 +68,7 @@ TEST_F(MetricsTest, TellsMotorsByTheirJoints) {
 }
 
 TEST_F(MetricsTest, WhatIsNoNumberIsSaidInTheFormatsWords) {
-  frame_.battery = {.voltage = std::nan(""), .current = -INFINITY};
+  snapshot_.battery = {.voltage = std::nan(""), .current = -INFINITY};
   const std::string text = Dut();
   EXPECT_THAT(text, HasSubstr("understudy_battery_volts NaN\n"));
   EXPECT_THAT(text, HasSubstr("understudy_battery_amperes -Inf\n"));

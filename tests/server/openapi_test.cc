@@ -1,4 +1,4 @@
-// That docs/openapi.yaml documents what there is, and nothing else.
+// Checks that docs/openapi.yaml documents exactly the existing routes.
 #include <algorithm>
 #include <fstream>
 #include <iterator>
@@ -8,9 +8,9 @@
 #include <yaml-cpp/yaml.h>
 
 #include "gtest/gtest.h"
-#include "server/frame_json.h"
 #include "server/request_docs.h"
 #include "server/routes.h"
+#include "server/snapshot_json.h"
 #include "server/status_json.h"
 
 namespace understudy::server {
@@ -39,13 +39,13 @@ TEST(OpenApiTest, HasEveryRouteAndNoOther) {
   EXPECT_EQ(documented, served);
 }
 
-TEST(OpenApiTest, HasEveryPartOfAFrameAndNoOther) {
+TEST(OpenApiTest, HasEveryPartOfASnapshotAndNoOther) {
   std::set<std::string> documented;
-  for (const auto& key : Document()["components"]["schemas"]["Frame"]["properties"]) {
+  for (const auto& key : Document()["components"]["schemas"]["Snapshot"]["properties"]) {
     documented.insert(key.first.as<std::string>());
   }
   std::set<std::string> sent{"step", "time", "speed", "paused"};
-  for (const emulator::FramePartName& part : emulator::kFrameParts) sent.emplace(part.name);
+  for (const emulator::SnapshotPartName& part : emulator::kSnapshotParts) sent.emplace(part.name);
   EXPECT_EQ(documented, sent);
 }
 

@@ -20,8 +20,8 @@ class RoutesTest : public ::testing::Test {
   }
 
   emulator::StatusBoard board_;
-  emulator::SnapshotMailbox frames_{emulator::Frame{}};
-  Plane plane_{.identity = {.robot = "g1"}, .board = &board_, .frames = &frames_};
+  emulator::SnapshotMailbox snapshots_{emulator::Snapshot{}};
+  Plane plane_{.identity = {.robot = "g1"}, .board = &board_, .snapshots = &snapshots_};
 };
 
 TEST_F(RoutesTest, StatusIsThatOfTheBoard) {
@@ -93,33 +93,33 @@ TEST_F(RoutesTest, SurvivesAPathThatIsNoText) {
   EXPECT_EQ(ReplyTo("GET", std::string(8000, 'x')).status, 404u);
 }
 
-TEST_F(RoutesTest, AFrameHasThePartsThatAreAskedFor) {
-  EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame")).parts, emulator::kAllFrameParts);
-  EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame?parts=qpos,com")).parts,
+TEST_F(RoutesTest, ASnapshotHasThePartsThatAreAskedFor) {
+  EXPECT_EQ(std::get<FromSnapshot>(Dut("GET", "/snapshot")).parts, emulator::kAllSnapshotParts);
+  EXPECT_EQ(std::get<FromSnapshot>(Dut("GET", "/snapshot?parts=qpos,com")).parts,
             emulator::kPartPositions | emulator::kPartCom);
-  EXPECT_EQ(std::get<FromFrame>(Dut("GET", "/frame?x=1&parts=qpos%2Ccom")).parts,
+  EXPECT_EQ(std::get<FromSnapshot>(Dut("GET", "/snapshot?x=1&parts=qpos%2Ccom")).parts,
             emulator::kPartPositions | emulator::kPartCom);
 }
 
 TEST_F(RoutesTest, APartThatIsNoneIs400WithTheNearest) {
-  const HttpReply reply = ReplyTo("GET", "/frame?parts=qpos,motor");
+  const HttpReply reply = ReplyTo("GET", "/snapshot?parts=qpos,motor");
   EXPECT_EQ(reply.status, 400u);
-  EXPECT_THAT(reply.body, HasSubstr("a frame has no motor; did you mean 'motors'?"));
+  EXPECT_THAT(reply.body, HasSubstr("a snapshot has no motor; did you mean 'motors'?"));
 }
 
 TEST_F(RoutesTest, AWebSocketIsOneOnlyWhenAskedToBe) {
-  EXPECT_EQ(ReplyTo("GET", "/frames").status, 426u);
+  EXPECT_EQ(ReplyTo("GET", "/snapshots").status, 426u);
   EXPECT_TRUE(std::holds_alternative<TakeRequests>(
       Route({.method = "GET", .target = "/requests", .upgrade = true}, plane_)));
   const auto routed =
-      Route({.method = "GET", .target = "/frames?hz=24.5&parts=com", .upgrade = true}, plane_);
-  EXPECT_EQ(std::get<WatchFrames>(routed).hz, 24.5);
-  EXPECT_EQ(std::get<WatchFrames>(routed).parts, emulator::kPartCom);
+      Route({.method = "GET", .target = "/snapshots?hz=24.5&parts=com", .upgrade = true}, plane_);
+  EXPECT_EQ(std::get<WatchSnapshots>(routed).hz, 24.5);
+  EXPECT_EQ(std::get<WatchSnapshots>(routed).parts, emulator::kPartCom);
 }
 
 TEST_F(RoutesTest, ARateOutOfRangeIs400) {
   for (const char* hz : {"0", "241", "-1", "nan", "inf", "fast", "", "1e999", "60x"}) {
-    EXPECT_EQ(ReplyTo("GET", "/frames?hz=" + std::string{hz}).status, 400u) << hz;
+    EXPECT_EQ(ReplyTo("GET", "/snapshots?hz=" + std::string{hz}).status, 400u) << hz;
   }
 }
 
@@ -128,12 +128,12 @@ TEST_F(RoutesTest, WhatIsNotThereIs404) {
   EXPECT_EQ(ReplyTo("GET", "/scene/mesh/0").status, 404u);
   EXPECT_EQ(ReplyTo("GET", "/panel").status, 404u);
   EXPECT_EQ(ReplyTo("GET", "/").status, 404u);
-  plane_.frames = nullptr;
-  for (const char* target : {"/frame", "/metrics"}) {
+  plane_.snapshots = nullptr;
+  for (const char* target : {"/snapshot", "/metrics"}) {
     EXPECT_EQ(ReplyTo("GET", target).status, 404u) << target;
   }
-  const auto frames = Route({.method = "GET", .target = "/frames", .upgrade = true}, plane_);
-  EXPECT_EQ(std::get<HttpReply>(frames).status, 404u);
+  const auto snapshots = Route({.method = "GET", .target = "/snapshots", .upgrade = true}, plane_);
+  EXPECT_EQ(std::get<HttpReply>(snapshots).status, 404u);
 }
 
 TEST_F(RoutesTest, TellsWhatHappenedOrSendsItAsItComes) {

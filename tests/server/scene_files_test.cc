@@ -46,7 +46,7 @@ class SceneFilesTest : public ::testing::Test {
   SceneFiles dut_{&reader_, &robot_};
 };
 
-TEST_F(SceneFilesTest, NamesWhatFramesHaveByNumber) {
+TEST_F(SceneFilesTest, NamesWhatSnapshotsHaveByNumber) {
   const json scene = json::parse(dut_.Scene().content());
   EXPECT_EQ(scene["robot"], "two_joints");
   EXPECT_EQ(scene["base"], 1);

@@ -254,12 +254,15 @@ TEST_F(ControlServerTest, AWrongMethodIs405AndNamesTheRightOne) {
   EXPECT_THAT(reply, HasSubstr("Allow: POST\r\n"));
 }
 
-TEST_F(ControlServerTest, NothingFollowsTheReplyToAHeadWhichMayHaveNoBody) {
+TEST_F(ControlServerTest, AHeadIsAnsweredAsAGetWithoutItsBody) {
   Start();
-  const std::string reply =
-      Tell("HEAD /status HTTP/1.1\r\nHost: x\r\n\r\n" + std::string{kStatusRequest});
-  EXPECT_THAT(reply, StartsWith("HTTP/1.1 405"));
-  EXPECT_THAT(reply, Not(HasSubstr("HTTP/1.1 200")));
+  const std::string replies = Tell(
+      "HEAD /status HTTP/1.1\r\nHost: x\r\n\r\nHEAD /reset HTTP/1.1\r\nHost: x\r\n"
+      "Connection: close\r\n\r\n");
+  EXPECT_THAT(replies, StartsWith("HTTP/1.1 200"));
+  EXPECT_THAT(replies, HasSubstr("HTTP/1.1 405"));
+  EXPECT_THAT(replies, Not(HasSubstr("Content-Length: 0\r\n")));
+  EXPECT_THAT(replies, Not(HasSubstr("{")));
 }
 
 TEST_F(ControlServerTest, ABodyTooLargeIs413) {

@@ -1,6 +1,8 @@
 // The server's TCP socket and its WebSockets, and clients that misbehave on both.
 #include <fstream>
+#include <future>
 #include <list>
+#include <thread>
 
 #include <nlohmann/json.hpp>
 
@@ -34,7 +36,7 @@ class SocketsTest : public ::testing::Test {
                  Plane{.identity = {.robot = "g1"},
                        .board = &board_,
                        .inbox = &inbox_,
-                       .frames = &frames_,
+                       .snapshots = &snapshots_,
                        .files = StaticFiles(temp_.path())},
                  limits, &panel_);
   }
@@ -64,7 +66,7 @@ class SocketsTest : public ::testing::Test {
   const std::filesystem::path path_ = temp_.path() / "g1.sock";
   emulator::StatusBoard board_;
   emulator::Inbox inbox_;
-  emulator::SnapshotMailbox frames_{emulator::Frame{}};
+  emulator::SnapshotMailbox snapshots_{emulator::Snapshot{}};
   const PanelSocket panel_{"127.0.0.1", 0};
   std::optional<ControlServer> dut_;
 };
@@ -98,30 +100,30 @@ TEST_F(SocketsTest, RefusesAPageThatIsNotItsOwn) {
   EXPECT_THAT(Ask("GET /status", ""), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /status", HostLine() + "Origin: http://evil.example\r\n"),
               StartsWith("HTTP/1.1 403"));
-  EXPECT_THAT(Ask("GET /frames", HostLine() + "Origin: null\r\n" + std::string{kUpgrade}),
+  EXPECT_THAT(Ask("GET /snapshots", HostLine() + "Origin: null\r\n" + std::string{kUpgrade}),
               StartsWith("HTTP/1.1 403"));
 }
 
-TEST_F(SocketsTest, AFrameIsFilledInByTheTick) {
-  const test::Showing tick(&frames_);
+TEST_F(SocketsTest, ASnapshotIsFilledInByTheTick) {
+  const test::Showing tick(&snapshots_);
   const client::ControlReply reply =
-      client::Call(path_, "GET", "/frame?parts=com", "", test::kBound);
+      client::Call(path_, "GET", "/snapshot?parts=com", "", test::kBound);
   EXPECT_EQ(reply.status, 200u);
   EXPECT_EQ(json::parse(reply.body)["step"], 1);
   EXPECT_EQ(json::parse(reply.body).size(), 5u);
 }
 
-TEST_F(SocketsTest, AFrameThatDoesNotComeIs503AndALaterOneIsServed) {
+TEST_F(SocketsTest, ASnapshotThatDoesNotComeIs503AndALaterOneIsServed) {
   Start({.patience = std::chrono::milliseconds{20}});
-  EXPECT_EQ(client::Call(path_, "GET", "/frame", "", test::kBound).status, 503u);
-  const test::Showing tick(&frames_);
+  EXPECT_EQ(client::Call(path_, "GET", "/snapshot", "", test::kBound).status, 503u);
+  const test::Showing tick(&snapshots_);
   EXPECT_TRUE(test::Eventually(
-      [&] { return client::Call(path_, "GET", "/frame", "", test::kBound).status == 200; }));
+      [&] { return client::Call(path_, "GET", "/snapshot", "", test::kBound).status == 200; }));
 }
 
-TEST_F(SocketsTest, FramesComeOnAWebSocketOneAfterTheOther) {
-  const test::Showing tick(&frames_);
-  client::ControlStream stream = Watch("/frames?hz=240&parts=com");
+TEST_F(SocketsTest, SnapshotsComeOnAWebSocketOneAfterTheOther) {
+  const test::Showing tick(&snapshots_);
+  client::ControlStream stream = Watch("/snapshots?hz=240&parts=com");
   std::int64_t last = 0;
   for (int i = 0; i < 5; ++i) {
     const std::int64_t step = json::parse(stream.Next())["step"];
@@ -130,32 +132,32 @@ TEST_F(SocketsTest, FramesComeOnAWebSocketOneAfterTheOther) {
   }
 }
 
-TEST_F(SocketsTest, AWatcherGetsNoMoreFramesThanItAskedFor) {
-  const test::Showing tick(&frames_);
-  client::ControlStream slow = Watch("/frames?hz=1");
+TEST_F(SocketsTest, AWatcherGetsNoMoreSnapshotsThanItAskedFor) {
+  const test::Showing tick(&snapshots_);
+  client::ControlStream slow = Watch("/snapshots?hz=1");
   slow.Next();
-  client::ControlStream quick = Watch("/frames?hz=240");
+  client::ControlStream quick = Watch("/snapshots?hz=240");
   for (int i = 0; i < 20; ++i) quick.Next();  // nothing is filled in for the slow one meanwhile
   const std::int64_t quickest = json::parse(quick.Next())["step"];
   EXPECT_LE(quickest, 60);
 }
 
 TEST_F(SocketsTest, AnyNumberWatchAtOnce) {
-  const test::Showing tick(&frames_);
+  const test::Showing tick(&snapshots_);
   std::list<client::ControlStream> watchers;
-  for (int i = 0; i < 20; ++i) watchers.push_back(Watch("/frames?hz=60"));
+  for (int i = 0; i < 20; ++i) watchers.push_back(Watch("/snapshots?hz=60"));
   for (client::ControlStream& watcher : watchers)
     EXPECT_THAT(watcher.Next(), StartsWith("{\"step\":"));
 }
 
 TEST_F(SocketsTest, WhoWatchesOnTcpNeedsNoToken) {
-  const test::Showing tick(&frames_);
-  EXPECT_THAT(Open("/frames?parts=com")->Receive("}"), HasSubstr("\"step\":1"));
+  const test::Showing tick(&snapshots_);
+  EXPECT_THAT(Open("/snapshots?parts=com")->Receive("}"), HasSubstr("\"step\":1"));
 }
 
 TEST_F(SocketsTest, SaysWhyAWebSocketIsRefused) {
   try {
-    Watch("/frames?parts=motor");
+    Watch("/snapshots?parts=motor");
     FAIL();
   } catch (const ControlError& error) {
     EXPECT_THAT(error.what(), HasSubstr("did you mean 'motors'?"));
@@ -174,6 +176,27 @@ TEST_F(SocketsTest, RequestsOnAWebSocketAreAnsweredInTheirTurn) {
   EXPECT_EQ(stream.Next(), R"({"id":"two","status":409,"error":"not now"})");
   EXPECT_EQ(stream.Next(),
             R"({"id":null,"status":400,"error":"on: expected true or false, got 3"})");
+}
+
+TEST_F(SocketsTest, AStepThatIsWaitedForHoldsUpNoOtherRequestOfItsWebSocket) {
+  std::promise<emulator::Reply> waiting;
+  const std::jthread tick([&](const std::stop_token& stop) {
+    for (; !stop.stop_requested(); std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
+      inbox_.Drain({}, [&](emulator::Request* request, emulator::Reply* reply) {
+        if (!request->waits()) return std::optional(emulator::Answer{});
+        waiting.set_value(std::move(*reply));
+        return std::optional<emulator::Answer>{};
+      });
+    }
+  });
+  client::ControlStream stream = Watch("/requests");
+  stream.Send(R"({"step": {"steps": 1000}, "id": 1})");
+  stream.Send(R"({"clamp": {"on": true}, "id": 2})");
+  stream.Send(R"({"clamp": {"on": 5}, "id": 3})");
+  EXPECT_EQ(stream.Next(), R"({"id":2,"status":200,"ok":true})");
+  EXPECT_THAT(stream.Next(), StartsWith(R"({"id":3,"status":400,)"));
+  waiting.get_future().get().Give({});
+  EXPECT_EQ(stream.Next(), R"({"id":1,"status":200,"ok":true})");
 }
 
 TEST_F(SocketsTest, WhatIsNoRequestIsAnsweredWithTheReason) {
@@ -200,7 +223,7 @@ TEST_F(SocketsTest, RequestsOnTcpNeedTheToken) {
 }
 
 TEST_F(SocketsTest, HangsUpOnFramesThatAreNone) {
-  const test::Showing tick(&frames_);
+  const test::Showing tick(&snapshots_);
   for (const std::string_view bytes :
        {std::string_view{"\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff\xff", 14},
         std::string_view{"\x81\x05hello", 7},                                      // not masked
@@ -208,7 +231,7 @@ TEST_F(SocketsTest, HangsUpOnFramesThatAreNone) {
         std::string_view{"\x83\x80\0\0\0\0", 6}, std::string_view{"\xc1\x80\0\0\0\0", 6},
         std::string_view{"\x89\xfe\xff\xff\0\0\0\0", 8},     // a ping of 64 kB
         std::string_view{"\x81\x82\0\0\0\0\xff\xfe", 8}}) {  // no UTF-8
-    for (const std::string target : {"/frames?parts=com", "/requests?token="}) {
+    for (const std::string target : {"/snapshots?parts=com", "/requests?token="}) {
       const auto client = Open(target.ends_with('=') ? target + token() : target);
       client->Send(bytes);
       client->ReceiveAll();
@@ -230,9 +253,9 @@ TEST_F(SocketsTest, AMessageTooLongEndsItsWebSocketAlone) {
 
 TEST_F(SocketsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
   Start({.idle = std::chrono::milliseconds{300}});
-  const test::Showing tick(&frames_);
-  const auto deaf = Open("/frames?hz=240");
-  client::ControlStream other = Watch("/frames?hz=240");
+  const test::Showing tick(&snapshots_);
+  const auto deaf = Open("/snapshots?hz=240");
+  client::ControlStream other = Watch("/snapshots?hz=240");
   for (int i = 0; i < 10; ++i) other.Next();
   // It answers no ping.
   const std::string all = deaf->ReceiveAll();
@@ -241,21 +264,21 @@ TEST_F(SocketsTest, AWatcherThatNeverReadsIsHungUpOnAndDelaysNobody) {
 
 TEST_F(SocketsTest, AWatcherThatReadsStays) {
   Start({.idle = std::chrono::milliseconds{500}});
-  const test::Showing tick(&frames_);
-  client::ControlStream stream = Watch("/frames?hz=100");
+  const test::Showing tick(&snapshots_);
+  client::ControlStream stream = Watch("/snapshots?hz=100");
   for (int i = 0; i < 60; ++i) stream.Next();
 }
 
 TEST_F(SocketsTest, OutlivesWatchersThatGoWithoutAWord) {
-  const test::Showing tick(&frames_);
-  for (int i = 0; i < 20; ++i) Open("/frames?hz=240")->Close();
+  const test::Showing tick(&snapshots_);
+  for (int i = 0; i < 20; ++i) Open("/snapshots?hz=240")->Close();
   for (int i = 0; i < 20; ++i) Open("/requests?token=" + token())->Close();
   EXPECT_TRUE(StillServes());
 }
 
 TEST_F(SocketsTest, EndsWhileItIsWatched) {
-  const test::Showing tick(&frames_);
-  client::ControlStream watched = Watch("/frames");
+  const test::Showing tick(&snapshots_);
+  client::ControlStream watched = Watch("/snapshots");
   watched.Next();
   client::ControlStream asking = Watch("/requests");
   asking.Send(R"({"reset": {}})");

@@ -1,4 +1,4 @@
-// Walks every row of every table.
+// Tests every row of every table of services.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
@@ -83,7 +83,7 @@ std::int32_t ParameterCode(const ServiceTable& table, const ApiRow& row) {
   return row.parameter_code.value_or(table.parameter_code);
 }
 
-TEST(ApiRowsTest, AnswerEveryApiOfTheVendorsHeadersOnItsRobots) {
+TEST(ApiRowsTest, AnswerEveryApiOfTheVendorsHeadersAndThoseSeenOnItsRobots) {
   std::ifstream file(UNDERSTUDY_SOURCE_DIR "/tests/data/vendor_apis.json");
   for (const json& vendor : json::parse(file)) {
     for (const auto& robot : vendor.at("robots")) {
@@ -93,6 +93,9 @@ TEST(ApiRowsTest, AnswerEveryApiOfTheVendorsHeadersOnItsRobots) {
       std::set<std::int64_t> ours, theirs;
       for (const ApiRow& row : table.rows) ours.insert(row.id);
       for (const json& api : vendor.at("apis")) theirs.insert(api.at(0).get<std::int64_t>());
+      for (const json& api : vendor.value("seen", json::array())) {
+        theirs.insert(api.at(0).get<std::int64_t>());
+      }
       EXPECT_EQ(ours, theirs);
       const auto& versions = vendor.at("versions");
       EXPECT_NE(std::find(versions.begin(), versions.end(), table.api_version), versions.end())

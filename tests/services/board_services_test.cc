@@ -34,6 +34,21 @@ TEST(MotionSwitcherTest, RefusesAnUnknownName) {
   }
 }
 
+// Seen on a Go2: the busy check comes first.
+TEST(MotionSwitcherTest, SelectsNothingElseWhileMcfIsOn) {
+  Caller caller(TableOf("go2", "motion_switcher"));
+  caller.robot.owner = authority::MotorOwner({{.name = "mcf", .alias = "mcf"}}, "0",
+                                             std::make_unique<FakeMotion>(&caller.robot.book));
+  for (const char* name : {"normal", "dance"}) {
+    const std::string parameter = json{{"name", name}}.dump();
+    EXPECT_EQ(caller.Ask(1002, parameter).code, 7002) << name;
+  }
+  EXPECT_EQ(caller.Ask(1002, R"({"name":"mcf"})").code, 0);
+  caller.Ask(1003);
+  EXPECT_EQ(caller.Ask(1002, R"({"name":"normal"})").code, 7004);
+  EXPECT_EQ(caller.Ask(1002, R"({"name":"mcf"})").code, 0);
+}
+
 TEST(MotionSwitcherTest, NeverClaimsToHaveStartedWhatNothingPlays) {
   Service service(TableOf("go2", "motion_switcher"));
   authority::MotorOwner owner({{.name = "mcf", .alias = "mcf", .on = false}}, "0", nullptr);
@@ -192,13 +207,22 @@ TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
   const char* move = R"({"x":2,"y":0,"yaw":0,"mode":0})";
   EXPECT_EQ(caller.Ask(1003, move).code, 0);
   EXPECT_TRUE(caller.robot.book.goals.empty());
-  EXPECT_EQ(caller.Ask(1001, R"({"enable":true})").code, 0);
   EXPECT_EQ(caller.Ask(1002).data, R"({"enable":true})");
+  EXPECT_EQ(caller.Ask(1001, R"({"enable":false})").code, 0);
+  EXPECT_EQ(caller.Ask(1002).data, R"({"enable":false})");
   EXPECT_EQ(caller.Ask(1004, R"({"is_remote_commands_from_api":true})").code, 0);
   EXPECT_EQ(caller.Ask(1003, move).code, 0);
-  ASSERT_EQ(caller.robot.book.goals.size(), 1U);
-  EXPECT_EQ(caller.robot.book.goals[0], authority::MotionGoal(authority::goal::Move{1.5, 0, 0, 1}));
-  EXPECT_EQ(caller.Ask(1003, R"({"x":1,"y":0,"yaw":0,"mode":2})").code, 3202);
+  EXPECT_TRUE(caller.robot.book.goals.empty());
+  caller.Ask(1001, R"({"enable":true})");
+  caller.Ask(1003, move);
+  caller.Ask(1003, R"({"x":3,"y":-1,"yaw":9,"mode":1})");
+  caller.Ask(1003, R"({"x":3,"y":-1,"yaw":2,"mode":2})");
+  using authority::MotionGoal;
+  namespace goal = authority::goal;
+  EXPECT_THAT(caller.robot.book.goals,
+              testing::ElementsAre(MotionGoal(goal::Move{1.5, 0, 0, 1}),
+                                   MotionGoal(goal::GoTo{2, -1, 1.57, true}),
+                                   MotionGoal(goal::GoTo{3, -1, 2, false})));
 }
 
 TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
@@ -211,7 +235,7 @@ TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
   EXPECT_THAT(caller.notice, HasSubstr("walks without seeing obstacles"));
   caller.robot.book.verdict = authority::MotionVerdict::kUnable;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
-  EXPECT_THAT(caller.notice, HasSubstr("nothing here can"));
+  EXPECT_THAT(caller.notice, HasSubstr("not simulated"));
   caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
   EXPECT_EQ(caller.notice, "");

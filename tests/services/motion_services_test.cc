@@ -1,4 +1,8 @@
-// sport, loco and arm: what a goal becomes and what its verdict is answered with.
+// Tests sport, loco and arm: the goals of their calls, and the codes for verdicts.
+#include <utility>
+#include <vector>
+
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
@@ -30,7 +34,7 @@ TEST(Go2SportTest, TellsByCodeWhatBecameOfAGoal) {
 
 TEST(Go2SportTest, HasNotTheIdsThatNewFirmwareRemoved) {
   Caller caller(TableOf("go2", "sport"));
-  for (const std::int64_t id : {1011, 1012, 1013, 1014, 1018, 1019, 1021, 1024, 1025, 1026}) {
+  for (const std::int64_t id : {1011, 1012, 1013, 1014, 1018, 1019, 1021, 1024, 1025}) {
     EXPECT_EQ(caller.Ask(id, R"({"data":0})").code, 3203) << id;
   }
 }
@@ -52,11 +56,34 @@ TEST(Go2SportTest, SwitchesTheSticksOfTheRemoteController) {
   EXPECT_TRUE(caller.robot.owner.sticks());
 }
 
-TEST(Go2SportTest, SaysThatNoSpeedIsThereToBeSet) {
+TEST(Go2SportTest, SetsASpeedLevelAndGivesItBack) {
   Caller caller(TableOf("go2", "sport"));
-  EXPECT_EQ(caller.Ask(1015, R"({"data":1})").code, 4205);
-  EXPECT_NE(caller.notice, "");
+  EXPECT_EQ(caller.Ask(1026).data, R"({"data":0})");
+  EXPECT_EQ(caller.Ask(1015, R"({"data":-1})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.at(0), MotionGoal(goal::SpeedLevel{-1}));
+  EXPECT_EQ(caller.Ask(1026).data, R"({"data":-1})");
   EXPECT_EQ(caller.Ask(1015, R"({"data":2})").code, kRpcApiParameter);
+}
+
+TEST(Go2SportTest, AsksForGaitsAndGesturesByTheirNames) {
+  using enum goal::GaitName;
+  using enum goal::GestureName;
+  Caller caller(TableOf("go2", "sport"));
+  const std::vector<std::pair<std::int64_t, MotionGoal>> kCalls{
+      {1061, goal::Gait{kStatic}},     {1062, goal::Gait{kRun}},
+      {1063, goal::Gait{kEconomic}},   {2045, goal::Gait{kFree}},
+      {1016, goal::Gesture{kHello}},   {1017, goal::Gesture{kStretch}},
+      {1020, goal::Gesture{kContent}}, {1022, goal::Gesture{kDance1}},
+      {1023, goal::Gesture{kDance2}},  {1029, goal::Gesture{kScrape}},
+      {1036, goal::Gesture{kHeart}}};
+  for (const auto& [id, wish] : kCalls) {
+    EXPECT_EQ(caller.Ask(id).code, 0) << id;
+    EXPECT_EQ(caller.robot.book.goals.back(), wish) << id;
+  }
+  caller.Ask(2049, R"({"data":true})");
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{kClassic}));
+  caller.Ask(2049, R"({"data":false})");
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{kFree}));
 }
 
 TEST(Go2SportTest, EndsAPoseWithTheCallThatBeginsIt) {
@@ -67,15 +94,73 @@ TEST(Go2SportTest, EndsAPoseWithTheCallThatBeginsIt) {
   EXPECT_EQ(caller.robot.book.goals.at(1), MotionGoal(goal::EndPose{}));
 }
 
-TEST(B2SportTest, RefusesAPathOfAnotherLengthWithItsOwnCode) {
-  Caller caller(TableOf("b2", "sport"));
+// A path of so many points, one every 0.1 s and 0.05 m.
+json PathOf(int points) {
   json path = json::array();
-  for (int i = 0; i < 29; ++i) {
-    path.push_back({{"t_from_start", i}, {"x", 0}, {"y", 0}, {"yaw", 0}});
+  for (int i = 0; i < points; ++i) {
+    path.push_back({{"t_from_start", 0.1 * i}, {"x", 0.05 * i}, {"y", 0}, {"yaw", 0}});
   }
-  EXPECT_EQ(caller.Ask(1018, path.dump()).code, 4101);
-  path.push_back(path.front());
-  EXPECT_EQ(caller.Ask(1018, path.dump()).code, 4205);
+  return path;
+}
+
+TEST(B2SportTest, TakesAPathOfThirtyPointsAndNoOther) {
+  Caller caller(TableOf("b2", "sport"));
+  EXPECT_EQ(caller.Ask(1018, PathOf(29).dump()).code, 4101);
+  EXPECT_EQ(caller.Ask(1018, PathOf(30).dump()).code, 0);
+  const auto& path = std::get<goal::FollowPath>(caller.robot.book.goals.at(0));
+  ASSERT_EQ(path.points->size(), 30U);
+  EXPECT_DOUBLE_EQ(path.points->back().t, 2.9);
+  EXPECT_DOUBLE_EQ(path.points->back().x, 1.45);
+  caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
+  EXPECT_EQ(caller.Ask(1018, PathOf(30).dump()).code, 4201);
+}
+
+TEST(B2SportTest, ChoosesGaitsByNumberAndByName) {
+  using enum goal::GaitName;
+  Caller caller(TableOf("b2", "sport"));
+  for (const auto& [number, gait] :
+       {std::pair(0, kFree), std::pair(1, kTrot), std::pair(2, kRun), std::pair(3, kStairs)}) {
+    caller.Ask(1011, json{{"data", number}}.dump());
+    EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{gait})) << number;
+  }
+  caller.Ask(1011, R"({"data":7})");
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{kNone})) << "which none has";
+  caller.Ask(1050, R"({"data":1})");
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{kFast}));
+}
+
+TEST(B2SportTest, KeepsSteppingMovesOnAndGoesToPlaces) {
+  Caller caller(TableOf("b2", "sport"));
+  caller.Ask(1019, R"({"data":1})");
+  caller.Ask(1038, R"({"data":true})");
+  caller.Ask(1036, R"({"x":1,"y":-2,"yaw":0.5})");
+  EXPECT_THAT(caller.robot.book.goals,
+              testing::ElementsAre(MotionGoal(goal::KeepStepping{true}),
+                                   MotionGoal(goal::LastingMoves{true}),
+                                   MotionGoal(goal::GoTo{1, -2, 0.5, false})));
+}
+
+TEST(B2SportTest, TakesAnglesAndAFlagForFreeEuler) {
+  Caller caller(TableOf("b2", "sport"));
+  EXPECT_EQ(caller.Ask(1051, R"({"x":0.1,"y":0.2,"z":0.3})").code, 0);
+  EXPECT_EQ(caller.Ask(1051, R"({"data":true})").code, 0);
+  EXPECT_THAT(caller.robot.book.goals, testing::ElementsAre(MotionGoal(goal::Euler{0.1, 0.2, 0.3}),
+                                                            MotionGoal(goal::Euler{})));
+}
+
+TEST(A2SportTest, FollowsAPathByItsOwnEstimateOnly) {
+  Caller caller(TableOf("a2", "sport"));
+  json parameter = {{"path", PathOf(3)},
+                    {"feedback_mode", 0},
+                    {"external_x", 0},
+                    {"external_y", 0},
+                    {"external_yaw", 0}};
+  EXPECT_EQ(caller.Ask(1035, parameter.dump()).code, 0);
+  EXPECT_EQ(std::get<goal::FollowPath>(caller.robot.book.goals.at(0)).points->size(), 3U);
+  parameter["feedback_mode"] = 1;
+  EXPECT_EQ(caller.Ask(1035, parameter.dump()).code, 4205);
+  EXPECT_EQ(caller.robot.book.goals.size(), 1U);
+  EXPECT_NE(caller.notice, "");
 }
 
 TEST(B2SportTest, HoldsAMoveHalfAsLongOnWheels) {

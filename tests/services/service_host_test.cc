@@ -1,4 +1,4 @@
-// The host on a real bus, loopback, a domain of its own.
+// Tests the host on a real bus: loopback, in a separate domain.
 #include "services/service_host.h"
 
 #include <map>
@@ -20,8 +20,8 @@ using Request = unitree_api_msg_dds__Request_;
 using Response = unitree_api_msg_dds__Response_;
 using std::chrono::milliseconds;
 
-// Api 7 answers the text it was given and asks for a goal, whose value counts calls in a script;
-// 8 is not played; 9 throws; 10 is answered after the arm; all of it is "echo".
+// Api 7 answers the text it was given and asks for a goal, whose value counts calls in a script; 8
+// is not simulated; 9 throws; 10 is answered after the arm; all of it is "echo".
 ServiceTable EchoTable(bool needs_motion) {
   const Field text{.key = "a", .kind = FieldKind::kText};
   return {

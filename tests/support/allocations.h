@@ -1,5 +1,5 @@
-// Counts what C++ allocates in this test program: operator new, on all threads. Cyclone's C is not
-// counted.
+// Counts the calls of operator new in this test program, in all threads. Allocations of Cyclone's C
+// are not counted.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@ namespace understudy::test {
 
 // Calls of operator new since the program's start.
 std::uint64_t Allocations();
-// Those of the thread that asks.
+// Those of the calling thread.
 std::uint64_t AllocationsOfThisThread();
 
 }  // namespace understudy::test

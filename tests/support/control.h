@@ -1,4 +1,4 @@
-// What the tests of the control plane share.
+// Helpers for the tests of the control plane.
 #pragma once
 
 #include <atomic>
@@ -28,7 +28,7 @@
 
 namespace understudy::test {
 
-// An upper bound for what should take next to no time, on the slowest machine.
+// An upper bound, even on slow machines, for operations that should be immediate.
 inline constexpr std::chrono::seconds kBound{10};
 
 // Sets, or with nullopt unsets, an environment variable until the end of the scope.
@@ -51,7 +51,7 @@ class ScopedEnv {
   std::optional<std::string> before_;
 };
 
-// A stream socket, of Unix or TCP on this machine, without any manners.
+// A plain Unix or TCP socket, for clients that misbehave.
 class RawSocket {
  public:
   explicit RawSocket(int family = AF_UNIX) : fd_(::socket(family, SOCK_STREAM | SOCK_CLOEXEC, 0)) {
@@ -162,16 +162,16 @@ class Ticking {
   std::thread thread_;
 };
 
-// Shows the frame that is wanted about every millisecond, as a robot does.
+// Shows the snapshot that is wanted about every millisecond, as a robot does.
 class Showing {
  public:
-  explicit Showing(emulator::SnapshotMailbox* frames)
-      : thread_([this, frames] {
+  explicit Showing(emulator::SnapshotMailbox* snapshots)
+      : thread_([this, snapshots] {
           for (; !stop_; std::this_thread::sleep_for(std::chrono::milliseconds{1})) {
-            emulator::Frame* frame = frames->Wanted();
-            if (frame == nullptr) continue;
-            frame->step = ++shown_;
-            frames->Post();
+            emulator::Snapshot* snapshot = snapshots->Wanted();
+            if (snapshot == nullptr) continue;
+            snapshot->step = ++shown_;
+            snapshots->Post();
           }
         }) {}
   ~Showing() {

@@ -1,4 +1,4 @@
-// Waiting for what other threads bring about, with a bound.
+// Waits, with a bound, for effects of other threads.
 #pragma once
 
 #include <chrono>
@@ -6,7 +6,7 @@
 
 namespace understudy::test {
 
-// Asks `holds` again and again until it says yes or `bound` has passed; returns its last answer.
+// Calls `holds` repeatedly until it returns true or `bound` has passed; returns its last result.
 template <typename Predicate>
 bool Eventually(Predicate&& holds, std::chrono::milliseconds bound = std::chrono::seconds(20)) {
   const auto end = std::chrono::steady_clock::now() + bound;

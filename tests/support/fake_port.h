@@ -1,4 +1,4 @@
-// A port without a wire.
+// A port without a bus.
 #pragma once
 
 #include <array>
@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "robot/command_topics.h"
@@ -20,7 +21,7 @@ class FakePort final : public wire::RobotPort {
     robot::RobotState state;
   };
 
-  // Lets a command wait, with what is wrong with its form.
+  // Queues a command with a fault of form.
   void Send(const robot::RobotCommand& command, robot::Refusal form = robot::Refusal::kNone) {
     SendTo(robot::kLowCmdTopic, command, form);
   }
@@ -42,8 +43,10 @@ class FakePort final : public wire::RobotPort {
       topics_[i].steady = command;
     }
   }
-  // A state is due in every so manyth step.
+  // Makes a state due in every `steps`-th step.
   void TellEvery(std::int64_t steps) { every_ = steps; }
+  // Is told when the next state has been sent.
+  void Bring(const robot::PortNews& news) { news_ = news; }
   // From now on only the last sample is kept; publishing one more then allocates nothing.
   void KeepTheLastOnly() { keep_all_ = false; }
 
@@ -57,6 +60,7 @@ class FakePort final : public wire::RobotPort {
   void Publish(const robot::RobotState& state, std::int64_t step) override;
   int command_writers() const override { return 1; }
   robot::PortCounts counts() const override { return {.lowstates = published_}; }
+  robot::PortNews TakeNews() override { return std::exchange(news_, {}); }
 
  private:
   struct Waiting {
@@ -77,6 +81,7 @@ class FakePort final : public wire::RobotPort {
 
   std::array<Topic, robot::kMostCommandTopics> topics_;
   std::int64_t every_ = 2;  // 500 Hz in steps of 1 ms
+  robot::PortNews news_;
   bool keep_all_ = true;
   std::uint64_t published_ = 0;
   std::vector<Sample> samples_;

@@ -1,4 +1,4 @@
-// Services without a wire.
+// Services without a bus.
 #pragma once
 
 #include <functional>

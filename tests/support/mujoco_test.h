@@ -1,4 +1,4 @@
-// A fixture for whatever makes MuJoCo work.
+// A fixture for tests that use MuJoCo.
 #pragma once
 
 #include <gtest/gtest.h>

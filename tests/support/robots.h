@@ -1,6 +1,7 @@
 // The robots of the repository, for tests that hold for each of a kind.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -9,8 +10,13 @@
 
 namespace understudy::test {
 
-inline robot::RobotSpec ShippedRobot(const std::string& name) {
-  return config::LoadConfig({.robot = name, .files = {}, .sets = {}}, UNDERSTUDY_SOURCE_DIR).robot;
+// Reads each robot once: every test is a process of its own, which asks for all of them as it
+// starts.
+inline const robot::RobotSpec& ShippedRobot(const std::string& name) {
+  static std::map<std::string, robot::RobotSpec> read;
+  const auto [at, is_new] = read.try_emplace(name);
+  if (is_new) at->second = config::LoadConfig({.robot = name}, UNDERSTUDY_SOURCE_DIR).robot;
+  return at->second;
 }
 
 // Those of which `is_meant` holds, by name.

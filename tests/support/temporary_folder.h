@@ -1,4 +1,4 @@
-// A folder that is there as long as the test is.
+// A temporary folder that exists during a test.
 #pragma once
 
 #include <cstdlib>

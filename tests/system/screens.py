@@ -1,4 +1,4 @@
-"""A screen without a monitor (Xvfb), what is on it, and hands (xdotool)."""
+"""A virtual screen (Xvfb), its pictures, and its mouse and keyboard (xdotool)."""
 
 import os
 import pathlib

@@ -1,4 +1,4 @@
-"""The control plane on TCP, as a browser and whoever means ill have it."""
+"""The control plane on TCP, as browsers and malicious clients use it."""
 
 import json
 import os
@@ -34,17 +34,17 @@ def test_a_browser_sees_the_robot_and_moves_it_with_the_token(play):
     url = url_of(play("go2", "--start", "standing", "--released"))
     token = url.split("token=")[1]
     scene = json.loads(ask(url, "/scene")[1])
-    frame = json.loads(ask(url, "/frame")[1])
-    assert len(scene["bodies"]) == len(frame["bodies"])
-    assert len(scene["motors"]) == len(frame["motors"]) == 12
+    snapshot = json.loads(ask(url, "/snapshot")[1])
+    assert len(scene["bodies"]) == len(snapshot["bodies"])
+    assert len(scene["motors"]) == len(snapshot["motors"]) == 12
 
     push = {"force": [0, 200, 0], "for": 0.3}
     assert ask(url, "/push", body=push)[0] == 401
     assert ask(url, "/push", token="0" * 32, body=push)[0] == 401
     assert ask(url, "/push", token=token, body=push, Origin="http://evil.example")[0] == 403
-    before = frame["qpos"][1]
+    before = snapshot["qpos"][1]
     assert ask(url, "/push", token=token, body=push)[0] == 200
-    eventually(lambda: abs(json.loads(ask(url, "/frame")[1])["qpos"][1] - before) > 0.005)
+    eventually(lambda: abs(json.loads(ask(url, "/snapshot")[1])["qpos"][1] - before) > 0.005)
 
 
 def test_metrics_are_what_prometheus_reads(play):

@@ -1,4 +1,4 @@
-"""How understudy ends, by what went wrong; and that its sentence names the thing and the place."""
+"""The exit code and error line of understudy for each kind of failure."""
 
 import os
 import pathlib
@@ -93,6 +93,22 @@ def test_a_command_that_is_missing_or_none_is_answered_with_those_there_are(
     assert done.returncode == USAGE
     assert text in done.stderr
     assert "status" in done.stderr or "run" in done.stderr or "lower" in done.stderr
+
+
+@pytest.mark.parametrize(("arguments", "text"), [
+    (("run", "go2", "--strat", "standing"), "no option '--strat' of `understudy run`; did you mean '--start'?"),
+    (("ctl", "push", "--form=2"), "no option '--form' of `understudy ctl push`; did you mean '--for'?"),
+    (("check", "go2", "--zzzzzzzzzz"), "no option '--zzzzzzzzzz' of `understudy check`\n"),
+])
+def test_an_option_that_is_none_is_answered_with_the_nearest(understudy, arguments, text):
+    done = understudy(*arguments)
+
+    assert done.returncode == USAGE
+    assert text in done.stderr
+
+
+def test_a_robot_may_be_written_as_the_vendor_writes_it(understudy):
+    assert understudy("run", "Go2W", "--print-config").returncode == 0
 
 
 @pytest.mark.parametrize("arguments", [

@@ -125,7 +125,7 @@ def test_a_gamepad_whose_buttons_nobody_knows_is_told_of_and_the_robot_goes_on(p
     gamepad.unplug()
     then = robot.status()["time"]
     assert robot.becomes(lambda now: now["time"] > then + 0.5)["remote"]["there"] is False
-    assert "goes on without" not in robot.said()
+    assert "continues without" not in robot.said()
 
 
 def test_a_system_that_has_no_gamepads_to_offer_is_no_error(play):
@@ -133,7 +133,7 @@ def test_a_system_that_has_no_gamepads_to_offer_is_no_error(play):
     eventually(lambda: "no gamepads: there is no such thing here" in robot.said(), what="it is told")
     then = robot.status()["time"]
     assert robot.becomes(lambda now: now["time"] > then + 0.5)["remote"]["there"] is False
-    assert "goes on without" not in robot.said()
+    assert "continues without" not in robot.said()
 
 
 def test_an_installation_without_the_remotes_program_is_no_error(play, runtime_dir, monkeypatch):

@@ -1,4 +1,4 @@
-"""What understudy says of itself, its robots and one's own files."""
+"""The commands that describe understudy, its robots and the files of users."""
 
 import json
 import pathlib
@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "snapshot", "film", "robots", "check", "version", "completions"]
+SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "picture", "film", "robots", "check", "version", "completions"]
 ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
 MODELS = pathlib.Path(__file__).parents[2] / "models"
 
@@ -98,6 +98,20 @@ def test_check_finds_our_own_files_sound(understudy):
     assert done.returncode == 0, done.stdout
     assert [entry["file"] for entry in json.loads(done.stdout)] == [str(file) for file in files]
     assert all(entry["ok"] for entry in json.loads(done.stdout))
+
+
+def test_check_reads_a_layer_over_a_robot_and_a_scene_as_ground(understudy, tmp_path):
+    layer, scene, wrong = tmp_path / "layer.yaml", tmp_path / "course.yaml", tmp_path / "wrong.yaml"
+    layer.write_text("gate: {timeout: 0.5}\n")
+    scene.write_text("terrain: {patches: [{kind: rough}]}\n")
+    wrong.write_text("gate:\n  timeuot: 0.5\n")
+
+    done = understudy("check", "--robot", "g1", layer, scene, wrong)
+
+    assert done.returncode == 3
+    assert done.stdout.splitlines()[:2] == [f"ok   {layer}: layer for --config, fits g1",
+                                            f"ok   {scene}: scene for --scene, fits g1"]
+    assert f"{wrong}:2" in done.stdout and "did you mean 'timeout'?" in done.stdout
 
 
 def test_check_tells_the_unsound_from_the_sound(understudy, tmp_path):

@@ -1,4 +1,4 @@
-"""What a run says while it runs."""
+"""The log of a run."""
 
 import fcntl
 import os
@@ -37,6 +37,15 @@ def test_exec_returns_the_commands_code_although_nobody_reads_its_log(stuck):
                            "sh", "-c", "exit 7"], stderr=stuck[1], timeout=10)
 
     assert done.returncode == 7
+
+
+def test_a_full_pipe_that_cannot_be_opened_anew_does_not_hold_up_the_end_either(stuck):
+    os.fchmod(stuck[1], 0)  # as another user's, after `su`
+    command = [os.environ["UNDERSTUDY"], "run", "go2", "--duration", "0.3"]
+    if os.geteuid() == 0:  # whom modes do not hold back
+        command = ["setpriv", "--bounding-set", "-dac_override,-dac_read_search", *command]
+
+    assert subprocess.run(command, stderr=stuck[1], timeout=10, check=False).returncode == 0
 
 
 def test_lines_that_nobody_read_are_counted_and_told_once_somebody_reads(play, stuck):

@@ -1,4 +1,4 @@
-"""Two robots on one network: who speaks, who stays silent, and what is said of it."""
+"""Two robots on one network: which one publishes, and what the log says."""
 
 import os
 import pathlib

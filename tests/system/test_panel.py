@@ -11,7 +11,7 @@ from robots import eventually
 # A small copy of what the view shows now: [r, g, b, a, ...] of 48 x 32 points.
 PIXELS = """(() => {
   const { view } = panel;
-  view.place(view.frame);
+  view.place(view.snapshot);
   view.renderer.render(view.scene, view.camera);
   const small = Object.assign(document.createElement("canvas"), { width: 48, height: 32 });
   const context = small.getContext("2d");
@@ -46,7 +46,7 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
     page.click("#crane-hook")
 
     robot.becomes(lambda now: not now["crane"]["attached"] and now["base"]["height"] < 0.4)
-    page.becomes("panel.view.frame.bodies[panel.view.base][2] < 0.4")
+    page.becomes("panel.view.snapshot.bodies[panel.view.base][2] < 0.4")
     page.evaluate("panel.view.home()")
     assert differing(before, page.evaluate(PIXELS)) > 0.02
     host = url_of(robot).split("#")[0]
@@ -56,17 +56,34 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
 def test_a_drag_in_the_view_pulls_the_robot_until_it_is_let_go(page):
     page.click("#push-tool")
     x, y = page.evaluate(BASE_ON_SCREEN)
-    start = page.evaluate("panel.view.frame.bodies[panel.view.base]")
+    start = page.evaluate("panel.view.snapshot.bodies[panel.view.base]")
 
     page.mouse("mousePressed", x, y)
     for way in range(0, 160, 20):
         page.mouse("mouseMoved", x + way, y)
-    page.becomes("panel.view.frame.pushes.length > 0")
-    page.becomes(f"Math.hypot(panel.view.frame.bodies[panel.view.base][0] - {start[0]},"
-                 f"panel.view.frame.bodies[panel.view.base][1] - {start[1]}) > 0.02")
+    page.becomes("panel.view.snapshot.pushes.length > 0")
+    page.becomes(f"Math.hypot(panel.view.snapshot.bodies[panel.view.base][0] - {start[0]},"
+                 f"panel.view.snapshot.bodies[panel.view.base][1] - {start[1]}) > 0.02")
     page.mouse("mouseReleased", x + 140, y, held=False)
 
-    page.becomes("panel.view.frame.pushes.length === 0")
+    page.becomes("panel.view.snapshot.pushes.length === 0")
+
+
+def test_a_push_in_numbers_pushes_and_one_without_a_number_is_told_why_not(page):
+    show(page, "rig")
+    fill = "Object.assign(document.querySelector('#rig form[aria-label=push] [aria-label=\"{}\"]'), {{ value: '{}' }}), 0"
+    submit = "document.querySelector('#rig form[aria-label=push]').requestSubmit()"
+    page.evaluate(submit)
+    page.becomes("document.getElementById('message').textContent.includes('force or impulse')")
+
+    for called, value in (("body", "base_link"), ("force y", "5"), ("for", "60")):
+        page.evaluate(fill.format(called, value))
+    page.evaluate(submit)
+    page.becomes("panel.view.snapshot.pushes.length === 1 && panel.view.snapshot.pushes[0].force[1] === 5")
+    page.evaluate("panel.link.post('reset')")
+
+    page.becomes("panel.view.snapshot.pushes.length === 0")
+    show(page, "remote")
 
 
 def remote_bytes(samples):
@@ -115,13 +132,13 @@ def test_a_refused_command_is_an_event_with_its_reason(page):
 
 def test_pause_stops_time_and_a_step_is_one_tick(page):
     page.click("#pause")
-    page.becomes("panel.view.frame.paused && !document.getElementById('step').disabled")
-    step = page.evaluate("panel.view.frame.step")
+    page.becomes("panel.view.snapshot.paused && !document.getElementById('step').disabled")
+    step = page.evaluate("panel.view.snapshot.step")
     page.click("#step")
-    page.becomes(f"panel.view.frame.step === {step + 1}")
+    page.becomes(f"panel.view.snapshot.step === {step + 1}")
     page.click("#pause")
 
-    page.becomes(f"!panel.view.frame.paused && panel.view.frame.step > {step + 100}")
+    page.becomes(f"!panel.view.snapshot.paused && panel.view.snapshot.step > {step + 100}")
 
 
 def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
@@ -154,9 +171,9 @@ def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
 def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):
     before = page.evaluate("panel.plots.history.end")
 
-    page.evaluate("panel.link.frames.close(), 0")
+    page.evaluate("panel.link.snapshots.close(), 0")
 
-    page.becomes("panel.link.frames.readyState === 1 && document.getElementById('lost').hidden")
+    page.becomes("panel.link.snapshots.readyState === 1 && document.getElementById('lost').hidden")
     page.becomes(f"panel.plots.history.end > {before} + 20")
 
 
@@ -165,10 +182,10 @@ def test_speed_is_chosen_in_the_bar(page):
               "(document.getElementById('speed'))")
 
     page.evaluate(choose.format("0.5"))
-    page.becomes("panel.view.frame.speed === 0.5")
+    page.becomes("panel.view.snapshot.speed === 0.5")
     page.evaluate(choose.format("1"))
 
-    page.becomes("panel.view.frame.speed === 1")
+    page.becomes("panel.view.snapshot.speed === 1")
 
 
 def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page):
@@ -187,14 +204,14 @@ def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
     second = visit(url_of(dog))
     second.becomes("panel.link.requestsOpen")
 
-    step = second.evaluate("panel.view.frame.step")
-    second.becomes(f"panel.view.frame.step > {step}")
+    step = second.evaluate("panel.view.snapshot.step")
+    second.becomes(f"panel.view.snapshot.step > {step}")
 
-    assert second.evaluate("panel.view.frame.pushes.length") == 1
+    assert second.evaluate("panel.view.snapshot.pushes.length") == 1
     page.evaluate("panel.link.post('let_go')")
 
 
-# Orders go nowhere and are all refused; `link.asked` has them.
+# Requests go nowhere and are all refused; `link.asked` has them.
 REFUSE = """(() => {
   const { link } = panel;
   link.asked = [];
@@ -227,7 +244,7 @@ def test_space_pauses_once_however_long_it_is_held(page):
 
 
 def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):
-    page.evaluate("window.before = true; panel.link.known.robot = 'g1'; panel.link.frames.close()")
+    page.evaluate("window.before = true; panel.link.known.robot = 'g1'; panel.link.snapshots.close()")
 
     page.becomes("!window.before && window.panel?.view.placed && panel.link.known.robot === 'go2'")
 
@@ -237,7 +254,7 @@ def test_without_the_token_one_may_only_look(dog, visit):
 
     assert "has no token" in page.text("#token")
     assert page.evaluate("[...document.querySelectorAll('.requests')].every((one) => one.disabled)")
-    page.becomes("panel.view.frame.motors.length === 12")
+    page.becomes("panel.view.snapshot.motors.length === 12")
 
 
 def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play, visit):

@@ -1,4 +1,4 @@
-"""The panel on other screens and for other eyes and hands: phones, light and dark, the tab key, no WebGL."""
+"""The panel on phones, in light and dark mode, by the Tab key, and without WebGL."""
 
 from panel_page import DESK, PHONE, browser, dog, dogs_page, page, show, url_of, visit
 

@@ -53,3 +53,56 @@ def test_its_modules_do_what_they_say(page):
         return { normal: [...mesh.attributes.normal.array.slice(0, 3)], faces: mesh.index.count / 3,
                  top: [ground.getX(top), ground.getY(top), ground.getZ(top)] };
       }""") == {"normal": [0, 0, 1], "faces": 1, "top": [-3, -2, 0.5]}
+
+
+ROW = """{ name: "arm.wave_at", does: "Waves", fields: [
+  { key: "times", kind: "whole", range: [1, 9], required: true, does: "How often" },
+  { key: "for", kind: "number", unit: "s", range: [0.1, 60], default: 2, does: "How long" },
+  { key: "to", kind: "vector", unit: "m", range: [-1, 1], does: "Where" },
+  { key: "off", kind: "vector", range: [-1, 1], does: "Not given" },
+  { key: "with", kind: "word", words: ["left", "right"], does: "Which hand" },
+  { key: "body", kind: "body", required: true, does: "Of the model" },
+  { key: "slow", kind: "switch", default: 1, does: "Whether" },
+  { key: "song", kind: "name", does: "Hummed" }] }"""
+
+
+def test_a_request_gets_its_form_by_its_row_alone(page):
+    made = page.evaluate(f"""import("/panel/forms.js").then(({{ makeForm }}) => {{
+        const asked = [];
+        const form = makeForm({ROW}, ["torso", "head"], (...what) => asked.push(what));
+        document.body.append(form);
+        const one = (called) => form.querySelector(`[aria-label="${{called}}"]`);
+        const options = (called) => [...one(called).options].map(({{ value }}) => value);
+        const before = form.checkValidity();
+        Object.entries({{ times: "3", "to x": "0.5", "to z": "-1", with: "right", body: "head" }})
+          .forEach(([called, value]) => (one(called).value = value));
+        form.requestSubmit();
+        one("times").value = "10";
+        form.requestSubmit(); // out of range: the browser says so
+        const times = ["type", "min", "max", "step", "required"].map((name) => one("times")[name]);
+        const text = [...form.children].map(({{ firstChild, lastChild }}) =>
+          [firstChild.data.trim(), lastChild.data.trim()].join(" ").trim());
+        form.remove();
+        return {{ asked, before, times, text, words: options("with"), bodies: options("body"),
+                  step: one("for").step, value: one("for").value, slow: one("slow").checked }};
+      }})""")
+
+    assert made["asked"] == [["arm.wave_at", {"times": 3, "for": 2, "to": [0.5, 0, -1], "with": "right",
+                                              "body": "head", "slow": True}]]
+    assert not made["before"]  # something that is needed is missing
+    assert made["times"] == ["number", "1", "9", "1", True]
+    assert (made["step"], made["value"], made["slow"]) == ("any", "2", True)
+    assert made["words"] == ["", "left", "right"] and made["bodies"] == ["", "torso", "head"]
+    assert made["text"] == ["times", "for s", "to m", "off", "with", "body", "slow", "song", "wave at wave at"]
+
+
+def test_every_request_that_nothing_else_makes_has_a_form_and_no_other(page):
+    rows = page.evaluate("fetch('/requests').then((reply) => reply.json())")["requests"]
+    forms = page.evaluate("[...document.querySelectorAll('#rig form')].map((form) => form.ariaLabel)")
+    made = """Promise.all(["bar", "drag", "remote", "rig"].map((name) => fetch(`/panel/${name}.js`)
+        .then((reply) => reply.text()))).then((texts) => texts.join())"""
+    code = page.evaluate(made)
+    for name in (row["name"] for row in rows):
+        by_hand = f'"{name}"' in code
+        # What press, hold, release, sticks and on do, the picture of the remote controller does by remote.set.
+        assert (name in forms) != (by_hand or name.startswith("remote.")), name

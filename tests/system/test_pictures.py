@@ -1,4 +1,4 @@
-"""Pictures and films without a display: `understudy snapshot` and `understudy film`."""
+"""Pictures and films without a display: `understudy picture` and `understudy film`."""
 
 import json
 import os
@@ -40,10 +40,10 @@ def probe(film):
 
 
 @pytest.mark.parametrize("gl", ["egl", "osmesa"])
-def test_a_snapshot_has_the_size_that_was_asked_for_and_something_in_it(play, understudy, tmp_path, gl):
+def test_a_picture_has_the_size_that_was_asked_for_and_something_in_it(play, understudy, tmp_path, gl):
     robot = play("go2")
     picture = tmp_path / "go2.png"
-    done = understudy("snapshot", picture, "--name", robot.name, "--size", "200x120", "--gl", gl,
+    done = understudy("picture", picture, "--name", robot.name, "--size", "200x120", "--gl", gl,
                       env=without_display())
 
     assert done.returncode == 0, done.stderr
@@ -55,24 +55,24 @@ def test_where_egl_has_no_driver_osmesa_draws(play, understudy, tmp_path):
     robot = play("go2")
     here = ("--name", robot.name, "--size", "32x32")
     no_drivers = {**without_display(), "__EGL_VENDOR_LIBRARY_FILENAMES": "/dev/null"}
-    done = understudy("snapshot", tmp_path / "a.png", *here, "--gl", "egl", env=no_drivers)
+    done = understudy("picture", tmp_path / "a.png", *here, "--gl", "egl", env=no_drivers)
     assert done.returncode == 1
     assert "apt-get install" in done.stderr
 
-    done = understudy("snapshot", tmp_path / "a.png", *here, env=no_drivers)
+    done = understudy("picture", tmp_path / "a.png", *here, env=no_drivers)
     assert done.returncode == 0, done.stderr
 
 
-def test_a_snapshot_shows_what_is_asked_for(play, understudy, tmp_path):
+def test_a_picture_shows_what_is_asked_for(play, understudy, tmp_path):
     robot = play("go2", "--start", "hanging")
     plain, collision = tmp_path / "plain.png", tmp_path / "collision.png"
     look = ("--name", robot.name, "--size", "160x120", "--track", "FR_calf", "--distance", 1)
-    assert understudy("snapshot", plain, *look).returncode == 0
-    assert understudy("snapshot", collision, *look, "--show", "collision,com,joints").returncode == 0
+    assert understudy("picture", plain, *look).returncode == 0
+    assert understudy("picture", collision, *look, "--show", "collision,com,joints").returncode == 0
     assert plain.read_bytes() != collision.read_bytes()
 
 
-def test_a_snapshot_is_refused_with_a_reason(play, understudy, tmp_path):
+def test_a_picture_is_refused_with_a_reason(play, understudy, tmp_path):
     robot = play("go2")
     there = tmp_path / "there.png"
     there.write_bytes(b"mine")
@@ -85,12 +85,12 @@ def test_a_snapshot_is_refused_with_a_reason(play, understudy, tmp_path):
             ((tmp_path / "a.jpg", *here), 2, [".png"]),
             ((tmp_path / "a.png", "--name", robot.name, "--size", "0x9"), 2, ["WIDTHxHEIGHT"]),
             ((tmp_path / "a.png", "--name", "nobody"), 1, ["nobody"])):
-        done = understudy("snapshot", *arguments)
+        done = understudy("picture", *arguments)
         assert done.returncode == code, (arguments, done.stderr)
         for word in words:
             assert word in done.stderr + done.stdout
     assert there.read_bytes() == b"mine"
-    assert understudy("snapshot", there, *here, "--overwrite").returncode == 0
+    assert understudy("picture", there, *here, "--overwrite").returncode == 0
     assert size_of(there) == (32, 32)
 
 
@@ -175,7 +175,7 @@ def recording_fixture(tmp_path_factory):
 def test_a_recording_is_drawn_at_the_time_that_was_asked_for(understudy, recording, tmp_path):
     pictures = [tmp_path / "begin.png", tmp_path / "later.png", tmp_path / "again.png"]
     for picture, at in zip(pictures, (0, 1, 1), strict=True):
-        done = understudy("snapshot", picture, "--recording", recording, "--at", at, "--size", "160x90",
+        done = understudy("picture", picture, "--recording", recording, "--at", at, "--size", "160x90",
                           "--lookat", 0, 0, 0.3, env=without_display())
         assert done.returncode == 0, done.stderr
         assert size_of(picture) == (160, 90)
@@ -198,11 +198,11 @@ def test_what_is_no_recording_or_no_time_of_it_is_refused_with_a_reason(understu
     other.write_bytes(b"not a recording")
     picture, film = tmp_path / "a.png", tmp_path / "a.mp4"
     for arguments, code, word in (
-            (("snapshot", picture, "--recording", other), 9, "other.mcap"),
-            (("snapshot", picture, "--recording", tmp_path / "none.mcap"), 9, "none.mcap"),
-            (("snapshot", picture, "--recording", recording, "--at", 1e6), 1, "1000000"),
-            (("snapshot", picture, "--at", 1), 2, "--recording"),
-            (("snapshot", picture, "--recording", recording, "--name", "dog"), 2, "--name"),
+            (("picture", picture, "--recording", other), 9, "other.mcap"),
+            (("picture", picture, "--recording", tmp_path / "none.mcap"), 9, "none.mcap"),
+            (("picture", picture, "--recording", recording, "--at", 1e6), 1, "1000000"),
+            (("picture", picture, "--at", 1), 2, "--recording"),
+            (("picture", picture, "--recording", recording, "--name", "dog"), 2, "--name"),
             (("film", film, "--recording", recording, "--from", 0.5, "--to", 0.1), 1, "0.5"),
             (("film", film, "--recording", recording, "--seconds", 1), 2, "--seconds")):
         done = understudy(*arguments)

@@ -1,4 +1,4 @@
-"""`understudy play`: a recording on the wire, and `understudy recording`, what it holds."""
+"""`understudy play` puts a recording on the bus; `understudy recording` lists its contents."""
 
 import json
 import os
@@ -82,7 +82,7 @@ def test_commands_want_a_robot(file):
     done = understudy("play", file, "--commands")
 
     assert done.returncode == 5
-    assert "no robot speaks on lo" in done.stderr
+    assert "no robot publishes on lo" in done.stderr
 
 
 def test_misuse_is_said(file, tmp_path):
@@ -97,7 +97,7 @@ def test_misuse_is_said(file, tmp_path):
     assert refused(tmp_path / "none.mcap")[0] == 9
     (tmp_path / "text.mcap").write_text("words")
     code, said = refused(tmp_path / "text.mcap")
-    assert code == 9 and "is no MCAP file" in said
+    assert code == 9 and "is not an MCAP file" in said
 
 
 def test_a_recording_says_what_it_holds(file):

@@ -1,4 +1,4 @@
-"""`understudy plot`: the picture of a run."""
+"""`understudy plot`: plots of a recording."""
 
 import os
 import struct

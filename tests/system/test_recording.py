@@ -180,7 +180,7 @@ def test_a_full_disk_is_said_and_the_robot_goes_on(play, folder):
     few = 3_000_000  # the model alone is half of that
     robot = play("go2", "--record", file, "--speed", "20",
                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (few, few)))
-    robot.heard("File too large: nothing more is recorded; the robot goes on", "error")
+    robot.heard("File too large: recording has stopped; the robot continues", "error")
     before = robot.status()
     after = robot.becomes(lambda status: status["published"] > before["published"] + 100)
     stop(robot)
@@ -197,7 +197,7 @@ def test_a_recording_is_not_replaced_unasked(folder, understudy):
     done = understudy("run", "go2", "--record", file)
 
     assert done.returncode == 9
-    assert "is there already" in done.stderr and "--overwrite" in done.stderr
+    assert "exists already" in done.stderr and "--overwrite" in done.stderr
     assert file.read_text() == "precious"
     assert understudy("run", "go2", "--record", folder / "none/there.mcap").returncode == 9
     assert understudy("run", "go2", "--overwrite").returncode == 2

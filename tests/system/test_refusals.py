@@ -1,4 +1,4 @@
-"""What is said of commands: in the status under the cause's name, in the log in words."""
+"""How refused commands appear in status and log."""
 
 import math
 

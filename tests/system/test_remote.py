@@ -203,7 +203,7 @@ def test_a_run_with_a_gamepad_goes_on_without_one(play):
     robot.becomes(lambda now: now["time"] > 0.5)
     assert robot.status()["remote"]["there"] is False
     os.kill(int(gamepad), signal.SIGKILL)
-    robot.heard("the robot goes on without", "warning")
+    robot.heard("the robot continues without it", "warning")
     robot.send(signal.SIGINT)
     assert robot.exit_code() == 0
 

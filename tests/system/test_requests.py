@@ -1,4 +1,4 @@
-"""Requests about the run itself and about bodies, as a user has them from a shell: pause, step, speed, reset, drag."""
+"""Requests from a shell: pause, step, speed, reset, drag."""
 
 import json
 import os

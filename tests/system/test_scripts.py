@@ -1,4 +1,4 @@
-"""Scripts, pushes and the remote controller, as a user has them from a shell."""
+"""Scripts, pushes and the remote controller from a shell."""
 
 import pathlib
 import re
@@ -61,3 +61,12 @@ def test_debug_by_the_remote_leaves_the_motors_to_lowcmd(play):
     robot.ctl("remote", "press", "L2+R2")
     status = robot.becomes(lambda now: not now["motion"]["service"])
     assert status["commands"]["state"] == "damping"
+
+
+def test_a_motor_gets_a_fault_by_a_script_and_loses_it_by_hand(play, tmp_path):
+    file = tmp_path / "fault.yaml"
+    file.write_text("script:\n  - {at: 0.1, fault: {motor: FR_calf_joint, fault: limp}}\n")
+    robot = play("go2", "--script", file)
+    robot.heard("FR_calf_joint is limp")
+    robot.ctl("fault", "FR_calf_joint", "none")
+    robot.heard("FR_calf_joint has no fault")

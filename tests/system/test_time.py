@@ -1,4 +1,4 @@
-"""How simulated time passes. Bounds are loose: they tell a wrong pace from a busy machine."""
+"""The pace of simulated time. Bounds are loose, so that a busy machine passes and a wrong pace does not."""
 
 import itertools
 import signal

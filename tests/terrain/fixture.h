@@ -1,4 +1,4 @@
-// Made ground in a folder of its own, and what rays find of it.
+// Generated ground in a temporary folder, measured with rays.
 #pragma once
 
 #include <cmath>

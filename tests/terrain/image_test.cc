@@ -103,12 +103,12 @@ TEST_F(TerrainImageTest, RefusesAPgmWithoutAHead) {
 }
 
 TEST_F(TerrainImageTest, RefusesAPgmThatIsCutShort) {
-  EXPECT_EQ(Refusal("P2 2 2 9 1 1 1"), "not a sound PGM: cut short");
-  EXPECT_EQ(Refusal("P5 2 2 9 111"), "not a sound PGM: cut short");
+  EXPECT_EQ(Refusal("P2 2 2 9 1 1 1"), "invalid PGM: cut short");
+  EXPECT_EQ(Refusal("P5 2 2 9 111"), "invalid PGM: cut short");
 }
 
 TEST_F(TerrainImageTest, RefusesAPgmPixelWhiterThanWhite) {
-  EXPECT_EQ(Refusal("P2 2 2 9 1 1 1 10"), "not a sound PGM: a pixel is whiter than white");
+  EXPECT_EQ(Refusal("P2 2 2 9 1 1 1 10"), "invalid PGM: a pixel exceeds the value of white");
 }
 
 }  // namespace

@@ -220,6 +220,13 @@ TEST_F(TerrainTest, FlatIsTheFlatSceneOfTheModels) {
   EXPECT_EQ(made->ntexdata, drawn->ntexdata);
 }
 
+TEST_F(TerrainTest, HasARowInTheDocumentForEachKind) {
+  const std::string document = Bytes(UNDERSTUDY_SOURCE_DIR "/docs/terrain.md");
+  for (const std::string& kind : TerrainKinds()) {
+    EXPECT_THAT(document, HasSubstr("\n| `" + kind + "` | "));
+  }
+}
+
 TEST_F(TerrainTest, RefusesARowWithoutPatches) {
   EXPECT_THAT(Refusal("row"), HasSubstr("needs terrain.patches"));
 }

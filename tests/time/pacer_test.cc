@@ -27,11 +27,13 @@ void CheckPace(double speed, const std::vector<Row>& rows) {
   for (const Row& row : rows) {
     SCOPED_TRACE(testing::Message() << "step " << row.step);
     clock.Advance(row.work);
-    pacer.WaitFor(row.step);
+    const std::uint64_t before = pacer.reading().overruns;
+    const Wait wait = pacer.WaitFor(row.step);
+    const double lateness = std::chrono::duration<double>(row.lateness).count();
     EXPECT_EQ(clock.Now(), row.wall);
-    EXPECT_NEAR(pacer.reading().lateness, std::chrono::duration<double>(row.lateness).count(),
-                1e-12);
+    EXPECT_NEAR(pacer.reading().lateness, lateness, 1e-12);
     EXPECT_EQ(pacer.reading().overruns, row.overruns);
+    EXPECT_NEAR(wait.overrun, row.overruns > before ? lateness : 0, 1e-12);
   }
 }
 
@@ -86,12 +88,12 @@ TEST(PacerTest, CountsWhatItDoesNotMakeUpFor) {
   ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   clock.Advance(kMostMadeUp + 10ms);
-  pacer.WaitFor(1);
+  EXPECT_EQ(pacer.WaitFor(1).shift, 0);
   EXPECT_EQ(pacer.reading().shifts, 0U);
   clock.Advance(5s);
-  pacer.WaitFor(2);  // due at 20 ms, reached at 5.21 s
+  EXPECT_NEAR(pacer.WaitFor(2).shift, 5.19, 1e-12);  // due at 20 ms, reached at 5.21 s
   clock.Advance(1s + kPeriod);
-  pacer.WaitFor(3);
+  EXPECT_NEAR(pacer.WaitFor(3).shift, 1, 1e-12);
   EXPECT_EQ(pacer.reading().shifts, 2U);
   EXPECT_NEAR(pacer.reading().shifted, 6.19, 1e-12);
   EXPECT_NEAR(pacer.reading().worst_lateness, 5.19, 1e-12);
@@ -233,12 +235,12 @@ TEST(PacerTest, MeasuresTheRealTimeFactorOfTheLastSecond) {
 TEST(PacerTest, WaitsNoLongerThanItIsToldForAStepThatIsFarOff) {
   ManualClock clock;
   Pacer pacer(&clock, kPeriod, 0.1);  // 100 ms a step
-  EXPECT_TRUE(pacer.WaitFor(0, 30ms));
+  EXPECT_TRUE(pacer.WaitFor(0, 30ms).due);
   for (const Clock::Time wall : {30ms, 60ms, 90ms}) {
-    EXPECT_FALSE(pacer.WaitFor(1, 30ms));
+    EXPECT_FALSE(pacer.WaitFor(1, 30ms).due);
     EXPECT_EQ(clock.Now(), wall);
   }
-  EXPECT_TRUE(pacer.WaitFor(1, 30ms));
+  EXPECT_TRUE(pacer.WaitFor(1, 30ms).due);
   EXPECT_EQ(clock.Now(), 100ms);
 }
 
@@ -247,23 +249,23 @@ TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
   ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   Pace pace;
-  EXPECT_TRUE(pacer.Follow(pace, 0, 2s));
-  EXPECT_TRUE(pacer.Follow(pace, 1, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 0, 2s).due);
+  EXPECT_TRUE(pacer.Follow(pace, 1, 2s).due);
   pace.paused = true;
-  EXPECT_FALSE(pacer.Follow(pace, 2, 2s));
-  EXPECT_FALSE(pacer.Follow(pace, 2, 2s));
+  EXPECT_FALSE(pacer.Follow(pace, 2, 2s).due);
+  EXPECT_FALSE(pacer.Follow(pace, 2, 2s).due);
   EXPECT_EQ(clock.Now(), 4010ms);
   EXPECT_EQ(pacer.reading().real_time_factor, 0);
 
   pace.steps_left = 2;
-  EXPECT_TRUE(pacer.Follow(pace, 2, 2s));
-  EXPECT_TRUE(pacer.Follow(pace, 3, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 2, 2s).due);
+  EXPECT_TRUE(pacer.Follow(pace, 3, 2s).due);
   EXPECT_EQ(clock.Now(), 4020ms);
   pace.steps_left = 0;
-  EXPECT_FALSE(pacer.Follow(pace, 4, 2s));
+  EXPECT_FALSE(pacer.Follow(pace, 4, 2s).due);
   pace.paused = false;
-  EXPECT_TRUE(pacer.Follow(pace, 4, 2s));
-  EXPECT_TRUE(pacer.Follow(pace, 5, 2s));
+  EXPECT_TRUE(pacer.Follow(pace, 4, 2s).due);
+  EXPECT_TRUE(pacer.Follow(pace, 5, 2s).due);
   EXPECT_EQ(clock.Now(), 6030ms);
   EXPECT_EQ(pacer.reading().overruns, 0U);
   EXPECT_EQ(pacer.reading().shifts, 0U);
@@ -275,12 +277,12 @@ TEST(PacerTest, FollowsANewSpeedFromTheStepThatIsNext) {
   Pacer pacer(&clock, kPeriod, 1);
   for (std::int64_t step = 0; step <= 10; ++step) pacer.Follow({.speed = 1}, step, 1s);
   EXPECT_EQ(clock.Now(), 100ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 11, 1s));
+  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 11, 1s).due);
   EXPECT_EQ(clock.Now(), 100ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 12, 1s));
+  EXPECT_TRUE(pacer.Follow({.speed = 0.1}, 12, 1s).due);
   EXPECT_EQ(clock.Now(), 200ms);
-  EXPECT_TRUE(pacer.Follow({.speed = 0}, 13, 1s));
-  EXPECT_TRUE(pacer.Follow({.speed = 0}, 14, 1s));
+  EXPECT_TRUE(pacer.Follow({.speed = 0}, 13, 1s).due);
+  EXPECT_TRUE(pacer.Follow({.speed = 0}, 14, 1s).due);
   EXPECT_EQ(clock.Now(), 200ms);
   EXPECT_EQ(pacer.reading().overruns, 0U);
 }

@@ -18,7 +18,7 @@ class ArgumentsTest : public testing::Test {
   std::string Refusal(const std::string& line) {
     CLI::App app("", "understudy");
     AddViewCommand(&app, &view_);
-    AddSnapshotCommand(&app, &snapshot_);
+    AddPictureCommand(&app, &picture_);
     AddFilmCommand(&app, &film_);
     try {
       app.parse(line);
@@ -29,7 +29,7 @@ class ArgumentsTest : public testing::Test {
   }
 
   ViewArguments view_;
-  SnapshotArguments snapshot_;
+  PictureArguments picture_;
   FilmArguments film_;
 };
 
@@ -37,41 +37,42 @@ TEST_F(ArgumentsTest, ReadsAWholeCommandLine) {
   ASSERT_EQ(Refusal("film run.mp4 --recording run.mcap --from 1 --to 2 --fps 60 --speed 0.1 "
                     "--size 640x480 --track trunk --azimuth 90 --show com,forces --overwrite"),
             "");
-  EXPECT_EQ(film_.picture.out, "run.mp4");
-  EXPECT_EQ(film_.picture.recording, "run.mcap");
-  EXPECT_EQ(film_.picture.size.width, 640);
-  EXPECT_EQ(film_.picture.size.height, 480);
-  EXPECT_EQ(film_.picture.camera.track, "trunk");
-  EXPECT_EQ(film_.picture.camera.azimuth, 90);
-  EXPECT_TRUE(film_.picture.show.com);
-  EXPECT_TRUE(film_.picture.show.forces);
-  EXPECT_FALSE(film_.picture.show.contacts);
-  EXPECT_TRUE(film_.picture.overwrite);
+  EXPECT_EQ(film_.drawing.out, "run.mp4");
+  EXPECT_EQ(film_.drawing.recording, "run.mcap");
+  EXPECT_EQ(film_.drawing.size.width, 640);
+  EXPECT_EQ(film_.drawing.size.height, 480);
+  EXPECT_EQ(film_.drawing.camera.track, "trunk");
+  EXPECT_EQ(film_.drawing.camera.azimuth, 90);
+  EXPECT_TRUE(film_.drawing.show.com);
+  EXPECT_TRUE(film_.drawing.show.forces);
+  EXPECT_FALSE(film_.drawing.show.contacts);
+  EXPECT_TRUE(film_.drawing.overwrite);
   EXPECT_EQ(film_.fps, 60);
   EXPECT_EQ(film_.from, 1);
 }
 
 TEST_F(ArgumentsTest, TakesAPointToLookAtBeforeTheFile) {
-  ASSERT_EQ(Refusal("snapshot --lookat 0 -1 0.5 out.png"), "");
-  EXPECT_THAT(snapshot_.picture.camera.lookat, ElementsAre(0, -1, 0.5));
-  EXPECT_EQ(snapshot_.picture.out, "out.png");
+  ASSERT_EQ(Refusal("picture --lookat 0 -1 0.5 out.png"), "");
+  EXPECT_THAT(picture_.drawing.camera.lookat, ElementsAre(0, -1, 0.5));
+  EXPECT_EQ(picture_.drawing.out, "out.png");
 }
 
 TEST_F(ArgumentsTest, TakesWhatToShowBeforeTheFile) {
-  ASSERT_EQ(Refusal("snapshot --show contacts out.png"), "");
-  EXPECT_TRUE(snapshot_.picture.show.contacts);
+  ASSERT_EQ(Refusal("picture --show contacts out.png"), "");
+  EXPECT_TRUE(picture_.drawing.show.contacts);
 }
 
 TEST_F(ArgumentsTest, RefusesAFileOfAnotherKind) {
-  EXPECT_THAT(Refusal("snapshot out.jpg"), AllOf(HasSubstr(".png"), HasSubstr("out.jpg")));
-  EXPECT_THAT(Refusal("film out.avi"), HasSubstr(".mp4"));
+  EXPECT_THAT(Refusal("picture out.jpg"), AllOf(HasSubstr(".png"), HasSubstr("out.jpg")));
+  EXPECT_THAT(Refusal("film out.avi"), HasSubstr(".mp4 or .webp or .gif"));
+  EXPECT_EQ(Refusal("film out.WEBP"), "");
   EXPECT_THAT(Refusal("film out"), HasSubstr(".mp4"));
 }
 
 TEST_F(ArgumentsTest, RefusesASizeThatIsNone) {
   for (const char* size :
        {"640", "640x", "x480", "640x480x3", "640*480", "8x8", "9000x480", "-640x480", "1e3x480"}) {
-    EXPECT_THAT(Refusal("snapshot a.png --size " + std::string(size)), HasSubstr("WIDTHxHEIGHT"))
+    EXPECT_THAT(Refusal("picture a.png --size " + std::string(size)), HasSubstr("WIDTHxHEIGHT"))
         << size;
   }
 }
@@ -82,12 +83,12 @@ TEST_F(ArgumentsTest, NamesTheNearestThingToShow) {
 }
 
 TEST_F(ArgumentsTest, RefusesATimeOfARunningRobot) {
-  EXPECT_THAT(Refusal("snapshot a.png --at 3"), HasSubstr("--recording"));
+  EXPECT_THAT(Refusal("picture a.png --at 3"), HasSubstr("--recording"));
   EXPECT_THAT(Refusal("film a.mp4 --from 3"), HasSubstr("--recording"));
 }
 
 TEST_F(ArgumentsTest, RefusesARecordingAndARobot) {
-  EXPECT_THAT(Refusal("snapshot a.png --recording r.mcap --name dog"), HasSubstr("excludes"));
+  EXPECT_THAT(Refusal("picture a.png --recording r.mcap --name dog"), HasSubstr("excludes"));
   EXPECT_THAT(Refusal("film a.mp4 --recording r.mcap --seconds 3"), HasSubstr("excludes"));
 }
 

@@ -1,4 +1,4 @@
-// Draws with whatever OpenGL this machine has; on most that test it is Mesa's software.
+// Draws with the OpenGL of this machine, usually Mesa's software renderer.
 #include "viewer/canvas.h"
 
 #include <mujoco/mujoco.h>

@@ -13,8 +13,8 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-TEST(SceneStateTest, ReadsAFrame) {
-  const SceneState state = ReadFrame(
+TEST(SceneStateTest, ReadsASnapshot) {
+  const SceneState state = ReadSnapshot(
       R"({"step": 7, "time": 0.007, "speed": 2, "paused": true, "qpos": [1, 2.5],
           "contacts": [{"at": [1, 2, 3], "force": [0, 0, 9], "geoms": [0, 4]}],
           "pushes": [{"body": "trunk", "at": [0, 0, 1], "force": [5, 0, 0]}],
@@ -34,29 +34,29 @@ TEST(SceneStateTest, ReadsAFrame) {
 }
 
 TEST(SceneStateTest, NeedsNoMoreThanPositions) {
-  const SceneState state = ReadFrame(R"({"step": 0, "time": 0, "qpos": []})", 0);
+  const SceneState state = ReadSnapshot(R"({"step": 0, "time": 0, "qpos": []})", 0);
   EXPECT_TRUE(state.contacts.empty());
   EXPECT_FALSE(state.crane);
   EXPECT_EQ(state.keys, "");
 }
 
 TEST(SceneStateTest, HasNoCraneWhereTheRobotDoesNotHang) {
-  EXPECT_FALSE(ReadFrame(R"({"step": 0, "time": 0, "qpos": [],
+  EXPECT_FALSE(ReadSnapshot(R"({"step": 0, "time": 0, "qpos": [],
                              "crane": {"attached": false, "hook": [0, 0, 1], "top": [0, 0, 2]}})",
-                         0)
+                            0)
                    .crane);
 }
 
 TEST(SceneStateTest, TakesNullForWhatIsNotFinite) {
-  EXPECT_TRUE(std::isnan(ReadFrame(R"({"step": 0, "time": 0, "qpos": [null]})", 1).qpos[0]));
+  EXPECT_TRUE(std::isnan(ReadSnapshot(R"({"step": 0, "time": 0, "qpos": [null]})", 1).qpos[0]));
 }
 
 TEST(SceneStateTest, RefusesAnotherModelsPositions) {
-  EXPECT_THAT([] { ReadFrame(R"({"step": 0, "time": 0, "qpos": [1]})", 2); },
+  EXPECT_THAT([] { ReadSnapshot(R"({"step": 0, "time": 0, "qpos": [1]})", 2); },
               ThrowsMessage<ControlError>(HasSubstr("1 positions, its model 2")));
 }
 
-TEST(SceneStateTest, RefusesWhatIsNoFrame) {
+TEST(SceneStateTest, RefusesWhatIsNoSnapshot) {
   for (const char* text :
        {"", "{", "[]", "3", "{}", R"({"step": 0, "time": 0})",
         R"({"step": 0, "time": 0, "qpos": 4})", R"({"step": 0, "time": "x", "qpos": []})",
@@ -64,7 +64,7 @@ TEST(SceneStateTest, RefusesWhatIsNoFrame) {
         R"({"step": 0, "time": 0, "qpos": [], "contacts": 7})",
         R"({"step": 0, "time": 0, "qpos": [], "contacts": [{"at": [1, 2], "force": [0, 0, 1]}]})",
         R"({"step": 0, "time": 0, "qpos": [], "remote": {"keys": 4}})"}) {
-    EXPECT_THROW(ReadFrame(text, 0), ControlError) << text;
+    EXPECT_THROW(ReadSnapshot(text, 0), ControlError) << text;
   }
 }
 

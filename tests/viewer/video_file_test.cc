@@ -3,6 +3,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <iterator>
 #include <string>
 
@@ -43,6 +44,20 @@ TEST_F(VideoFileTest, IsWholeOnceFinished) {
   video.Finish();
   EXPECT_GT(std::filesystem::file_size(file_), 500U);
   EXPECT_EQ(Files(), 1);
+}
+
+TEST_F(VideoFileTest, IsOfTheKindThatItsNameEndsWith) {
+  constexpr const char* kBegins[][2] = {
+      {"a.webp", "RIFF"}, {"a.GIF", "GIF8"}, {"b.mp4", "\0\0\0 ftyp"}};
+  for (const auto& [name, begins] : kBegins) {
+    VideoFile video(folder_.path() / name, kSize, 10);
+    for (int i = 0; i < 5; ++i) video.Add(Picture());
+    video.Finish();
+    std::string head(4, ' ');
+    std::ifstream(folder_.path() / name).read(head.data(), 4);
+    EXPECT_EQ(head, std::string(begins, 4)) << name;
+  }
+  EXPECT_THROW(VideoFile(folder_.path() / "a.avi", kSize, 10), SetupError);
 }
 
 TEST_F(VideoFileTest, LeavesNothingThatWasNotFinished) {

@@ -1,4 +1,4 @@
-// What the tests of the viewer share.
+// Helpers for the tests of the viewer.
 #pragma once
 
 #include <string>

@@ -1,4 +1,4 @@
-// The other end of a port: a user's program in the same process and domain.
+// A client of a port, in the same process and domain.
 #pragma once
 
 #include <optional>

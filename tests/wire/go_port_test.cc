@@ -20,12 +20,47 @@ TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
   unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
   message.motor_cmd[0].kp = 1;
   message.crc = MessageCrc(message);
-  ASSERT_TRUE(client.Write(message));
   robot::RobotCommand command = CommandOf(spec);
   robot::Refusal wire = robot::Refusal::kNone;
-  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &command, &wire));
-  EXPECT_EQ(wire, robot::Refusal::kNone);
-  EXPECT_EQ(port.counts().unused_slots, 1);
+  for (std::uint64_t times = 1; times <= 2; ++times) {
+    ASSERT_TRUE(client.Write(message));
+    ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &command, &wire));
+    EXPECT_EQ(wire, robot::Refusal::kNone);
+    EXPECT_EQ(port.counts().unused_slots, times);
+    EXPECT_EQ(port.TakeNews().unused_slot, times == 1);
+  }
+  EXPECT_FALSE(port.TakeNews().unset_head);
+}
+
+TEST(GoPortTest, TellsOfTheFirstHeadThatWasLeftUnset) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
+  message.head[0] = message.head[1] = message.level_flag = 0;
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal wire = robot::Refusal::kNone;
+  for (std::uint64_t times = 1; times <= 2; ++times) {
+    ASSERT_TRUE(client.Write(message));
+    ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &command, &wire));
+    EXPECT_EQ(port.counts().unset_heads, times);
+    EXPECT_EQ(port.TakeNews().unset_head, times == 1);
+  }
+}
+
+TEST(GoPortTest, TellsOnceOfSeveralWriters) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  const bus::Writer<unitree_go_msg_dds__LowCmd_> one(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  EXPECT_EQ(port.TakeNews().writers, 0);
+  const bus::Writer<unitree_go_msg_dds__LowCmd_> two(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 2; }));
+  EXPECT_EQ(port.TakeNews().writers, 2);
+  EXPECT_EQ(port.TakeNews().writers, 0);
 }
 
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {

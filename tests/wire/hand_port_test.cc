@@ -1,4 +1,4 @@
-// Hands on the wire.
+// Tests the topics of hands.
 #include <array>
 #include <utility>
 #include <vector>

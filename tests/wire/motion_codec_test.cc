@@ -33,6 +33,8 @@ TEST(MotionCodecTest, WritesWhatTheServiceEstimatesOnceItDoes) {
                   .estimates = true,
                   .v_WB_W = {-0.75, 0.5, 0.125},
                   .p_WB = {5, 6, 7},
+                  .gait = 2,
+                  .wanted_height = 0.28,
                   .foot_raise = 0.0625};
   state.motion->feet[1] = {0.25, 0.125, -0.5};
   state.motion->feet_speed[3] = {1, 2, 3};
@@ -40,6 +42,8 @@ TEST(MotionCodecTest, WritesWhatTheServiceEstimatesOnceItDoes) {
   EncodeMotion(state, {}, MotionFields::kMode, &message);
   EXPECT_THAT(message.position, ElementsAre(5, 6, 0.3F));
   EXPECT_THAT(message.velocity, ElementsAre(-0.75F, 0.5F, 0.125F));
+  EXPECT_EQ(message.gait_type, 2);
+  EXPECT_EQ(message.body_height, 0.28F) << "as it is set";
   EXPECT_EQ(message.foot_raise_height, 0.0625F);
   EXPECT_EQ(message.foot_position_body[5], -0.5F);
   EXPECT_EQ(message.foot_speed_body[9], 1);

@@ -1,4 +1,4 @@
-// What both families' ports do alike.
+// Tests what the ports of both families have in common.
 #include "wire/port.h"
 
 #include <gmock/gmock.h>

@@ -1,11 +1,14 @@
-// What the robots that we ship say by themselves, and how often.
+// Checks the publications of the robots in config/robots, and their rates.
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <set>
 #include <string>
 
 #include <gmock/gmock.h>
 
 #include "bus/cdr.h"
+#include "bus/discovery.h"
 #include "config/load.h"
 #include "config/robot_file.h"
 #include "robot/firmware.h"
@@ -58,15 +61,35 @@ std::vector<Row> HgRows(const robot::RobotSpec& spec) {
   return rows;
 }
 
-TEST(PublicationsTest, HaveTheirRatesOnEveryRobot) {
+// The topics that are written; those of commands are read.
+std::set<std::string> Told(bus::EndpointWatch* watch) {
+  std::set<std::string> told;
+  for (const bus::TopicOnBus& topic : watch->Poll()) {
+    const bool heard = std::ranges::count(robot::kCommandTopicNames, topic.topic) != 0;
+    if (!heard && !topic.topic.ends_with("/cmd")) told.insert(topic.topic);
+  }
+  return told;
+}
+
+std::set<std::string> Topics(const std::vector<Row>& rows) {
+  std::set<std::string> topics;
+  for (const Row& row : rows) {
+    if (row.hz > 0) topics.insert(row.topic);
+  }
+  return topics;
+}
+
+TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
   const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
   for (const std::string& name : config::RobotNames(root)) {
     SCOPED_TRACE(name);
     const config::Config config = config::LoadConfig({.robot = name}, root);
     const robot::RobotSpec& spec = config.robot;
     const bus::Participant participant("lo", test::NewDomain());
+    bus::EndpointWatch watch(participant);
     Port port(participant, spec, config.physics.timestep);
     const std::vector<Row> rows = spec.family == robot::WireFamily::kGo ? GoRows() : HgRows(spec);
+    EXPECT_EQ(Told(&watch), Topics(rows));
     std::deque<bus::CdrReader> readers;
     for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);
 

@@ -31,6 +31,7 @@ class Alone {
     void Publish(const robot::RobotState&, std::int64_t) override {}
     int command_writers() const override { return 0; }
     robot::PortCounts counts() const override { return {}; }
+    robot::PortNews TakeNews() override { return {}; }
 
    private:
     robot::Rate rate_;

@@ -10,9 +10,9 @@
 namespace understudy::bench {
 namespace {
 
-constexpr double kSettle = 2, kStand = 10;   // s
-constexpr double kPush = 0.1, kRecover = 2;  // s
-constexpr double kSpeed = 0.33;              // m/s
+constexpr double kSettleTime = 2, kStand = 10;  // s
+constexpr double kPush = 0.1, kRecover = 2;     // s
+constexpr double kSpeed = 0.33;                 // m/s
 
 // Sums of squares.
 struct Error {
@@ -39,7 +39,7 @@ std::vector<Figure> MeasureEstimate(const std::string& robot) {
       {.robot = robot, .files = {}, .sets = {"start.pose=standing"}}, config::DataDir());
   if (!robot::IsQuadruped(config.robot.kind)) return {};
   Alone alone(config);
-  Watch(&alone, kSettle);
+  Watch(&alone, kSettleTime);
   const Error standing = Watch(&alone, kStand);
   Error pushed;
   const physics::World& physics = alone.world().physics();

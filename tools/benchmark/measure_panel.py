@@ -67,7 +67,7 @@ GRAPHICS_CARD = """(() => {
   });
 })()"""
 
-COUNTS = """({ now: performance.now(), frames: panel.plots.history.end, pictures: panel.view.drawn,
+COUNTS = """({ now: performance.now(), snapshots: panel.plots.history.end, pictures: panel.view.drawn,
               refreshes: spent.length })"""
 
 
@@ -102,7 +102,7 @@ def watch(browser, page):
     did = {name: after[name] - before[name] for name in before}
     scripts = sorted(page.evaluate(f"spent.slice({before['refreshes']}, {after['refreshes']})"))
     assert scripts, f"no refresh of the screen within {WINDOW} s"
-    return {"frames": 1000 * did["frames"] / did["now"],
+    return {"snapshots": 1000 * did["snapshots"] / did["now"],
             "refreshes": 1000 * did["refreshes"] / did["now"],
             "new": did["pictures"] / did["refreshes"],
             "script": scripts[len(scripts) // 2], "script p90": scripts[len(scripts) * 9 // 10],
@@ -111,7 +111,7 @@ def watch(browser, page):
 
 # At least, and at most. `processor`: all that the page's thread does, layout and painting of plots too.
 # Two or three times what a desk's machine would take: a page that costs more draws no sixty pictures anywhere.
-WANTED = {"frames": 50, "refreshes": 40, "new": 0.5}
+WANTED = {"snapshots": 50, "refreshes": 40, "new": 0.5}
 ALLOWED = {"script": PICTURE / 2, "script p90": PICTURE, "processor": PICTURE}
 
 
@@ -131,7 +131,7 @@ def test_the_page_leaves_time_for_sixty_pictures_a_second(play, browser, visit, 
 
 def ticks(robot):
     """The ticks so far: how many, their time all together [s], {upper end of a bucket [s]: how many}; and the
-    processor time of their thread [s], which has the making of frames in it, too."""
+    processor time of their thread [s], which has the making of snapshots in it, too."""
     tick = json.loads(robot.ctl("timings", "--json"))["tick"]
     spent = int(pathlib.Path(f"/proc/{robot.pid}/task/{robot.pid}/schedstat").read_text().split()[0])
     return tick["count"], tick["sum"], {one.get("le", 1): one["count"] for one in tick["buckets"]}, spent / 1e9
@@ -166,7 +166,7 @@ def test_a_tick_takes_as_long_whether_the_panel_is_open_or_not(play, visit):
     ratio = {key: min(one[key] for one in tries[True]) / min(one[key] for one in tries[False])
              for key in ("mean", "most", "processor")}
 
-    # Page and robot share the cores of this machine and their caches: that alone may make some difference. Frames of
+    # Page and robot share the cores of this machine and their caches: that alone may make some difference. Snapshots of
     # four ticks' time each would make a quarter.
     assert ratio["mean"] < 1.5, tries
     assert ratio["most"] < 3, tries

@@ -23,7 +23,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr milliseconds kPatience(20'000);
+constexpr milliseconds kStartPatience(20'000);
 constexpr milliseconds kReplyPatience(5'000);
 
 nlohmann::json StatusAt(const std::filesystem::path& socket) {
@@ -96,7 +96,7 @@ Daemon::Daemon(const std::string& understudy, const std::string& robot,
       process_(RunArguments(understudy, robot, client::DefaultName("bench"), options)) {}
 
 void Daemon::AwaitReady() const {
-  const auto until = std::chrono::steady_clock::now() + kPatience;
+  const auto until = std::chrono::steady_clock::now() + kStartPatience;
   while (std::chrono::steady_clock::now() < until) {
     try {
       if (StatusAt(socket_).at("ready").get<bool>()) return;

@@ -12,26 +12,26 @@
 
 namespace understudy::motion {
 
-// Where the arms are to be, over what the robot stands with. Joints that a robot lacks are left
-// out; angles stop at the joints' range. Allocates in the constructor only.
+// Computes the joint angles of the arms during arm actions. Joints that a robot lacks are skipped;
+// angles are clamped to the joints' ranges. Allocates only in the constructor.
 class ArmActionPlayer {
  public:
-  // The arms of `spec.standing` are where they rest. The ranges are read from `body`, which is not
-  // kept.
+  // The arms rest as in `spec.standing`. Ranges are read from `body`, which need not outlive the
+  // player.
   ArmActionPlayer(const robot::RobotSpec& spec, const BodyModel& body);
 
-  // Begins the vendor's action `id`, or says why not: kNotNow while another one is under way or
-  // held, kUnknown, kUnable. 99 and the number of what is held let the arms down.
+  // Starts the vendor's action `id` or returns the reason why not: kNotNow while another one is
+  // under way or held, kUnknown, kUnable. Id 99 and the id of a held action lower the arms.
   authority::MotionVerdict Begin(int id);
-  void Release();  // lets the arms down from wherever they are
-  void Reset();    // at rest, at once
+  void Release();  // lowers the arms from any pose
+  void Reset();    // immediately at rest
 
   void Advance(double dt);
 
   int id() const { return action_ == nullptr ? 0 : action_->id; }  // until the arms are down
   bool holding() const { return action_ != nullptr && holding_; }
 
-  // Motors of the arms, and where they are to be; rests while nothing is played.
+  // The motors of the arms and their target angles, those at rest while no action is under way.
   std::span<const int> motors() const { return motors_; }
   double q(std::size_t i) const { return move_.q(i); }    // rad, of motors()[i]
   double dq(std::size_t i) const { return move_.dq(i); }  // rad/s

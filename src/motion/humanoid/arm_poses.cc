@@ -5,9 +5,9 @@
 namespace understudy::motion {
 namespace {
 
-// Every angle and time here is assumed: our own idea of the gesture that the vendor names
-// (docs/sources.md#arm-actions). Known of hardware: a wave takes 4.19 s.
-// Which ones hold is read from the vendor's example, which releases after those.
+// All angles and times are assumed: our version of the gestures that the vendor names
+// (docs/sources.md#arm-actions). Known of hardware: a wave takes 4.19 s. Which ones hold is read
+// from the vendor's example, which releases after those.
 
 // Left arms:                      pitch  roll  yaw    elbow wrist
 constexpr ArmPose kSideways = {0, 1.4, 0, 1.5, 0, 0, 0};

@@ -1,4 +1,4 @@
-// What the arms do in each of the vendor's arm actions.
+// The arm poses of the vendor's arm actions.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@ namespace understudy::motion {
 
 inline constexpr std::size_t kArmJoints = 7;
 
-// Joints of one arm by the vendor's names, without the side before and "_joint" behind.
+// The joints of one arm by the vendor's names, without the side and "_joint".
 inline constexpr std::array<std::string_view, kArmJoints> kArmJointNames = {
     "shoulder_pitch", "shoulder_roll", "shoulder_yaw", "elbow",
     "wrist_roll",     "wrist_pitch",   "wrist_yaw"};
@@ -21,27 +21,28 @@ inline constexpr std::array<std::string_view, kArmJoints> kArmJointNames = {
 // other way round.
 using ArmPose = std::array<double, kArmJoints>;
 
-double Mirrored(const ArmPose& pose, std::size_t joint);  // as a right arm has it
+double Mirrored(const ArmPose& pose, std::size_t joint);  // the angle of a right arm
 
-// Where both arms are to be, and how long they take from where they were, s.
+// A pose of both arms and the duration [s] of the motion to it.
 struct ArmKey {
   double duration = 0;
-  const ArmPose* left = nullptr;  // null: as when standing
+  const ArmPose* left = nullptr;  // null: as in the standing pose
   const ArmPose* right = nullptr;
 };
 
 struct ArmAction {
   int id = 0;
   std::span<const ArmKey> keys;
-  bool holds = false;  // stays in the last pose until released
+  bool holds = false;  // holds the last pose until released
 };
 
 inline constexpr int kReleaseArms = 99;
 
-// Null where no trajectory is known for that number.
+// Returns null if no trajectory is known for that id.
 const ArmAction* FindArmAction(int id);
 
-// What the vendor's robots have beyond that: a turn of the body, and gestures nobody describes.
+// Returns whether the vendor's robots have an action that is not simulated: a turn of the body, and
+// undocumented gestures.
 bool IsUnplayedArmAction(int id);
 
 }  // namespace understudy::motion

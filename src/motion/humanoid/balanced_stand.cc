@@ -74,7 +74,7 @@ void BalancedStand::Step(const HumanoidReading& sensed, double dt, robot::RobotC
 }
 
 StandGoal BalancedStand::Goal() const {
-  // The parabola through the three postures that are known.
+  // The parabola through the three known postures.
   const double d = depth_.q(0);
   const double up = (1 - d) * (1 - 2 * d), half = 4 * d * (1 - d), down = d * (2 * d - 1);
   return {.com_offset = {com_offset_.q(0), com_offset_.q(1)},

@@ -1,4 +1,4 @@
-// Standing balanced, higher or lower, down to a squat.
+// The balanced stand of a humanoid, at heights from standing to the squat.
 #pragma once
 
 #include <vector>
@@ -12,23 +12,23 @@
 
 namespace understudy::motion {
 
-// Soft springs around a posture, the ground reactions of StandBalance, and the arms where an action
-// has them.
+// Combines soft springs around a posture, the ground reactions of StandBalance, and the angles of
+// arm actions.
 class BalancedStand final : public HumanoidBehaviour {
  public:
-  // What is handed over must outlive it; `body` is read in the constructor only.
+  // The pointers and references must outlive it; `body` is read only in the constructor.
   BalancedStand(const robot::RobotSpec& spec, const JointGains& gains, BodyModel* body,
                 Bearing* bearing);
 
-  // From locked joints: the centre of mass goes from where it is to the middle of the soles.
+  // Starts from locked joints and moves the centre of mass to the middle of the soles.
   void Begin(const HumanoidReading& sensed);
-  // Goes down to the squat, or up again. The arms come to rest.
+  // Squats or rises again. The arms go to rest.
   void Squat(bool down);
-  // Goes to a height between the lowest, 0, and the highest, 1, that it stands at with arm actions.
+  // Goes to a height from 0, the lowest, to 1, the highest at which it stands with arm actions.
   void StandAt(double height);
 
   void Step(const HumanoidReading& sensed, double dt, robot::RobotCommand* command) override;
-  bool over() const override { return depth_.over(); }  // it is as high as is wanted
+  bool over() const override { return depth_.over(); }  // it has reached the height
   bool upright() const { return depth_.over() && depth_.q(0) == 0; }
 
   ArmActionPlayer& arms() { return arms_; }
@@ -37,7 +37,7 @@ class BalancedStand final : public HumanoidBehaviour {
  private:
   void GoTo(double depth, double duration);
   StandGoal Goal() const;
-  double Crouched(std::size_t motor) const;  // rad, the posture at the present depth
+  double Crouched(std::size_t motor) const;  // rad, angle of the posture at the present depth
 
   const robot::RobotSpec& spec_;
   const JointGains& gains_;

@@ -1,4 +1,4 @@
-// What a humanoid's motors give beside their springs.
+// Feed-forward torques of a humanoid's motors.
 #pragma once
 
 #include <vector>
@@ -8,14 +8,14 @@
 
 namespace understudy::motion {
 
-// Torques that carry what hangs from each joint and press the soles on the ground, anew whenever
-// the body has been worked out. Behaviours share one, so that what bears the robot goes on where
-// one follows another.
+// Computes torques that carry the weight below each joint and press the soles on the ground,
+// whenever the body model was updated. Behaviours share one, so that torques continue from one to
+// the next.
 class Bearing {
  public:
   explicit Bearing(std::size_t motors) : tau_(motors) {}
 
-  // In each step one of them: as the robot rests, or so that it balances.
+  // Call one of them in each step: for a robot at rest, or to balance.
   void Rest(const HumanoidReading& sensed);
   void Balance(const HumanoidReading& sensed, const StandGoal& goal);
 

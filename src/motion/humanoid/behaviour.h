@@ -1,4 +1,4 @@
-// What a humanoid's body can be busy with.
+// The behaviours of a humanoid and their readings.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace understudy::motion {
 
-// What the service knows in a step.
+// The readings of one step.
 struct HumanoidReading {
   std::span<const double> q;  // rad, motor order
   double load = 0;            // share of the weight that the feet bear, 0 to 1
-  // Worked out in some of the steps only.
+  // Updated only in some steps.
   const BodyModel& body;
-  // s since it was worked out before, in a step in which it was; else 0.
+  // s since the previous update in a step that updates it, else 0.
   double since_worked_out = 0;
 };
 
-// Says all of the command, to every motor.
+// A behaviour sets the whole command of every motor.
 using HumanoidBehaviour = BehaviourOf<HumanoidReading, robot::RobotCommand>;
 
 }  // namespace understudy::motion

@@ -16,11 +16,11 @@ using mjcf::Vector;
 
 namespace {
 
-// How far over its lowest point a foot still counts as sole, m: the vendor's meshes are flat to 4
-// mm (robots/README.md, "sole_4mm").
+// Height [m] over the lowest point within which a foot counts as sole: the vendor's meshes are flat
+// to 4 mm.
 constexpr double kSoleThickness = 0.004;
 
-// The lowest points of what touches the ground.
+// Collects the lowest points of the geoms that touch the ground.
 class SoleExtent {
  public:
   void Add(const Eigen::Vector3d& p) {
@@ -70,7 +70,7 @@ void AddGeom(const mjModel& model, const mjData& data, int geom, SoleExtent* sol
         sole->Add(centre + R.col(2) * (end * size[1]) - Eigen::Vector3d(0, 0, size[0]));
       }
       break;
-    default:  // spheres, and what is nearly one
+    default:  // spheres, and shapes close to one
       sole->Add(centre - Eigen::Vector3d(0, 0, size[0]));
   }
 }
@@ -205,7 +205,7 @@ void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
   }
   w_WB_W_ = R_WB_ * w_WB_B;
 
-  // Seen from the base: the middle of the soles, the centre of mass, and how fast both go by.
+  // Relative to the base: the middle of the soles, the centre of mass, and their velocities.
   Eigen::Vector3d p_BO{0, 0, 0}, v_BO{0, 0, 0}, v_BC{0, 0, 0};
   const auto feet = static_cast<double>(feet_.size());
   for (const Foot& foot : feet_) p_BO += foot.p_BS / feet;

@@ -1,5 +1,4 @@
-// What a humanoid's own controller works out about its body from joint angles and its inertial
-// unit.
+// Computes the state of a humanoid's body from joint angles and IMU, for its controller.
 #pragma once
 
 #include <span>
@@ -16,23 +15,23 @@ struct Sole {
   double half_length = 0;            // m, forwards
   double half_width = 0;             // m
   Eigen::Vector3d p_OS{0, 0, 0};     // m, its centre, from O, world axes
-  Eigen::Vector3d forward{1, 0, 0};  // where the toes point, world axes, length 1
+  Eigen::Vector3d forward{1, 0, 0};  // direction of the toes, world axes, unit length
   Eigen::Vector3d up{0, 0, 1};       // away from the ground, likewise
 };
 
-// Kinematics and gravity of a robot on its feet. Knows nothing of where the robot is: O, from which
-// places are told, is the middle between the centres of the soles, and "at rest" is what the soles
-// are. Axes are the world's. Works on an mjData of its own; the simulated world is neither read nor
-// changed. Allocates in the constructor only.
+// Kinematics and gravity of a robot on its feet. Positions count from O, the middle between the
+// centres of the soles, which are taken to be at rest; axes are the world's. It uses its own mjData
+// and neither reads nor changes the simulated world. Allocates only in the constructor.
 class BodyModel {
  public:
-  // `model`, as LoadWorldModel makes it with the same spec, must outlive the body model. Soles are
-  // flat in the pose whose joint angles are all 0: true of every humanoid whose description is
-  // here. Throws ModelError when the spec has no feet or one has no geoms in the model.
+  // `model` is that of LoadWorldModel with the same spec and must outlive the body model. Soles
+  // must be flat at joint angles 0, as for all humanoids here. Throws ModelError if the spec has no
+  // feet or one has no geoms in the model.
   BodyModel(const mjModel& model, const robot::RobotSpec& spec);
 
-  // Angles [rad] and rates [rad/s] in motor order and LowState's unit, all of one instant.
-  // Everything below is of that instant; before the first call, of joint angles 0 and upright.
+  // Takes angles [rad] and rates [rad/s] in motor order and LowState's IMU, all of one instant. The
+  // functions below refer to that instant; before the first call, to joint angles 0 and an upright
+  // base.
   void Update(std::span<const double> q, std::span<const double> dq, const robot::ImuReading& imu);
 
   double motor_period() const;                                    // s, of the motor law
@@ -46,23 +45,23 @@ class BodyModel {
   const Eigen::Vector3d& base_rate() const { return w_WB_W_; }    // rad/s
   std::span<const Sole> soles() const { return soles_; }          // in RobotSpec::feet order
 
-  // Whether the motor is between base and sole.
+  // Returns whether the motor is between base and sole.
   bool IsOfLeg(std::size_t motor) const { return joints_[motor].foot >= 0; }
-  // kg that the motor carries when the base is held: what hangs from its joint.
+  // Returns the mass [kg] that hangs from the motor's joint when the base is held.
   double CarriedMass(std::size_t motor) const;
 
-  // What the motor feels when its joint is accelerated in the pose of angles 0 and nothing is
-  // touched, kg·m²: 1 / (M⁻¹)ii. Computed once.
+  // Returns the effective inertia [kg·m²] at the joint at angles 0 without contacts: 1 / (M⁻¹)ii.
+  // Computed once.
   double FeltInertia(std::size_t motor) const { return joints_[motor].felt_inertia; }
 
-  // The nearest angle [rad] to `q` that the joint can reach.
+  // Returns `q` [rad] clamped to the joint's range.
   double WithinRange(std::size_t motor, double q) const;
 
-  // Torque [N·m] with which the motor holds what hangs from its joint when the base is held.
+  // Returns the torque [N·m] that holds the mass below the joint when the base is held.
   double GravityTorque(std::size_t motor) const;
 
-  // Adds to `tau`, in motor order, the joint torques [N·m] with which the leg presses so that the
-  // ground answers with `force` [N] at the sole's centre and `moment` [N·m] about it: -Jᵀ w.
+  // Adds to `tau`, in motor order, the joint torques [N·m] for which the ground reacts with `force`
+  // [N] at the sole's centre and `moment` [N·m] about it: -Jᵀ w.
   void AddGroundReaction(std::size_t foot, const Eigen::Vector3d& force,
                          const Eigen::Vector3d& moment, std::span<double> tau) const;
 
@@ -71,8 +70,8 @@ class BodyModel {
     int id = 0;
     int q_address = 0;
     int body = 0;
-    int foot = -1;           // whose leg it is of
-    bool turns_imu = false;  // is between base and inertial unit
+    int foot = -1;           // index of its leg's foot
+    bool turns_imu = false;  // is between base and IMU
     double felt_inertia = 0;
     Eigen::Vector3d axis{0, 0, 0}, anchor{0, 0, 0};  // in base axes, from the base
   };
@@ -97,7 +96,7 @@ class BodyModel {
   std::vector<Joint> joints_;  // motor order
   std::vector<Foot> feet_;
   std::vector<Sole> soles_;
-  std::vector<double> carried_mass_;          // by body, of it and all below
+  std::vector<double> carried_mass_;          // kg, by body, including all below
   std::vector<Eigen::Vector3d> carried_com_;  // likewise, from the base, base axes
   Eigen::Matrix3d R_WB_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d w_WB_W_{0, 0, 0};

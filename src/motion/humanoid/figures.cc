@@ -16,11 +16,10 @@ constexpr double kBearingMass = 0.25;    // share of the robot's mass from which
 
 StandFigures StandOf(std::span<const double> q, BodyModel* body) {
   const std::vector<double> still(q.size());
-  // The unit's reading for an upright base, then for flat soles: both from what it reads when the
-  // soles are as they are.
+  // Finds the IMU reading for an upright base, then for flat soles, from that of the present soles.
   robot::ImuReading imu;
   body->Update(q, still, imu);
-  const Eigen::Matrix3d R_IB = body->attitude();  // the unit was taken to be upright
+  const Eigen::Matrix3d R_IB = body->attitude();  // the IMU was taken to be upright
   imu.R_WI = Eigen::Quaterniond(Eigen::Matrix3d(R_IB.transpose()));
   body->Update(q, still, imu);
   const Eigen::Vector3d up = body->soles()[0].up + body->soles()[1].up;
@@ -41,7 +40,8 @@ JointGains FindGains(const robot::RobotSpec& spec, BodyModel* body) {
     const bool bears = body->IsOfLeg(i) || body->CarriedMass(i) > kBearingMass * body->mass();
     double kp = spec.motors[i].hold_kp, kd = spec.motors[i].hold_kd;
     if (bears) {
-      // A torque that is held for one period makes a spring of more than that swing by itself.
+      // Limits the stiffness: a torque that is held for one period makes a stiffer spring
+      // oscillate.
       const double inertia = body->FeltInertia(i);
       kp = std::min(stiff, 0.1 * inertia / (period * period));
       kd = 2 * kLockDamping * std::sqrt(kp * inertia);

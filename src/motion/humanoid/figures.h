@@ -1,5 +1,4 @@
-// What follows from how a humanoid is built: its postures on the ground, and the stiffness of its
-// joints.
+// Derives figures of a humanoid from its model: postures on the ground and gains of its joints.
 #pragma once
 
 #include <span>
@@ -10,23 +9,23 @@
 
 namespace understudy::motion {
 
-// What standing in one posture comes to, on flat soles.
+// The figures of standing in one posture on flat soles.
 struct StandFigures {
   double com_height = 0;   // m over the soles
   double base_height = 0;  // m
   double pitch = 0;        // rad, of the base
 };
 
-// Of the posture `q` [rad]. Leaves `body` in it.
+// Computes those of the posture `q` [rad]. Leaves `body` in it.
 StandFigures StandOf(std::span<const double> q, BodyModel* body);
 
-// Of locked joints, in motor order.
+// Gains of locked joints, in motor order.
 struct JointGains {
-  std::vector<bool> bears;     // whether the motor is of legs or waist
+  std::vector<bool> bears;     // whether the motor belongs to a leg or the waist
   std::vector<double> kp, kd;  // N·m/rad, N·m·s/rad
 };
 
-// Leaves `body` in the robot's standing pose.
+// Computes them. Leaves `body` in the robot's standing pose.
 JointGains FindGains(const robot::RobotSpec& spec, BodyModel* body);
 
 }  // namespace understudy::motion

@@ -12,7 +12,7 @@ bool Has(const std::vector<int>& ids, int id) {
 enum class HumanoidWhen : std::uint8_t {
   kAlways,
   kStill,  // no action with an end is under way
-  kSame,   // the robot is in that very state
+  kSame,   // it is the present state
 };
 using HumanoidTransition = Transition<HumanoidStance, HumanoidStance, HumanoidWhen>;
 
@@ -37,7 +37,7 @@ std::span<const HumanoidTransition> HumanoidTransitions() {
       {kBalanced, {kBalanced}, kSame, kTaken},
       {kBalanced, {kLockStand, kBalanced}, kStill, kTaken, kBalanced},
       {kBalancedSquat, {kBalanced, kBalancedSquat}, kStill, kTaken, kBalancedSquat},
-      // The robot would have to rise from where it squats on the ground.
+      // The robot would have to rise from its squat on the ground, which is not simulated.
       {kBalancedSquat, {kDamping}, kStill, kUnable},
 
       {kUnplayed, {kDamping, kLockStand, kSquat, kSit, kBalanced, kBalancedSquat}, kStill, kUnable},

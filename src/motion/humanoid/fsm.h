@@ -1,4 +1,4 @@
-// Which state a humanoid's motion service goes to from which.
+// The state machine of a humanoid's motion service.
 #pragma once
 
 #include "motion/transitions.h"
@@ -6,19 +6,19 @@
 
 namespace understudy::motion {
 
-inline constexpr int kZeroTorqueId = 0;  // on every humanoid of the vendor's
+inline constexpr int kZeroTorqueId = 0;  // on all humanoids of the vendor
 inline constexpr int kDampingId = 1;
 
-// What the state with that number is.
+// The kind of a state.
 enum class HumanoidStance : std::uint8_t {
   kZeroTorque,
   kDamping,
-  kLockStand,  // joints held, as in the two that follow
+  kLockStand,  // joints locked, as in the next two
   kSquat,
   kSit,
-  kBalanced,  // on both feet, as in the one that follows
+  kBalanced,  // on both feet, as in the next one
   kBalancedSquat,
-  kUnplayed,  // the robot has it, nothing here plays it
+  kUnplayed,  // of the real robot, not simulated
   kNone,      // no such state
 };
 inline constexpr StateSet<HumanoidStance> kLockedStances{
@@ -28,10 +28,10 @@ inline constexpr StateSet<HumanoidStance> kBalancedStances{HumanoidStance::kBala
 
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
 
-// Whether SetFsm may lead from one state to another: the vendor's picture of the G1's transitions
-// (docs/sources.md#g1-states), assumed for every humanoid. `moving`: an action with an end is under
-// way, then only damping is reached. kTaken for a state the robot is in already and, as on
-// hardware, for zero torque from any that bears load, which then does nothing.
+// Returns whether SetFsm may change one state to another, by the vendor's diagram of the G1
+// (docs/sources.md#g1-states), which is assumed for all humanoids. While `moving` (an action with
+// an end is under way) only damping is reached. kTaken for the present state and, as on hardware,
+// for zero torque from states that bear load, which then has no effect.
 authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, int to,
                                bool moving);
 

@@ -15,7 +15,7 @@ constexpr double kSettleTime = 1;    // s, into the standing pose of a robot fou
 constexpr double kFoundTilt = 0.3;   // rad, at most, of a robot that stands
 constexpr double kFoundPose = 0.25;  // rad, at most, off its standing pose
 
-// A robot that leans further has fallen: the vendor's client trips there too (unitree_sdk2
+// Tilt beyond which a robot has fallen; the vendor's client stops at the same angle (unitree_sdk2
 // terminations.hpp).
 constexpr double kFallenTilt = 1;  // rad
 
@@ -24,7 +24,7 @@ constexpr double kFallenTilt = 1;  // rad
 HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const physics::RobotBody& body)
     : spec_(spec),
       ids_(spec.motion.humanoid),
-      senses_(body.model(), body.spec()),
+      senses_(body.nominal(), body.spec()),
       gains_(FindGains(spec, senses_.body())),
       bearing_(spec.motors.size()),
       slack_(gains_, &bearing_),
@@ -86,7 +86,8 @@ authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) 
 authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
   const authority::MotionVerdict verdict = MayGo(ids_, id_, id, moving());
   if (verdict != authority::MotionVerdict::kTaken) return verdict;
-  if (id == kZeroTorqueId && id_ != kDampingId) return verdict;  // nothing, where it bears load
+  if (id == kZeroTorqueId && id_ != kDampingId)
+    return verdict;  // no effect in states that bear load
   if (id == id_ && id != ids_.balanced_squat) return verdict;
   if (id == kZeroTorqueId || id == kDampingId) {
     Slacken(id);
@@ -137,7 +138,7 @@ authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
 authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
   if (!ids_.arm_actions) return authority::MotionVerdict::kUnknown;
   const bool allowed = balanced() && id_ != ids_.balanced_squat;
-  // A number that does not exist is said before a state that does not allow it.
+  // An unknown id is reported before a state that does not allow it.
   if (!allowed && id != kReleaseArms && FindArmAction(id) == nullptr && !IsUnplayedArmAction(id)) {
     return authority::MotionVerdict::kUnknown;
   }

@@ -1,5 +1,5 @@
-// The motion service of a humanoid: lies limp, locks its joints, stands balanced, moves its arms.
-// It does not walk.
+// The motion service of a humanoid: limp, damped, locked joints, balanced stand, arm actions. It
+// does not walk.
 #pragma once
 
 #include <memory>
@@ -18,19 +18,18 @@
 
 namespace understudy::motion {
 
-// Motors follow springs around a posture; torques carry the weight of what hangs from each joint
-// and press the soles on the ground. How much the feet bear decides how much of that applies: a
-// robot on the crane hangs calmly by its springs and takes over its weight as it is set down.
-// Senses joints, LowState's unit and foot loads. Its state machine is the table of fsm.h; in each
-// state one behaviour leads the body.
+// Motors are springs around a posture, with feed-forward torques that carry the weight and press
+// the soles on the ground. These torques scale with the load on the feet: a robot on the crane
+// hangs by its springs and takes over its weight while it is set down. Inputs are joints,
+// LowState's IMU and foot loads. fsm.h has its state machine; in each state one behaviour controls
+// the motors.
 class HumanoidMotion final : public authority::Motion {
  public:
-  // `spec` and the body's model must outlive it; the body, of the same robot, is not read
-  // otherwise. Throws ModelError when the robot has other than two feet or one has no geoms in the
-  // model.
+  // `spec` and the body's model must outlive it; nothing else of `body` is read. Throws ModelError
+  // if the robot does not have two feet or one has no geoms in the model.
   HumanoidMotion(const robot::RobotSpec& spec, const physics::RobotBody& body);
 
-  // Zero torque; lock stand where the robot stands in its standing pose (*assumed*).
+  // Starts in zero torque, or in lock stand if the robot stands in its standing pose (*assumed*).
   void Start(const authority::MotionInput& input) override;
   authority::MotionVerdict Ask(const authority::MotionGoal& goal) override;
   void Step(const authority::MotionInput& input, double dt, robot::RobotCommand* command) override;
@@ -58,11 +57,11 @@ class HumanoidMotion final : public authority::Motion {
   BalancedStand stand_;
 
   int id_ = kZeroTorqueId;
-  HumanoidBehaviour* now_ = &slack_;  // what leads the body
-  int stood_in_ = -1;                 // the last state that stood balanced upright
+  HumanoidBehaviour* now_ = &slack_;  // the active behaviour
+  int stood_in_ = -1;                 // the last state of upright balance
 };
 
-// The service as HumanoidMotion's constructor makes it.
+// Makes a HumanoidMotion.
 std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,
                                                       const physics::RobotBody& body);
 

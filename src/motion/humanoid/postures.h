@@ -1,4 +1,4 @@
-// A humanoid whose motors only brake, and one whose joints are locked.
+// Behaviours of a humanoid with damped or limp motors and with locked joints.
 #pragma once
 
 #include <span>
@@ -10,10 +10,10 @@
 
 namespace understudy::motion {
 
-// Lies or hangs, its motors braking or limp.
+// Motors are damped or limp.
 class Slack final : public HumanoidBehaviour {
  public:
-  // What is handed over must outlive it.
+  // Both must outlive it.
   Slack(const JointGains& gains, Bearing* bearing) : gains_(gains), bearing_(bearing) {}
 
   void Begin(bool limp) { limp_ = limp; }
@@ -26,19 +26,19 @@ class Slack final : public HumanoidBehaviour {
   bool limp_ = true;
 };
 
-// Stiff springs lead all joints to a posture and hold it; the weight is carried where it is.
+// Stiff springs move all joints to a posture and hold it; feed-forward torques carry the weight.
 class LockedPosture final : public HumanoidBehaviour {
  public:
-  // Likewise.
+  // Both must outlive it.
   LockedPosture(const JointGains& gains, Bearing* bearing)
       : gains_(gains), bearing_(bearing), move_(gains.kp.size()) {}
 
-  // To the angles `to` [rad] in `duration` s.
+  // Moves to the angles `to` [rad] in `duration` [s].
   void Begin(const HumanoidReading& sensed, std::span<const double> to, double duration) {
     move_.Begin(sensed.q, to, duration);
   }
   void Step(const HumanoidReading& sensed, double dt, robot::RobotCommand* command) override;
-  bool over() const override { return move_.over(); }  // it is there
+  bool over() const override { return move_.over(); }  // the posture is reached
 
  private:
   const JointGains& gains_;

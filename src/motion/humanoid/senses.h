@@ -1,4 +1,4 @@
-// What a humanoid's service makes of its sensors.
+// Processes the sensor readings of a humanoid's motion service.
 #pragma once
 
 #include <vector>
@@ -8,21 +8,21 @@
 
 namespace understudy::motion {
 
-// Takes angles as they come, smooths what the feet bear, and works the body out every few
+// Passes angles on, smooths the load on the feet, and updates the body model every few
 // milliseconds.
 class HumanoidSenses {
  public:
-  // `model` and `spec` as for BodyModel, and `spec` has two feet.
+  // `model` and `spec` are as for BodyModel; `spec` must have two feet.
   HumanoidSenses(const mjModel& model, const robot::RobotSpec& spec);
   HumanoidSenses(const HumanoidSenses&) = delete;
   HumanoidSenses& operator=(const HumanoidSenses&) = delete;
 
-  // Nothing is known of before.
+  // Starts without history.
   void Begin(const authority::MotionInput& input);
-  // One step of dt [s], at whose end `input` was taken.
+  // Makes one step of dt [s], at the end of which `input` was sampled.
   void Step(const authority::MotionInput& input, double dt);
 
-  const HumanoidReading& reading() const { return reading_; }  // as of the last of these
+  const HumanoidReading& reading() const { return reading_; }  // of the last Begin or Step
   BodyModel* body() { return &body_; }
 
  private:
@@ -31,7 +31,7 @@ class HumanoidSenses {
 
   BodyModel body_;
   std::vector<double> q_, dq_;  // rad, rad/s
-  double waited_ = 0;           // s since the body was worked out
+  double waited_ = 0;           // s since the update of the body model
   bool fresh_ = true;           // no step since Begin
   HumanoidReading reading_;
 };

@@ -6,7 +6,7 @@
 namespace understudy::motion {
 namespace {
 
-// All assumed: found by trying, on every robot here, with pushes, joint friction and sensor noise.
+// All assumed, tuned on every robot here with pushes, joint friction and sensor noise.
 constexpr double kCaptureGain = 2.5;  // k: how far the pressure runs ahead of the capture point
 constexpr double kHeightRate = 10;    // rad/s of the spring that keeps the height
 constexpr double kTiltRate = 10;      // rad/s of the spring that keeps the base upright
@@ -20,14 +20,14 @@ constexpr double kSmoothTime = 0.008;   // s, over which rates are smoothed
 constexpr double kMostLift = 0.4;       // of the weight, more or less
 constexpr double kMostPush = 0.3;  // of horizontal to vertical force; soles slip at 0.4 or more
 
-// The soles seen from above, in axes along and across the line that leads from one to the other.
+// The soles seen from above, in axes along and across the line from one to the other.
 struct Support {
   explicit Support(std::span<const Sole> soles) {
     const Eigen::Vector2d apart = (soles[1].p_OS - soles[0].p_OS).head<2>();
     distance = std::max(apart.norm(), 1e-3);
     across = apart / distance;
     along = {-across.y(), across.x()};
-    // Forwards is where the toes point, whichever foot comes first.
+    // Forwards is the direction of the toes, for either order of the feet.
     const Eigen::Vector2d toes = (soles[0].forward + soles[1].forward).head<2>();
     if (along.dot(toes) < 0) along = -along;
     left = {-along.y(), along.x()};
@@ -35,7 +35,7 @@ struct Support {
     half_width = std::min(soles[0].half_width, soles[1].half_width);
   }
 
-  // The nearest point to p [m] within the part `share` of the soles.
+  // Returns the nearest point to p [m] within the soles scaled by `share`.
   Eigen::Vector2d Nearest(const Eigen::Vector2d& p, double share) const {
     const double x = share * half_length, y = distance / 2 + share * half_width;
     return along * std::clamp(along.dot(p), -x, x) + across * std::clamp(across.dot(p), -y, y);
@@ -60,11 +60,13 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   const Support support(body.soles());
   const Eigen::Vector3d& c = body.com();
   const Eigen::Vector2d v = body.com_velocity().head<2>();
+  // Smoothed rates.
   const double share = fresh_ ? 1 : dt / (dt + kSmoothTime);
   velocity_ += share * (v - velocity_);
   rate_ += share * (body.base_rate() - rate_);
   fresh_ = false;
 
+  // Inverted pendulum: the centre of pressure.
   const double height = std::max(c.z(), 0.1);
   const double omega = std::sqrt(body.gravity() / height);
   const Eigen::Vector2d c_goal =
@@ -73,6 +75,7 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   const Eigen::Vector2d p =
       support.Nearest(c_goal + kCaptureGain * (capture - c_goal), kBalanceMargin);
 
+  // Force: height spring, and the push of the pendulum.
   const double weight = load * body.mass() * body.gravity();
   const double lift = load * body.mass() *
                       (kHeightRate * kHeightRate * (goal.base_height - body.base().z()) -
@@ -82,7 +85,7 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
   if (push.norm() > kMostPush * up) push *= kMostPush * up / push.norm();
   const Eigen::Vector3d force = Above(push, up);
 
-  // Attitude: the goal turned to where the soles point.
+  // Attitude: the goal has the heading of the soles.
   const double yaw = std::atan2(support.along.y(), support.along.x());
   const Eigen::Quaterniond wanted = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()) *
                                     Eigen::AngleAxisd(goal.pitch, Eigen::Vector3d::UnitY());
@@ -94,7 +97,7 @@ void StandBalance::Step(const BodyModel& body, const StandGoal& goal, double loa
       inertia * (spring.cwiseProduct(spring).cwiseProduct(error.angle() * error.axis()) -
                  2 * kDampingRatio * spring.cwiseProduct(rate_));
 
-  // Where the ground has to press for that force and that moment about the centre of mass.
+  // The centre of pressure for that force and that moment about the centre of mass.
   const Eigen::Vector3d about_O = moment + c.cross(force);
   const double least = std::max(up, 1.0);
   Share(body, Eigen::Vector2d(-about_O.y(), about_O.x()) / least, force, moment.z());

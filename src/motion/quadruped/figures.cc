@@ -181,7 +181,7 @@ QuadrupedFigures ReadQuadruped(const physics::RobotBody& robot) {
     throw ModelError("robot '" + spec.name +
                      "' is no quadruped: it needs 12 motors, 4 for wheels, and 4 feet");
   }
-  const mjModel& model = robot.model();
+  const mjModel& model = robot.nominal();
   const int base = mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str());
   QuadrupedFigures figures;
   std::array<int, kLegs> hips{};

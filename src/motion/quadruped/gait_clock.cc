@@ -13,16 +13,22 @@ void GaitClock::Begin(const Gait& gait, double wait) {
 
 void GaitClock::Advance(double dt, const Gait& gait, bool halt) {
   wait_ -= dt;
-  halted_ = halt && stands(0) && stands(1);
+  halted_ = halt && all_stand();
+  if (all_stand() && gait.offsets != gait_.offsets) {
+    gait_ = gait;
+    phase_ = 0;
+  }
   if (wait_ > 0 || halted_) return;
   const double before = phase_;
   phase_ += dt / gait_.period;
-  if (phase_ >= 1 || (before < 0.5 && phase_ >= 0.5)) gait_ = gait;
+  if (gait.offsets == gait_.offsets && (phase_ >= 1 || (before < 0.5 && phase_ >= 0.5))) {
+    gait_ = gait;
+  }
   phase_ -= std::floor(phase_);
 }
 
 double GaitClock::phase(std::size_t leg) const {
-  const double phase = leg == 0 || leg == 3 ? phase_ : phase_ + 0.5;
+  const double phase = phase_ + gait_.offsets[leg];
   return phase - std::floor(phase);
 }
 

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 
+#include "authority/goals.h"
 #include "motion/quadruped/stance.h"
 
 namespace understudy::motion {
@@ -16,8 +17,8 @@ struct Keyframe {
 };
 
 // All shapes are assumed: no recording of a real robot's gestures with its joint angles is public.
-std::span<const Keyframe> HelloKeyframes();  // shifts its weight, lifts the front right paw, waves
-std::span<const Keyframe> StretchKeyframes();  // chest down and back, then rump down
+// Those that a real one does on its hind legs are done on three.
+std::span<const Keyframe> KeyframesOf(authority::goal::GestureName gesture);
 const StancePose& PosePosture();
 
 // A posture in a robot's own measure, in metres.
@@ -28,7 +29,9 @@ class Gesture final : public Behaviour {
  public:
   // `stance` must outlive it and have begun. Lengths in m.
   Gesture(Stance* stance, double leg_length, double stand_height)
-      : stance_(stance), leg_length_(leg_length), stand_height_(stand_height) {}
+      : stance_(stance), leg_length_(leg_length), stand_height_(stand_height) {
+    KeyframesOf({});  // the first call makes them, and no step may allocate
+  }
 
   // `frames` must outlive it; none: back to the stand at once.
   void Begin(std::span<const Keyframe> frames);

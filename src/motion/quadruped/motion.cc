@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
+
+#include "motion/quadruped/rotations.h"
+#include "robot/firmware.h"
 
 namespace understudy::motion {
 namespace {
@@ -15,21 +19,41 @@ constexpr double kUprightCosine = 0.85;  // from which the legs alone can lift o
 constexpr double kExtended = 0.6;        // of the standing height: higher is standing
 constexpr double kCrouch = 0.25;         // feet under the hips, of the leg's length
 constexpr double kBalanceTime = 1.0;     // s to a balanced stand
+constexpr double kOneStep = 0.01;        // s, at least one of the service
 constexpr double kSitTime = 1.8;         // s
 constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
 constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
+constexpr double kLyingRest = 5.0;  // s from lying down to damping: "after some seconds" on a B2
+constexpr double kMostShift = 0.2;  // of the leg's length, of the body over its feet
 
-bool IsFinite(const authority::MotionGoal& goal) {
-  if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
-    return std::isfinite(euler->roll) && std::isfinite(euler->pitch) && std::isfinite(euler->yaw);
-  }
-  if (const auto* move = std::get_if<goal::Move>(&goal)) {
-    return std::isfinite(move->vx) && std::isfinite(move->vy) && std::isfinite(move->yaw_rate);
-  }
-  const auto* height = std::get_if<goal::BodyHeight>(&goal);
-  return height == nullptr || std::isfinite(height->height);
+// Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
+authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
+  const bool before_ids = !spec.state_id_since.empty() && !robot::TellsStateId(spec);
+  return before_ids ? authority::goal::GaitName::kTrot : authority::goal::GaitName::kFree;
 }
+
+bool AreFinite(std::initializer_list<double> numbers) {
+  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
+}
+
+// Whether it says what can be done.
+struct IsSound {
+  bool operator()(const goal::Euler& g) const { return AreFinite({g.roll, g.pitch, g.yaw}); }
+  bool operator()(const goal::Move& g) const { return AreFinite({g.vx, g.vy, g.yaw_rate}); }
+  bool operator()(const goal::BodyHeight& g) const { return std::isfinite(g.height); }
+  bool operator()(const goal::BodyPosition& g) const { return AreFinite({g.x, g.y, g.z, g.yaw}); }
+  bool operator()(const goal::GoTo& g) const { return AreFinite({g.x, g.y, g.yaw}); }
+  bool operator()(const goal::Gait& g) const { return g.name != goal::GaitName::kNone; }
+  bool operator()(const goal::FollowPath& g) const {
+    double last = 0;
+    const auto sound = [&](const goal::PathPoint& p) {
+      return AreFinite({p.t, p.x, p.y, p.yaw}) && p.t >= std::exchange(last, p.t);
+    };
+    return g.points != nullptr && std::ranges::all_of(*g.points, sound);
+  }
+  bool operator()(const auto&) const { return true; }
+};
 
 }  // namespace
 
@@ -43,33 +67,55 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       gesture_(&stance_, body_.leg_length(), figures_.stand_height),
       recovery_(body_),
       trot_(body_, estimator_, figures_),
-      drive_(body_, estimator_, &stance_, figures_) {}
+      drive_(body_, estimator_, &stance_, figures_) {
+  Use(RowOf(DefaultGait(spec)), 0);
+}
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
   estimator_.Begin(reading_);
+  Use(RowOf(DefaultGait(spec_)), 0);
+  stepping_ = lasting_ = false;
+  wanted_ = Default();
   Enter(kDamped);
-  if (upright() && estimator_.height() > kExtended * figures_.stand_height) Enter(kBalance);
+  if (!upright()) return;
+  if (estimator_.height() > kExtended * figures_.stand_height) {
+    Enter(kStanding);
+  } else if (figures_.stands_up) {
+    Enter(kFoldingOn);
+  }
+}
+
+void QuadrupedMotion::Use(const GaitRow& gait, int level) {
+  gait_ = &gait;
+  level_ = level;
+  figures_.walk = WalkIn(gait, level, spec_.motion.quadruped.walk);
 }
 
 authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
   const auto rows = QuadrupedTransitions();
   const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
-  if (!known || !IsFinite(goal)) return authority::MotionVerdict::kUnknown;
+  if (!known || !std::visit(IsSound{}, goal)) return authority::MotionVerdict::kUnknown;
   const auto holds = [this](QuadrupedWhen when) { return Holds(when); };
   const QuadrupedTransition* row = Find(rows, goal.index(), state_, holds);
   if (row == nullptr && kMovingStates.Has(state_)) {
-    // What a balanced stand leads to is done once it has stopped.
-    row = Find(rows, goal.index(), kBalance, holds);
+    // What a stand leads to is done once it has stopped.
+    row = Find(rows, goal.index(), kStanding, holds);
     if (row != nullptr && row->verdict == authority::MotionVerdict::kTaken) {
       then_ = goal;
-      move_.setZero();
+      Take({});
       return row->verdict;
     }
   }
   if (row == nullptr) return authority::MotionVerdict::kNotNow;
   if (row->verdict == authority::MotionVerdict::kTaken) {
-    if (row->to) Enter(*row->to);
+    if (const auto* gesture = std::get_if<goal::Gesture>(&goal)) gesture_name_ = gesture->name;
+    if (std::holds_alternative<goal::BalanceStand>(goal)) stand_ = kBalance;
+    if (std::holds_alternative<goal::Gait>(goal) ||
+        std::holds_alternative<goal::RecoveryStand>(goal)) {
+      stand_ = kStanding;
+    }
+    if (row->to) Enter(*row->to == kStanding ? stand_ : *row->to);
     Keep(goal);
   }
   return row->verdict;
@@ -89,10 +135,12 @@ bool QuadrupedMotion::Holds(QuadrupedWhen when) const {
 
 void QuadrupedMotion::Enter(State state) {
   const State from = std::exchange(state_, state);
-  if (!kStanceStates.Has(state) && state != kWalking) move_.setZero();
+  since_ = 0;
+  if (!kStands.Has(state) && !kMovingStates.Has(state)) Take({});
   switch (state) {
     case kDamped:
       fallen_for_ = 0;
+      stand_ = kStanding;
       then_.reset();
       now_ = nullptr;
       break;
@@ -111,6 +159,7 @@ void QuadrupedMotion::Enter(State state) {
     }
     case kRising:
     case kRisingOn:
+      if (state == kRising) stand_ = kStanding;
       if (from == kRising || from == kRisingOn) break;
       // Of a robot that stands the feet stay where they are.
       feet_.Begin(reading_,
@@ -135,15 +184,14 @@ void QuadrupedMotion::Enter(State state) {
       now_ = &joints_;
       break;
     }
+    case kStanding:
     case kBalance:
-      Balance(from);
+      Stand(from);
       break;
-    case kHello:
-    case kStretch:
+    case kGesturing:
     case kRisingSit:
       wanted_ = Default();
-      gesture_.Begin(state == kHello     ? HelloKeyframes()
-                     : state == kStretch ? StretchKeyframes()
+      gesture_.Begin(state == kGesturing ? KeyframesOf(gesture_name_)
                                          : std::span<const Keyframe>());
       now_ = &gesture_;
       break;
@@ -167,12 +215,14 @@ void QuadrupedMotion::Enter(State state) {
       now_ = &recovery_;
       break;
     case kWalking:
+      stand_ = kStanding;
       wheel_angles_.fill(robot::kNoPosition);
       trot_.Begin(reading_, Under(figures_.stand_height - body_.radius()));
       trot_.Carry(wanted_.place.z(), wanted_.rpy);
       now_ = &trot_;
       break;
     case kDriving:
+      stand_ = kStanding;
       drive_.Begin();
       now_ = &drive_;
       break;
@@ -184,15 +234,23 @@ void QuadrupedMotion::Enter(State state) {
 void QuadrupedMotion::Move(double dt) {
   move_for_ -= dt;
   if (move_for_ <= 0) move_.setZero();
+  if (!path_.over()) {
+    move_ = path_.Step(dt, Here());
+    move_for_ = kOneStep;
+  }
   const Vector3d taken = trot_.Taken(move_);
-  const bool steps = !wheeled() || std::abs(taken.y()) > figures_.walk.dead_band.y() ||
+  const bool stepping = stepping_ && !then_;
+  const bool steps = !wheeled() || stepping || std::abs(taken.y()) > figures_.walk.dead_band.y() ||
                      std::abs(taken.z()) > kSharpest * std::abs(taken.x());
+  trot_.KeepStepping(stepping);
   trot_.Ask(steps ? taken : Vector3d::Zero());
   drive_.Ask(steps ? Vector3d::Zero() : taken);
-  if (state_ == kBalance && stance_.over() && !taken.isZero(0)) Enter(steps ? kWalking : kDriving);
+  if (kStands.Has(state_) && stance_.over() && (stepping || !taken.isZero(0))) {
+    Enter(steps ? kWalking : kDriving);
+  }
 }
 
-void QuadrupedMotion::Balance(State from) {
+void QuadrupedMotion::Stand(State from) {
   now_ = &stance_;
   if (kGestureStates.Has(from) || from == kDriving) return;
   if (kStanceStates.Has(from)) {
@@ -207,13 +265,30 @@ void QuadrupedMotion::Balance(State from) {
 
 void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
   if (const auto* recovery = std::get_if<goal::AutoRecovery>(&goal)) auto_recovery_ = recovery->on;
-  if (const auto* move = std::get_if<goal::Move>(&goal);
-      move != nullptr && (state_ == kBalance || kMovingStates.Has(state_))) {
-    move_ = {move->vx, move->vy, move->yaw_rate};
-    move_for_ = move->hold;
-    then_.reset();
+  if (const auto* gait = std::get_if<goal::Gait>(&goal)) Use(RowOf(gait->name), level_);
+  if (const auto* speed = std::get_if<goal::SpeedLevel>(&goal)) Use(*gait_, speed->level);
+  if (const auto* stepping = std::get_if<goal::KeepStepping>(&goal)) stepping_ = stepping->on;
+  if (const auto* lasting = std::get_if<goal::LastingMoves>(&goal)) lasting_ = lasting->on;
+  if (std::holds_alternative<goal::ResetEstimator>(goal)) estimator_.Begin(reading_);
+  if (std::holds_alternative<goal::StopMove>(goal)) {
+    stepping_ = false;
+    Take({});
   }
-  if (std::holds_alternative<goal::StopMove>(goal)) move_.setZero();
+  if (kStands.Has(state_) || kMovingStates.Has(state_)) {
+    if (const auto* move = std::get_if<goal::Move>(&goal)) {
+      Take(*move);
+      then_.reset();
+    } else if (const auto* path = std::get_if<goal::FollowPath>(&goal)) {
+      path_.Begin(*path->points, Here());
+      then_.reset();
+    } else if (const auto* place = std::get_if<goal::GoTo>(&goal)) {
+      const double turned = place->from_here ? Here().z() : 0;
+      const Vector3d way =
+          Eigen::AngleAxisd(turned, Vector3d::UnitZ()) * Vector3d(place->x, place->y, place->yaw);
+      path_.GoTo(place->from_here ? Vector3d(Here() + way) : way, Here());
+      then_.reset();
+    }
+  }
   StancePose wanted = wanted_;
   if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
     const auto& most = figures_.euler_range;
@@ -225,7 +300,21 @@ void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
     wanted.place.z() = figures_.stand_height +
                        std::clamp(body->height, figures_.height_range[0], figures_.height_range[1]);
     Follow(wanted);
+  } else if (const auto* shift = std::get_if<goal::BodyPosition>(&goal)) {
+    const double most = kMostShift * body_.leg_length();
+    wanted.place = {std::clamp(shift->x, -most, most), std::clamp(shift->y, -most, most),
+                    figures_.stand_height +
+                        std::clamp(shift->z, figures_.height_range[0], figures_.height_range[1])};
+    wanted.rpy.z() = std::clamp(shift->yaw, -figures_.euler_range[2], figures_.euler_range[2]);
+    Follow(wanted);
   }
+}
+
+// Ends a path. What says nothing stops the robot.
+void QuadrupedMotion::Take(const goal::Move& move) {
+  path_.End();
+  move_ = (move.by_sticks ? ScaleOf(level_).sticks : 1) * Vector3d(move.vx, move.vy, move.yaw_rate);
+  move_for_ = lasting_ && !move.by_sticks ? std::numeric_limits<double>::infinity() : move.hold;
 }
 
 void QuadrupedMotion::Follow(const StancePose& pose) {
@@ -239,14 +328,18 @@ void QuadrupedMotion::Follow(const StancePose& pose) {
 
 robot::MotionState QuadrupedMotion::state() const {
   const QuadrupedStateRow& row = RowOf(state_);
-  robot::MotionState state{.id = row.id,
-                           .mode = row.mode,
+  const bool moves = kMovingStates.Has(state_);
+  robot::MotionState state{.id = moves || state_ == kStanding ? gait_->id : row.id,
+                           .mode = moves                 ? gait_->moving
+                                   : kStands.Has(state_) ? gait_->standing
+                                                         : row.mode,
                            .progress = row.progress,
                            .body_height = estimator_.height(),
                            .estimates = true,
                            .v_WB_W = estimator_.v_WB_W(),
                            .p_WB = estimator_.p_WB(),
-                           .gait = kMovingStates.Has(state_) ? 1 : 0,
+                           .gait = gait_->type,
+                           .wanted_height = wanted_.place.z(),
                            .foot_raise = figures_.walk.foot_raise};
   for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
     state.feet[leg] = reading_.feet[leg];
@@ -260,7 +353,9 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   reading_ = body_.Read(input);
   estimator_.Step(reading_, dt,
                   state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
+  since_ += dt;
   WatchForFalls(dt);
+  if (state_ == kLying && since_ > kLyingRest) Enter(kDamped);
   Move(dt);
   if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
   command->joint_space = robot::JointSpace::kPitchRoll;
@@ -273,8 +368,8 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
     Wheels(input, command);
   }
   const State next = RowOf(state_).next;
-  if (next != state_ && now_->over()) Enter(next);
-  if (state_ == kBalance && then_) Ask(*std::exchange(then_, std::nullopt));
+  if (next != state_ && now_->over()) Enter(next == kStanding ? stand_ : next);
+  if (kStands.Has(state_) && then_) Ask(*std::exchange(then_, std::nullopt));
 }
 
 void QuadrupedMotion::WatchForFalls(double dt) {
@@ -329,6 +424,11 @@ void QuadrupedMotion::Brake(double kd, robot::RobotCommand* command) {
   for (robot::MotorCommand& motor : command->motors) {
     motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = kd};
   }
+}
+
+Vector3d QuadrupedMotion::Here() const {
+  const Vector3d& p = estimator_.p_WB();
+  return {p.x(), p.y(), RollPitchYaw(reading_.R_WB).z()};
 }
 
 PerLeg QuadrupedMotion::Under(double depth) const {

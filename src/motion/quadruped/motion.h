@@ -9,8 +9,10 @@
 #include "motion/quadruped/body.h"
 #include "motion/quadruped/drive.h"
 #include "motion/quadruped/estimator.h"
+#include "motion/quadruped/gaits.h"
 #include "motion/quadruped/gestures.h"
 #include "motion/quadruped/moves.h"
+#include "motion/quadruped/path.h"
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
 #include "motion/quadruped/states.h"
@@ -27,8 +29,8 @@ class QuadrupedMotion : public authority::Motion {
   // `spec` must outlive it.
   QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFigures& figures);
 
-  // Damped; a robot that stands is kept standing, balanced. Assumed: whether a real one stands up
-  // by itself after boot, and into which state, is not known.
+  // Damped; a robot that stands is kept standing, in its default gait (assumed), and one that lies
+  // stands up where `stands_up` says so.
   void Start(const authority::MotionInput& input) override;
 
   // Euler angles and body height beyond their range are cut to it.
@@ -44,9 +46,11 @@ class QuadrupedMotion : public authority::Motion {
 
   bool Holds(QuadrupedWhen when) const;
   void Enter(State state);  // begins what the legs do in it
-  void Balance(State from);
+  void Stand(State from);
   void Keep(const authority::MotionGoal& goal);  // what a goal sets beside the state
+  void Take(const authority::goal::Move& move);
   void Follow(const StancePose& pose);
+  void Use(const GaitRow& gait, int level);
 
   void Move(double dt);  // begins to walk or drive, and ends what was not renewed
   // Of a step: falls and what comes of them; what the motors are told.
@@ -57,11 +61,12 @@ class QuadrupedMotion : public authority::Motion {
 
   PerLeg Under(double depth) const;  // feet that far below the hips [m], in the base
   StancePose Default() const;        // of a balanced stand
+  Eigen::Vector3d Here() const;      // by the estimate: x, y [m], yaw [rad]
   bool upright() const;              // enough for the legs alone
   bool wheeled() const { return spec_.kind == robot::RobotKind::kWheeled; }
 
   const robot::RobotSpec& spec_;
-  const robot::QuadrupedMotionSpec& figures_;
+  robot::QuadrupedMotionSpec figures_;  // `walk` is that of the gait in force
   QuadrupedBody body_;
   QuadrupedEstimator estimator_;
   JointsMove joints_;
@@ -73,10 +78,18 @@ class QuadrupedMotion : public authority::Motion {
   Drive drive_;
 
   State state_ = State::kDamped;
-  Behaviour* now_ = nullptr;       // what leads the legs; none: they stay as they are, or brake
-  bool auto_recovery_ = false;     // outlives Start, as the services' settings do
-  Eigen::Vector3d move_{0, 0, 0};  // of the last Move: m/s, rad/s
-  double move_for_ = 0;            // s that it still counts
+  State stand_ = State::kStanding;  // the one that gestures and poses end in
+  double since_ = 0;                // s in this state
+  Behaviour* now_ = nullptr;        // what leads the legs; none: they stay as they are, or brake
+  bool auto_recovery_ = false;      // outlives Start, as the services' settings do
+  const GaitRow* gait_ = nullptr;
+  int level_ = 0;          // of speed
+  bool stepping_ = false;  // on the spot where it would stand
+  bool lasting_ = false;   // moves end only when told to
+  authority::goal::GestureName gesture_name_{};
+  PathFollower path_;
+  Eigen::Vector3d move_{0, 0, 0};              // of the last Move or the path: m/s, rad/s
+  double move_for_ = 0;                        // s that it still counts
   std::optional<authority::MotionGoal> then_;  // what it stops walking for
   double fallen_for_ = 0;  // s in kDamped because of a fall; 0 when damped by a goal
   QuadrupedReading reading_;

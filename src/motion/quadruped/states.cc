@@ -9,25 +9,25 @@ const QuadrupedStateRow& RowOf(QuadrupedState state) {
   // In the order of the enum.
   static constexpr std::array kRows{
       QuadrupedStateRow{kDamped, 1001, 7, 0, kDamped},
-      QuadrupedStateRow{kFolding, 1002, 6, 0, kRising},
-      QuadrupedStateRow{kRising, 1002, 6, 0, kLocked},
+      QuadrupedStateRow{kFolding, 1002, 3, 0, kRising},
+      QuadrupedStateRow{kRising, 1002, 3, 0, kLocked},
       QuadrupedStateRow{kLocked, 1002, 6, 0, kLocked},
-      QuadrupedStateRow{kFoldingOn, 1002, 6, 0, kRisingOn},
-      QuadrupedStateRow{kRisingOn, 1002, 6, 0, kBalance},
+      QuadrupedStateRow{kFoldingOn, 1002, 3, 0, kRisingOn},
+      QuadrupedStateRow{kRisingOn, 1002, 3, 0, kStanding},
       QuadrupedStateRow{kLowering, 1004, 5, 0, kUnfolding},
       QuadrupedStateRow{kUnfolding, 1004, 5, 0, kLying},
       QuadrupedStateRow{kLying, 1004, 5, 0, kLying},
+      QuadrupedStateRow{kStanding, 100, 1, 0, kStanding},
       QuadrupedStateRow{kBalance, 1013, 1, 0, kBalance},
-      QuadrupedStateRow{kHello, 1006, 1, 1, kBalance},
-      QuadrupedStateRow{kStretch, 1006, 1, 1, kBalance},
-      QuadrupedStateRow{kEndingGesture, 1006, 1, 1, kBalance},
+      QuadrupedStateRow{kGesturing, 1006, 1, 1, kStanding},
+      QuadrupedStateRow{kEndingGesture, 1006, 1, 1, kStanding},
       QuadrupedStateRow{kSittingDown, 1007, 10, 0, kSitting},
       QuadrupedStateRow{kSitting, 1007, 10, 0, kSitting},
-      QuadrupedStateRow{kRisingSit, 1006, 1, 1, kBalance},
+      QuadrupedStateRow{kRisingSit, 1006, 1, 1, kStanding},
       QuadrupedStateRow{kPosing, 1091, 2, 0, kPosing},
       QuadrupedStateRow{kRecovering, 2006, 8, 0, kFoldingOn},
-      QuadrupedStateRow{kWalking, 100, 3, 0, kBalance},
-      QuadrupedStateRow{kDriving, 100, 3, 0, kBalance},
+      QuadrupedStateRow{kWalking, 100, 3, 0, kStanding},
+      QuadrupedStateRow{kDriving, 100, 3, 0, kStanding},
   };
   return kRows[static_cast<std::size_t>(state)];
 }
@@ -39,25 +39,32 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
   using authority::kGoal;
   namespace goal = authority::goal;
   static constexpr StateSet<QuadrupedState> kAny{
-      kDamped,      kFolding, kRising,  kLocked,     kFoldingOn, kRisingOn,  kLowering,
-      kUnfolding,   kLying,   kBalance, kHello,      kStretch,   kRisingSit, kEndingGesture,
-      kSittingDown, kSitting, kPosing,  kRecovering, kWalking,   kDriving};
+      kDamped,    kFolding,     kRising,   kLocked,     kFoldingOn, kRisingOn,      kLowering,
+      kUnfolding, kLying,       kStanding, kBalance,    kGesturing, kEndingGesture, kRisingSit,
+      kSitting,   kSittingDown, kPosing,   kRecovering, kWalking,   kDriving};
   static constexpr QuadrupedTransition kRows[] = {
       {kGoal<goal::Damp>, kAny, kAlways, kTaken, kDamped},
       {kGoal<goal::AutoRecovery>, kAny, kAlways, kTaken},
+      {kGoal<goal::SpeedLevel>, kAny, kAlways, kTaken},
+      {kGoal<goal::KeepStepping>, kAny, kAlways, kTaken},
+      {kGoal<goal::LastingMoves>, kAny, kAlways, kTaken},
 
       {kGoal<goal::StandUp>, {kDamped, kUnfolding, kLying}, kUpright, kTaken, kFolding},
       {kGoal<goal::StandUp>, {kFolding, kRising, kLocked}, kAlways, kTaken},
       {kGoal<goal::StandUp>, {kFoldingOn}, kAlways, kTaken, kFolding},
-      {kGoal<goal::StandUp>, {kRisingOn, kLowering, kBalance, kPosing}, kAlways, kTaken, kRising},
+      {kGoal<goal::StandUp>,
+       {kRisingOn, kLowering, kStanding, kBalance, kPosing},
+       kAlways,
+       kTaken,
+       kRising},
 
       {kGoal<goal::StandDown>, {kDamped}, kUpright, kTaken, kUnfolding},
       {kGoal<goal::StandDown>, {kLocked}, kAlways, kTaken, kLowering},
-      {kGoal<goal::StandDown>, {kBalance, kPosing}, kLegged, kTaken, kLowering},
+      {kGoal<goal::StandDown>, {kStanding, kBalance, kPosing}, kLegged, kTaken, kLowering},
       {kGoal<goal::StandDown>, {kLowering, kUnfolding, kLying}, kAlways, kTaken},
 
       {kGoal<goal::BalanceStand>, {kRising, kRisingOn}, kAlways, kTaken, kRisingOn},
-      {kGoal<goal::BalanceStand>, {kLocked, kPosing}, kAlways, kTaken, kBalance},
+      {kGoal<goal::BalanceStand>, {kLocked, kPosing, kStanding}, kAlways, kTaken, kBalance},
       {kGoal<goal::BalanceStand>, {kBalance}, kAlways, kTaken},
 
       {kGoal<goal::RecoveryStand>,
@@ -67,26 +74,37 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
        kRecovering},
       {kGoal<goal::RecoveryStand>, {kRecovering}, kAlways, kTaken},
       {kGoal<goal::RecoveryStand>, {kRising, kRisingOn}, kLegged, kTaken, kRisingOn},
-      {kGoal<goal::RecoveryStand>, {kLocked, kPosing}, kLegged, kTaken, kBalance},
-      {kGoal<goal::RecoveryStand>, {kBalance}, kLegged, kTaken},
+      {kGoal<goal::RecoveryStand>, {kLocked, kPosing, kBalance}, kLegged, kTaken, kStanding},
+      {kGoal<goal::RecoveryStand>, {kStanding}, kLegged, kTaken},
       {kGoal<goal::RecoveryStand>, {kSitting}, kLegged, kTaken, kRisingSit},
 
-      {kGoal<goal::Sit>, {kBalance}, kAlways, kTaken, kSittingDown},
+      {kGoal<goal::Sit>, {kStanding, kBalance}, kAlways, kTaken, kSittingDown},
       {kGoal<goal::Sit>, {kSitting}, kAlways, kTaken},
       {kGoal<goal::RiseSit>, {kSitting}, kAlways, kTaken, kRisingSit},
-      {kGoal<goal::Hello>, {kBalance}, kAlways, kTaken, kHello},
-      {kGoal<goal::Stretch>, {kBalance}, kAlways, kTaken, kStretch},
-      {kGoal<goal::Pose>, {kBalance, kPosing}, kAlways, kTaken, kPosing},
-      {kGoal<goal::EndPose>, {kBalance, kPosing}, kAlways, kTaken, kBalance},
-      {kGoal<goal::Euler>, {kBalance, kPosing, kWalking, kDriving}, kAlways, kTaken},
-      {kGoal<goal::BodyHeight>, {kBalance, kPosing, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::Gesture>, {kStanding, kBalance}, kAlways, kTaken, kGesturing},
+      {kGoal<goal::Pose>, {kStanding, kBalance, kPosing}, kAlways, kTaken, kPosing},
+      {kGoal<goal::EndPose>, {kStanding, kBalance, kPosing}, kAlways, kTaken, kStanding},
+      {kGoal<goal::Euler>, {kStanding, kBalance, kPosing, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::BodyHeight>,
+       {kStanding, kBalance, kPosing, kWalking, kDriving},
+       kAlways,
+       kTaken},
+      {kGoal<goal::BodyPosition>, {kStanding, kBalance, kPosing}, kAlways, kTaken},
+      {kGoal<goal::ResetEstimator>, {kLocked, kStanding, kBalance, kPosing}, kAlways, kTaken},
 
-      {kGoal<goal::StopMove>, {kHello, kStretch}, kAlways, kTaken, kEndingGesture},
-      {kGoal<goal::StopMove>, {kBalance, kPosing}, kAlways, kTaken, kBalance},
+      // A gait frees the joints of a robot that stands locked, as seen on a Go2.
+      {kGoal<goal::Gait>, {kRising, kRisingOn}, kAlways, kTaken, kRisingOn},
+      {kGoal<goal::Gait>, {kLocked, kBalance, kPosing}, kAlways, kTaken, kStanding},
+      {kGoal<goal::Gait>, {kStanding, kWalking, kDriving}, kAlways, kTaken},
+
+      {kGoal<goal::StopMove>, {kGesturing}, kAlways, kTaken, kEndingGesture},
+      {kGoal<goal::StopMove>, {kStanding, kBalance, kPosing}, kAlways, kTaken, kStanding},
       {kGoal<goal::StopMove>, kAny, kAlways, kTaken},
       // After StandUp taken and without effect, as on a real Go2.
       {kGoal<goal::Move>, {kRising, kRisingOn, kLocked}, kAlways, kTaken},
-      {kGoal<goal::Move>, {kBalance, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::Move>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::GoTo>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},
+      {kGoal<goal::FollowPath>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},
   };
   return kRows;
 }

@@ -19,9 +19,9 @@ enum class QuadrupedState : std::uint8_t {
   kLowering,   // feet move up to the crouch, towards lying
   kUnfolding,  // joints move to the lying pose
   kLying,      // joints locked
-  kBalance,
-  kHello,
-  kStretch,
+  kStanding,   // balanced, in a gait, until it is told to move
+  kBalance,    // what BalanceStand leads to
+  kGesturing,
   kEndingGesture,  // puts the robot back on its feet
   kSittingDown,
   kSitting,
@@ -33,23 +33,25 @@ enum class QuadrupedState : std::uint8_t {
 };
 
 inline constexpr StateSet<QuadrupedState> kGestureStates{
-    QuadrupedState::kHello, QuadrupedState::kStretch, QuadrupedState::kEndingGesture,
-    QuadrupedState::kRisingSit};
+    QuadrupedState::kGesturing, QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit};
+inline constexpr StateSet<QuadrupedState> kStands{QuadrupedState::kStanding,
+                                                  QuadrupedState::kBalance};
 // In which the stance leads the legs.
 inline constexpr StateSet<QuadrupedState> kStanceStates{
-    QuadrupedState::kBalance,     QuadrupedState::kPosing,        QuadrupedState::kHello,
-    QuadrupedState::kStretch,     QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit,
+    QuadrupedState::kStanding,    QuadrupedState::kBalance,       QuadrupedState::kPosing,
+    QuadrupedState::kGesturing,   QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit,
     QuadrupedState::kSittingDown, QuadrupedState::kSitting,       QuadrupedState::kDriving};
 inline constexpr StateSet<QuadrupedState> kMovingStates{QuadrupedState::kWalking,
                                                         QuadrupedState::kDriving};
 
-// What it tells of a state, and the state that follows once its behaviour is over. Ids and modes
-// are the vendor's (Go2 motion services V2.0); recovering is in neither of its lists: the crouch
-// and recoveryStand of the older firmware are assumed.
+// What it tells of a state, and the state that follows once its behaviour is over. Of those that
+// stand in a gait, walk or drive it tells what the gait's row says. Ids and modes are the vendor's
+// (Go2 motion services V2.0; its page of the older firmware); that a robot rises in mode 3 was seen
+// on a B2. Recovering is in neither list: the crouch and recoveryStand are assumed.
 struct QuadrupedStateRow {
   QuadrupedState state;
   int id, mode, progress;  // of robot::MotionState
-  QuadrupedState next;     // the same: it lasts
+  QuadrupedState next;     // the same: it lasts. kStanding: the stand that it came from
 };
 const QuadrupedStateRow& RowOf(QuadrupedState state);
 
@@ -60,7 +62,8 @@ enum class QuadrupedWhen : std::uint8_t {
   kLegged,   // has no wheels
 };
 
-// By MotionGoal::index(). What is legal where is assumed where it is not the vendor's word
+// By MotionGoal::index(). A row that leads to kStanding leads back to BalanceStand's stand where
+// the robot came from that. What is legal where is assumed where it is not the vendor's word
 // (docs/fidelity.md): the vendor's graph was not found.
 using QuadrupedTransition = Transition<std::size_t, QuadrupedState, QuadrupedWhen>;
 std::span<const QuadrupedTransition> QuadrupedTransitions();

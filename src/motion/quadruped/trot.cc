@@ -99,9 +99,12 @@ void Trot::Carry(double height, const Vector3d& rpy) {
 
 Gait Trot::WantedGait() const {
   const robot::WalkSpec& walk = spec_.walk;
-  const double part = std::min(wish_.velocity().head<2>().norm() / walk.most_speed[0], 1.0);
+  const double most = walk.most_speed[0];
+  const double part = most > 0 ? std::min(wish_.velocity().head<2>().norm() / most, 1.0) : 0;
   return {.period = std::lerp(walk.period[0], walk.period[1], part),
-          .duty = std::lerp(walk.duty[0], walk.duty[1], part)};
+          .duty = std::lerp(walk.duty[0], walk.duty[1], part),
+          .raise = walk.foot_raise,
+          .offsets = walk.offsets};
 }
 
 std::array<double, 4> Trot::stands() const {
@@ -143,7 +146,7 @@ void Trot::Plan(double dt) {
   yaw_ahead_ += dt * (wish_.velocity().z() - turns_);
   yaw_ahead_ = std::clamp(yaw_ahead_, -kYawAhead, kYawAhead);
   height_ += std::clamp(wanted_height_ - height_, -kRise * dt, kRise * dt);
-  idle_ = wish_.at_rest() ? idle_ + dt : 0;
+  idle_ = wish_.at_rest() && !keeps_stepping_ ? idle_ + dt : 0;
 }
 
 // Which feet swing: by the clock, but a swing ends once the foot feels the ground.
@@ -246,7 +249,7 @@ Vector3d Trot::Foothold(std::size_t leg) const {
 }
 
 void Trot::Swing(const QuadrupedReading& sensed, std::size_t leg, LegCommand* legs) const {
-  const FootMotion foot = SwingFoot(feet_[leg].from, Foothold(leg), spec_.walk.foot_raise,
+  const FootMotion foot = SwingFoot(feet_[leg].from, Foothold(leg), clock_.raise(),
                                     clock_.swing_time(), clock_.swing_part(leg));
   const QuadrupedLeg& chain = body_.leg(leg);
   const Matrix3d R_BW = sensed.R_WB.transpose();

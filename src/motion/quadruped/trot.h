@@ -34,6 +34,8 @@ class Trot final : public Behaviour {
   Eigen::Vector3d Taken(const Eigen::Vector3d& velocity) const { return wish_.Taken(velocity); }
   // How the body is carried: height of the base over the ground [m], roll and pitch [rad].
   void Carry(double height, const Eigen::Vector3d& rpy);
+  // Whether it steps on the spot where it would stand.
+  void KeepStepping(bool on) { keeps_stepping_ = on; }
 
   void Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) override;
 
@@ -82,6 +84,7 @@ class Trot final : public Behaviour {
   Eigen::Vector3d wanted_rpy_{0, 0, 0};
   double idle_ = 0;      // s without a wish
   bool begins_ = false;  // no foot has lifted yet
+  bool keeps_stepping_ = false;
 };
 
 }  // namespace understudy::motion

@@ -24,7 +24,8 @@ void VelocityWish::Step(double dt) {
   delayed_[next_] = wish_;
   const Vector3d& due = delayed_[(next_ + kDelayed - std::min(late, kDelayed - 1)) % kDelayed];
   next_ = (next_ + 1) % kDelayed;
-  acceleration_ = (spec_.gain.cwiseProduct(due) - velocity_).cwiseQuotient(spec_.time_constant);
+  acceleration_ =
+      (spec_.gain.cwiseProduct(due) - velocity_).cwiseQuotient(spec_.time_constant.cwiseMax(dt));
   acceleration_ = acceleration_.cwiseMax(-hurry_).cwiseMin(hurry_);
   velocity_ += dt * acceleration_;
 }

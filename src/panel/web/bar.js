@@ -4,7 +4,7 @@ import { ownerOf } from "./events.js";
 import { LOW } from "./sensor_table.js";
 
 const POSE_WORDS = { "": "start pose" };
-const SETTLE = 1000; // ms after a speed was chosen in which frames may still have the one before
+const SETTLE = 1000; // ms after a speed was chosen in which snapshots may still have the one before
 
 export class Bar {
   // request(name, values) sends and reports a refusal.
@@ -26,7 +26,7 @@ export class Bar {
   }
 
   get speed() {
-    return this.frameSpeed ?? 1;
+    return this.snapshotSpeed ?? 1;
   }
 
   setScene(scene) {
@@ -36,14 +36,14 @@ export class Bar {
       element("option", { value: pose, text: POSE_WORDS[pose] ?? pose })));
   }
 
-  showFrame(frame) {
-    setText(byId("time"), `${number(frame.time, 2)} s`);
-    this.paused = frame.paused;
-    this.frameSpeed = frame.speed;
-    setText(byId("pause"), frame.paused ? "Resume" : "Pause");
-    byId("pause").setAttribute("aria-pressed", frame.paused);
-    byId("step").disabled = !frame.paused;
-    if (performance.now() - this.chosenAt > SETTLE) this.chooseSpeed(frame.speed);
+  showSnapshot(snapshot) {
+    setText(byId("time"), `${number(snapshot.time, 2)} s`);
+    this.paused = snapshot.paused;
+    this.snapshotSpeed = snapshot.speed;
+    setText(byId("pause"), snapshot.paused ? "Resume" : "Pause");
+    byId("pause").setAttribute("aria-pressed", snapshot.paused);
+    byId("step").disabled = !snapshot.paused;
+    if (performance.now() - this.chosenAt > SETTLE) this.chooseSpeed(snapshot.speed);
   }
 
   chooseSpeed(value) {

@@ -1,7 +1,7 @@
-// The line to the robot: what it is, its frames, status and events as they come, requests to it.
+// The line to the robot: what it is, its snapshots, status and events as they come, requests to it.
 const RETRIES = [500, 1000, 2000, 4000]; // ms between attempts to reach it
 const STATUS_EVERY = 250; // ms
-const SILENCE = 2000; // ms without a frame after which one says so
+const SILENCE = 2000; // ms without a snapshot after which one says so
 const PARTS = "bodies,contacts,com,crane,pushes,motors,imus,battery,feet,remote,command";
 const PATIENCE = 5000; // ms; the robot itself answers within 2 s
 const LAPSE = 0.5; // s of wall time after which the robot lets go of what is not renewed
@@ -25,8 +25,9 @@ export function takeToken() {
 }
 
 export class Link {
-  // `on` has a function for each kind of news: scene(description), frame(frame), status(status),
-  // event(event), line(state, why) with state live | silent | lost, token(state) with state ok | none | stale.
+  // `on` has a function for each kind of news: scene(description), snapshot(snapshot),
+  // status(status), event(event), line(state, why) with state live | silent | lost, token(state)
+  // with state ok | none | stale.
   constructor(token, on) {
     this.token = token;
     this.on = on;
@@ -34,7 +35,7 @@ export class Link {
     this.described = false;
     this.requestsOpen = false; // the robot knows the token
     this.hz = 60;
-    this.frames = null;
+    this.snapshots = null;
     this.requests = null;
     this.waiting = new Map(); // id of a request -> what its answer goes to
     this.next = 1;
@@ -89,7 +90,7 @@ export class Link {
     this.on.status(now);
   }
 
-  // Passes frames and status on until the line breaks.
+  // Passes snapshots and status on until the line breaks.
   async follow() {
     this.openRequests();
     const events = new WebSocket(this.socketUrl("/events"));
@@ -102,13 +103,13 @@ export class Link {
         try {
           await this.readStatus();
         } catch {
-          // The frames' end says it.
+          // The snapshots' end says it.
         }
       }
     };
     watch();
     try {
-      // Each turn is one socket; a page that goes out of sight asks for fewer frames by another.
+      // Each turn is one socket; a page that goes out of sight asks for fewer snapshots by another.
       while (await this.stream());
     } finally {
       live = false;
@@ -119,8 +120,8 @@ export class Link {
   // Resolves true when the socket was closed to be opened anew at another rate.
   stream() {
     return new Promise((done) => {
-      const socket = new WebSocket(this.socketUrl(`/frames?hz=${this.hz}&parts=${PARTS}`));
-      this.frames = socket;
+      const socket = new WebSocket(this.socketUrl(`/snapshots?hz=${this.hz}&parts=${PARTS}`));
+      this.snapshots = socket;
       socket.again = false;
       let heard = performance.now();
       const watch = setInterval(() => {
@@ -130,7 +131,7 @@ export class Link {
       socket.onmessage = ({ data }) => {
         heard = performance.now();
         this.on.line("live");
-        this.on.frame(JSON.parse(data));
+        this.on.snapshot(JSON.parse(data));
       };
       socket.onclose = () => {
         clearInterval(watch);
@@ -142,9 +143,9 @@ export class Link {
   setRate(hz) {
     if (hz === this.hz) return;
     this.hz = hz;
-    if (!this.frames) return;
-    this.frames.again = true;
-    this.frames.close();
+    if (!this.snapshots) return;
+    this.snapshots.again = true;
+    this.snapshots.close();
   }
 
   socketUrl(path) {

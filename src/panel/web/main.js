@@ -14,7 +14,7 @@ import { makeTabs } from "./tabs.js";
 import { View } from "./view.js";
 
 const TABLE_EVERY = 100; // ms: nobody reads faster
-const HIDDEN_HZ = 5; // frames a second while the page is out of sight: histories go on
+const HIDDEN_HZ = 5; // snapshots a second while the page is out of sight: histories go on
 
 const STALE = "Another run has this address now and does not know this page's token: looking only. " +
   "Open the new URL, which the robot printed at its start and `understudy ctl panel` tells.";
@@ -27,7 +27,7 @@ let scene = null;
 let signalsKnown = false;
 let tableShown = 0;
 
-const link = new Link(takeToken(), { scene: setScene, frame: showFrame, status: showStatus,
+const link = new Link(takeToken(), { scene: setScene, snapshot: showSnapshot, status: showStatus,
                                      event: (event) => events.show(event),
                                      line: showLine, token: showToken });
 
@@ -66,7 +66,7 @@ new DragTool(view, request, (event) => takesRequests() && (event.ctrlKey || push
 // Some requests go many times a second: one complaint is enough.
 function say(text) {
   const again = !byId("message").hidden && byId("message").textContent === text;
-  if (!again) events.add(text, "bad", view.frame?.time);
+  if (!again) events.add(text, "bad", view.snapshot?.time);
   setText(byId("message"), text);
   byId("message").hidden = false;
   clearTimeout(say.timer);
@@ -77,29 +77,29 @@ async function setScene(description) {
   scene = description;
   signalsKnown = false;
   bar.setScene(scene);
-  rig.setScene(scene);
+  rig.setScene(scene, (await link.json("/requests")).requests);
   table.setMotors(scene.motors);
   const bare = await view.setScene(scene, (path) => link.bytes(path));
   byId("collisions").setAttribute("aria-pressed", bare);
 }
 
-function showFrame(frame) {
+function showSnapshot(snapshot) {
   if (!signalsKnown) {
     signalsKnown = true;
-    plots.setSignals(signalsOf(scene, frame), standardPlots());
-    sensors.setSensors(scene, frame);
+    plots.setSignals(signalsOf(scene, snapshot), standardPlots());
+    sensors.setSensors(scene, snapshot);
   }
-  view.show(frame);
-  plots.push(frame);
+  view.show(snapshot);
+  plots.push(snapshot);
   const now = performance.now();
   if (now - tableShown < TABLE_EVERY) return;
   tableShown = now;
-  bar.showFrame(frame);
-  bar.showBattery(frame.battery);
-  table.show(frame);
-  sensors.show(frame);
-  remote.show(frame.remote);
-  showReadings(frame);
+  bar.showSnapshot(snapshot);
+  bar.showBattery(snapshot.battery);
+  table.show(snapshot);
+  sensors.show(snapshot);
+  remote.show(snapshot.remote);
+  showReadings(snapshot);
 }
 
 function standardPlots() {
@@ -112,15 +112,15 @@ function plotMotor(index) {
   plots.showFirst([`${name} position`, `${name} commanded position`]);
 }
 
-function showReadings(frame) {
+function showReadings(snapshot) {
   const degrees = (radians) => `${number((radians * 180) / Math.PI, 1)}°`;
-  const [roll, pitch, yaw] = rollPitchYaw(frame.imus[0].quaternion).map(degrees);
+  const [roll, pitch, yaw] = rollPitchYaw(snapshot.imus[0].quaternion).map(degrees);
   setText(byId("attitude"), `${roll} ${pitch} ${yaw}`);
-  const [x, y, z] = frame.bodies[scene.base].map((value) => number(value, 2));
+  const [x, y, z] = snapshot.bodies[scene.base].map((value) => number(value, 2));
   setText(byId("place"), `${x} ${y} ${z} m`);
-  const weight = frame.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
-  setText(byId("ground"), `${number(weight, 0)} N in ${frame.contacts.length}`);
-  const pull = frame.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
+  const weight = snapshot.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
+  setText(byId("ground"), `${number(weight, 0)} N in ${snapshot.contacts.length}`);
+  const pull = snapshot.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
   setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
 }
 

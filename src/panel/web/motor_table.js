@@ -98,9 +98,9 @@ export class MotorTable {
     byId("motor-rows").replaceChildren(...this.rows.map(({ node }) => node));
   }
 
-  show(frame) {
-    frame.motors.forEach((reading, i) => this.rows[i]?.show(reading));
-    const worst = frame.motors.reduce((most, { winding }) => Math.max(most, winding), -Infinity);
+  show(snapshot) {
+    snapshot.motors.forEach((reading, i) => this.rows[i]?.show(reading));
+    const worst = snapshot.motors.reduce((most, { winding }) => Math.max(most, winding), -Infinity);
     setText(byId("motor-note"), `warmest winding ${number(worst, 0)} °C`);
   }
 }

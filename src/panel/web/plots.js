@@ -196,8 +196,8 @@ export class Plots {
     sessionStorage.setItem("plots", JSON.stringify(this.plots.map(({ names }) => names)));
   }
 
-  push(frame) {
-    this.history.push(frame.time, (i) => this.signals[i].read(frame));
+  push(snapshot) {
+    this.history.push(snapshot.time, (i) => this.signals[i].read(snapshot));
     const now = performance.now();
     if (this.held || now - this.last < EVERY) return;
     this.last = now;

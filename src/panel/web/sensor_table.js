@@ -5,10 +5,10 @@ import { rollPitchYaw } from "./signals.js";
 // Of the charge, at which the vendor's own programs stop (unitree_sdk2, terminations.hpp).
 export const LOW = 0.2;
 
-// Rows of {name, unit, digits, values(frame), plot: names of signals, level(values)}.
-function rowsOf(scene, frame) {
+// Rows of {name, unit, digits, values(snapshot), plot: names of signals, level(values)}.
+function rowsOf(scene, snapshot) {
   const rows = [];
-  frame.imus.forEach((_, i) => {
+  snapshot.imus.forEach((_, i) => {
     const name = i === 0 ? "imu" : (scene.imus?.[i] ?? `imu ${i + 1}`);
     const xyz = (what) => ["x", "y", "z"].map((axis) => `${name} ${what} ${axis}`);
     rows.push(
@@ -20,9 +20,9 @@ function rowsOf(scene, frame) {
       { name: `${name} acc`, unit: "m/s²", digits: 2, values: (f) => f.imus[i].accelerometer,
         plot: xyz("accelerometer") });
   });
-  if (frame.feet.length) {
+  if (snapshot.feet.length) {
     rows.push({ name: "feet", unit: "N", digits: 0, values: (f) => f.feet,
-                plot: frame.feet.map((_, i) => `foot ${scene.feet?.[i] ?? i} force`) });
+                plot: snapshot.feet.map((_, i) => `foot ${scene.feet?.[i] ?? i} force`) });
   }
   rows.push({ name: "battery", unit: "V A %", digits: 1,
               plot: ["battery voltage", "battery current"],
@@ -38,9 +38,9 @@ export class SensorTable {
     this.rows = [];
   }
 
-  setSensors(scene, frame) {
-    const widest = Math.max(3, frame.feet.length);
-    this.rows = rowsOf(scene, frame).map((row) => {
+  setSensors(scene, snapshot) {
+    const widest = Math.max(3, snapshot.feet.length);
+    this.rows = rowsOf(scene, snapshot).map((row) => {
       const pick = element("button", { type: "button", class: "quiet name", text: row.name,
                                        title: `plot ${row.plot.join(", ")}` });
       pick.addEventListener("click", () => this.onPick(row.plot));
@@ -52,9 +52,9 @@ export class SensorTable {
     byId("sensor-rows").replaceChildren(...this.rows.map(({ node }) => node));
   }
 
-  show(frame) {
+  show(snapshot) {
     for (const { cells, digits, values, level } of this.rows) {
-      const now = values(frame);
+      const now = values(snapshot);
       now.forEach((value, i) => setText(cells[i], number(value, digits)));
       if (level) cells.forEach((cell) => setClass(cell, `num ${level(now)}`));
     }

@@ -1,4 +1,4 @@
-// Everything a frame tells that can be plotted, by name.
+// Everything a snapshot tells that can be plotted, by name.
 
 const MOTOR = [
   ["q", "rad", "position"],
@@ -32,8 +32,8 @@ export function rollPitchYaw([w, x, y, z]) {
 
 export const shortName = (motor) => motor.name.replace(/_joint$/, "");
 
-// Rows of {name, unit, read(frame)}; a value that a frame lacks reads as NaN.
-export function signalsOf(scene, frame) {
+// Rows of {name, unit, read(snapshot)}; a value that a snapshot lacks reads as NaN.
+export function signalsOf(scene, snapshot) {
   const signals = [];
   const add = (name, unit, read) => signals.push({
     name, unit, read: (now) => {
@@ -54,7 +54,7 @@ export function signalsOf(scene, frame) {
       });
     }
   });
-  frame.imus.forEach((_, i) => {
+  snapshot.imus.forEach((_, i) => {
     const name = i === 0 ? "imu" : (scene.imus?.[i] ?? `imu ${i + 1}`);
     ["roll", "pitch", "yaw"].forEach((axis, k) => {
       add(`${name} ${axis}`, "rad", (f) => rollPitchYaw(f.imus[i].quaternion)[k]);
@@ -69,7 +69,7 @@ export function signalsOf(scene, frame) {
     add(`${name} temperature`, "°C", (f) => f.imus[i].temperature);
   });
   for (const [field, unit] of BATTERY) add(`battery ${field}`, unit, (f) => f.battery[field]);
-  frame.feet.forEach((_, i) => {
+  snapshot.feet.forEach((_, i) => {
     add(`foot ${scene.feet?.[i] ?? i} force`, "N", (f) => f.feet[i]);
   });
   ["x", "y", "z"].forEach((axis, k) => {

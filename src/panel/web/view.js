@@ -1,4 +1,4 @@
-// The robot and its scene in 3-D, as the newest frame has them.
+// The robot and its scene in 3-D, as the newest snapshot has them.
 import * as THREE from "./vendor/three/build/three.module.js";
 import { OrbitControls } from "./vendor/three/examples/jsm/controls/OrbitControls.js";
 import { Arrows } from "./arrows.js";
@@ -23,14 +23,14 @@ export class View {
     this.camera.up.set(0, 0, 1);
     this.controls = new OrbitControls(this.camera, canvas);
     this.controls.enableKeys = false; // keys are the remote controller's
-    this.controls.maxPolarAngle = 1.75;
+    this.controls.maxPolarAngle = Math.PI / 2 - 0.02;
     this.controls.minDistance = 0.2;
     this.controls.maxDistance = 20;
     this.controls.addEventListener("change", () => this.invalidate());
     this.following = true;
     this.bodies = [];
     this.base = 0;
-    this.frame = null;
+    this.snapshot = null;
     this.dirty = true;
     this.drawn = 0; // pictures since the start
     this.stage = new Stage(this.scene, this.renderer);
@@ -69,7 +69,7 @@ export class View {
     this.bodies = description.bodies.map((body, id) => {
       const group = new THREE.Group();
       group.userData = { name: body.name, id };
-      group.visible = id === 0; // until a frame says where it is
+      group.visible = id === 0; // until a snapshot says where it is
       this.scene.add(group);
       return group;
     });
@@ -104,8 +104,8 @@ export class View {
     this.invalidate();
   }
 
-  show(frame) {
-    this.frame = frame;
+  show(snapshot) {
+    this.snapshot = snapshot;
     this.invalidate();
   }
 
@@ -120,8 +120,8 @@ export class View {
 
   // Looks at the base from the right front, from as far as the robot is tall.
   home() {
-    if (!this.frame) return;
-    const base = this.frame.bodies[this.base];
+    if (!this.snapshot) return;
+    const base = this.snapshot.bodies[this.base];
     const size = Math.max(0.7, this.robotHeight());
     this.controls.target.set(base[0], base[1], base[2] - 0.08 * size);
     this.camera.position.fromArray(CAMERA).multiplyScalar(size).add(this.controls.target);
@@ -132,7 +132,7 @@ export class View {
   robotHeight() {
     let low = Infinity;
     let high = -Infinity;
-    this.frame.bodies.forEach((pose, id) => {
+    this.snapshot.bodies.forEach((pose, id) => {
       if (!this.ofRobot[id]) return;
       low = Math.min(low, pose[2]);
       high = Math.max(high, pose[2]);
@@ -151,22 +151,22 @@ export class View {
   draw(now) {
     if (!this.dirty) return this.quality.rest();
     this.dirty = false;
-    if (this.frame) this.place(this.frame);
+    if (this.snapshot) this.place(this.snapshot);
     this.renderer.render(this.scene, this.camera);
     ++this.drawn;
     if (this.quality.drew(now)) this.invalidate();
   }
 
-  place(frame) {
+  place(snapshot) {
     const first = this.placed === undefined;
-    frame.bodies.forEach(([x, y, z, qw, qx, qy, qz], id) => {
+    snapshot.bodies.forEach(([x, y, z, qw, qx, qy, qz], id) => {
       const group = this.bodies[id];
       if (!group) return;
       group.position.set(x, y, z);
       group.quaternion.set(qx, qy, qz, qw);
       group.visible = true;
     });
-    const base = frame.bodies[this.base];
+    const base = snapshot.bodies[this.base];
     if (this.following && !first) {
       const moved = new THREE.Vector3().fromArray(base).sub(this.placed);
       this.controls.target.add(moved);
@@ -175,15 +175,10 @@ export class View {
     this.placed = (this.placed ?? new THREE.Vector3()).fromArray(base);
     if (first) this.home();
     this.stage.follow(base);
-    this.contacts.show(frame.contacts.map((contact) => this.onRobot(contact)));
-    this.pushes.show(frame.pushes);
-    this.com.position.fromArray(frame.com);
-    this.placeTether(frame.crane);
-  }
-
-  // MuJoCo's force is what the first body does to the second; shown is what the robot feels.
-  onRobot({ at, force, bodies }) {
-    return { at, force: this.ofRobot[bodies[1]] ? force : force.map((part) => -part) };
+    this.contacts.show(snapshot.contacts);
+    this.pushes.show(snapshot.pushes);
+    this.com.position.fromArray(snapshot.com);
+    this.placeTether(snapshot.crane);
   }
 
   placeTether({ attached, hook, top }) {

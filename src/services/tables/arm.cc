@@ -18,11 +18,11 @@ constexpr std::int32_t kHolding = 7401;
 constexpr std::int32_t kBadAction = 7402;
 constexpr std::int32_t kBadState = 7404;
 
-// As seen on a G1, a reply comes when the action has ended or is held.
+// The condition of the reply, as seen on a G1: the action has ended or is held.
 bool IsSettled(const robot::MotionState& state) {
   return state.arm_action == 0 || state.arm_holding;
 }
-// The vendor's header: a held arm lets go after 20 s at most, so no action is under way longer.
+// The vendor's header: a held arm is released after 20 s at most, so no action takes longer.
 constexpr std::chrono::seconds kLongestAction(20);
 
 ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before,
@@ -40,7 +40,7 @@ ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& 
     case authority::MotionVerdict::kUnable:
       break;
   }
-  *call.notice = "arm: a robot can do this action, nothing here can; answered 7402";
+  *call.notice = "arm: this action is not simulated; answered 7402";
   return {.code = kBadAction};
 }
 
@@ -84,7 +84,7 @@ ServiceTable G1ArmTable() {
       .rows =
           {
               Row(7106, "ExecuteAction", {action}, Special{&Execute},
-                  "begins an action; answered when it has ended or is held; 7400 busy, 7401 held, "
+                  "starts an action; answered when it has ended or is held; 7400 busy, 7401 held, "
                   "7402 unknown, 7404 not in this state",
                   "[sdk] g1/arm, [py]: two keys; [seen] answered after 4.19 s for a wave"),
               Row(7107, "GetActionList", {}, Special{&List, true}, "ids and names",
@@ -93,7 +93,7 @@ ServiceTable G1ArmTable() {
                   "7402: no action has been taught", "[sdk] g1/arm"),
               Row(7113, "StopCustomAction", {}, Special{&Stop}, "lets the arms go", "[sdk] g1/arm"),
           },
-      .note = "Belongs to the motion service: answers nothing while that is off ([docs])."};
+      .note = "Part of the motion service: does not answer while that is off ([docs])."};
 }
 
 }  // namespace understudy::services

@@ -1,4 +1,4 @@
-// What every robot's computer serves: who moves the motors, which programs run, kept texts.
+// The services of every robot's computer: motion_switcher, robot_state and config.
 #include <array>
 #include <chrono>
 #include <ctime>
@@ -16,6 +16,7 @@ using nlohmann::json;
 
 // --- motion_switcher ---
 
+constexpr std::int32_t kOtherIsOn = 7002;
 constexpr std::int32_t kBadName = 7004;
 constexpr std::int32_t kSelectFailed = 7007;
 
@@ -24,7 +25,9 @@ ServiceReply CheckMode(const ServiceCall& call) {
 }
 
 ServiceReply SelectMode(const ServiceCall& call) {
-  switch (call.owner->Select(call.parameter.at("name").get_ref<const std::string&>())) {
+  const auto& name = call.parameter.at("name").get_ref<const std::string&>();
+  if (call.owner->active() == "mcf" && name != "mcf") return {.code = kOtherIsOn};
+  switch (call.owner->Select(name)) {
     case authority::OwnerVerdict::kDone:
       return {};
     case authority::OwnerVerdict::kUnknownName:
@@ -34,7 +37,7 @@ ServiceReply SelectMode(const ServiceCall& call) {
       break;
   }
   *call.notice =
-      "motion_switcher SelectMode: the robot has this motion service, nothing here plays it; "
+      "motion_switcher SelectMode: this motion service is not simulated; "
       "answered 7007";
   return {.code = kSelectFailed};
 }
@@ -146,7 +149,7 @@ ServiceReply SetConfig(const ServiceCall& call) {
   return {.change = ConfigChange{.name = name, .content = content.get<std::string>()}};
 }
 
-// The kept entry of that name; null with the code in `reply` when there is none.
+// Returns the stored entry of that name, or null and sets the code of `reply`.
 const json* FindConfig(const ServiceCall& call, ServiceReply* reply) {
   const auto& name = call.parameter.at("name").get_ref<const std::string&>();
   reply->code = NameCode(name);
@@ -189,27 +192,28 @@ ServiceReply GetMeta(const ServiceCall& call) {
 
 ServiceTable MotionSwitcherTable() {
   constexpr std::string_view kSdk = "[sdk] motion_switcher";
-  return {
-      .name = "motion_switcher",
-      .title = "motion_switcher",
-      .api_version = "1.0.0.1",
-      .parameter_code = 7001,
-      .rows =
-          {
-              Row(1001, "CheckMode", {}, Special{&CheckMode, true},
-                  "form and name of the motion service that is on; \"\" when rt/lowcmd moves the "
-                  "motors",
-                  "[sdk] motion_switcher; [docs] Go2, G1"),
-              Row(1002, "SelectMode", {Text("name")}, Special{&SelectMode},
-                  "starts a motion service; 7004 unknown name, 7007 not played here",
-                  "[sdk] motion_switcher; [seen] 7004 on a G1"),
-              Row(1003, "ReleaseMode", {}, Special{&ReleaseMode}, "the motors obey rt/lowcmd",
-                  kSdk),
-              Row(1004, "SetSilent", {Bool("silent")}, Special{&SetSilent},
-                  "kept for the run: start no motion service at boot", kSdk),
-              Row(1005, "GetSilent", {}, Special{&GetSilent, true}, "what was set", kSdk),
-          },
-      .note = "7001 for a bad parameter."};
+  return {.name = "motion_switcher",
+          .title = "motion_switcher",
+          .api_version = "1.0.0.1",
+          .parameter_code = 7001,
+          .rows =
+              {
+                  Row(1001, "CheckMode", {}, Special{&CheckMode, true},
+                      "form and name of the motion service that is on; \"\" if rt/lowcmd moves the "
+                      "motors",
+                      "[sdk] motion_switcher; [docs] Go2, G1"),
+                  Row(1002, "SelectMode", {Text("name")}, Special{&SelectMode},
+                      "starts a motion service; 7002 while mcf is on and another is asked for, "
+                      "7004 unknown "
+                      "name, 7007 not simulated",
+                      "[sdk] motion_switcher; [seen] 7004 on a G1, 7002 and 7004 on a Go2"),
+                  Row(1003, "ReleaseMode", {}, Special{&ReleaseMode},
+                      "stops the motion service; the motors follow rt/lowcmd", kSdk),
+                  Row(1004, "SetSilent", {Bool("silent")}, Special{&SetSilent},
+                      "stored for the run: start no motion service at boot", kSdk),
+                  Row(1005, "GetSilent", {}, Special{&GetSilent, true}, "what was set", kSdk),
+              },
+          .note = "Code 7001 for a bad parameter."};
 }
 
 ServiceTable RobotStateTable() {
@@ -233,11 +237,11 @@ ServiceTable RobotStateLongTable() {
                         .name = "LowPowerSwitch",
                         .fields = {Int("switch", 0, 1)},
                         .effect = NoController{},
-                        .does = "not played",
+                        .does = "not simulated",
                         .source = "[sdk] b2/robot_state: 5203",
                         .unable_code = 5203});
   table.rows.push_back(Row(1005, "LowPowerStatus", {}, GiveSetting{"low_power", "status"},
-                           "1, off (assumed to be as a service's status)", kSdk));
+                           "1, off (coded as a service's status, assumed)", kSdk));
   table.rows.push_back(Row(1006, "GetPkgVersion", {}, Special{&GiveVersions, true},
                            "packageVersion understudy, no modules", kSdk));
   return table;
@@ -253,18 +257,19 @@ ServiceTable ConfigTable() {
           .rows =
               {
                   Row(1001, "Set", {Text("name"), Text("content")}, Special{&SetConfig},
-                      "keeps a text for the run; 8203 empty name, 8204 name over 64 bytes or more "
-                      "than 256 of them (assumed)",
+                      "stores a text for the run; 8203 empty name, 8204 name over 64 bytes or more "
+                      "than 256 texts (assumed)",
                       kSdk),
                   Row(1002, "Get", {Text("name")}, Special{&GetConfig, true},
-                      "the content; 8202 when there is none", kSdk),
-                  Row(1003, "Del", {Text("name")}, Special{&DeleteConfig}, "forgets it", kSdk),
+                      "the content; 8202 if there is none", kSdk),
+                  Row(1003, "Del", {Text("name")}, Special{&DeleteConfig}, "deletes it", kSdk),
                   Row(1004, "Meta", {Text("name")}, Special{&GetMeta, true},
                       "name, lastModified, size, epoch (assumed: seconds since 1970)", kSdk),
               },
           .note =
-              "rt/config_change_status tells what was set, and with an empty content what was "
-              "deleted; the topic as seen on a G1, for the others and the content assumed."};
+              "rt/config_change_status publishes each text that is set, and a deleted one with "
+              "empty content. The topic was seen on a G1; its content, and that other robots have "
+              "it, is assumed."};
 }
 
 }  // namespace understudy::services

@@ -1,4 +1,4 @@
-// Voice, lights, cameras, avoidance and what else a robot carries.
+// The services of devices: voice, lights, cameras, obstacle avoidance, UWB.
 #include <algorithm>
 
 #include <nlohmann/json.hpp>
@@ -14,7 +14,7 @@ using nlohmann::json;
 
 constexpr std::int32_t kDeviceError = 100;  // the only code of vui, voice and the videohubs
 
-// No speaker is modelled: what a robot would say goes to the log, in quotes and escaped.
+// No speaker is modelled: the text goes to the log, quoted and escaped.
 ServiceReply Speak(const ServiceCall& call) {
   *call.notice = "voice says " + call.parameter.at("text").dump(-1, ' ', true);
   return {};
@@ -28,26 +28,30 @@ ServiceReply PlayChunk(const ServiceCall& call) {
 
 ServiceReply StopPlaying(const ServiceCall&) { return {}; }
 
-// Ways of obstacles_avoid's Move: 0 velocity, 1 a way from here, 2 a place in the world.
+// Modes of obstacles_avoid's Move: 0 velocity, 1 displacement from here, 2 position in the world.
 ServiceReply AvoidingMove(const ServiceCall& call) {
   const Settings& settings = *call.settings;
   // [docs]: nothing moves before UseRemoteCommandFromApi(true).
   if (settings.at("enable") != true || settings.at("remote_from_api") != true) return {};
-  if (call.parameter.at("mode") != 0) {
-    *call.notice = "obstacles_avoid Move: nothing here walks to a place; answered 3202";
-    return {.code = kRpcServerInternal};
-  }
+  namespace goal = authority::goal;
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
   };
-  const authority::MotionVerdict verdict = call.owner->Ask(
-      authority::goal::Move{within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1.0});
+  const int mode = call.parameter.at("mode").get<int>();
+  authority::MotionGoal wish =
+      goal::Move{within("x", 1.5), within("y", 1.0), within("yaw", 1.57), 1};
+  if (mode != 0) {
+    const double most = mode == 1 ? 2 : kInf;
+    wish = goal::GoTo{within("x", most), within("y", most), within("yaw", mode == 1 ? 1.57 : kInf),
+                      mode == 1};
+  }
+  const authority::MotionVerdict verdict = call.owner->Ask(wish);
   if (verdict == authority::MotionVerdict::kTaken) {
     *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
     return {};
   }
   if (verdict == authority::MotionVerdict::kUnable) {
-    *call.notice = "obstacles_avoid Move: a robot can do this, nothing here can; answered 3202";
+    *call.notice = "obstacles_avoid Move: not simulated on this robot; answered 3202";
   }
   return {.code = kRpcServerInternal};
 }
@@ -56,7 +60,7 @@ ApiRow WithoutImage() {
   return {.id = 1001,
           .name = "GetImageSample",
           .effect = NoController{},
-          .does = "no camera is modelled, and no picture is invented",
+          .does = "no camera is modelled; answered with a failure",
           .source = "[sdk] video",
           .unable_code = kDeviceError};
 }
@@ -74,18 +78,20 @@ ServiceTable ObstaclesAvoidTable() {
           {
               Row(1001, "SwitchSet", {Bool("enable")}, KeepSetting{"enable"}, "kept", kSdk),
               Row(1002, "SwitchGet", {}, GiveSetting{"enable", "enable"},
-                  "what was set; false at the start (assumed)", kSdk),
-              Row(1003, "Move",
-                  {Clamped("x", 2.0), Clamped("y", 2.0), Clamped("yaw", 1.57), Int("mode", 0, 2)},
+                  "what was set; true at the start", "[sdk] go2/obstacles_avoid; [seen] on a Go2"),
+              Row(1003, "Move", {Number("x"), Number("y"), Number("yaw"), Int("mode", 0, 2)},
                   Special{&AvoidingMove},
-                  "mode 0: velocity for 1 s, obstacles unseen; 1 and 2, to a place: not played, "
-                  "3202",
-                  "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped is assumed"),
+                  "without seeing obstacles; mode 0: velocity for 1 s, within 1.5, 1 m/s, 1.57 "
+                  "rad/s; "
+                  "1: to a position from here, within 2 m, 1.57 rad; 2: to a position of "
+                  "rt/sportmodestate",
+                  "[sdk] go2/obstacles_avoid; [docs] ranges; that more is clamped, and which "
+                  "world mode 2 means, is assumed"),
               Row(1004, "UseRemoteCommandFromApi", {Bool("is_remote_commands_from_api")},
-                  KeepSetting{"remote_from_api"}, "kept; Move is ignored without it",
+                  KeepSetting{"remote_from_api"}, "stored; Move is ignored without it",
                   "[sdk] go2/obstacles_avoid; [docs]"),
           },
-      .settings = {{"enable", "false"}, {"remote_from_api", "false"}}};
+      .settings = {{"enable", "true"}, {"remote_from_api", "false"}}};
 }
 
 ServiceTable VuiTable() {
@@ -109,7 +115,7 @@ ServiceTable VuiTable() {
           },
       // Assumed: no start values are published.
       .settings = {{"enable", "1"}, {"volume", "5"}, {"brightness", "5"}},
-      .note = "100 for a bad parameter. Start values (1, 5, 5) are assumed."};
+      .note = "Code 100 for a bad parameter. The start values (1, 5, 5) are assumed."};
 }
 
 ServiceTable VoiceTable() {
@@ -124,16 +130,16 @@ ServiceTable VoiceTable() {
       .rows =
           {
               Row(1001, "TtsMaker", {Int("index"), Int("speaker_id"), Text("text")},
-                  Special{&Speak}, "the text goes to the log; nothing is heard", kSdk),
+                  Special{&Speak}, "writes the text to the log; no sound", kSdk),
               Row(1002, "Asr", {}, NoController{}, "no microphone is modelled", "[sdk] g1/audio"),
               {.id = 1003,
                .name = "PlayStream",
                .fields = {Text("app_name"), Text("stream_id")},
                .effect = Special{&PlayChunk},
-               .does = "takes up to 96000 bytes of sound and logs it; nothing is heard",
+               .does = "takes up to 96000 bytes of sound and logs their number; no sound",
                .source = "[sdk] g1/audio; its example sends 96000 bytes at once",
                .takes_binary = true},
-              Row(1004, "PlayStop", {Text("app_name")}, Special{&StopPlaying}, "nothing plays on",
+              Row(1004, "PlayStop", {Text("app_name")}, Special{&StopPlaying}, "stops playing",
                   kSdk),
               Row(1005, "GetVolume", {}, GiveSetting{"volume", "volume"}, "what was set", kSdk),
               Row(1006, "SetVolume", {Int("volume", 0, 100)}, KeepSetting{"volume"}, "kept", kSdk),
@@ -141,7 +147,7 @@ ServiceTable VoiceTable() {
                   KeepSetting{"led"}, "kept", kSdk),
           },
       .settings = {{"volume", "50"}},  // assumed
-      .note = "100 for a bad parameter. The start volume, 50, is assumed."};
+      .note = "Code 100 for a bad parameter. The start volume, 50, is assumed."};
 }
 
 ServiceTable UwbSwitchTable() {

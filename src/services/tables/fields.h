@@ -1,4 +1,4 @@
-// Short words for the rows of the tables. Private to services/.
+// Short functions to write the rows of the tables. Private to services/.
 #pragma once
 
 #include <cstdint>
@@ -46,10 +46,10 @@ inline ApiRow Row(std::int64_t id, std::string_view name, std::vector<Field> fie
   return {id, name, std::move(fields), std::move(effect), does, source};
 }
 
-// What the robot could do and nothing here can.
+// An api of the real robot that is not simulated.
 inline ApiRow NotPlayed(std::int64_t id, std::string_view name, std::string_view source,
                         std::vector<Field> fields = {}) {
-  return Row(id, name, std::move(fields), NoController{}, "not played", source);
+  return Row(id, name, std::move(fields), NoController{}, "not simulated", source);
 }
 
 }  // namespace understudy::services::fields

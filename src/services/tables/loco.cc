@@ -14,7 +14,7 @@ using authority::To;
 namespace goal = authority::goal;
 using namespace fields;  // NOLINT(google-build-using-namespace): the words a table is made of
 
-// Ids and words of the four humanoid services differ; what they do does not.
+// The services of the humanoids. The ids of G1, H2, R1 and H1 differ, the functions are the same.
 struct Loco {
   std::string_view source;
   std::int64_t get = 7000, set = 7100;
@@ -39,17 +39,17 @@ ApiRow GetMode(const Loco& l) {
 ApiRow SetId(const Loco& l, std::string_view source) {
   return Row(l.set + 1, "SetFsmId", {Int()},
              AskGoal{.goal = To<goal::SetFsm>, .not_now = kRpcOk, .unknown = kRpcOk},
-             "asks for a state; an unknown or unreachable one is answered 0 and ignored", source);
+             "requests a state; an unknown or unreachable one is answered 0 and ignored", source);
 }
 ApiRow SetVelocity(const Loco& l) {
   return Row(l.set + 5, "SetVelocity", {Numbers("velocity", 3), Number("duration", 0)},
              AskGoal{.goal = To<goal::Move>, .not_now = kRpcOk},
-             "vx, vy m/s, yaw rate rad/s, for so many s; ignored where the robot cannot walk",
+             "vx, vy m/s, yaw rate rad/s, duration s; ignored if the robot cannot walk",
              "[sdk] loco; [seen] 0 and no walking; no range is published");
 }
 ApiRow SetSpeedMode(const Loco& l) {
   return Row(l.set + 7, "SetSpeedMode", {Int("data", 0, 3)}, KeepSetting{"speed_mode"},
-             "kept; highest speed of running: 1.0, 2.0, 2.7, 3.0 m/s", "[sdk] loco; [docs] G1");
+             "stored; highest speed of running: 1.0, 2.0, 2.7, 3.0 m/s", "[sdk] loco; [docs] G1");
 }
 
 ApiRow Getter(const Loco& l, std::int64_t id, std::string_view name, std::string_view setting,
@@ -68,7 +68,7 @@ ApiRow Getter(const Loco& l, std::int64_t id, std::string_view name, std::string
           refused_walking ? "[sdk] loco; [seen] 7301 with a plausible body at 501, 802" : l.source};
 }
 
-// Heights, balance mode, phase: alike in G1, H2 and H1.
+// Heights, balance mode and phase, the same for G1, H2 and H1.
 std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
   return {
       GetId(l),
@@ -82,7 +82,7 @@ std::vector<ApiRow> CommonRows(const Loco& l, bool refused_walking) {
           "0 steps only when needed, 1 keeps stepping",
           "[sdk] loco; [docs] G1; that more is refused is assumed"),
       Row(l.set + 3, "SetSwingHeight", {Number()}, KeepSetting{"swing_height"},
-          "kept; no range is published", l.source),
+          "stored; no range is published", l.source),
       Row(l.set + 4, "SetStandHeight", {Clamped("data", 0, 1)},
           AskGoal{.goal = To<goal::SetStandHeight>, .keep = "stand_height", .not_now = kRpcOk},
           "0 lowest to 1 highest; HighStand sends 4294967295",
@@ -100,16 +100,15 @@ std::vector<std::pair<std::string_view, std::string_view>> CommonSettings() {
           {"speed_mode", "0"}};
 }
 
-// The tasks of the loco services by what the arm service calls them (assumed): wave, wave and turn,
-// both halves of a handshake.
+// The arm actions for the tasks of the loco services (assumed): wave, wave and turn, both halves of
+// a handshake.
 ServiceReply AskArm(const ServiceCall& call, std::int64_t arm_action, std::int32_t state_code) {
   authority::MotionGoal wanted = goal::ArmAction{static_cast<int>(arm_action)};
   if (arm_action == 99) wanted = goal::StopArmAction{};
   const authority::MotionVerdict verdict = call.owner->Ask(wanted);
   if (verdict == authority::MotionVerdict::kTaken || verdict == authority::MotionVerdict::kNotNow)
     return {};
-  *call.notice =
-      "arm task: a robot can do this, nothing here can; answered " + std::to_string(state_code);
+  *call.notice = "arm task: not simulated; answered " + std::to_string(state_code);
   return {.code = state_code};
 }
 
@@ -144,7 +143,7 @@ ServiceReply LeaveToUser(const ServiceCall& call) {
   return {};
 }
 
-// 0 goes on in the last state, 1 damps, 2 walks.
+// Modes: 0 the last state, 1 damping, 2 walking.
 ServiceReply TakeBack(const ServiceCall& call) {
   constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
   const int mode = call.parameter.at("data").get<int>();
@@ -152,7 +151,7 @@ ServiceReply TakeBack(const ServiceCall& call) {
   if (mode == kPassive) call.owner->Ask(goal::Damp{});
   if (mode == kWalkRun &&
       call.owner->Ask(goal::SetFsm{kWalkId}) == authority::MotionVerdict::kUnable) {
-    *call.notice = "sport SwitchToInternalCtrl: nothing here walks; answered 7301";
+    *call.notice = "sport SwitchToInternalCtrl: walking is not simulated; answered 7301";
     return {.code = 7301};
   }
   return {};
@@ -166,14 +165,15 @@ ServiceReply GiveH2Ids(const ServiceCall&) {
   return {.data = nlohmann::json{{"ids", kIds}, {"names", kNames}}.dump()};
 }
 
-// The vendor's C++ client reads the body of a failure too and would end on an empty one.
+// The vendor's C++ client parses the body of a failure too and would terminate on an empty one.
 ServiceReply GiveNoOdometry(const ServiceCall&) {
   return {.code = 8303, .data = R"({"x":0.0,"y":0.0,"z":0.0})"};
 }
 
 constexpr std::string_view kNote =
-    "Codes as robots sent them: an unknown or unreachable state is answered 0 and nothing happens, "
-    "though the header has 7302; GetFsmId tells the truth. 7301 for what is not played.";
+    "Codes as seen on robots: an unknown or unreachable state is answered 0 and nothing happens, "
+    "though the header has 7302; GetFsmId returns the actual state. 7301 for anything not "
+    "simulated.";
 
 ServiceTable HumanoidSport(std::string_view title, std::vector<ApiRow> rows,
                            std::vector<std::pair<std::string_view, std::string_view>> settings) {
@@ -200,7 +200,7 @@ ServiceTable G1SportTable() {
                         .name = "SwitchToUserCtrl",
                         .fields = {Optional(Bool())},
                         .effect = Special{&LeaveToUser},
-                        .does = "leaves the motors to rt/user_lowcmd",
+                        .does = "lets rt/user_lowcmd command the motors",
                         .source = "[sdk] g1/loco"});
   table.rows.push_back({.id = 7111,
                         .name = "SwitchToInternalCtrl",
@@ -218,7 +218,7 @@ ServiceTable H2SportTable() {
   table.rows.push_back(
       Row(7007, "GetArmSdkStatus", {}, GiveSetting{"arm_sdk", "data"}, "what was set", l.source));
   table.rows.push_back(Row(7008, "GetAvailableFsmIds", {}, Special{&GiveH2Ids, true},
-                           "ids and names of an H2; not all are played",
+                           "ids and names of an H2; not all are simulated",
                            "[sdk] h2/loco; [seen] the list of an H2"));
   table.rows.push_back(SetId(l, "[sdk] h2/loco; codes as a G1's, assumed"));
   table.rows.push_back(
@@ -226,7 +226,7 @@ ServiceTable H2SportTable() {
   table.rows.push_back(SetSpeedMode(l));
   table.rows.push_back(NotPlayed(7108, "SetPunch", l.source, {Numbers("data", 0)}));
   table.rows.push_back(
-      Row(7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "kept", l.source));
+      Row(7109, "SetArmSdkStatus", {Flag()}, KeepSetting{"arm_sdk"}, "stored", l.source));
   return table;
 }
 
@@ -241,21 +241,20 @@ ServiceTable R1SportTable() {
 ServiceTable H1LocoTable() {
   const Loco l{
       .source = "[sdk] h1/loco", .get = 8000, .set = 8100, .state_code = 8301, .task_code = 8304};
-  ServiceTable table{
-      .name = "loco",
-      .title = "loco of H1, H1-2",
-      .api_version = "2.0.0.0",
-      .codes = {.not_now = kRpcOk, .unknown = 8302, .unable = 8301},
-      .needs_motion = true,
-      .rows = CommonRows(l, false),
-      .settings = CommonSettings(),
-      .note =
-          "An unreachable state is answered 0 and nothing happens, as on an H1-2, though the "
-          "header has 8302; 8301 for what is not played."};
+  ServiceTable table{.name = "loco",
+                     .title = "loco of H1, H1-2",
+                     .api_version = "2.0.0.0",
+                     .codes = {.not_now = kRpcOk, .unknown = 8302, .unable = 8301},
+                     .needs_motion = true,
+                     .rows = CommonRows(l, false),
+                     .settings = CommonSettings(),
+                     .note =
+                         "An unreachable state is answered 0 and nothing happens, as on an H1-2, "
+                         "though the header has 8302; 8301 for anything not simulated."};
   table.settings.emplace_back("odometry", "false");
   table.rows.push_back(SetId(l, "[sdk] h1/loco; [seen] H1-2: 0 without effect"));
   table.rows.push_back(
-      Row(8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "kept", l.source));
+      Row(8106, "SetPhase", {Numbers("data", 2)}, KeepSetting{"phase"}, "stored", l.source));
   table.rows.push_back(SetTask(l, 8107, &SetH1Task, "0 wave, 1 handshake, 2 end of it"));
   table.rows.push_back(NotPlayed(8201, "EnableOdom", l.source));
   table.rows.push_back(NotPlayed(8202, "DisableOdom", l.source));
@@ -263,7 +262,7 @@ ServiceTable H1LocoTable() {
     if (row.id == 8201 || row.id == 8202) row.unable_code = 8303;
   }
   table.rows.push_back(Row(8203, "GetOdom", {}, Special{&GiveNoOdometry, true},
-                           "8303 and zeros: the service's own odometry is not played",
+                           "8303 and zeros: the service's odometry is not simulated",
                            "[sdk] h1/loco; [seen] H1-2: zeros"));
   table.rows.push_back(NotPlayed(8204, "SetTargetPosition", l.source,
                                  {Number("x"), Number("y"), Number("yaw"), Bool("relative")}));

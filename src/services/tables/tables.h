@@ -1,14 +1,15 @@
-// The vendor's services, one function each. Sources in the rows: [sdk] a header of unitree_sdk2,
-// commit 21d0a3b; [py] unitree_sdk2_python, commit 37116c5; [docs] the vendor's developer pages;
-// [seen] on a real robot by others; assumed. Private to services/.
+// Declares the tables of the vendor's services. Sources in the rows: [sdk] a header of
+// unitree_sdk2, commit 21d0a3b; [py] unitree_sdk2_python, commit 37116c5; [docs] the vendor's
+// developer pages; [seen] on a real robot, by others (docs/sources.md); assumed. Private to
+// services/.
 #pragma once
 
 #include "services/api_row.h"
 
 namespace understudy::services {
 
-// What the Go2s' sport lets Move ask for: m/s, rad/s, beyond which it is clamped, and how long one
-// call holds in s; the B2s' has a hold only.
+// Limits [m/s, rad/s] to which the sport of Go2 and Go2-W clamps Move, and how long [s] one call
+// holds.
 struct MoveLimits {
   double vx_min, vx_max, vy, yaw_rate, hold;
 };

@@ -14,7 +14,7 @@ from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
 from sdk_session import arguments
 
 # Call, arguments, the state in which it ends (of the vendor's Go2 page).
-BALANCE, LOCKED, POSE, SIT, LYING = 1013, 1002, 1091, 1007, 1004
+BALANCE, LOCKED, POSE, SIT, LYING, AGILE, WALK = 1013, 1002, 1091, 1007, 1004, 100, 1015
 CALLS = [
     ("BalanceStand", (), BALANCE),
     ("Euler", (0.1, 0.1, 0.1), BALANCE),
@@ -22,13 +22,20 @@ CALLS = [
     ("Pose", (False,), BALANCE),
     ("Hello", (), BALANCE),
     ("Stretch", (), BALANCE),
+    ("Content", (), BALANCE),
+    ("Scrape", (), BALANCE),
+    ("Heart", (), BALANCE),
+    ("Dance2", (), BALANCE),
     ("Sit", (), SIT),
     ("RiseSit", (), BALANCE),
     ("StopMove", (), BALANCE),
     ("StandUp", (), LOCKED),
+    ("FreeWalk", (), AGILE),
+    ("StaticWalk", (), WALK),
+    ("StandUp", (), LOCKED),
     ("StandDown", (), LYING),
 ]
-LEAST = 2.5  # s of the robot's time for a call: a state begins before what it is called after is over
+LEAST = 4.0  # s of the robot's time after a call, so that its state has begun, however late states come
 PATIENCE = 30.0  # s of this machine's
 
 
@@ -58,8 +65,9 @@ def main():
     report = []
     for name, given, end in CALLS:
         states.forget()
-        start, deadline = states.clock, time.monotonic() + PATIENCE
+        deadline = time.monotonic() + PATIENCE
         code = getattr(client, name)(*given)
+        start = states.clock
         while code == 0 and time.monotonic() < deadline:
             if states.seen[-1:] == [end] and states.clock > start + LEAST:
                 break

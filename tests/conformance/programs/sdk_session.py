@@ -1,4 +1,4 @@
-"""What every program here begins with, in terms of the vendor's Python SDK.
+"""The common beginning of all programs here, with the vendor's Python SDK.
 
 Joining the robot's network, hearing rt/lowstate, getting hold of the motors, and a command
 message as the vendor's examples prepare it. Programs end with a reason by `sys.exit(reason)`,

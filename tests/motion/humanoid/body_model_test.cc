@@ -1,4 +1,4 @@
-// What a humanoid works out about its body, against what the simulated world knows.
+// Compares a humanoid's body model with the simulated world.
 #include "motion/humanoid/body_model.h"
 
 #include <random>

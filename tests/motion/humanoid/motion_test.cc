@@ -1,4 +1,4 @@
-// The state machine of a G1 on its way through simulated states, and its arms.
+// Tests the state machine of a G1 in simulation, and its arm actions.
 
 #include "motion/humanoid/motion.h"
 
@@ -159,7 +159,7 @@ TEST_F(HumanoidMotionTest, ListensToTheGoalsOfARemote) {
   rig_.Run(4.1);
   EXPECT_EQ(rig_.Ask(goal::StandDown{}), kTaken);
   EXPECT_EQ(rig_.state().id, 2);
-  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kUnknown);
 }
 
 TEST_F(HumanoidMotionTest, DoesNotWalk) {

@@ -1,4 +1,4 @@
-// How far the estimate of a quadruped's own velocity and height is from the truth.
+// Compares a quadruped's estimate of velocity and height with the truth.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -64,7 +64,7 @@ TEST_P(EstimatorTest, FollowsABodyThatIsPushed) {
 
 TEST_P(EstimatorTest, FollowsABodyThatGesturesOnThreeFeet) {
   const Error error = Watch([&] {
-    ASSERT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kTaken);
+    ASSERT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kTaken);
     rig_.Run(6);
   });
   EXPECT_LT(error.v, 0.02);

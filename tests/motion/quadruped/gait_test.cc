@@ -1,5 +1,7 @@
-// The clock of a trot, and the way of a foot.
+// Tests the gait clock and the path of a swinging foot.
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -61,6 +63,49 @@ TEST(GaitClockTest, ChangesNoStepThatIsUnderWay) {
   EXPECT_NEAR(clock.stance_time(), 0.15, 1e-9) << "then it does";
 }
 
+// One foot after the other.
+constexpr Gait kWalk{.period = 1, .duty = 0.8, .offsets = {0.75, 0.25, 0.5, 0}};
+
+int Standing(const GaitClock& clock) {
+  int feet = 0;
+  for (std::size_t leg = 0; leg < 4; ++leg) feet += clock.stands(leg);
+  return feet;
+}
+
+TEST(GaitClockTest, FeetStepWhenTheirOffsetsSay) {
+  GaitClock clock;
+  clock.Begin(kWalk, 0);
+  std::vector<std::size_t> lifted;
+  std::array<bool, 4> stood{true, true, true, true};
+  for (int i = 0; i < 490; ++i) {
+    clock.Advance(kStep, kWalk, false);
+    EXPECT_GE(Standing(clock), 3);
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      if (stood[leg] && !clock.stands(leg)) lifted.push_back(leg);
+      stood[leg] = clock.stands(leg);
+    }
+  }
+  EXPECT_EQ(lifted, (std::vector<std::size_t>{0, 2, 1, 3}));
+}
+
+TEST(GaitClockTest, TakesOtherOffsetsOverOnceAllFeetStand) {
+  GaitClock clock;
+  clock.Begin(kGait, 0);
+  while (clock.stands(1)) clock.Advance(kStep, kGait, false);
+  for (int i = 0; !clock.stands(1); ++i) {
+    ASSERT_LT(i, 500);
+    clock.Advance(kStep, kWalk, false);
+    EXPECT_EQ(clock.stands(1), clock.stands(2)) << "the step under way ends as it began";
+  }
+  bool walks = false;
+  for (int i = 0; i < 500; ++i) {
+    clock.Advance(kStep, kWalk, false);
+    walks = walks || Standing(clock) == 3;
+    EXPECT_GE(Standing(clock), 3);
+  }
+  EXPECT_TRUE(walks);
+}
+
 TEST(SwingTest, LeavesAndArrivesAtRest) {
   const Vector3d from(0.1, 0.2, 0), to(0.3, 0.15, 0.05);
   for (const auto& [s, place] : {std::pair(0.0, from), std::pair(1.0, to)}) {
@@ -106,6 +151,15 @@ TEST_F(VelocityWishTest, BeginsAfterTheDeadTimeAndLagsByTheTimeConstant) {
   EXPECT_NEAR(After(0.4).x(), 0.45 * (1 - std::exp(-1)), 0.003);
   EXPECT_NEAR(After(4).x(), 0.45, 1e-3);
   EXPECT_FALSE(wish.at_rest());
+}
+
+TEST_F(VelocityWishTest, DoesNotOvershootInStepsLongerThanItsTimeConstant) {
+  wish.Ask({0.5, 0, 0});
+  for (int i = 0; i < 5; ++i) {
+    wish.Step(1);
+    EXPECT_LE(wish.velocity().x(), 0.45);
+  }
+  EXPECT_NEAR(wish.velocity().x(), 0.45, 1e-9);
 }
 
 TEST_F(VelocityWishTest, CutsToWhatTheGaitCan) {

@@ -1,4 +1,4 @@
-// What one kind of quadruped does otherwise than the rest, or is known to do.
+// Tests what differs between quadrupeds, or is known of one of them.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -92,8 +92,8 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
 }
 
 TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
-  const authority::MotionGoal kSpecial[] = {goal::Hello{}, goal::Stretch{}, goal::Sit{},
-                                            goal::Pose{},  goal::Euler{1},  goal::BodyHeight{1}};
+  const authority::MotionGoal kSpecial[] = {goal::Gesture{}, goal::Sit{}, goal::Pose{},
+                                            goal::Euler{1}, goal::BodyHeight{1}};
   rig_.Start("lying");
   for (const authority::MotionGoal& action : kSpecial) {
     EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "lying";
@@ -105,7 +105,7 @@ TEST_F(Go2MotionTest, GesturesFromABalancedStandOnly) {
     EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "locked";
   }
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(goal::Stretch{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{goal::GestureName::kStretch}), authority::MotionVerdict::kTaken);
   for (const authority::MotionGoal& action : kSpecial) {
     EXPECT_EQ(rig_.Ask(action), authority::MotionVerdict::kNotNow) << "before the last has ended";
   }
@@ -135,7 +135,7 @@ TEST_F(Go2MotionTest, CarriesALoadLevelAndAtItsHeight) {
 
 TEST_F(Go2MotionTest, StepAllocatesNothing) {
   rig_.Start("lying");
-  const authority::MotionGoal kWay[] = {goal::StandUp{}, goal::BalanceStand{}, goal::Hello{},
+  const authority::MotionGoal kWay[] = {goal::StandUp{}, goal::BalanceStand{}, goal::Gesture{},
                                         goal::Damp{}, goal::RecoveryStand{}};
   for (const authority::MotionGoal& action : kWay) {
     const std::uint64_t before = test::Allocations();

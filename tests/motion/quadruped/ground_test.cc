@@ -1,4 +1,4 @@
-// Balance Stand holds the body level whatever the ground, at its height over it.
+// Checks that Balance Stand holds the body level and at its height on any ground.
 
 #include <filesystem>
 #include <string>

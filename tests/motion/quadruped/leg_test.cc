@@ -2,6 +2,8 @@
 
 #include <array>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
@@ -96,6 +98,53 @@ TEST_P(QuadrupedLegTest, HoldsItsOwnWeight) {
       }
     }
   }
+}
+
+TEST_P(QuadrupedLegTest, HasTheInertiaThatTheModelHas) {
+  const mjModel& model = world_.model();
+  std::vector<mjtNum> full(static_cast<std::size_t>(model.nv) * static_cast<std::size_t>(model.nv));
+  for (const Vector3d& q : kAngles) {
+    robot::PoseSpec pose = config_.robot.standing;
+    for (std::size_t i = 0; i < 12; ++i) pose.q[i] = q[static_cast<Eigen::Index>(i % 3)];
+    pose.height = 2;
+    robot_.Reset(pose);
+    world_.BeginStep();
+    mj_fullM(&model, full.data(), world_.data().qM);
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const QuadrupedLeg chain(figures_.legs[leg]);
+      const Matrix3d mass = chain.MassMatrix(chain.Place(q));
+      const auto dof = [&](int i) {
+        const std::string& joint =
+            config_.robot.motors[3 * leg + static_cast<std::size_t>(i)].joint;
+        return model.jnt_dofadr[mj_name2id(&model, mjOBJ_JOINT, joint.c_str())];
+      };
+      for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+          const mjtNum there = full[static_cast<std::size_t>(dof(i) * model.nv + dof(j))];
+          EXPECT_NEAR(mass(i, j), there, 1e-3 * mass(i, i)) << "leg " << leg;
+        }
+      }
+    }
+  }
+}
+
+TEST_P(QuadrupedLegTest, LosesByFrictionWhatTheModelsJointsLose) {
+  const mjModel& model = world_.model();
+  const int joint = mj_name2id(&model, mjOBJ_JOINT, config_.robot.motors[2].joint.c_str());
+  const int dof = model.jnt_dofadr[joint];
+  const QuadrupedLeg leg(figures_.legs[0]);
+  EXPECT_NEAR(leg.FrictionTorque({0, 0, 5}).z(),
+              5 * model.dof_damping[dof] + model.dof_frictionloss[dof], 1e-6);
+  EXPECT_EQ(leg.FrictionTorque({0, 0, -5}).z(), -leg.FrictionTorque({0, 0, 5}).z());
+}
+
+// A real service does not know what was drawn for this run.
+TEST_P(QuadrupedLegTest, KnowsItselfAsItWasBuilt) {
+  mjcf::ModelHandle heavier = mjcf::CopyOf(world_.model());
+  for (int body = 0; body < heavier->nbody; ++body) heavier->body_mass[body] *= 1.5;
+  const physics::World world(std::move(heavier), {{config_.robot}}, mjcf::CopyOf(world_.model()));
+  EXPECT_EQ(ReadQuadruped(world.robot()).mass, figures_.mass);
+  EXPECT_EQ(ReadQuadruped(world.robot()).trunk.mass, figures_.trunk.mass);
 }
 
 TEST_P(QuadrupedLegTest, WeighsWhatTheModelWeighs) {

@@ -18,6 +18,7 @@ constexpr double kDegree = 0.017453;  // rad
 
 // error_code of the vendor's sport service page.
 enum : int {
+  kStanding = 100,
   kDamped = 1001,
   kLocked = 1002,
   kCrouch = 1004,
@@ -55,7 +56,8 @@ TEST_P(QuadrupedMotionTest, LiesDampedAtTheStart) {
 
 TEST_P(QuadrupedMotionTest, HoldsAStandItStartsIn) {
   rig_.Start("standing");
-  EXPECT_EQ(rig_.state().id, kBalance);
+  EXPECT_EQ(rig_.state().id, kStanding);
+  EXPECT_EQ(rig_.state().mode, 9);
   double low = rig_.height();
   for (int i = 0; i < 30; ++i) {
     rig_.Run(0.1);
@@ -93,10 +95,48 @@ TEST_P(QuadrupedMotionTest, LiesDownAgain) {
   ExpectStandsLevel();
 }
 
+TEST_P(QuadrupedMotionTest, IsDampedAWhileAfterItHasLainDown) {
+  rig_.StandUp();
+  rig_.Ask(goal::StandDown{});
+  ASSERT_TRUE(rig_.RunUntil(kCrouch, 1));
+  EXPECT_TRUE(rig_.RunUntil(kDamped, 9));
+  EXPECT_EQ(rig_.state().mode, 7);
+}
+
+TEST_P(QuadrupedMotionTest, RisesInTheModeThatWasSeenOnAB2) {
+  rig_.Start("lying");
+  rig_.Ask(goal::StandUp{});
+  rig_.Run(0.1);
+  EXPECT_EQ(rig_.state().id, kLocked);
+  EXPECT_EQ(rig_.state().mode, 3);
+}
+
+TEST_P(QuadrupedMotionTest, ShiftsItsBodyOverItsFeet) {
+  rig_.BalanceStand();
+  const Vector3d before = rig_.world().robot().base().p_WB;
+  EXPECT_EQ(rig_.Ask(goal::BodyPosition{0.05, 0.03, -0.03, 0.1}), authority::MotionVerdict::kTaken);
+  rig_.Run(2);
+  const Vector3d way = rig_.world().robot().base().p_WB - before;
+  const bool rolls = test::ShippedRobot(GetParam()).kind == robot::RobotKind::kWheeled;
+  EXPECT_NEAR(way.x(), 0.05, rolls ? 0.04 : 0.015);
+  EXPECT_NEAR(way.y(), 0.03, rolls ? 0.02 : 0.015);
+  EXPECT_NEAR(way.z(), -0.03, 0.005);
+  EXPECT_NEAR(rig_.rpy()[2], 0.1, 0.05);
+}
+
+TEST_P(QuadrupedMotionTest, CountsItsPlaceAnewWhenToldTo) {
+  rig_.BalanceStand();
+  rig_.Ask(goal::Euler{0, 0.2, 0});
+  rig_.Run(1);
+  ASSERT_GT(rig_.state().p_WB.norm(), 1e-3);
+  EXPECT_EQ(rig_.Ask(goal::ResetEstimator{}), authority::MotionVerdict::kTaken);
+  EXPECT_LT(rig_.state().p_WB.norm(), 1e-9);
+}
+
 TEST_P(QuadrupedMotionTest, BalancesAtItsHeight) {
   rig_.BalanceStand();
   EXPECT_EQ(rig_.state().id, kBalance);
-  EXPECT_EQ(rig_.state().mode, 1);
+  EXPECT_EQ(rig_.state().mode, 9);
   ExpectStandsLevel(kDegree);
   EXPECT_NEAR(rig_.height(), stand(), 0.005);
   EXPECT_NEAR(rig_.state().body_height, stand(), 0.005);
@@ -163,7 +203,7 @@ TEST_P(QuadrupedMotionTest, SitsAndRises) {
   EXPECT_EQ(rig_.state().mode, 10);
   EXPECT_NEAR(rig_.rpy()[1], figures().sit[2], 4 * kDegree) << "nose up";
   EXPECT_LT(rig_.height(), stand() - 0.05);
-  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kNotNow);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kNotNow);
   EXPECT_EQ(rig_.Ask(goal::RiseSit{}), authority::MotionVerdict::kTaken);
   EXPECT_TRUE(rig_.RunUntil(kBalance, 3));
   rig_.Run(2);
@@ -173,7 +213,7 @@ TEST_P(QuadrupedMotionTest, SitsAndRises) {
 TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
   rig_.BalanceStand();
   const int calf = rig_.world().robot().Body("FR_calf");
-  EXPECT_EQ(rig_.Ask(goal::Hello{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().progress, 1);
   double highest = 0, tilt = 0;
   while (rig_.state().id == kGesture && highest < 2) {
@@ -192,7 +232,7 @@ TEST_P(QuadrupedMotionTest, RaisesItsPawToSayHello) {
 
 TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
   rig_.BalanceStand();
-  EXPECT_EQ(rig_.Ask(goal::Stretch{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Gesture{goal::GestureName::kStretch}), authority::MotionVerdict::kTaken);
   double down = 0, up = 0;
   for (int i = 0; i < 70 && rig_.state().id == kGesture; ++i) {
     rig_.Run(0.1);
@@ -208,7 +248,7 @@ TEST_P(QuadrupedMotionTest, StretchesAndEndsStanding) {
 
 TEST_P(QuadrupedMotionTest, StopsAGestureAndStands) {
   rig_.BalanceStand();
-  rig_.Ask(goal::Hello{});
+  rig_.Ask(goal::Gesture{});
   rig_.Run(2.3);
   EXPECT_EQ(rig_.Ask(goal::StopMove{}), authority::MotionVerdict::kTaken);
   EXPECT_EQ(rig_.state().id, kGesture) << "the paw comes down first";

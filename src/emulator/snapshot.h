@@ -1,4 +1,4 @@
-// What a viewer is shown of one instant, as plain values.
+// The state of one instant as plain values, for observers.
 #pragma once
 
 #include <array>
@@ -14,8 +14,8 @@
 
 namespace understudy::emulator {
 
-// What a frame can hold, by bit; step, time, speed and paused are always there.
-enum FramePart : std::uint32_t {
+// The parts of a snapshot, as bits. Step, time, speed and paused are always filled in.
+enum SnapshotPart : std::uint32_t {
   kPartPositions = 1U << 0,
   kPartBodies = 1U << 1,
   kPartContacts = 1U << 2,
@@ -30,44 +30,44 @@ enum FramePart : std::uint32_t {
   kPartWirelessRemote = 1U << 11,
   kPartCommand = 1U << 12,
 };
-using FrameParts = std::uint32_t;  // bits of FramePart
+using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
-struct FramePartName {
+struct SnapshotPartName {
   std::string_view name;
-  FramePart part;
+  SnapshotPart part;
 };
-// The words of ?parts= and keys of the JSON, in its order.
-inline constexpr FramePartName kFrameParts[] = {
+// The words of ?parts= and the keys of the JSON, in its order.
+inline constexpr SnapshotPartName kSnapshotParts[] = {
     {"qpos", kPartPositions},  {"bodies", kPartBodies}, {"contacts", kPartContacts},
     {"com", kPartCom},         {"crane", kPartCrane},   {"pushes", kPartPushes},
     {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
     {"command", kPartCommand},
 };
-inline constexpr FrameParts kAllFrameParts = (kPartCommand << 1) - 1;
+inline constexpr SnapshotParts kAllSnapshotParts = (kPartCommand << 1) - 1;
 
-struct FrameCrane {
+struct SnapshotCrane {
   bool attached = false;
   std::array<double, 3> hook{};  // m, world
-  std::array<double, 3> top{};   // m, world; means nothing while not attached
+  std::array<double, 3> top{};   // m, world; undefined while not attached
   double tension = 0;            // N
 };
 
-struct FramePush {
+struct SnapshotPush {
   int body = 0;
   std::array<double, 3> at{};     // m, world
   std::array<double, 3> force{};  // N, world
 };
 
 // *Assumed*, a robot on its side among stones has about 60.
-inline constexpr std::size_t kMostFrameContacts = 256;
-inline constexpr std::size_t kMostFramePushes = 24;
+inline constexpr std::size_t kMostSnapshotContacts = 256;
+inline constexpr std::size_t kMostSnapshotPushes = 24;
 
-// Vectors have their sizes from the start (World::MakeFrame); of contacts and pushes only the
-// capacity.
-struct Frame {
-  FrameParts parts = 0;  // what is wanted, and what of the following is filled in
+// World::MakeSnapshot gives vectors their final sizes, contacts and pushes their capacity.
+struct Snapshot {
+  SnapshotParts parts = 0;  // requested, and then filled in
   // Never change:
+  std::size_t robot = 0;                    // its number in the world
   std::vector<std::string> body_names;      // by MuJoCo's id
   std::vector<std::string> motor_names;     // in motor order
   std::vector<std::string> command_topics;  // by number; "" where there is none
@@ -75,13 +75,13 @@ struct Frame {
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible
   bool paused = false;
-  std::vector<double> positions;  // MuJoCo's qpos, a step on from the rest
+  std::vector<double> positions;  // MuJoCo's qpos, one step later than the rest
   std::vector<physics::BodyPose> bodies;
   std::vector<physics::ContactReading> contacts;
   std::array<double, 3> com{};  // of the robot
-  FrameCrane crane;
-  std::vector<FramePush> pushes;  // drags too
-  // In motor order, as last told on the wire, as are the next four.
+  SnapshotCrane crane;
+  std::vector<SnapshotPush> pushes;  // drags too
+  // In motor order. This and the next four are as last published.
   std::vector<robot::MotorReading> motors;
   std::array<robot::ImuReading, 2> imus;
   std::size_t imu_count = 1;
@@ -89,7 +89,7 @@ struct Frame {
   std::vector<double> feet;  // N
   robot::RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
-  std::vector<robot::MotorCommand> command;  // that the motors follow
+  std::vector<robot::MotorCommand> command;  // followed by the motors
 };
 
 }  // namespace understudy::emulator

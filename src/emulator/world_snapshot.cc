@@ -1,0 +1,82 @@
+// What the world shows of itself to who looks.
+#include <algorithm>
+
+#include "emulator/world.h"
+
+namespace understudy::emulator {
+namespace {
+
+static_assert(kMostSnapshotPushes >= physics::Pushes::kMost + physics::Drags::kMost,
+              "a snapshot with all of them would allocate");
+
+bool Has(const Snapshot& snapshot, SnapshotPart part) { return (snapshot.parts & part) != 0; }
+
+std::array<double, 3> Array(const Eigen::Vector3d& vector) {
+  return {vector.x(), vector.y(), vector.z()};
+}
+
+}  // namespace
+
+Snapshot World::MakeSnapshot(std::size_t robot) const {
+  const robot::RobotSpec& spec = robots_[robot].spec();
+  Snapshot snapshot;
+  snapshot.robot = robot;
+  snapshot.positions.resize(physics::PositionCount(physics_));
+  snapshot.body_names = physics::BodyNames(physics_);
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    snapshot.motor_names.push_back(motor->joint);
+  }
+  snapshot.command_topics = robots_[robot].topics();
+  snapshot.bodies.resize(snapshot.body_names.size());
+  snapshot.contacts.reserve(kMostSnapshotContacts);
+  snapshot.pushes.reserve(kMostSnapshotPushes);
+  snapshot.motors.resize(snapshot.motor_names.size());
+  snapshot.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
+  snapshot.feet.resize(spec.feet.size());
+  snapshot.command.resize(snapshot.motor_names.size());
+  return snapshot;
+}
+
+void World::Show(Snapshot* snapshot) const {
+  const Robot& robot = robots_[snapshot->robot];
+  const robot::RobotState& state = robot.sampled();
+  snapshot->step = step_;
+  snapshot->time = time();
+  snapshot->speed = pace_.speed;
+  snapshot->paused = pace_.paused;
+  if (Has(*snapshot, kPartPositions)) physics::ReadPositions(physics_, snapshot->positions);
+  if (Has(*snapshot, kPartBodies)) physics::ReadBodies(physics_, snapshot->bodies);
+  if (Has(*snapshot, kPartContacts)) {
+    snapshot->contacts.resize(kMostSnapshotContacts);
+    snapshot->contacts.resize(physics::ReadContacts(physics_, snapshot->contacts));
+  }
+  if (Has(*snapshot, kPartCom)) {
+    const std::string& base = physics_.robot(snapshot->robot).spec().base_body;
+    snapshot->com = physics::SubtreeCenterOfMass(physics_, physics_.FindBody(base));
+  }
+  if (Has(*snapshot, kPartCrane)) {
+    snapshot->crane = {.attached = robot.crane().attached(),
+                       .hook = Array(robot.hook().p_WP),
+                       .top = Array(robot.crane().anchor()),
+                       .tension = robot.crane().tension()};
+  }
+  if (Has(*snapshot, kPartPushes)) {
+    snapshot->pushes.clear();
+    for (const auto& forces : {pushes(), drags()}) {
+      for (const physics::AppliedForce& force : forces) {
+        snapshot->pushes.push_back(
+            {.body = force.body, .at = Array(force.p_WP), .force = Array(force.force_W)});
+      }
+    }
+  }
+  // Nothing has been sampled before the first tick.
+  if (Has(*snapshot, kPartMotors)) std::ranges::copy(state.motors, snapshot->motors.begin());
+  snapshot->imus = {state.imu, state.secondary_imu};
+  snapshot->battery = state.battery;
+  std::copy_n(state.foot_force.begin(), std::min(state.foot_force.size(), snapshot->feet.size()),
+              snapshot->feet.begin());
+  snapshot->remote = state.remote;
+  if (Has(*snapshot, kPartCommand)) snapshot->command = robot.command().motors;
+}
+
+}  // namespace understudy::emulator

@@ -1,0 +1,179 @@
+#include "server/snapshot_json.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <concepts>
+#include <iterator>
+#include <ranges>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "robot/remote_keys.h"
+#include "server/http.h"
+
+namespace understudy::server {
+namespace {
+
+// Numbers with all their digits.
+struct Exact {
+  double number;
+};
+struct ExactList {
+  const std::vector<double>& numbers;
+};
+
+// Writes straight into text, since snapshots go out many times a second.
+class Writer {
+ public:
+  Writer(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts)
+      : snapshot_(snapshot), parts_(parts & snapshot.parts) {}
+
+  std::string Write() {
+    PutMembers("step", snapshot_.step, "time", Exact{snapshot_.time}, "speed", snapshot_.speed,
+               "paused", snapshot_.paused);
+    PutPart(emulator::kPartPositions, ExactList{snapshot_.positions});
+    PutPart(emulator::kPartBodies, snapshot_.bodies);
+    PutPart(emulator::kPartContacts, snapshot_.contacts);
+    PutPart(emulator::kPartCom, snapshot_.com);
+    PutPart(emulator::kPartCrane, snapshot_.crane);
+    PutPart(emulator::kPartPushes, snapshot_.pushes);
+    PutPart(emulator::kPartMotors, snapshot_.motors);
+    PutPart(emulator::kPartImus, std::span(snapshot_.imus).first(snapshot_.imu_count));
+    PutPart(emulator::kPartBattery, snapshot_.battery);
+    PutPart(emulator::kPartFeet, snapshot_.feet);
+    PutPart(emulator::kPartRemote, snapshot_.remote);
+    PutPart(emulator::kPartWirelessRemote, snapshot_.wireless_remote);
+    PutPart(emulator::kPartCommand, snapshot_.command);
+    Close('}');
+    return std::move(text_);
+  }
+
+ private:
+  // Each is followed by a comma, of which the end of a list or object makes its bracket.
+  template <class Value, class... Rest>
+  void PutMembers(std::string_view key, const Value& value, const Rest&... rest) {
+    ((text_ += '"') += key) += "\":";
+    Put(value);
+    text_ += ',';
+    if constexpr (sizeof...(rest) > 0) PutMembers(rest...);
+  }
+  template <class... Members>
+  void PutObject(const Members&... members) {
+    text_ += '{';
+    PutMembers(members...);
+    Close('}');
+  }
+  template <std::ranges::range Values>
+  void Put(const Values& values) {
+    text_ += '[';
+    for (const auto& value : values) {
+      Put(value);
+      text_ += ',';
+    }
+    Close(']');
+  }
+  void Close(char bracket) {
+    if (text_.back() == ',') text_.pop_back();
+    text_ += bracket;
+  }
+
+  template <class Number>
+  void PutNumber(Number number) {
+    char digits[32];
+    const char* const end = std::to_chars(std::begin(digits), std::end(digits), number).ptr;
+    text_ += std::isfinite(number) ? std::string_view(digits, end) : "null";
+  }
+  void Put(const Exact& exact) { PutNumber(exact.number); }
+  void Put(const ExactList& list) {
+    text_ += '[';
+    for (const double number : list.numbers) {
+      PutNumber(number);
+      text_ += ',';
+    }
+    Close(']');
+  }
+  // A float's precision in its fewest digits: half the text.
+  void Put(double number) { PutNumber(static_cast<float>(number)); }
+  void Put(std::integral auto number) { PutNumber(number); }
+  void Put(bool is) { text_ += is ? "true" : "false"; }
+  void Put(const std::string& text) { text_ += JsonText(text); }
+  void Put(const Eigen::Vector3d& vector) { Put(std::span(vector.data(), 3)); }
+  void Put(const Eigen::Quaterniond& q) { Put(std::array{q.w(), q.x(), q.y(), q.z()}); }
+
+  void Put(const physics::ContactReading& contact) {
+    PutObject("at", contact.at, "force", contact.force, "geoms", contact.geoms, "bodies",
+              contact.bodies);
+  }
+  void Put(const emulator::SnapshotCrane& crane) {
+    PutObject("attached", crane.attached, "hook", crane.hook, "top", crane.top, "tension",
+              crane.tension);
+  }
+  void Put(const emulator::SnapshotPush& push) {
+    PutObject("body", snapshot_.body_names[static_cast<std::size_t>(push.body)], "at", push.at,
+              "force", push.force);
+  }
+  // How the vendor's messages tell faults is not known, so there are no errors.
+  void Put(const robot::MotorReading& motor) {
+    PutObject("q", motor.q, "dq", motor.dq, "tau", motor.tau, "casing", motor.casing_c, "winding",
+              motor.winding_c, "mode", motor.enabled ? 1 : 0, "errors", 0, "enabled",
+              motor.enabled);
+  }
+  void Put(const robot::ImuReading& imu) {
+    PutObject("quaternion", imu.R_WI, "gyroscope", imu.w_WI_I, "accelerometer", imu.f_WI_I,
+              "temperature", imu.temperature_c);
+  }
+  void Put(const robot::BatteryReading& battery) {
+    PutObject("voltage", battery.voltage, "current", battery.current, "soc", battery.soc,
+              "temperature", battery.temperature_c);
+  }
+  void Put(const robot::RemoteReading& remote) {
+    PutObject("there", remote.there, "keys", robot::RemoteKeyNames(remote.keys), "lx", remote.lx,
+              "ly", remote.ly, "rx", remote.rx, "ry", remote.ry);
+  }
+  void Put(const robot::MotorCommand& command) {
+    PutObject("q", command.q, "dq", command.dq, "kp", command.kp, "kd", command.kd, "tau",
+              command.tau, "enabled", command.enabled);
+  }
+
+  template <class Value>
+  void PutPart(emulator::SnapshotPart part, const Value& value) {
+    const auto place = static_cast<std::size_t>(std::countr_zero<std::uint32_t>(part));
+    if ((parts_ & part) != 0) PutMembers(emulator::kSnapshotParts[place].name, value);
+  }
+
+  const emulator::Snapshot& snapshot_;
+  emulator::SnapshotParts parts_;
+  std::string text_ = "{";
+};
+
+}  // namespace
+
+std::optional<emulator::SnapshotParts> ReadSnapshotParts(std::string_view list,
+                                                         std::string* unknown) {
+  emulator::SnapshotParts parts = 0;
+  while (!list.empty()) {
+    const std::string_view word = list.substr(0, list.find(','));
+    list.remove_prefix(std::min(list.size(), word.size() + 1));
+    const auto* found =
+        std::find_if(std::begin(emulator::kSnapshotParts), std::end(emulator::kSnapshotParts),
+                     [&](const emulator::SnapshotPartName& part) { return part.name == word; });
+    if (found == std::end(emulator::kSnapshotParts)) {
+      *unknown = word;
+      return std::nullopt;
+    }
+    parts |= found->part;
+  }
+  return parts;
+}
+
+std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts) {
+  return Writer(snapshot, parts).Write();
+}
+
+}  // namespace understudy::server

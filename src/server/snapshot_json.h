@@ -1,0 +1,22 @@
+// The JSON of GET /snapshot and GET /snapshots.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "emulator/snapshot.h"
+
+namespace understudy::server {
+
+// Returns the parts that a comma-separated list names, none for an empty list. Returns nullopt and
+// sets `unknown` to the first word that is not in kSnapshotParts, if there is one.
+std::optional<emulator::SnapshotParts> ReadSnapshotParts(std::string_view list,
+                                                         std::string* unknown);
+
+// {"step": n, "time": s, "speed": x, "paused": b} and those of `parts` that the snapshot has.
+// Numbers have a float's precision, but time and qpos, which have a double's; one that is not
+// finite becomes null.
+std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts);
+
+}  // namespace understudy::server

@@ -1,0 +1,144 @@
+"""Has a standing quadruped walk by the vendor's client and says how far it came.
+
+Each way is commanded as programs do it, again and again, and then left to end by itself. Prints one
+JSON object: for each way how far it came ahead and to the left of where it stood [m] and turned [rad],
+by rt/sportmodestate and by the simulation's truth; the mean of rt/sportmodestate's speeds in its second
+half; and how fast it still was in the end.
+"""
+
+import json
+import math
+import os
+import subprocess
+import time
+
+from unitree_sdk2py.b2.sport.sport_client import SportClient as B2SportClient
+from unitree_sdk2py.core.channel import ChannelSubscriber
+from unitree_sdk2py.go2.obstacles_avoid.obstacles_avoid_client import ObstaclesAvoidClient
+from unitree_sdk2py.go2.sport.sport_client import SportClient as Go2SportClient
+from unitree_sdk2py.idl.unitree_go.msg.dds_ import SportModeState_
+from unitree_sdk2py.rpc.client import Client
+
+from sdk_session import arguments
+
+WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.6))]  # m/s, rad/s
+PLACE = (0.8, 0.3, 0.5)  # m, rad: from where it stands
+COMMANDED, LEFT_ALONE = 4.0, 5.0  # s of the robot's time
+PATIENCE = 60.0  # s of this machine's
+
+
+class A2SportClient(Client):
+    """The pinned SDK has none: the two calls that are needed, by the ids of the C++ header."""
+
+    def __init__(self):
+        super().__init__("sport", False)
+
+    def Init(self):
+        for api in (1002, 1008):
+            self._RegistApi(api, 0)
+
+    def BalanceStand(self):
+        return self._Call(1002, "{}")[0]
+
+    def Move(self, vx, vy, vyaw):
+        return self._Call(1008, json.dumps({"x": vx, "y": vy, "z": vyaw}))[0]
+
+
+CLIENTS = {
+    "go2": Go2SportClient,
+    "go2w": Go2SportClient,
+    "b2": B2SportClient,
+    "b2w": B2SportClient,
+    "a2": A2SportClient,
+}
+
+
+class Feed:
+    """The newest rt/sportmodestate and the robot's clock [s]."""
+
+    def __init__(self):
+        self.state, self.clock = None, 0.0
+        self._subscriber = ChannelSubscriber("rt/sportmodestate", SportModeState_)
+        self._subscriber.Init(self._receive, 10)
+
+    def _receive(self, message):
+        self.clock = message.stamp.sec + 1e-9 * message.stamp.nanosec
+        self.state = message
+
+    def until(self, clock, each=lambda: None):
+        deadline = time.monotonic() + PATIENCE
+        while self.clock < clock:
+            if time.monotonic() > deadline:
+                raise SystemExit(f"the robot's clock stands at {self.clock:.1f} s")
+            each()
+            time.sleep(0.02)
+
+    def place(self):
+        return [*self.state.position[:2], self.state.imu_state.rpy[2]]
+
+
+def truth():
+    """x, y [m] and yaw [rad] of the base, in the simulation."""
+    ask = [os.environ["UNDERSTUDY"], "ctl", "snapshot", "--parts", "qpos"]
+    snapshot = json.loads(subprocess.run(ask, check=True, capture_output=True, text=True).stdout)
+    px, py, _, w, x, y, z = snapshot["qpos"][:7]
+    return [px, py, math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))]
+
+
+def way_from(before, now):
+    """Ahead, left [m] and turned [rad], seen from before."""
+    x, y, yaw = (b - a for a, b in zip(before, now))
+    c, s = math.cos(before[2]), math.sin(before[2])
+    return [c * x + s * y, c * y - s * x, math.remainder(yaw, 2 * math.pi)]
+
+
+def go(feed, command):
+    """Commands for a while, then leaves the robot alone."""
+    told, true, start, speeds = feed.place(), truth(), feed.clock, []
+
+    def step():
+        command(feed.clock - start)
+        if feed.clock > start + COMMANDED / 2:
+            yaw = feed.state.imu_state.rpy[2]
+            vx, vy = feed.state.velocity[:2]
+            speeds.append((vx * math.cos(yaw) + vy * math.sin(yaw),
+                           vy * math.cos(yaw) - vx * math.sin(yaw), feed.state.yaw_speed))
+
+    feed.until(start + COMMANDED, step)
+    feed.until(feed.clock + LEFT_ALONE)
+    return {
+        "told": way_from(told, feed.place()),
+        "true": way_from(true, truth()),
+        "speed": [sum(axis) / len(speeds) for axis in zip(*speeds)],
+        "rest": math.hypot(*feed.state.velocity[:2]),
+        "state": feed.state.error_code,
+        "mode": feed.state.mode,
+    }
+
+
+def main():
+    parsed = arguments(__doc__.splitlines()[0],
+                       lambda parser: parser.add_argument("robot", choices=sorted(CLIENTS)))
+    feed = Feed()
+    client = CLIENTS[parsed.robot]()
+    client.SetTimeout(10.0)
+    client.Init()
+    report = {"balance": client.BalanceStand()}
+    feed.until(feed.clock + 2)
+    for name, velocity in WAYS:
+        report[name] = go(feed, lambda _, velocity=velocity: client.Move(*velocity))
+    if parsed.robot == "go2":
+        avoid = ObstaclesAvoidClient()
+        avoid.SetTimeout(10.0)
+        avoid.Init()
+        report["unheard"] = go(feed, lambda _: avoid.Move(0.5, 0.0, 0.0))
+        report["codes"] = [avoid.SwitchSet(True), avoid.UseRemoteCommandFromApi(True)]
+        report["avoiding"] = go(feed, lambda _: avoid.Move(0.5, 0.0, 0.0))
+        asked = []
+        report["to_a_place"] = go(
+            feed, lambda _: asked or asked.append(avoid.MoveToIncrementPosition(*PLACE)))
+    print(json.dumps(report))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,66 @@
+"""Quadrupeds walk where the vendor's sport clients say, by their own word and by the truth."""
+
+import concurrent.futures
+
+import pytest
+
+ROBOTS = ["go2", "b2", "a2", "go2w", "b2w"]
+GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/walking.md)
+COMMANDED, HELD = 4.0, {"b2w": 0.5}  # s; a Move that is not renewed goes on for 1 s
+AGILE, FREE_WALK = 100, 9  # error_code of a Go2, mode of the others
+WAYS = {"ahead": (0, 0.5), "left": (1, 0.3), "turn": (2, 0.6)}  # axis, m/s or rad/s
+
+
+@pytest.fixture(scope="module")
+def walks(rehearse):
+    """By robot, what walks.py reports; two at a time."""
+    with concurrent.futures.ThreadPoolExecutor(2) as pool:
+        runs = pool.map(
+            lambda robot: rehearse(robot, "walks.py", robot,
+                                   options=("--start", "standing", "--speed", "2")), ROBOTS)
+        return {robot: run.report for robot, run in zip(ROBOTS, runs) if run.succeeded()}
+
+
+def wanted_speed(robot, way):
+    axis, speed = WAYS[way]
+    return axis, speed * (GAIN.get(robot, 1) if axis < 2 else 1)
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_robot_comes_as_far_as_it_is_moved(walks, robot, way):
+    axis, speed = wanted_speed(robot, way)
+    time = COMMANDED + HELD.get(robot, 1)
+    came = walks[robot][way]["true"]
+    assert came[axis] == pytest.approx(speed * time, rel=0.2)
+    aside = [abs(x) for i, x in enumerate(came) if i != axis]
+    assert max(aside) < 0.3, came
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_robot_tells_how_far_it_came_and_how_fast(walks, robot, way):
+    axis, speed = wanted_speed(robot, way)
+    walk = walks[robot][way]
+    assert walk["told"] == pytest.approx(walk["true"], abs=0.25), "legs drift"
+    assert walk["told"] != walk["true"], "an estimate, not the truth"
+    assert walk["speed"][axis] == pytest.approx(speed, rel=0.15)
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("robot", ROBOTS)
+def test_a_robot_stands_once_it_is_left_alone(walks, robot, way):
+    walk = walks[robot][way]
+    assert walk["rest"] < 0.05
+    assert walk["state" if robot == "go2" else "mode"] == (AGILE if robot == "go2" else FREE_WALK)
+
+
+def test_obstacles_avoid_moves_a_robot_once_it_is_told_to_hear_the_api(walks):
+    report = walks["go2"]
+    assert max(abs(x) for x in report["unheard"]["true"]) < 0.05
+    assert report["codes"] == [0, 0]
+    assert report["avoiding"]["true"][0] == pytest.approx(0.46 * 5, rel=0.2)
+
+
+def test_obstacles_avoid_moves_a_robot_to_a_place(walks):
+    assert walks["go2"]["to_a_place"]["true"] == pytest.approx([0.8, 0.3, 0.5], abs=0.25)

@@ -1,0 +1,223 @@
+// Walks quadrupeds over all sorts of ground, pushes them and counts who keeps on their feet: the
+// table of docs/walking.md.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <spdlog/spdlog.h>
+
+#include "config/data_dir.h"
+#include "config/load.h"
+#include "config/robot_file.h"
+#include "motion/quadruped/motion.h"
+#include "tests/motion/quadruped/trial.h"
+
+namespace understudy::motion {
+namespace {
+
+// Runs that were made, a line of a file each, so that a table broken off goes on where it was.
+class Made {
+ public:
+  // "": kept in memory only.
+  explicit Made(const std::string& file) : file_(file) {
+    std::ifstream in(file);
+    for (std::string line; std::getline(in, line);) {
+      std::istringstream words(line);
+      Trial trial;
+      Outcome outcome;
+      if (words >> trial.robot >> trial.ground >> trial.push >> trial.seed >> outcome.fell >>
+          outcome.righted >> outcome.got_there) {
+        made_[KeyOf(trial)] = outcome;
+      }
+    }
+  }
+
+  Outcome Of(const Trial& trial) {
+    const auto found = made_.find(KeyOf(trial));
+    if (found != made_.end()) return found->second;
+    const Outcome outcome = made_[KeyOf(trial)] = Try(trial);
+    if (!file_.empty()) {
+      std::ofstream(file_, std::ios::app)
+          << trial.robot << ' ' << trial.ground << ' ' << trial.push << ' ' << trial.seed << ' '
+          << outcome.fell << ' ' << outcome.righted << ' ' << outcome.got_there << '\n';
+    }
+    return outcome;
+  }
+
+ private:
+  using Key = std::tuple<std::string, std::string, double, int>;
+  static Key KeyOf(const Trial& trial) {
+    return {trial.robot, trial.ground, trial.push, trial.seed};
+  }
+
+  std::string file_;
+  std::map<Key, Outcome> made_;
+};
+
+struct Interval {
+  double low, high;
+};
+
+// Of a share of `n` that was seen `k` times, with 95 %: Wilson, Journal of the American Statistical
+// Association 22 (1927).
+Interval Wilson(int k, int n) {
+  constexpr double kZ = 1.959964;
+  const double share = static_cast<double>(k) / n, z2n = kZ * kZ / n;
+  const double middle = (share + z2n / 2) / (1 + z2n);
+  const double half = kZ * std::sqrt(share * (1 - share) / n + z2n / (4 * n)) / (1 + z2n);
+  return {middle - half, middle + half};
+}
+
+void PrintRow(const Trial& trial, int first, int runs, Made* made) {
+  int kept = 0, there = 0, righted = 0;
+  std::string failed;
+  for (int seed = first; seed < first + runs; ++seed) {
+    const Outcome outcome = made->Of({trial.robot, trial.ground, trial.push, seed});
+    kept += outcome.fell < 0;
+    there += outcome.fell < 0 && outcome.got_there;
+    righted += outcome.fell >= 0 && outcome.righted;
+    if (outcome.fell >= 0 || !outcome.got_there) failed += " " + std::to_string(seed);
+  }
+  const Interval interval = Wilson(kept, runs);
+  std::printf("| %-5s | %-6s | %4.2f | %d of %d | %.1f %% to %.1f %% | %d | %d of %d |%s\n",
+              trial.robot.c_str(), trial.ground.c_str(), trial.push, kept, runs, 100 * interval.low,
+              100 * interval.high, kept - there, righted, runs - kept, failed.c_str());
+  std::fflush(stdout);
+}
+
+void PrintState(const MotionRig& rig, double t, const Eigen::Vector3d& wish) {
+  const Eigen::Vector3d rpy = rig.rpy(), p = rig.world().robot().base().p_WB;
+  const robot::MotionState state = rig.state();
+  std::printf(
+      "%6.2f %5d  p %6.2f %6.2f %5.2f  rpy %5.2f %5.2f %5.2f  height %5.3f  v %5.2f %5.2f  asked "
+      "%5.2f %5.2f %5.2f\n",
+      t, state.id, p.x(), p.y(), p.z(), rpy.x(), rpy.y(), rpy.z(), state.body_height,
+      state.v_WB_W.x(), state.v_WB_W.y(), wish.x(), wish.y(), wish.z());
+}
+
+double ThreadCpu() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
+
+// Of a second controller, beside the one that moves the robot and with the same sensors and goals:
+// µs per simulated ms while it walks ahead and a little aside, so that wheels step too.
+double Cost(const std::string& robot) {
+  constexpr double kWarm = 2, kEvery = 0.02;  // s
+  MotionRig rig(config::LoadConfig({.robot = robot, .files = {}, .sets = {"start.pose=standing"}},
+                                   config::DataDir()));
+  const auto controller = MakeQuadrupedMotion(rig.spec(), rig.world().robot());
+  robot::RobotCommand command = rig.command();
+  const long every = std::lround(1 / rig.spec().rates.service_hz / rig.world().timestep());
+  double cpu = 0, simulated = 0, t = 0;
+  long step = 0;
+  rig.watch = [&] {
+    if (step++ % every != 0) return;
+    const robot::RobotState& said = rig.robot().sampled();
+    const authority::MotionInput input{
+        .time = t, .motors = said.motors, .imu = said.imu, .foot_force = said.foot_force};
+    if (step == 1) controller->Start(input);
+    const double before = ThreadCpu();
+    controller->Step(input, 1 / rig.spec().rates.service_hz, &command);
+    if (t > kWarm) {
+      cpu += ThreadCpu() - before;
+      simulated += 1 / rig.spec().rates.service_hz;
+    }
+  };
+  for (; t < 10; t += kEvery) {
+    const goal::Move move{0.5, 0.15, 0, 1};
+    rig.Ask(move);
+    controller->Ask(move);
+    rig.Run(kEvery);
+  }
+  return 1e3 * cpu / simulated;
+}
+
+int Main(int argc, char** argv) {
+  std::string about =
+      "Counts how many of some seeded runs a quadruped keeps on its feet. Grounds:\n";
+  std::vector<std::string> robots, grounds;
+  for (const TrialGround& ground : TrialGrounds()) {
+    about += "  " + ground.name + std::string(8 - ground.name.size(), ' ') + ground.about + "\n";
+    grounds.push_back(ground.name);
+  }
+  for (const std::string& name : config::RobotNames(config::DataDir())) {
+    const auto spec =
+        config::LoadConfig({.robot = name, .files = {}, .sets = {}}, config::DataDir());
+    if (robot::IsQuadruped(spec.robot.kind)) robots.push_back(name);
+  }
+  CLI::App app(about + "The last number of a row: the seeds that fell or did not get there.",
+               "survival");
+  double push = -1;
+  int runs = 40, first = 1, trace = 0;
+  std::string file;
+  bool cost = false;
+  app.add_flag("--cost", cost,
+               "Only what a controller takes, in microseconds of CPU per simulated ms");
+  app.add_option("--robots", robots, "Robots [all quadrupeds]")->delimiter(',');
+  app.add_option("--grounds", grounds, "Grounds [all]")
+      ->delimiter(',')
+      ->check(CLI::IsMember(grounds));
+  app.add_option("--push", push, "N·s/kg [1; B2 and A2 0.9, on wheels 0.6; stairs 0]");
+  app.add_option("--runs", runs, "Runs of a row")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("--first", first, "Seed of the first run")->capture_default_str();
+  app.add_option("--file", file, "Keeps every run there, and goes on from what it has");
+  app.add_option("--trace", trace,
+                 "Shows the run of that seed, every 20 ms, in place of the table");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  spdlog::set_level(trace == 0 ? spdlog::level::warn : spdlog::level::info);
+  Made made(file);
+  for (const std::string& robot : robots) {
+    if (cost) std::printf("%-5s %.1f\n", robot.c_str(), Cost(robot));
+  }
+  if (cost) return 0;
+  if (trace == 0) {
+    std::puts(
+        "| robot | ground | N·s/kg | kept on its feet | 95 % | stuck | righted "
+        "|\n|---|---|---|---|---|---|---|");
+  }
+  for (const std::string& robot : robots) {
+    const auto config =
+        config::LoadConfig({.robot = robot, .files = {}, .sets = {}}, config::DataDir());
+    for (const std::string& ground : grounds) {
+      const double usual = ground == "stairs" ? 0 : PushOf(config.robot);
+      const Trial trial{robot, ground, push < 0 ? usual : push, trace};
+      if (trace == 0) {
+        PrintRow(trial, first, runs, &made);
+      } else {
+        const Outcome outcome = Try(trial, PrintState);
+        std::printf("fell %.2f, righted %d, got there %d\n", outcome.fell, outcome.righted,
+                    outcome.got_there);
+      }
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+}  // namespace understudy::motion
+
+int main(int argc, char** argv) {
+  try {
+    return understudy::motion::Main(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "survival: %s\n", error.what());
+    return 1;
+  }
+}
