@@ -9,7 +9,7 @@ import tempfile
 import time
 
 NUMBERS = itertools.count(1)  # no two robots of a session have the same name
-PATIENCE = 15.0  # s, for what takes less than one on an idle machine
+PATIENCE = 60.0  # s, for what takes less than one on an idle machine
 
 
 def understudy(*arguments, timeout=PATIENCE, **how):

@@ -43,14 +43,14 @@ class Screen:
         return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True,
                               capture_output=True, text=True, timeout=PATIENCE).stdout
 
+    def find(self, title):
+        """The id of the window of that title; empty while there is none."""
+        return subprocess.run(["xdotool", "search", "--name", title], env=self.environment,
+                              capture_output=True, text=True, timeout=PATIENCE).stdout.strip()
+
     def window(self, title):
         """Waits until there is a window of that title; its id."""
-        def find():
-            done = subprocess.run(["xdotool", "search", "--name", title], env=self.environment,
-                                  capture_output=True, text=True, timeout=PATIENCE)
-            return done.stdout.strip()
-
-        return eventually(find, what=f"a window '{title}'")
+        return eventually(lambda: self.find(title), what=f"a window '{title}'")
 
     def end(self):
         self._server.terminate()

@@ -21,16 +21,25 @@ def screen():
 
 
 class Window:
-    """`understudy view` of a robot."""
+    """`understudy view` of a robot; look() waits until it shows it."""
 
     def __init__(self, robot, screen, *options):
         self.screen = screen
+        self.title = f"Understudy: {robot.name}"
         self.process = subprocess.Popen(
             [os.environ["UNDERSTUDY"], "view", "--name", robot.name, "--size", SIZE, *options],
             env=screen.environment, stderr=subprocess.PIPE, text=True)
-        screen.xdotool("windowmove", screen.window(f"Understudy: {robot.name}"), 0, 0)
-        screen.xdotool("mousemove", 200, 150)
+
+    def opens(self):
+        def find():
+            if self.process.poll() is not None:
+                pytest.fail(f"view ended with {self.process.returncode}: {self.process.communicate()[1]}")
+            return self.screen.find(self.title)
+
+        self.screen.xdotool("windowmove", eventually(find, what=f"a window '{self.title}'"), 0, 0)
+        self.screen.xdotool("mousemove", 200, 150)
         eventually(lambda: len(set(self.middle())) > 20, what="a picture in the window")
+        return self
 
     def middle(self):
         return self.screen.pixels(*MIDDLE)
@@ -58,7 +67,7 @@ def look(screen):
 
     def start(robot, *options):
         windows.append(Window(robot, screen, *options))
-        return windows[-1]
+        return windows[-1].opens()
 
     yield start
     for window in windows:
