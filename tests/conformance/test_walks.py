@@ -8,7 +8,7 @@ ROBOTS = ["go2", "b2", "a2", "go2w", "b2w"]
 GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/walking.md)
 COMMANDED, HELD = 4.0, {"b2w": 0.5}  # s; a Move that is not renewed goes on for 1 s
 AGILE, FREE_WALK = 100, 9  # error_code of a Go2, mode of the others
-WAYS = {"ahead": (0, 0.5), "left": (1, 0.3), "turn": (2, 0.6)}  # axis, m/s or rad/s
+WAYS = {"ahead": (0, 0.5), "left": (1, 0.3), "turn": (2, 0.5)}  # axis, m/s or rad/s; less than half a turn
 
 
 @pytest.fixture(scope="module")

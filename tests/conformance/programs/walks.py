@@ -21,7 +21,7 @@ from unitree_sdk2py.rpc.client import Client
 
 from sdk_session import arguments
 
-WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.6))]  # m/s, rad/s
+WAYS = [("ahead", (0.5, 0.0, 0.0)), ("left", (0.0, 0.3, 0.0)), ("turn", (0.0, 0.0, 0.5))]  # m/s, rad/s
 PLACE = (0.8, 0.3, 0.5)  # m, rad: from where it stands
 COMMANDED, LEFT_ALONE = 4.0, 5.0  # s of the robot's time
 PATIENCE = 60.0  # s of this machine's
