@@ -32,7 +32,9 @@ understudy_package(zstd HEADER zstd.h LIBRARIES zstd DEBIAN libzstd-dev)
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)
 understudy_package(cli11 HEADER CLI/CLI.hpp DEBIAN libcli11-dev)
-understudy_package(boost HEADER boost/beast.hpp DEBIAN libboost-dev)
+# Compiled once, by client/boost.cc.
+understudy_package(boost HEADER boost/beast.hpp DEBIAN libboost-dev
+                   DEFINE BOOST_ASIO_SEPARATE_COMPILATION BOOST_BEAST_SEPARATE_COMPILATION)
 if(UNDERSTUDY_SANITIZE MATCHES thread)
   # ThreadSanitizer does not know fences; Asio needs none where only one thread runs its loop.
   target_compile_definitions(boost INTERFACE BOOST_ASIO_DISABLE_FENCED_BLOCK)
