@@ -22,4 +22,9 @@ using DataHandle = std::unique_ptr<mjData, DataDeleter>;
 
 ModelHandle CopyOf(const mjModel& model);
 
+// For kinematics and inertia alone (mj_kinematics, mj_comPos, mj_crb, mj_factorM): there is no room
+// for contacts and constraints, which is most of the memory of a humanoid's mjData. mj_forward and
+// mj_step must not be called with it.
+DataHandle MakeDataWithoutContacts(const mjModel& model);
+
 }  // namespace understudy::mjcf

@@ -79,7 +79,7 @@ void AddGeom(const mjModel& model, const mjData& data, int geom, SoleExtent* sol
 
 BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
     : model_(model),
-      data_(mj_makeData(&model)),
+      data_(mjcf::MakeDataWithoutContacts(model)),
       base_body_(mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str())),
       imu_site_(mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str())),
       mass_(model.body_subtreemass[base_body_]),
