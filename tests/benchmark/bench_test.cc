@@ -53,7 +53,7 @@ TEST(BenchTest, GivesTheStartOfEveryRobotOnItsOwn) {
   std::set<std::string> robots;
   for (const auto& figure : figures) {
     EXPECT_EQ(figure.at("name"), "exec to first LowState at a client");
-    EXPECT_EQ(figure.at("at_most"), 0.5);
+    EXPECT_EQ(figure.at("at_most"), 0.25);
     robots.insert(figure.at("robot"));
   }
   for (const auto& entry :
@@ -64,7 +64,7 @@ TEST(BenchTest, GivesTheStartOfEveryRobotOnItsOwn) {
 
 TEST(BenchTest, SaysInATableWhatIsWanted) {
   EXPECT_THAT(OutputOf(BENCH " --start --brief"),
-              testing::AllOf(testing::HasSubstr("wanted"), testing::HasSubstr("<= 0.5")));
+              testing::AllOf(testing::HasSubstr("wanted"), testing::HasSubstr("<= 0.25")));
 }
 
 TEST(BenchTest, ExplainsItself) {

@@ -209,6 +209,28 @@ TEST_F(AllocationTest, DoesNotHappenInAG1WithHands) {
   EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
 }
 
+// From its stand into a trot, through a bend, and to a stand again; wheels roll and step.
+TEST_F(AllocationTest, DoesNotHappenInAQuadrupedThatWalks) {
+  const std::filesystem::path root(UNDERSTUDY_SOURCE_DIR);
+  for (const char* robot : {"go2", "go2w"}) {
+    config_ = config::LoadConfig({.robot = robot, .sets = {"start.pose=standing"}}, root);
+    port_.TellEvery(1);
+    port_.KeepTheLastOnly();
+    world_ =
+        MakeIn({physics::LoadWorldModel({{config_.robot, root / "models" / config_.robot.model}},
+                                        root / "models/scene/flat.xml", config_.physics.timestep),
+                {{config_.robot}}},
+               &port_, &inbox_);
+    world_->Play({{.at = 0.2,
+                   .request = test::RequestOf("remote.sticks",
+                                              {{"ly", 0.5}, {"lx", -0.3}, {"rx", 0.3}, {"for", 3}}),
+                   .where = ""}});
+    CountIn(10);
+    EXPECT_EQ(CountIn(4500), 0) << robot;
+    EXPECT_GT(world_->robot().sampled().base.p_WB.head<2>().norm(), 0.2) << robot;
+  }
+}
+
 TEST_F(AllocationTest, DoesNotHappenForAStatus) {
   Start();
   CountIn(10);

@@ -24,8 +24,8 @@ constexpr milliseconds kPatience(20'000);
 constexpr milliseconds kLost(200);  // a message that takes longer is taken for lost
 constexpr double kTau = 2;          // N·m; moves little, stands out of the noise of 0.1
 constexpr double kAllowance_us = 100;
-constexpr double kWantedStart = 0.5;  // s
-constexpr double kWantedMemory = 60;  // MB
+constexpr double kWantedStart = 0.25;  // s
+constexpr double kWantedMemory = 60;   // MB
 
 double Microseconds(Clock::duration time) {
   return std::chrono::duration<double, std::micro>(time).count();
@@ -107,7 +107,7 @@ class Probe {
 template <typename Family>
 std::vector<Figure> Latency(const std::string& understudy, const robot::RobotSpec& robot,
                             int samples) {
-  const Daemon daemon(understudy, robot.name, {});
+  const Daemon daemon(understudy, robot.name, {"--released"});
   const Process echo(HelperArguments("echo", robot.name));
   const bus::Participant participant("lo", 0);
   Probe<Family> probe(participant, robot);

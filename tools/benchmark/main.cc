@@ -16,6 +16,7 @@
 #include "figure.h"
 #include "latency.h"
 #include "stepping.h"
+#include "walking.h"
 
 namespace understudy::bench {
 namespace {
@@ -26,22 +27,24 @@ struct Effort {
   int samples = 1000;   // of latency
   int starts = 5;
   double memory_after = 5;  // s
+  double walk = 8;          // simulated s
 };
 constexpr Effort kBrief = {
-    .rounds = 3, .window = 0.1, .samples = 50, .starts = 1, .memory_after = 0.2};
+    .rounds = 3, .window = 0.1, .samples = 50, .starts = 1, .memory_after = 0.2, .walk = 1};
 
-struct Case {
-  const char* robot;
-  const char* start;  // of the stepping; the other figures are of the robot's own start
+// Of the stepping; the other figures are of these robots in their own start.
+constexpr Doing kDoings[] = {
+    {.robot = "go2", .start = "standing"},
+    {.robot = "go2", .start = "standing", .ahead = 0.5, .wanted = 0.85},
+    {.robot = "g1", .start = "hanging"},
 };
-constexpr Case kCases[] = {{"go2", "standing"}, {"g1", "hanging"}};
 
 int Main(int argc, char** argv) {
   CLI::App app(
       "Measures Understudy on this machine, in a private network: the speed of the whole daemon\n"
       "against bare MuJoCo, the way of a command against a bare DDS round trip, memory, start, "
       "how\n"
-      "well a quadruped's motion service knows how it moves.\n"
+      "well a quadruped's motion service knows how it moves and what it takes to walk.\n"
       "Prints what is wanted beside what was measured; a missed figure is no failure.",
       "bench");
   bool json = false, brief = false, only_start = false;
@@ -68,17 +71,20 @@ int Main(int argc, char** argv) {
   const auto add = [&figures](const std::vector<Figure>& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
-  for (const Case& one : kCases) {
+  for (const Doing& one : kDoings) {
     if (only_start) break;
     for (const bool listener : {false, true}) {
-      add(MeasureStepping(understudy, one.robot, one.start, listener, effort.rounds,
-                          effort.window));
+      add(MeasureStepping(understudy, one, listener, effort.rounds, effort.window));
     }
+    if (one.ahead != 0) continue;
     add(MeasureLatency(understudy, one.robot, effort.samples));
     add(MeasureMemory(understudy, one.robot, effort.memory_after));
   }
   for (const std::string& robot : config::RobotNames(config::DataDir())) {
-    if (!only_start) add(MeasureEstimate(robot));
+    if (!only_start) {
+      add(MeasureEstimate(robot));
+      add(MeasureWalking(robot, effort.walk));
+    }
     figures.push_back(MeasureStart(understudy, robot, effort.starts));
   }
   std::fputs((json ? Json(figures) : Table(figures)).c_str(), stdout);

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <stdexcept>
 #include <thread>
@@ -54,12 +55,18 @@ pid_t Start(const std::vector<std::string>& arguments) {
 std::vector<std::string> RunArguments(const std::string& understudy, const std::string& robot,
                                       const std::string& name,
                                       const std::vector<std::string>& options) {
-  std::vector<std::string> arguments = {understudy, "run", robot, "--released", "--name", name};
+  std::vector<std::string> arguments = {understudy, "run", robot, "--name", name};
   arguments.insert(arguments.end(), options.begin(), options.end());
   return arguments;
 }
 
 }  // namespace
+
+double ThreadCpu() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
+}
 
 Process::Process(const std::vector<std::string>& arguments) : pid_(Start(arguments)) {}
 
@@ -105,6 +112,12 @@ void Daemon::AwaitReady() const {
     std::this_thread::sleep_for(milliseconds(5));
   }
   throw std::runtime_error("the daemon did not become ready");
+}
+
+void Daemon::Ask(const std::string& path, const nlohmann::json& values) const {
+  const client::ControlReply reply =
+      client::Call(socket_, "POST", path, values.dump(), kReplyPatience);
+  if (reply.status != 200) throw std::runtime_error(path + ": " + reply.body);
 }
 
 std::int64_t Daemon::Steps() const { return StatusAt(socket_).at("steps").get<std::int64_t>(); }

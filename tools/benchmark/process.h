@@ -6,9 +6,13 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
 #include <sys/types.h>
 
 namespace understudy::bench {
+
+// Seconds of CPU that this thread has had.
+double ThreadCpu();
 
 // A child that is silent and ends with this object.
 class Process {
@@ -45,6 +49,8 @@ class Daemon {
   const Process& process() const { return process_; }
   // Waits until it says so. Throws std::runtime_error after 20 s.
   void AwaitReady() const;
+  // A request by its path. Throws std::runtime_error where it is refused.
+  void Ask(const std::string& path, const nlohmann::json& values) const;
   // Physics steps since start, as it tells by itself.
   std::int64_t Steps() const;
 

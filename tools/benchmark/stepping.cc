@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <cstdint>
-#include <ctime>
 #include <optional>
 #include <thread>
 
@@ -19,47 +18,43 @@ namespace {
 
 using Wall = std::chrono::steady_clock;
 
-constexpr double kWantedShare = 0.9;
-constexpr int kSettle = 1000;  // steps until contacts and tether carry the robot
-
-double ThreadCpu() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
+constexpr int kSettle = 60'000;  // steps until it stands, hangs or walks evenly
 
 struct Speed {
   double wall = 0;  // steps per s
   double cpu = 0;   // steps per s of CPU of the stepping thread
 };
 
-// MuJoCo and nothing else: what holds the settled robot stays as it was there, and every so many
-// steps the robot is put back.
+// MuJoCo and nothing else: goes through the same second of a robot's run again and again, with the
+// forces that acted on each joint in each step of it.
 class BareLoop {
  public:
-  explicit BareLoop(const config::Config& config)
-      : settled_(config), model_(settled_.world().physics().model()), data_(mj_makeData(&model_)) {
-    for (int i = 0; i < kSettle; ++i) settled_.Step();
-    const emulator::Robot& robot = settled_.world().robot();
-    mj_copyData(data_.get(), &model_, &settled_.world().physics().data());
-    if (!robot.crane().attached()) return;
-    const physics::PointReading hook = robot.hook();
-    const Eigen::Vector3d pull =
-        robot.crane().tension() * (robot.crane().anchor() - hook.p_WP).normalized();
-    const mjtNum no_torque[3] = {};
-    mj_applyFT(&model_, data_.get(), pull.data(), no_torque, hook.p_WP.data(),
-               settled_.world().physics().FindBody(config.robot.crane_body), data_->qfrc_applied);
+  BareLoop(const config::Config& config, const Doing& doing)
+      : run_(config), model_(run_.world().physics().model()), data_(mj_makeData(&model_)) {
+    if (doing.ahead != 0) run_.Ask("remote.sticks", {{"ly", doing.ahead}});
+    for (int i = 0; i < kSettle; ++i) run_.Step();
+    const mjData& now = run_.world().physics().data();
+    start_.reset(mj_copyData(nullptr, &model_, &now));
+    mj_copyData(data_.get(), &model_, &now);
+    const Eigen::Index nv = model_.nv;
+    forces_.resize(nv, kSecond);
+    for (int i = 0; i < kSecond; ++i) {
+      run_.Step();
+      const auto of = [nv](const mjtNum* values) {
+        return Eigen::Map<const Eigen::VectorXd>(values, nv);
+      };
+      // The torques of the motors, and what pulls and pushes at the bodies.
+      forces_.col(i) = of(now.qfrc_smooth) - of(now.qfrc_passive) + of(now.qfrc_bias);
+    }
   }
 
   Speed Run(double window) {
-    constexpr int kTogether = 100;
     const double cpu = ThreadCpu();
     const Wall::time_point start = Wall::now();
     double wall = 0;
     std::int64_t steps = 0;
     do {
-      PutBack();
-      for (int i = 0; i < kTogether; ++i) mj_step(&model_, data_.get());
+      for (int i = 0; i < kTogether; ++i) Step();
       steps += kTogether;
       wall = std::chrono::duration<double>(Wall::now() - start).count();
     } while (wall < window);
@@ -68,16 +63,24 @@ class BareLoop {
   }
 
  private:
-  void PutBack() {
-    const mjData& settled = settled_.world().physics().data();
-    mju_copy(data_->qpos, settled.qpos, model_.nq);
-    mju_copy(data_->qvel, settled.qvel, model_.nv);
-    mju_copy(data_->qacc_warmstart, settled.qacc_warmstart, model_.nv);
+  static constexpr int kSecond = 1000, kTogether = 100;  // steps
+
+  void Step() {
+    if (next_ == 0) {
+      mju_copy(data_->qpos, start_->qpos, model_.nq);
+      mju_copy(data_->qvel, start_->qvel, model_.nv);
+      mju_copy(data_->qacc_warmstart, start_->qacc_warmstart, model_.nv);
+    }
+    mju_copy(data_->qfrc_applied, forces_.col(next_).data(), model_.nv);
+    mj_step(&model_, data_.get());
+    next_ = (next_ + 1) % kSecond;
   }
 
-  Alone settled_;
+  Alone run_;
   const mjModel& model_;
-  mjcf::DataHandle data_;
+  mjcf::DataHandle data_, start_;
+  Eigen::MatrixXd forces_;  // N and N·m, nv by step
+  int next_ = 0;
 };
 
 // Lets a stopped daemon run for a while.
@@ -96,18 +99,20 @@ Speed Run(const Daemon& daemon, double window) {
 
 }  // namespace
 
-std::vector<Figure> MeasureStepping(const std::string& understudy, const std::string& robot,
-                                    const std::string& start, bool listener, int rounds,
-                                    double window) {
+std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& doing,
+                                    bool listener, int rounds, double window) {
+  const std::string robot = doing.robot, start = doing.start;
   const config::Config config =
       config::LoadConfig({.robot = robot, .sets = {"start.pose=" + start}}, config::DataDir());
-  BareLoop bare(config);
+  BareLoop bare(config, doing);
   std::optional<Process> client;
   if (listener) client.emplace(HelperArguments("listen", robot));
 
   const Daemon daemon(understudy, robot, {"--speed", "max", "--start", start});
   daemon.AwaitReady();
-  while (daemon.Steps() < kSettle) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  if (doing.ahead != 0) daemon.Ask("/remote/sticks", {{"ly", doing.ahead}});
+  const std::int64_t settled = daemon.Steps() + kSettle;
+  while (daemon.Steps() < settled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   daemon.process().Stop();
 
   std::vector<double> bare_wall, daemon_wall, share_wall, share_cpu;
@@ -119,20 +124,18 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const std::st
     share_wall.push_back(ours.wall / theirs.wall);
     share_cpu.push_back(ours.cpu / theirs.cpu);
   }
-  const std::string how = start + (listener ? ", one reader" : "");
+  const std::string how =
+      (doing.ahead != 0 ? ", walking" : ", " + start) + std::string(listener ? ", one reader" : "");
   std::vector<Figure> figures;
   const auto add = [&](const char* name, const char* unit, const std::vector<double>& values) {
-    figures.push_back({.robot = robot,
-                       .name = name + (", " + start) + (listener ? ", one reader" : ""),
-                       .unit = unit,
-                       .value = Median(values)});
+    figures.push_back({.robot = robot, .name = name + how, .unit = unit, .value = Median(values)});
   };
   if (!listener) add("bare MuJoCo", "steps/s", bare_wall);
   add("whole daemon", "steps/s", daemon_wall);
   add("daemon / bare per CPU", "", share_cpu);
   add("daemon / bare", "", share_wall);
   if (!listener) {
-    figures.back().bound = kWantedShare;
+    figures.back().bound = doing.wanted;
     figures.back().wanted = Wanted::kAtLeast;
   }
   return figures;

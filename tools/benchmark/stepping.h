@@ -8,13 +8,20 @@
 
 namespace understudy::bench {
 
+// What a robot does while it is measured.
+struct Doing {
+  const char* robot;
+  const char* start;     // pose
+  double ahead = 0;      // -1 to 1, the remote's left stick
+  double wanted = 0.95;  // share of bare MuJoCo's speed without a reader
+};
+
 // The real program, headless at --speed max and publishing on DDS, beside a loop of nothing but
-// mj_step, from the state and with the torques in which the same robot has settled: same compiled
-// model, scene and start. Runs one, then the other, `rounds` times for `window` seconds each.
+// mj_step, which goes through a second of the same run again with its forces: same compiled model,
+// scene and start. Runs one, then the other, `rounds` times for `window` seconds each.
 // `listener`: a client reads rt/lowstate meanwhile. The CPU figures leave out the time in which
 // other programs had the core.
-std::vector<Figure> MeasureStepping(const std::string& understudy, const std::string& robot,
-                                    const std::string& start, bool listener, int rounds,
-                                    double window);
+std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& doing,
+                                    bool listener, int rounds, double window);
 
 }  // namespace understudy::bench

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <ctime>
 #include <exception>
 #include <fstream>
 #include <map>
@@ -18,7 +17,6 @@
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/robot_file.h"
-#include "motion/quadruped/motion.h"
 #include "tests/motion/quadruped/trial.h"
 
 namespace understudy::motion {
@@ -104,45 +102,6 @@ void PrintState(const MotionRig& rig, double t, const Eigen::Vector3d& wish) {
       state.v_WB_W.x(), state.v_WB_W.y(), wish.x(), wish.y(), wish.z());
 }
 
-double ThreadCpu() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + static_cast<double>(now.tv_nsec) * 1e-9;
-}
-
-// Of a second controller, beside the one that moves the robot and with the same sensors and goals:
-// µs per simulated ms while it walks ahead and a little aside, so that wheels step too.
-double Cost(const std::string& robot) {
-  constexpr double kWarm = 2, kEvery = 0.02;  // s
-  MotionRig rig(config::LoadConfig({.robot = robot, .files = {}, .sets = {"start.pose=standing"}},
-                                   config::DataDir()));
-  const auto controller = MakeQuadrupedMotion(rig.spec(), rig.world().robot());
-  robot::RobotCommand command = rig.command();
-  const long every = std::lround(1 / rig.spec().rates.service_hz / rig.world().timestep());
-  double cpu = 0, simulated = 0, t = 0;
-  long step = 0;
-  rig.watch = [&] {
-    if (step++ % every != 0) return;
-    const robot::RobotState& said = rig.robot().sampled();
-    const authority::MotionInput input{
-        .time = t, .motors = said.motors, .imu = said.imu, .foot_force = said.foot_force};
-    if (step == 1) controller->Start(input);
-    const double before = ThreadCpu();
-    controller->Step(input, 1 / rig.spec().rates.service_hz, &command);
-    if (t > kWarm) {
-      cpu += ThreadCpu() - before;
-      simulated += 1 / rig.spec().rates.service_hz;
-    }
-  };
-  for (; t < 10; t += kEvery) {
-    const goal::Move move{0.5, 0.15, 0, 1};
-    rig.Ask(move);
-    controller->Ask(move);
-    rig.Run(kEvery);
-  }
-  return 1e3 * cpu / simulated;
-}
-
 int Main(int argc, char** argv) {
   std::string about =
       "Counts how many of some seeded runs a quadruped keeps on its feet. Grounds:\n";
@@ -161,9 +120,6 @@ int Main(int argc, char** argv) {
   double push = -1;
   int runs = 40, first = 1, trace = 0;
   std::string file;
-  bool cost = false;
-  app.add_flag("--cost", cost,
-               "Only what a controller takes, in microseconds of CPU per simulated ms");
   app.add_option("--robots", robots, "Robots [all quadrupeds]")->delimiter(',');
   app.add_option("--grounds", grounds, "Grounds [all]")
       ->delimiter(',')
@@ -183,10 +139,6 @@ int Main(int argc, char** argv) {
   }
   spdlog::set_level(trace == 0 ? spdlog::level::warn : spdlog::level::info);
   Made made(file);
-  for (const std::string& robot : robots) {
-    if (cost) std::printf("%-5s %.1f\n", robot.c_str(), Cost(robot));
-  }
-  if (cost) return 0;
   if (trace == 0) {
     std::puts(
         "| robot | ground | N·s/kg | kept on its feet | 95 % | stuck | righted "
