@@ -23,6 +23,8 @@ struct MotionInput {
   std::span<const robot::MotorReading> motors;  // motor order
   robot::ImuReading imu;                        // of LowState
   std::span<const double> foot_force;           // N, RobotSpec::feet order
+  double soc = 1;                               // of the battery, 0 to 1
+  double arm_weight = 0;                        // of rt/arm_sdk, 0 to 1
 };
 
 class Motion {

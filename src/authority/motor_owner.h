@@ -1,6 +1,7 @@
 // Decides who moves the motors: a motion service or the programs that write rt/lowcmd.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -18,6 +19,14 @@ struct OnboardService {
                         // nothing
   bool on = true;
   bool is_protected = false;  // cannot be switched on or off
+  std::string version{};      // "" if it is not told
+};
+
+// What robot_state was asked to tell of the programs by itself.
+struct ProgramReport {
+  int interval = 0;         // s; 0: nothing
+  int duration = 0;         // s; 0: for good
+  std::uint64_t asked = 0;  // how often it was asked for
 };
 
 // The result of a request to change the owner; motion_switcher and robot_state have codes for it.
@@ -61,6 +70,12 @@ class MotorOwner {
   void SetSticks(bool on) { sticks_ = on; }
   bool sticks() const { return sticks_; }
 
+  // Asks for reports of the programs, in place of any asked for before.
+  void AskReport(int interval, int duration) {
+    report_ = {.interval = interval, .duration = duration, .asked = report_.asked + 1};
+  }
+  const ProgramReport& report() const { return report_; }
+
   // Restarts the service that is on, after the robot was put back in a start pose.
   void Restart();
 
@@ -77,6 +92,7 @@ class MotorOwner {
   std::vector<OnboardService> services_;
   std::string form_;
   std::unique_ptr<Motion> motion_;
+  ProgramReport report_;
   bool silent_ = false;
   bool user_control_ = false;
   bool sticks_ = true;

@@ -28,7 +28,8 @@ std::vector<OnboardService> OnboardServices(const robot::RobotSpec& spec, std::s
     services.push_back({.name = service.name,
                         .alias = service.alias,
                         .on = service.alias.empty() ? service.on : service.alias == on,
-                        .is_protected = service.protect});
+                        .is_protected = service.protect,
+                        .version = service.version});
   }
   return services;
 }

@@ -29,11 +29,26 @@ const char* Family(robot::WireFamily family) {
   return family == robot::WireFamily::kGo ? "go" : "hg";
 }
 
-// Formats "; --revision 2, [5], 6" with the default in brackets.
-std::string Listed(const std::vector<std::string>& revisions, const std::string& own) {
+const char* Kind(robot::RobotKind kind) {
+  switch (kind) {
+    case robot::RobotKind::kQuadruped:
+      return "quadruped";
+    case robot::RobotKind::kWheeled:
+      return "wheeled";
+    case robot::RobotKind::kHumanoid:
+      return "humanoid";
+    case robot::RobotKind::kOther:
+      break;
+  }
+  return "other";
+}
+
+// Formats "; --revision 2, [5], 6" with `own` in brackets, "" without names.
+std::string Listed(const std::string& what, const std::vector<std::string>& names,
+                   const std::string& own) {
   std::string text;
-  for (const std::string& name : revisions) {
-    text += (text.empty() ? "; --revision " : ", ") + (name == own ? "[" + name + "]" : name);
+  for (const std::string& name : names) {
+    text += (text.empty() ? "; " + what + " " : ", ") + (name == own ? "[" + name + "]" : name);
   }
   return text;
 }
@@ -96,13 +111,17 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
       config::LoadConfig({.robot = file.string(), .files = {}, .sets = {}}, config::DataDir());
   const config::SceneFile scene("flat", {});
   CheckFits(config, scene, notes);
-  for (const std::string& revision :
-       config::ReadRobotFile(file.string(), config::DataDir()).RevisionNames()) {
-    const std::vector<std::string> sets{"robot.revision=" + revision};
-    CheckFits(
-        config::LoadConfig({.robot = file.string(), .files = {}, .sets = sets}, config::DataDir()),
-        scene, nullptr);
-  }
+  const config::RobotFile variants = config::ReadRobotFile(file.string(), config::DataDir());
+  const auto check = [&](const std::string& key, const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      const std::vector<std::string> sets{"robot." + key + "='" + name + "'"};
+      CheckFits(config::LoadConfig({.robot = file.string(), .files = {}, .sets = sets},
+                                   config::DataDir()),
+                scene, nullptr);
+    }
+  };
+  check("revision", variants.RevisionNames());
+  check("firmware", variants.FirmwareNames());
   notes->looks.clear();  // only for the check of a model
   const std::size_t hands = config.robot.hands.size();
   return "robot " + config.robot.name + ", " + std::to_string(config.robot.motors.size()) +
@@ -156,21 +175,30 @@ int RobotsCommand(bool as_json) {
     const config::Config config =
         config::LoadConfig({.robot = name, .files = {}, .sets = {}}, data);
     const robot::RobotSpec& robot = config.robot;
-    const std::vector<std::string> revisions = config::ReadRobotFile(name, data).RevisionNames();
+    const config::RobotFile file = config::ReadRobotFile(name, data);
+    const std::vector<std::string> revisions = file.RevisionNames();
+    const std::vector<std::string> firmwares = file.FirmwareNames();
+    const config::RobotVariant* firmware = file.FindFirmware(robot.firmware);
     if (as_json) {
       list.push_back({{"name", name},
                       {"description", robot.description},
                       {"motors", robot.motors.size()},
                       {"wire", Family(robot.family)},
+                      {"kind", Kind(robot.kind)},
+                      {"apis", robot.apis},
                       {"mode_machine", robot.mode_machine},
                       {"revision", robot.revision},
                       {"revisions", revisions},
+                      {"firmware", robot.firmware},
+                      {"firmwares", firmwares},
                       {"lowstate_hz", robot.rates.lowstate_hz},
                       {"start", robot.default_start}});
     } else {
       std::printf("%-14s %2zu motors  %s  %4.0f Hz  %s%s\n", name.c_str(), robot.motors.size(),
                   Family(robot.family), robot.rates.lowstate_hz, robot.description.c_str(),
-                  Listed(revisions, robot.revision).c_str());
+                  (Listed("--revision", revisions, robot.revision) +
+                   Listed("firmware from", firmwares, firmware == nullptr ? "" : firmware->name))
+                      .c_str());
     }
   }
   if (as_json) std::printf("%s\n", list.dump(2).c_str());

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <initializer_list>
+#include <iterator>
 #include <set>
 #include <utility>
 
+#include "authority/onboard.h"
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "config/keys.h"
@@ -15,6 +17,7 @@
 #include "config/validate.h"
 #include "config/yaml_document.h"
 #include "robot/drop_motor.h"
+#include "robot/firmware.h"
 
 namespace understudy::config {
 namespace {
@@ -148,12 +151,12 @@ bool LeavesJointsToAnotherModel(const std::vector<YamlValue>& trees, std::size_t
   return another;
 }
 
-// The revision of the last layer that has one, else null.
-const YamlValue* LastRevision(const std::vector<YamlValue>& trees) {
+// The value of that key of `robot` in the last layer that has it, else null.
+const YamlValue* LastOfRobot(const std::vector<YamlValue>& trees, std::string_view key) {
   const YamlValue* last = nullptr;
   for (const YamlValue& tree : trees) {
     const YamlValue* robot = tree.Find("robot");
-    const YamlValue* value = robot == nullptr ? nullptr : robot->Find("revision");
+    const YamlValue* value = robot == nullptr ? nullptr : robot->Find(key);
     if (value != nullptr) last = value;
   }
   return last;
@@ -179,17 +182,25 @@ std::string WhoHas(const std::string& revision, const std::filesystem::path& dat
 // not text is refused later, when it is read.
 std::vector<YamlValue> ChosenRevision(const RobotFile& file, const std::vector<YamlValue>& trees,
                                       const std::filesystem::path& data_dir) {
-  const YamlValue* asked = LastRevision(trees);
+  const YamlValue* asked = LastOfRobot(trees, "revision");
   if (asked == nullptr || asked->text.empty()) return {};
-  if (const RobotRevision* found = file.FindRevision(asked->text)) return found->trees;
+  if (const RobotVariant* found = file.FindRevision(asked->text)) return found->trees;
   const std::vector<std::string> names = file.RevisionNames();
   // A printed configuration used as a robot's file names its revision and lists no others.
-  const YamlValue* own = LastRevision(file.trees);
+  const YamlValue* own = LastOfRobot(file.trees, "revision");
   if (names.empty() && own != nullptr && own->text == asked->text) return {};
   throw ConfigError(asked->where + ": robot.revision: this robot has no revision '" +
                     OneLine(asked->text) + "'" +
                     (names.empty() ? ", nor any other"
                                    : "; it has " + Listed(names) + WhoHas(asked->text, data_dir)));
+}
+
+// The layers of the firmware that the trees select. One that is no version is refused later.
+std::vector<YamlValue> ChosenFirmware(const RobotFile& file, const std::vector<YamlValue>& trees) {
+  const YamlValue* asked = LastOfRobot(trees, "firmware");
+  if (asked == nullptr || !robot::IsFirmware(asked->text)) return {};
+  const RobotVariant* found = file.FindFirmware(asked->text);
+  return found == nullptr ? std::vector<YamlValue>() : found->trees;
 }
 
 }  // namespace
@@ -198,7 +209,8 @@ Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
   const RobotFile file = ReadRobotFile(layers.robot, data_dir);
   std::vector<YamlValue> trees = file.trees;
   AddTrees(layers, &trees);
-  const std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
+  std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
+  std::ranges::move(ChosenFirmware(file, trees), std::back_inserter(chosen));
   const std::size_t own = file.trees.size() + chosen.size();
   trees.insert(trees.begin() + static_cast<std::ptrdiff_t>(file.trees.size()), chosen.begin(),
                chosen.end());
@@ -232,9 +244,16 @@ emulator::WorldSettings WorldSettingsOf(const Config& config) {
           .reset_on_divergence = config.physics.on_divergence == DivergenceAction::kReset};
 }
 
+std::string StartPoseOf(const Config& config) {
+  if (!config.start.pose.empty()) return config.start.pose;
+  const bool released = authority::StartService(config.robot, config.motion).empty();
+  const bool stands = config.robot.default_start == "standing";
+  return stands && released && IsQuadruped(config.robot.kind) ? "lying"
+                                                              : config.robot.default_start;
+}
+
 emulator::RobotSettings RobotSettingsOf(const Config& config) {
-  const std::string& pose =
-      config.start.pose.empty() ? config.robot.default_start : config.start.pose;
+  const std::string pose = StartPoseOf(config);
   return {.sensors = config.sensors,
           .gate = config.gate,
           .motion = config.motion,

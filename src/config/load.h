@@ -36,6 +36,10 @@ Config LoadScene(const Layers& layers);
 // same configuration. `with_comments` adds meaning, unit and range above each key.
 std::string PrintConfig(const Config& config, bool with_comments);
 
+// Returns the pose in which a run starts: start.pose, else robot.default_start, but lying for a
+// quadruped that would stand while no motion service holds it up.
+std::string StartPoseOf(const Config& config);
+
 // Return the emulator's part of a validated configuration.
 emulator::WorldSettings WorldSettingsOf(const Config& config);
 emulator::RobotSettings RobotSettingsOf(const Config& config);

@@ -9,6 +9,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "robot/firmware.h"
 
 namespace understudy::config {
 namespace {
@@ -17,6 +18,7 @@ using std::filesystem::path;
 
 constexpr char kExtends[] = "extends";
 constexpr char kRevisions[] = "revisions";
+constexpr char kFirmwares[] = "firmwares";
 
 bool IsFile(const std::string& robot) {
   return robot.find('/') != std::string::npos || robot.ends_with(".yaml");
@@ -45,31 +47,48 @@ std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
   return std::nullopt;
 }
 
-void AddRevision(const std::string& name, YamlValue differences, RobotFile* file) {
-  const auto known = std::find_if(file->revisions.begin(), file->revisions.end(),
-                                  [&](const RobotRevision& r) { return r.name == name; });
-  const bool is_known = known != file->revisions.end();
+void AddVariant(const std::string& name, YamlValue differences, const std::string& key,
+                std::vector<RobotVariant>* variants) {
+  const auto known = std::ranges::find(*variants, name, &RobotVariant::name);
+  const bool is_known = known != variants->end();
   if (differences.kind == YamlValue::Kind::kNull && is_known) {
-    file->revisions.erase(known);
+    variants->erase(known);
     return;
   }
   if (differences.kind != YamlValue::Kind::kMap) {
-    throw ConfigError(differences.where + ": robot." + kRevisions + "." + OneLine(name) +
+    throw ConfigError(differences.where + ": " + key + "." + OneLine(name) +
                       ": expected a mapping of keys, {} for none, got " + Shown(differences));
   }
-  RobotRevision& revision =
-      is_known ? *known : file->revisions.emplace_back(RobotRevision{name, {}});
-  revision.trees.push_back(MapOf("robot", std::move(differences)));
+  RobotVariant& variant = is_known ? *known : variants->emplace_back(RobotVariant{name, {}});
+  variant.trees.push_back(MapOf("robot", std::move(differences)));
 }
 
-void AddRevisions(YamlValue revisions, RobotFile* file) {
-  if (revisions.kind != YamlValue::Kind::kMap) {
-    throw ConfigError(revisions.where + ": robot." + kRevisions +
-                      ": expected a mapping from names to what differs, got " + Shown(revisions));
+// Takes the variants under that key of `robot` out of it.
+void TakeVariants(const char* word, YamlValue* robot, std::vector<RobotVariant>* variants) {
+  std::optional<YamlValue> found = TakeOut(robot, word);
+  if (!found) return;
+  const std::string key = std::string("robot.") + word;
+  if (found->kind != YamlValue::Kind::kMap) {
+    throw ConfigError(found->where + ": " + key +
+                      ": expected a mapping from names to what differs, got " + Shown(*found));
   }
-  for (std::size_t i = 0; i < revisions.keys.size(); ++i) {
-    AddRevision(revisions.keys[i].text, std::move(revisions.items[i]), file);
+  for (std::size_t i = 0; i < found->keys.size(); ++i) {
+    AddVariant(found->keys[i].text, std::move(found->items[i]), key, variants);
   }
+}
+
+void CheckVersions(const YamlValue& tree, const std::vector<RobotVariant>& firmwares) {
+  for (const RobotVariant& firmware : firmwares) {
+    if (robot::IsFirmware(firmware.name)) continue;
+    throw ConfigError(tree.where + ": robot." + kFirmwares + "." + OneLine(firmware.name) +
+                      ": expected numbers between dots, as in 1.1.6");
+  }
+}
+
+std::vector<std::string> NamesOf(const std::vector<RobotVariant>& variants) {
+  std::vector<std::string> names;
+  for (const RobotVariant& variant : variants) names.push_back(variant.name);
+  return names;
 }
 
 // The file named by `extends`: a path relative to the extending file, or a robot's name.
@@ -97,27 +116,34 @@ void AddFile(const path& file, const path& data_dir, std::vector<path>* seen, Ro
   }
   YamlValue* robot = tree.Find("robot");
   if (robot != nullptr) {
-    if (std::optional<YamlValue> revisions = TakeOut(robot, kRevisions)) {
-      AddRevisions(std::move(*revisions), result);
-    }
+    TakeVariants(kRevisions, robot, &result->revisions);
+    TakeVariants(kFirmwares, robot, &result->firmwares);
+    CheckVersions(*robot, result->firmwares);
   }
   result->trees.push_back(std::move(tree));
 }
 
 }  // namespace
 
-const RobotRevision* RobotFile::FindRevision(const std::string& name) const {
-  for (const RobotRevision& revision : revisions) {
-    if (revision.name == name) return &revision;
-  }
-  return nullptr;
+const RobotVariant* RobotFile::FindRevision(const std::string& name) const {
+  const auto found = std::ranges::find(revisions, name, &RobotVariant::name);
+  return found == revisions.end() ? nullptr : &*found;
 }
 
-std::vector<std::string> RobotFile::RevisionNames() const {
-  std::vector<std::string> names;
-  for (const RobotRevision& revision : revisions) names.push_back(revision.name);
-  return names;
+std::vector<std::string> RobotFile::RevisionNames() const { return NamesOf(revisions); }
+
+const RobotVariant* RobotFile::FindFirmware(const std::string& version) const {
+  const RobotVariant* newest = nullptr;
+  for (const RobotVariant& firmware : firmwares) {
+    if (!robot::FirmwareReaches(version, firmware.name)) continue;
+    if (newest == nullptr || robot::FirmwareReaches(firmware.name, newest->name)) {
+      newest = &firmware;
+    }
+  }
+  return newest;
 }
+
+std::vector<std::string> RobotFile::FirmwareNames() const { return NamesOf(firmwares); }
 
 std::vector<std::string> RobotNames(const path& data_dir) {
   std::vector<std::string> names;

@@ -1,4 +1,5 @@
-// Reads a robot's file: the robot it extends, its own keys, and its hardware revisions.
+// Reads a robot's file: the robot it extends, its own keys, its hardware revisions and what differs
+// by firmware.
 //
 //   extends: g1                  # another robot, or a YAML file seen from this one
 //   robot:
@@ -10,6 +11,10 @@
 //       4: {mode_machine: 4}
 //       10: {mode_machine: 10, motors: {left_hip_pitch_joint: {torque_limit: 139}}}
 //       5:                       # empty: removes a revision of the robot it extends
+//     firmware: "1.5.3"          # the default
+//     firmwares:                 # keys of `robot`, by the first version that they hold for
+//       "1.0": {apis: [loco_g1]}
+//       "1.4": {}                # as the robot's own keys say
 #pragma once
 
 #include <filesystem>
@@ -20,19 +25,25 @@
 
 namespace understudy::config {
 
-// A hardware revision: layers to be read directly after those of the robot, weakest first.
-struct RobotRevision {
+// A hardware revision or a firmware: layers to be read after those of the robot, weakest first;
+// those of a firmware after those of a revision.
+struct RobotVariant {
   std::string name;
   std::vector<YamlValue> trees;
 };
 
 struct RobotFile {
-  std::vector<YamlValue> trees;          // weakest first: what it extends, then the file itself
-  std::vector<RobotRevision> revisions;  // in the order of the files
+  std::vector<YamlValue> trees;         // weakest first: what it extends, then the file itself
+  std::vector<RobotVariant> revisions;  // in the order of the files
+  std::vector<RobotVariant> firmwares;  // likewise, each named by its first version
 
   // Returns null if there is no revision of that name.
-  const RobotRevision* FindRevision(const std::string& name) const;
+  const RobotVariant* FindRevision(const std::string& name) const;
   std::vector<std::string> RevisionNames() const;
+  // Returns the newest firmware that is not newer than `version`, which must be robot::IsFirmware;
+  // null if there is none.
+  const RobotVariant* FindFirmware(const std::string& version) const;
+  std::vector<std::string> FirmwareNames() const;
 };
 
 // Returns the names of the robots in data_dir/config/robots, in alphabetical order.
@@ -44,8 +55,8 @@ YamlValue ReadLayer(const std::filesystem::path& file);
 
 // Reads the file of `robot`: a name in data_dir/config/robots, or the path of a YAML file (has '/'
 // or ends .yaml). Does not look for unknown keys. Throws ConfigError for an unknown robot, a file
-// that cannot be read or extends itself, and for revisions that are not a mapping of mappings or
-// remove one that does not exist.
+// that cannot be read or extends itself, and for revisions or firmwares that are not a mapping of
+// mappings or remove one that does not exist, and for a firmware that is no version.
 RobotFile ReadRobotFile(const std::string& robot, const std::filesystem::path& data_dir);
 
 }  // namespace understudy::config

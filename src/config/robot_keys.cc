@@ -157,6 +157,7 @@ void DescribeService(Archive& a, robot::ServiceSpec& s) {
   a.Key(UNDERSTUDY_NVP(s.protect), {"Whether requests to switch it on or off are refused"});
   a.Key(UNDERSTUDY_NVP(s.since), {"First firmware that has it; \"\" is any"});
   a.Key(UNDERSTUDY_NVP(s.before), {"First firmware that no longer has it; \"\" is none"});
+  a.Key(UNDERSTUDY_NVP(s.version), {"Its version, as robot_state tells it; \"\" tells none"});
 }
 
 void DescribeArmSdk(Archive& a, robot::ArmSdkSpec& s) {
@@ -235,6 +236,10 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
   constexpr Range kId{-1, 1000};
   a.Key(UNDERSTUDY_NVP(h.lock_stand), {"", kId, "State with joints locked, standing"});
   a.Key(UNDERSTUDY_NVP(h.balance), {"", kId, "States that stand balanced, the usual one first"});
+  a.Key(UNDERSTUDY_NVP(h.arms_balance),
+        {"", kId,
+         "State that it tells in place of the first of balance while rt/arm_sdk has a "
+         "weight; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.squat), {"", kId, "State with joints locked in squat_q; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.sit), {"", kId, "State with joints locked in sit_q; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.balanced_squat),
@@ -243,6 +248,8 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
         {"", kId, "States that the real robot has and that are not simulated"});
   a.Key(UNDERSTUDY_NVP(h.squat_q), {"rad", {-10, 10}, "Joint angles of the squat in motor order"});
   a.Key(UNDERSTUDY_NVP(h.sit_q), {"rad", {-10, 10}, "Joint angles of sitting in motor order"});
+  a.Key(UNDERSTUDY_NVP(h.stand_heights),
+        {"Whether it follows a request for a stand height; else it answers 0 and stays as it is"});
   a.Key(UNDERSTUDY_NVP(h.arm_actions), {"Whether arms wave, shake hands and so on"});
 }
 
@@ -276,6 +283,14 @@ void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
          "Base when sitting: m ahead of the balanced stand, m over stand_height, rad of pitch"});
   a.Key(UNDERSTUDY_NVP(m.stands_up),
         {"Whether a lying robot stands up by itself when its motion service starts"});
+  a.Key(UNDERSTUDY_NVP(m.gestures_from_lock),
+        {"Whether gestures, Sit and Pose are taken in the locked stand, out of which it balances "
+         "first; else they are refused there"});
+  a.Key(UNDERSTUDY_NVP(m.least_soc),
+        {"",
+         {0, 1},
+         "State of charge below which it refuses all motion but Damp, StopMove and "
+         "RecoveryStand; 0 refuses nothing"});
   a.Key(UNDERSTUDY_NVP(m.kp), {"N·m/rad", {1, 1e5}, "Gain of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.kd), {"N·m·s/rad", kNotNegative, "Damping of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.damping_kd),
@@ -305,7 +320,9 @@ void Describe(Archive& a, robot::RobotSpec& r) {
             "motion service only damps"},
            {"other", "quadruped", "wheeled", "humanoid"});
   a.Choice(UNDERSTUDY_NVP(r.family), {"Message family on rt/lowcmd and rt/lowstate"}, {"go", "hg"});
-  a.Key(UNDERSTUDY_NVP(r.firmware), {"Version of the robot's software that is simulated"});
+  a.Key(UNDERSTUDY_NVP(r.firmware),
+        {"Version of the robot's software that is simulated; of those that the robot's file lists "
+         "under robot.firmwares the newest that it reaches sets what differs"});
   a.Key(UNDERSTUDY_NVP(r.state_id_since),
         {"First firmware that publishes the state machine's id: go in error_code of "
          "SportModeState, hg on rt/sportmodestate; \"\" is none"});
@@ -340,6 +357,8 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          &robot::ServiceSpec::name);
   a.Key(UNDERSTUDY_NVP(r.apis),
         {"Services that answer requests: names of the tables in docs/services.md"});
+  a.Key(UNDERSTUDY_NVP(r.status_texts),
+        {"Topics on which programs of the robot publish texts of their own accord"});
   a.Key(UNDERSTUDY_NVP(r.arm_action_state), {"Whether rt/arm/action/state is written; hg only"});
   a.Section(UNDERSTUDY_NVP(r.arm_sdk), {"rt/arm_sdk: commands mixed over the motion service's"},
             DescribeArmSdk);
@@ -354,8 +373,11 @@ void Describe(Archive& a, robot::RobotSpec& r) {
   a.Section(UNDERSTUDY_NVP(r.motion), {"The robot's motion service"}, DescribeMotion);
   a.Key(UNDERSTUDY_NVP(r.crane_body), {"Body of the model to which the crane's hook is fixed"});
   a.Key(UNDERSTUDY_NVP(r.crane_point), {"m", {-5, 5}, "The hook in that body's frame"});
-  a.Word(UNDERSTUDY_NVP(r.default_start), {"Pose a run starts in unless start.pose says otherwise"},
-         StartPoses());
+  a.Word(
+      UNDERSTUDY_NVP(r.default_start),
+      {"Pose a run starts in unless start.pose says otherwise; a quadruped that would stand lies "
+       "where no motion service is on"},
+      StartPoses());
 }
 
 }  // namespace understudy::config

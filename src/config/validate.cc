@@ -52,10 +52,12 @@ void CheckRates(const Config& config, const Checker& checker) {
                   "expected a rate that divides lowstate_hz " + NumberText(rates.lowstate_hz) +
                       ", got " + NumberText(rate));
   };
+  checker.Check(rates.motion_hz <= steps, "robot.rates.motion_hz",
+                "expected at most one message per physics step, " + NumberText(steps) +
+                    " Hz, got " + NumberText(rates.motion_hz));
   checker.Check(IsWhole(steps / rates.service_hz), "robot.rates.service_hz",
                 "expected a rate whose period is a whole number of physics steps, got " +
                     NumberText(rates.service_hz));
-  divides(rates.motion_hz, "robot.rates.motion_hz");
   if (!config.robot.hands.empty()) divides(rates.hand_hz, "robot.rates.hand_hz");
   divides(rates.lf_hz, "robot.rates.lf_hz");
 }

@@ -103,6 +103,9 @@ void Robot::Act() {
 }
 
 void Robot::Tell(std::int64_t step) {
+  if (services_ != nullptr && !silenced_) {
+    services_->Tell(router_.owner(), static_cast<double>(step * step_ns_) * 1e-9);
+  }
   if (!port_->Due(step)) return;
   Sample(step);
   if (!silenced_) port_->Publish(state_, step);
@@ -133,6 +136,8 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
     input_.motors = state_.motors;
     input_.imu = state_.imu;
     input_.foot_force = state_.foot_force;
+    input_.soc = state_.battery.soc;
+    input_.arm_weight = router_.arm_weight(t);
   }
   return router_.Current(input_, service_due,
                          static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);

@@ -3,28 +3,40 @@
 
 #include <array>
 #include <string_view>
-#include <utility>
 
 namespace understudy::robot {
 
-// Ids and names: [docs] G1 arm action interface; names of 13 and those of more than one word:
-// unitree_sdk2_python g1_arm_action_client.
+struct ArmActionName {
+  int id = 0;
+  std::string_view name;
+  bool while_walking = false;  // in the states 500 and 501 only
+};
+
+// As a G1 with 29 motors and firmware 1.4.7 lists them (docs/sources.md#arm-actions). Those of one
+// with 23 are fewer: 20, 21, 28 to 30 and 36 need the waist and wrists that it lacks.
 inline constexpr auto kArmActions =
-    std::to_array<std::pair<int, std::string_view>>({{99, "release arm"},
-                                                     {11, "two-hand kiss"},
-                                                     {12, "left kiss"},
-                                                     {13, "right kiss"},
-                                                     {15, "hands up"},
-                                                     {17, "clap"},
-                                                     {18, "high five"},
-                                                     {19, "hug"},
-                                                     {20, "heart"},
-                                                     {21, "right heart"},
-                                                     {22, "reject"},
-                                                     {23, "right hand up"},
-                                                     {24, "x-ray"},
-                                                     {25, "face wave"},
-                                                     {26, "high wave"},
-                                                     {27, "shake hand"}});
+    std::to_array<ArmActionName>({{99, "release_arm"},
+                                  {1, "turn_back_wave", true},
+                                  {11, "blow_kiss_with_both_hands"},
+                                  {12, "blow_kiss_with_left_hand"},
+                                  {13, "blow_kiss_with_right_hand"},
+                                  {15, "both_hands_up"},
+                                  {17, "clamp"},
+                                  {18, "high_five"},
+                                  {19, "hug"},
+                                  {20, "make_heart_with_both_hands"},
+                                  {21, "make_heart_with_right_hand"},
+                                  {22, "refuse"},
+                                  {23, "right_hand_up"},
+                                  {24, "ultraman_ray"},
+                                  {25, "wave_under_head"},
+                                  {26, "wave_above_head"},
+                                  {27, "shake_hand"},
+                                  {28, "box_left_hand_win"},
+                                  {29, "box_right_hand_win"},
+                                  {30, "box_both_hand_win"},
+                                  {33, "right_hand_on_heart"},
+                                  {34, "both_hands_up_deviate_right"},
+                                  {36, "forward_push"}});
 
 }  // namespace understudy::robot

@@ -121,7 +121,7 @@ struct PoseSpec {
 
 struct RateSpec {
   double lowstate_hz = 500;  // rt/lowstate, rt/secondary_imu
-  double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate
+  double motion_hz = 500;    // rt/sportmodestate or rt/odommodestate; need divide no other
   double hand_hz = 500;      // states of hands; assumed
   double lf_hz = 20;         // all rt/lf/*
   double service_hz = 500;   // commands of the motion service
@@ -130,11 +130,12 @@ struct RateSpec {
 // A program on the robot's computer, as robot_state lists it.
 struct ServiceSpec {
   std::string name{};
-  std::string alias{};   // its name in motion_switcher; "" if it moves no motors
-  bool on = true;        // at boot; for motion services motion.service decides
-  bool protect = false;  // cannot be switched on or off
-  std::string since{};   // first firmware that has it; "" = any
-  std::string before{};  // first firmware that no longer has it; "" = none
+  std::string alias{};    // its name in motion_switcher; "" if it moves no motors
+  bool on = true;         // at boot; for motion services motion.service decides
+  bool protect = false;   // cannot be switched on or off
+  std::string since{};    // first firmware that has it; "" = any
+  std::string before{};   // first firmware that no longer has it; "" = none
+  std::string version{};  // as robot_state tells it; "" = not told
 };
 
 // rt/arm_sdk: commands blended with those of the motion service.
@@ -207,11 +208,13 @@ struct HumanoidMotionSpec {
   std::vector<int> balance{};     // standing balanced; the first is the default
   int squat = -1;                 // joints locked in squat_q
   int sit = -1;                   // joints locked in sit_q
+  int arms_balance = -1;          // told for the first of `balance` while rt/arm_sdk moves the arms
   int balanced_squat = -1;        // from standing into squat_q and back, balanced
   std::vector<int> unplayed{};    // of the real robot, not simulated
   std::vector<double> squat_q{};  // rad, motor order
   std::vector<double> sit_q{};
-  bool arm_actions = false;  // waves, shakes hands ...
+  bool stand_heights = true;  // whether a request for a stand height has an effect
+  bool arm_actions = false;   // waves, shakes hands ...
 };
 
 // How a quadruped walks. Axes of the vectors are forward and left m/s, turn rad/s.
@@ -235,6 +238,8 @@ struct WalkSpec {
 struct QuadrupedMotionSpec {
   double stand_height = 0;                      // m, of the base over the ground
   bool stands_up = false;                       // by itself, when its service starts
+  bool gestures_from_lock = false;              // and Sit and Pose: balances first
+  double least_soc = 0;                         // charge, 0 to 1, below which it refuses to move
   double foot_x = 0;                            // m, of the feet ahead of the hips
   std::array<double, 2> height_range = {0, 0};  // m about stand_height
   Eigen::Vector3d euler_range{0, 0, 0};         // rad either way: roll, pitch, yaw
@@ -283,6 +288,8 @@ struct RobotSpec {
   std::vector<ServiceSpec> services;
   // Services that answer requests: names of tables, services::kApiNames.
   std::vector<std::string> apis = {"motion_switcher", "config", "robot_state"};
+  // Topics of texts that its programs tell by themselves: rows of services/status_texts.cc.
+  std::vector<std::string> status_texts;
   bool arm_action_state = false;  // rt/arm/action/state; hg only
   ArmSdkSpec arm_sdk;
   bool user_lowcmd = false;  // whether the motion service can hand the motors to rt/user_lowcmd

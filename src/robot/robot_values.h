@@ -80,10 +80,13 @@ struct BaseReading {
 
 // The state of a motion service.
 struct MotionState {
-  int id = 0;    // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
-  int mode = 0;  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving
+  int id = 0;  // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
+  // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving, 2 static, but
+  // the feet carry nothing.
+  int mode = 0;
   int progress = 0;          // 1 while an action with an end is under way
   int arm_action = 0;        // humanoids: the vendor's id of the action under way or held, 0 none
+  int arm_told = 0;          // the same, but 99 after a release until the next action
   bool arm_holding = false;  // humanoids: the arms hold a pose until released
   double body_height = 0;    // m, of the base over its feet
   // Whether the service estimates the following, as a quadruped's does; else they are 0. World

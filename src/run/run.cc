@@ -150,8 +150,9 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
 
   wire::Port port(participant, config.robot, config.physics.timestep);
-  services::ServiceHost host(participant, services::ServicesOf(config.robot.apis),
-                             [](const std::string& notice) { spdlog::warn("{}", notice); });
+  services::ServiceHost host(
+      participant, services::ServicesOf(config.robot.apis),
+      [](const std::string& notice) { spdlog::warn("{}", notice); }, config.robot.status_texts);
 
   emulator::Inbox inbox;
   emulator::StatusBoard board;

@@ -23,32 +23,9 @@ struct NamedTable {
   ServiceTable (*make)();
 };
 
-constexpr NamedTable kTables[] = {
-    {"motion_switcher", &MotionSwitcherTable},
-    {"config", &ConfigTable},
-    {"robot_state_go2", &RobotStateTable},
-    {"robot_state", &RobotStateLongTable},
-    {"sport_go2", [] { return Go2SportTable("sport of Go2", kGo2Move); }},
-    {"sport_go2w", [] { return Go2SportTable("sport of Go2-W", kGo2wMove); }},
-    {"sport_b2", [] { return B2SportTable("sport of B2", 1.0); }},
-    {"sport_b2w", [] { return B2SportTable("sport of B2-W", 0.5); }},
-    {"sport_a2", &A2SportTable},
-    {"sport_g1", &G1SportTable},
-    {"sport_h2", &H2SportTable},
-    {"sport_r1", &R1SportTable},
-    {"loco_h1", &H1LocoTable},
-    {"arm_g1", &G1ArmTable},
-    {"obstacles_avoid", &ObstaclesAvoidTable},
-    {"vui", &VuiTable},
-    {"voice", &VoiceTable},
-    {"uwbswitch", &UwbSwitchTable},
-    {"videohub", [] { return VideoTable("videohub", "videohub of Go2, Go2-W", "1.0.0.1"); }},
-    {"front_videohub",
-     [] { return VideoTable("front_videohub", "front_videohub of B2, B2-W", "1.0.0.0"); }},
-    {"back_videohub",
-     [] { return VideoTable("back_videohub", "back_videohub of B2, B2-W", "1.0.0.0"); }},
-};
-static_assert(std::ranges::equal(kTables, kApiNames, {}, &NamedTable::name));
+#define UNDERSTUDY_TABLE(name, make) {name, [] { return make; }},
+constexpr NamedTable kTables[] = {UNDERSTUDY_SERVICE_TABLES(UNDERSTUDY_TABLE)};
+#undef UNDERSTUDY_TABLE
 
 }  // namespace
 

@@ -33,7 +33,7 @@ ServiceHost::Channel::Channel(const bus::Participant& participant, const std::st
       writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
 ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables,
-                         Say say)
+                         Say say, const std::vector<std::string>& status_texts)
     : say_(std::move(say)) {
   for (ServiceTable& table : tables) {
     const std::string name(table.name);
@@ -47,6 +47,15 @@ ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<Servic
                                                "rt/config_change_status",
                                                &unitree_go_msg_dds__ConfigChangeStatus__desc});
     }
+  }
+  texts_.emplace(participant, status_texts, services_);
+}
+
+void ServiceHost::Tell(const authority::MotorOwner& owner, double t) noexcept {
+  try {
+    texts_->Tell(owner, t);
+  } catch (const std::exception&) {
+    // Out of memory: the text is left out.
   }
 }
 

@@ -20,6 +20,7 @@
 #include "idl/unitree_go.h"
 #include "services/service.h"
 #include "services/service_port.h"
+#include "services/status_texts.h"
 
 namespace understudy::services {
 
@@ -61,14 +62,17 @@ class ServiceHost final : public ServicePort {
   // Receives lines for the log, at most one a second per api.
   using Say = std::function<void(const std::string& notice)>;
 
-  // Throws BusError. `participant` must outlive the host.
-  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say);
+  // `status_texts` are topics as for StatusTexts. Throws BusError, and ConfigError for an unknown
+  // one. `participant` must outlive the host.
+  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say,
+              const std::vector<std::string>& status_texts = {});
 
   // Allocates only if there is a request or a waiting reply.
   std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
   std::optional<std::int32_t> Answer(std::string_view service, std::int64_t api_id,
                                      std::string_view parameter, authority::MotorOwner* owner,
                                      WallTime now) noexcept override;
+  void Tell(const authority::MotorOwner& owner, double t) noexcept override;
 
   ServiceCounts counts() const override { return counts_; }
 
@@ -111,6 +115,7 @@ class ServiceHost final : public ServicePort {
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // for robots that have them
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
+  std::optional<StatusTexts> texts_;  // made once services_ are
   Say say_;
   std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
   std::vector<Call> calls_;  // carried out in the last poll

@@ -45,6 +45,10 @@ class ServicePort {
                                              authority::MotorOwner* owner,
                                              WallTime now) noexcept = 0;
 
+  // Publishes what the robot's programs tell by themselves at the simulated time t [s], which must
+  // not go back.
+  virtual void Tell(const authority::MotorOwner& owner, double t) noexcept = 0;
+
   virtual ServiceCounts counts() const = 0;
 };
 

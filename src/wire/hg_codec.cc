@@ -25,6 +25,8 @@ static_assert(std::size(unitree_hg_msg_dds__BmsState_{}.cell_vol) == kHgCells);
 constexpr std::uint8_t kEnabled = 1;
 constexpr double kVolStep = 0.5;    // V, public audit of a real G1; on other robots *assumed*
 constexpr std::uint8_t kSoh = 100;  // percent, *assumed*
+// BmsState_ of a real G1, public capture; on other robots *assumed*.
+constexpr std::uint8_t kBmsVersionHigh = 1, kBmsVersionLow = 6, kBmsFn = 5;
 
 void EncodeMotion(double q, double dq, double tau, MotorState* wire) {
   wire->q = static_cast<float>(q);
@@ -101,7 +103,11 @@ void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
   std::ranges::fill(
       std::span(message->cell_vol).first(static_cast<std::size_t>(spec.battery.cells)),
       Rounded<std::uint16_t>(1000 * battery.voltage / spec.battery.cells));
-  message->bmsvoltage[0] = Rounded<std::uint32_t>(1000 * battery.voltage);
+  message->version_high = kBmsVersionHigh;
+  message->version_low = kBmsVersionLow;
+  message->fn = kBmsFn;
+  // Of the pack and of the battery, mV: alike (*assumed*).
+  message->bmsvoltage[0] = message->bmsvoltage[1] = Rounded<std::uint32_t>(1000 * battery.voltage);
   message->current = Rounded<std::int32_t>(1000 * battery.current);
   message->soc = Rounded<std::uint8_t>(100 * battery.soc, 0, 100);
   message->soh = kSoh;

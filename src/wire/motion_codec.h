@@ -25,21 +25,22 @@ MotionFields MotionFieldsOf(const robot::RobotSpec& spec);
 // are the estimate of the motion service if it has one (MotionState::estimates), else the
 // simulation's truth, without drift.
 //
-// kStateId has the fields of a Go2 of 2026 (public capture of a real one, 2026-03); body_height is
-// position z (*assumed*; the capture has 8 mm more). kMode has those of a Go2 of 2024 (capture of
-// 2024-09): constant body_height, gait_type, foot_raise_height and range_obstacle, foot_force as in
-// LowState, and, if the service
-// estimates, the gait and the height that are set, and the feet. While no motion service is on,
-// both report a damped robot (*assumed*).
+// kStateId has the fields of a Go2 of 2026 (public captures of two real ones); body_height is 8.5
+// mm over position z, as in those. kMode has those of a Go2 of 2024 (capture of 2024-09): constant
+// body_height, gait_type, foot_raise_height and range_obstacle, foot_force as in LowState, and, if
+// the service estimates, the gait and the height that are set, and the feet. While no motion
+// service is on, both report a damped robot (*assumed*). In the odometry of hg robots stamp and
+// body_height are 0, as seen on a G1.
 void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, MotionFields fields,
                   unitree_go_msg_dds__SportModeState_* message);
 
-// Encodes the state machine of a humanoid. state.motion must have a value. task_id and task_time
-// stay 0.
+// Encodes the state machine of a humanoid. state.motion must have a value. task_id is 4 and
+// task_time 0, as an idle G1 tells them.
 void EncodeFsm(const robot::RobotState& state, unitree_hg_msg_dds__SportModeState_* message);
 
-// Returns the text of rt/arm/action/state: {"holding":true,"id":25,"name":"face wave"}; id 0 while
-// no action is under way (unitree_sdk2 g1_arm_action_client.hpp). Does not allocate.
+// Returns the text of rt/arm/action/state, blanks as on a real G1:
+// {"holding": true, "id": 27, "name": "shake_hand"}; id 99 after a release until the next action,
+// and 0 before the first. Does not allocate.
 std::array<char, 96> ArmActionText(const robot::MotionState& motion);
 
 }  // namespace understudy::wire

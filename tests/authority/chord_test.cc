@@ -74,5 +74,25 @@ TEST(MakeChordTest, RefusesKeysAndWordsThatDoNotExist) {
   EXPECT_THROW(MakeChord({.keys = "L2", .does = "dampp"}, "x"), ConfigError);
 }
 
+TEST(ChordTest, MakesGoalsOfGaitsAndGestures) {
+  using enum goal::GaitName;
+  using enum goal::GestureName;
+  for (const auto& [word, wish] :
+       std::vector<std::pair<const char*, MotionGoal>>{{"free_walk", goal::Gait{kFree}},
+                                                       {"static_walk", goal::Gait{kStatic}},
+                                                       {"trot_run", goal::Gait{kRun}},
+                                                       {"classic_walk", goal::Gait{kClassic}},
+                                                       {"economic_gait", goal::Gait{kEconomic}},
+                                                       {"trot", goal::Gait{kTrot}},
+                                                       {"stairs", goal::Gait{kStairs}},
+                                                       {"hello", goal::Gesture{kHello}},
+                                                       {"stretch", goal::Gesture{kStretch}},
+                                                       {"dance1", goal::Gesture{kDance1}},
+                                                       {"heart", goal::Gesture{kHeart}},
+                                                       {"sit", goal::Sit{}}}) {
+    EXPECT_EQ(MakeChord({.keys = "R1+A", .does = word}, "").goal, wish) << word;
+  }
+}
+
 }  // namespace
 }  // namespace understudy::authority

@@ -88,5 +88,18 @@ TEST_F(LoadConfigTest, ListsRobotsInOrder) {
   EXPECT_TRUE(RobotNames(directory_ / "none").empty());
 }
 
+TEST(StartPoseTest, IsThatOfAnOwnerAfterBoot) {
+  const auto pose = [](const std::string& robot, const std::vector<std::string>& sets) {
+    return StartPoseOf(LoadConfig({.robot = robot, .sets = sets}, UNDERSTUDY_SOURCE_DIR));
+  };
+  EXPECT_EQ(pose("go2", {}), "standing");
+  EXPECT_EQ(pose("go2", {"motion.service=mcf"}), "standing");
+  EXPECT_EQ(pose("go2", {"motion.service=none"}), "lying") << "nothing holds it up";
+  EXPECT_EQ(pose("go2", {"motion.service=none", "start.pose=standing"}), "standing");
+  EXPECT_EQ(pose("go2", {"start.pose=lying"}), "lying");
+  EXPECT_EQ(pose("b2", {}), "lying");
+  EXPECT_EQ(pose("g1", {"motion.service=none"}), "hanging");
+}
+
 }  // namespace
 }  // namespace understudy::config

@@ -80,6 +80,19 @@ TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachRevision) {
   }
 }
 
+TEST_F(PrintConfigTest, ReadsBackAsTheSameForEachFirmware) {
+  for (const std::string robot : {"g1", "go2"}) {
+    for (const std::string& firmware : ReadRobotFile(robot, kSource).FirmwareNames()) {
+      const Config config = LoadConfig(
+          {.robot = robot, .files = {}, .sets = {"robot.firmware='" + firmware + "'"}}, kSource);
+      EXPECT_EQ(config.robot.firmware, firmware);
+      const std::string printed = PrintConfig(config, false);
+      EXPECT_EQ(Again(robot, printed), printed) << robot << " " << firmware;
+      EXPECT_EQ(Again(Write("robot.yaml", printed), "{}"), printed) << robot << " " << firmware;
+    }
+  }
+}
+
 TEST_F(PrintConfigTest, ReadsBackAsTheSameWithEveryKeyChanged) {
   const std::string all = (kSource / "tests/config/data/one_of_everything.yaml").string();
   const Config config = LoadConfig({.robot = "g1", .files = {all}}, kSource);

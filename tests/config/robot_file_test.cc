@@ -249,5 +249,56 @@ TEST_F(LockedJointsTest, BodiesAreRevisedByWholeVectors) {
   EXPECT_THAT(SetError("robot.sites=[{pos: [1, 2, 3]}]"), testing::HasSubstr("name of a site"));
 }
 
+constexpr char kFirmwares[] = R"(  firmware: "2.5"
+  firmwares:
+    "2.10": {mode_machine: 3}
+    "1.0": {mode_machine: 1, motors: {b: {torque_limit: 50}}}
+    "2.0": {mode_machine: 2}
+  revisions:
+    strong: {mode_machine: 9, motors: {b: {torque_limit: 40}}}
+)";
+
+TEST_F(RobotFileTest, PlaysTheNewestFirmwareThatItReaches) {
+  const auto played = [&](const std::string& firmware) {
+    return LoadLong(kFirmwares, {"robot.firmware='" + firmware + "'"}).robot.mode_machine;
+  };
+  EXPECT_EQ(LoadLong(kFirmwares).robot.mode_machine, 2) << "2.5, the robot's own";
+  EXPECT_EQ(played("1.0"), 1);
+  EXPECT_EQ(played("1.9.9"), 1);
+  EXPECT_EQ(played("2.9"), 2);
+  EXPECT_EQ(played("2.10.1"), 3);
+  EXPECT_EQ(played("0.9"), LoadLong("").robot.mode_machine) << "older than all";
+}
+
+TEST_F(RobotFileTest, LaysAFirmwareOverARevisionAndBelowEveryOtherLayer) {
+  const std::vector<std::string> sets{"robot.firmware='1.0'", "robot.revision=strong"};
+  EXPECT_EQ(LoadLong(kFirmwares, sets).robot.motors[1].torque_limit, 50);
+  EXPECT_EQ(
+      LoadLong(kFirmwares, {"robot.firmware='1.0'", "robot.mode_machine=7"}).robot.mode_machine, 7);
+}
+
+TEST_F(RobotFileTest, HasTheFirmwaresOfWhatItExtendsAndItsOwn) {
+  LoadLong(kFirmwares);
+  Write("config/robots/longer.yaml",
+        "extends: long\nrobot:\n  firmwares:\n    '2.0':\n    '3.0': {mode_machine: 4}\n");
+  const RobotFile file = ReadRobotFile("longer", directory_);
+  EXPECT_THAT(file.FirmwareNames(), ElementsAre("2.10", "1.0", "3.0"));
+  EXPECT_EQ(file.FindFirmware("2.9")->name, "1.0");
+  EXPECT_EQ(file.FindFirmware("0.1"), nullptr);
+}
+
+TEST_F(RobotFileTest, RefusesFirmwaresThatAreNoVersions) {
+  EXPECT_THAT(ErrorOfLong("  firmwares: {new: {}}\n"),
+              HasSubstr("robot.firmwares.new: expected numbers between dots, as in 1.1.6"));
+  EXPECT_EQ(ErrorOfLong("  firmwares: [1]\n"),
+            "config/robots/long.yaml:4: robot.firmwares: expected a mapping from names to what "
+            "differs, got a list");
+}
+
+TEST_F(RobotFileTest, TellsAFaultInTheFirmwareThatIsPlayed) {
+  EXPECT_THAT(ErrorOfLong("  firmwares:\n    '1.0': {moters: 3}\n", {"robot.firmware='1.2'"}),
+              HasSubstr("long.yaml:5: key 'robot.moters': unknown; did you mean 'motors'?"));
+}
+
 }  // namespace
 }  // namespace understudy::config

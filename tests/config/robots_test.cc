@@ -32,7 +32,7 @@ TEST(RobotsTest, Go2HasTwelveMotorsInTheOrderOfTheSdk) {
     EXPECT_EQ(robot.motors[i].slot, static_cast<int>(i));
     EXPECT_EQ(robot.motors[i].torque_limit, i % 3 == 2 ? 45.43 : 23.7);
   }
-  EXPECT_EQ(robot.default_start, "lying");
+  EXPECT_EQ(robot.default_start, "standing");
 }
 
 TEST(RobotsTest, G1Has29MotorsInTheOrderOfTheSdk) {

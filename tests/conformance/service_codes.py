@@ -105,16 +105,20 @@ G1_SPORT = HUMANOID | {
     "StandUp2Squat": plain(7301),
 }
 H1_LOCO = HUMANOID | {"StandUp": plain(OK)}
-R1_SPORT = {
+R1_SPORT = {  # as seen on two robots, which have codes of their own; it is in damping already
     "GetFsmId": plain(OK),
-    "GetFsmMode": plain(OK),
+    "GetFsmMode": plain(3203),
+    "SetFsmId": taking(1001),
+    "SetVelocity": taking(127, 3202),
+    "SetArmTask": taking(7301),
+    "SetSpeedMode": taking(3203, 3203),
+}
+H2_SPORT = {
     "SetFsmId": taking(OK),
     "SetVelocity": taking(OK),
     "SetSpeedMode": taking(OK),
-}
-H2_SPORT = R1_SPORT | {
     **{name: plain(OK) for name in (
-        "GetBalanceMode", "GetSwingHeight", "GetStandHeight", "GetPhase", "GetArmSdkStatus",
+        "GetFsmId", "GetFsmMode", "GetBalanceMode", "GetSwingHeight", "GetStandHeight", "GetPhase", "GetArmSdkStatus",
         "GetAvailableFsmIds")},
     "SetBalanceMode": taking(OK),
     "SetSwingHeight": taking(OK),
@@ -129,52 +133,53 @@ VUI = {
     "GetSwitch": plain(OK), "GetVolume": plain(OK), "GetBrightness": plain(OK),
 }  # fmt: skip
 VIDEO = {"GetImageSample": plain(100)}  # no camera is played
-SWITCHER = {"CheckMode": plain(OK), "SelectMode": (7004, 7001), "ReleaseMode": plain(OK)}
+BUSY, UNKNOWN = 7002, 7004  # of SelectMode: `mcf` is on, so that no other can be selected
+SWITCHER = {"CheckMode": plain(OK), "SelectMode": (UNKNOWN, 7001), "ReleaseMode": plain(OK)}
 ROBOT_STATE = {"ServiceList": plain(OK), "ServiceSwitch": taking(OK)}
-GO2_OTHERS = {
-    "motion_switcher": SWITCHER,
-    "robot_state": ROBOT_STATE,
-    "vui": VUI,
-    "videohub": VIDEO,
-    "obstacles_avoid": {
+VOICE = {
+    "TtsMaker": (OK, 100), "GetVolume": plain(OK), "SetVolume": (OK, 100),
+    "LedControl": (OK, 100), "PlayStream": (OK, 100), "PlayStop": (OK, OK),
+}  # fmt: skip
+# By table of docs/services.md: its service and the codes of its calls.
+CODES = {
+    "motion_switcher": ("motion_switcher", SWITCHER),
+    "sport_go2": ("sport", GO2_SPORT),
+    "sport_go2w": ("sport", GO2_SPORT),
+    "sport_b2": ("sport", B2_SPORT),
+    "sport_b2w": ("sport", B2_SPORT),
+    "sport_a2": ("sport", A2_SPORT),
+    "sport_g1": ("sport", G1_SPORT),
+    "sport_h2": ("sport", H2_SPORT),
+    "sport_r1": ("sport", R1_SPORT),
+    "loco_h1": ("loco", H1_LOCO),
+    "arm_g1": ("arm", {"ExecuteAction": (7404, 7402), "GetActionList": plain(OK)}),
+    "robot_state_go2": ("robot_state", ROBOT_STATE),
+    "robot_state": ("robot_state", ROBOT_STATE | {
+        "SetReportFreq": taking(OK),
+        "LowPowerSwitch": taking(5203),  # not played
+        "LowPowerStatus": plain(OK),
+        "GetPkgVersion": plain(OK),
+    }),
+    "obstacles_avoid": ("obstacles_avoid", {
         "SwitchSet": taking(OK),
         "SwitchGet": plain(OK),
         "UseRemoteCommandFromApi": taking(OK),
         "Move": NO_REPLY,
         "MoveToAbsolutePosition": NO_REPLY,
         "MoveToIncrementPosition": NO_REPLY,
-    },
-}
-B2_OTHERS = {
-    "motion_switcher": SWITCHER,
-    "robot_state": ROBOT_STATE | {
-        "SetReportFreq": taking(OK),
-        "LowPowerSwitch": taking(5203),  # not played
-        "LowPowerStatus": plain(OK),
-        "GetPkgVersion": plain(OK),
-    },
-    "vui": VUI,
-    "front_videohub": VIDEO,
-    "back_videohub": VIDEO,
-}
-CODES = {
-    # `mcf` is on, so that no other can be selected
-    "go2": {"sport": GO2_SPORT} | GO2_OTHERS | {"motion_switcher": SWITCHER | {"SelectMode": (7002, 7001)}},
-    "go2w": {"sport": GO2_SPORT} | GO2_OTHERS,
-    "b2": {"sport": B2_SPORT} | B2_OTHERS,
-    "b2w": {"sport": B2_SPORT} | B2_OTHERS,
-    "a2": {"sport": A2_SPORT, "motion_switcher": SWITCHER},
-    "g1": {
-        "sport": G1_SPORT,
-        "arm": {"ExecuteAction": (7404, 7402), "GetActionList": plain(OK)},
-        "voice": {
-            "TtsMaker": (OK, 100), "GetVolume": plain(OK), "SetVolume": (OK, 100),
-            "LedControl": (OK, 100), "PlayStream": (OK, 100), "PlayStop": (OK, OK),
-        },
-        "motion_switcher": SWITCHER,
-    },
-    "h1": {"loco": H1_LOCO, "motion_switcher": SWITCHER},
-    "h1_2": {"loco": H1_LOCO, "motion_switcher": SWITCHER},
-    "h2": {"sport": H2_SPORT, "motion_switcher": SWITCHER},
-    "r1": {"sport": R1_SPORT, "motion_switcher": SWITCHER},
+    }),
+    "vui": ("vui", VUI),
+    "voice": ("voice", VOICE),
+    "videohub": ("videohub", VIDEO),
+    "front_videohub": ("front_videohub", VIDEO),
+    "back_videohub": ("back_videohub", VIDEO),
 }  # fmt: skip
+NOT_CALLED = {"config", "uwbswitch"}  # the pinned SDK has no client of them
+
+
+def codes_of(apis, motion_service):
+    """By service, the codes of a robot with those tables while that motion service is on."""
+    codes = dict(CODES[api] for api in apis if api not in NOT_CALLED)
+    if motion_service == "mcf":
+        codes["motion_switcher"] = SWITCHER | {"SelectMode": (BUSY, 7001)}
+    return codes

@@ -4,7 +4,9 @@ import concurrent.futures
 
 import pytest
 
-ROBOTS = ["go2", "b2", "a2", "go2w", "b2w"]
+from fleet import fleet, quadrupeds
+
+ROBOTS = quadrupeds()
 GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/walking.md)
 COMMANDED, HELD = 4.0, {"b2w": 0.5}  # s; a Move that is not renewed goes on for 1 s
 AGILE, FREE_WALK = 100, 9  # error_code of a Go2, mode of the others
@@ -16,7 +18,7 @@ def walks(rehearse):
     """By robot, what walks.py reports; two at a time."""
     with concurrent.futures.ThreadPoolExecutor(2) as pool:
         runs = pool.map(
-            lambda robot: rehearse(robot, "walks.py", robot,
+            lambda robot: rehearse(robot, "walks.py", ",".join(fleet()[robot]["apis"]),
                                    options=("--start", "standing", "--speed", "2")), ROBOTS)
         return {robot: run.report for robot, run in zip(ROBOTS, runs) if run.succeeded()}
 

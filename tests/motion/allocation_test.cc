@@ -12,7 +12,7 @@ TEST_F(MotionAllocationTest, AHumanoidStepsAndListensWithoutAllocating) {
   rig.Start("standing");
   rig.Run(1);
   const std::uint64_t before = test::Allocations();
-  rig.SetFsm(500);
+  rig.SetFsm(501);
   rig.Run(0.1);
   rig.Ask(goal::ArmAction{26});
   rig.Ask(goal::SetStandHeight{0.5});

@@ -47,6 +47,7 @@ class MotionRig {
   bool Push(const Eigen::Vector3d& force, double seconds);
 
   const robot::RobotSpec& spec() const { return config_.robot; }
+  test::FakePort& port() { return port_; }
   const physics::World& world() const { return world_->physics(); }
   emulator::Robot& robot() { return world_->robot(); }
   const emulator::Robot& robot() const { return world_->robot(); }

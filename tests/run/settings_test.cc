@@ -47,7 +47,9 @@ class Played {
       : config_(std::move(config)),
         made_(MakeWorld(&config_)),
         port_(participant_, config_.robot, config_.physics.timestep),
-        host_(participant_, services::ServicesOf(config_.robot.apis), [](const std::string&) {}),
+        host_(
+            participant_, services::ServicesOf(config_.robot.apis), [](const std::string&) {},
+            config_.robot.status_texts),
         world_(std::move(made_.world), config::WorldSettingsOf(config_),
                {{.spec = config_.robot,
                  .settings = config::RobotSettingsOf(config_),

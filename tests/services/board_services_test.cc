@@ -90,6 +90,16 @@ TEST(RobotStateTest, ListsABareArrayInWhichOnIsZero) {
                             {"name":"basic_service","status":0,"protect":1}])"));
 }
 
+TEST(RobotStateTest, TakesAnOrderForReports) {
+  Caller caller(TableOf("g1", "robot_state"));
+  EXPECT_EQ(caller.Ask(1002, R"({"interval":5,"duration":60})").code, 0);
+  EXPECT_EQ(caller.robot.owner.report().interval, 5);
+  EXPECT_EQ(caller.robot.owner.report().duration, 60);
+  EXPECT_EQ(caller.robot.owner.report().asked, 1U);
+  EXPECT_EQ(caller.Ask(1002, R"({"interval":-1,"duration":60})").code, 3204);
+  EXPECT_EQ(caller.robot.owner.report().asked, 1U);
+}
+
 TEST(RobotStateTest, SwitchesWithOneForOnAndAnswersZeroForOn) {
   Caller caller(TableOf("go2", "robot_state"));
   EXPECT_EQ(json::parse(caller.Ask(1001, R"({"name":"vui_service","switch":0})").data),

@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "config/load.h"
+#include "services/robot_services.h"
 #include "tests/services/services_fixture.h"
 
 namespace understudy::services {
@@ -221,9 +223,115 @@ TEST(G1SportTest, KeepsNothingOfAGoalThatWasNotTaken) {
 
 TEST(G1SportTest, SendsHeightsWithACodeWhileItWalksAsSeenOnOne) {
   Caller caller(TableOf("g1", "sport"));
-  caller.robot.book.state.id = 501;
-  EXPECT_EQ(caller.Ask(7005).code, 7301);
-  EXPECT_EQ(caller.Ask(7005).data, R"({"data":1.0})");
+  for (const int id : {500, 501, 801, 802}) {
+    caller.robot.book.state.id = id;
+    EXPECT_EQ(caller.Ask(7005).code, 7301) << id;
+    EXPECT_EQ(caller.Ask(7005).data, R"({"data":1.0})");
+  }
+  caller.robot.book.state.id = 4;
+  EXPECT_EQ(caller.Ask(7005).code, 0);
+}
+
+TEST(G1SportTest, SaysThatItDoesNotPlayTheAppsActions) {
+  Caller caller(TableOf("g1", "sport"));
+  EXPECT_EQ(caller.Ask(7100, R"({"fsm_id":550,"api_id":2,"motion_paused":false})").code, 7301);
+}
+
+TEST(G1SportTest, TakesTheMotorsBackIntoTheWalkOfTheRobot) {
+  Caller caller(TableOf("g1", "sport"));
+  EXPECT_EQ(caller.Ask(7111, R"({"data":2})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::BalanceStand{}));
+}
+
+// xr_teleoperate issue 319, unitree_sdk2_python issues 168 and 182, phanthymotus-driver pull 27.
+TEST(R1SportTest, HasCodesOfItsOwn) {
+  Caller caller(TableOf("r1", "sport"));
+  MotionBook& book = caller.robot.book;
+  book.state.id = 811;
+  EXPECT_EQ(caller.Ask(7101, R"({"data":811})").code, 1001);
+  book.state.id = 816;
+  EXPECT_EQ(caller.Ask(7101, R"({"data":811})").code, 1001) << "while rt/arm_sdk has a weight";
+  EXPECT_TRUE(book.goals.empty());
+  EXPECT_EQ(caller.Ask(7101, R"({"data":1})").code, 0);
+  EXPECT_EQ(book.goals.back(), MotionGoal(goal::SetFsm{1}));
+  book.verdict = authority::MotionVerdict::kUnknown;
+  EXPECT_EQ(caller.Ask(7101, R"({"data":9999})").code, 1003);
+  book.verdict = authority::MotionVerdict::kUnable;
+  EXPECT_EQ(caller.Ask(7101, R"({"data":701})").code, 7301);
+  EXPECT_NE(caller.notice, "");
+  EXPECT_EQ(caller.Ask(7002).code, 3203);
+  EXPECT_EQ(caller.Ask(7107, R"({"data":1})").code, 3203);
+}
+
+TEST(R1SportTest, RefusesVelocitiesInEveryState) {
+  Caller caller(TableOf("r1", "sport"));
+  for (const int id : {0, 1, 4, 811}) {
+    caller.robot.book.state.id = id;
+    EXPECT_EQ(caller.Ask(7105, R"({"velocity":[0.3,0,0],"duration":1})").code, 127) << id;
+  }
+  EXPECT_EQ(caller.Ask(7105, R"({"velocity":"much"})").code, 3202);
+  EXPECT_TRUE(caller.robot.book.goals.empty());
+}
+
+TEST(G1LocoTest, IsTheServiceOfFirmwareBeforeOneFour) {
+  const auto apis = [](const std::string& firmware) {
+    return config::LoadConfig({.robot = "g1", .sets = {"robot.firmware='" + firmware + "'"}},
+                              UNDERSTUDY_SOURCE_DIR)
+        .robot.apis;
+  };
+  EXPECT_THAT(apis("1.3.9"), testing::AllOf(testing::Contains("loco_g1"),
+                                            testing::Not(testing::Contains("sport_g1"))));
+  for (const char* newer : {"1.4", "1.4.7", "1.5.3"}) {
+    EXPECT_THAT(apis(newer), testing::Contains("sport_g1")) << newer;
+  }
+  Caller caller(TableNamed("loco_g1"));
+  EXPECT_EQ(caller.service.table().name, "loco");
+  EXPECT_EQ(caller.Ask(7101, R"({"data":200})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::SetFsm{200}));
+  EXPECT_EQ(caller.Ask(7104, R"({"data":0})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::SetStandHeight{0}));
+  caller.robot.book.state.id = 200;
+  EXPECT_EQ(caller.Ask(7005).code, 0) << "getters answer while it walks";
+  EXPECT_EQ(caller.Ask(7106, R"({"data":0})").code, 3203) << "as on a robot of 2025-02";
+}
+
+TEST(OldGo2SportTest, HasWhatFirmwareOneOneSixTookAway) {
+  const robot::RobotSpec old =
+      config::LoadConfig({.robot = "go2", .sets = {"robot.firmware='1.1.5'"}},
+                         UNDERSTUDY_SOURCE_DIR)
+          .robot;
+  EXPECT_THAT(old.apis, testing::Contains("sport_go2_2024"));
+  Caller caller(TableNamed("sport_go2_2024"));
+  EXPECT_EQ(caller.Ask(1011, R"({"data":1})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{goal::GaitName::kTrot}));
+  EXPECT_EQ(caller.Ask(1013, R"({"data":-9})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::BodyHeight{-0.18}));
+  EXPECT_EQ(caller.Ask(1024).data, R"({"data":-0.18})");
+  EXPECT_EQ(caller.Ask(1021).code, 4205);
+  EXPECT_EQ(caller.Ask(2045).code, 3203) << "FreeWalk came with 1.1.6";
+}
+
+TEST(Go2SportTest, TellsItsStateInTexts) {
+  Caller caller(TableOf("go2", "sport"));
+  caller.robot.book.state = {.id = 1017, .body_height = 0.25, .gait = 1};
+  caller.Ask(1015, R"({"data":-1})");
+  const json state = json::parse(caller.Ask(1034).data);
+  EXPECT_EQ(state["state"], "batteryLife");
+  EXPECT_EQ(state["bodyHeight"], "0.25");
+  EXPECT_EQ(state["speedLevel"], "-1");
+  EXPECT_EQ(state["gait"], "1");
+  EXPECT_EQ(state["economicGait"], "true");
+  EXPECT_TRUE(state.contains("continuousGait"));
+}
+
+TEST(Go2SportTest, KnowsWhatTheAppAsksFor) {
+  Caller caller(TableOf("go2", "sport"));
+  EXPECT_EQ(caller.Ask(1049, R"({"data":true})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{goal::GaitName::kStairs}));
+  EXPECT_EQ(caller.Ask(1049, R"({"data":false})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::Gait{goal::GaitName::kFree}));
+  EXPECT_EQ(caller.Ask(2056, R"({"data":true})").code, 4205);
+  EXPECT_EQ(caller.Ask(2059, R"({"data":true})").code, 4205);
 }
 
 TEST(G1SportTest, RefusesATaskItDoesNotHave) {
@@ -267,7 +375,14 @@ TEST(G1ArmTest, SaysWhyAnActionIsNotDone) {
 
 TEST(G1ArmTest, ListsActionsAndHasNoTaughtOnes) {
   Caller caller(TableOf("g1", "arm"));
-  EXPECT_EQ(json::parse(caller.Ask(7107).data).at(0).at("id"), 99);
+  const json lists = json::parse(caller.Ask(7107).data);
+  ASSERT_EQ(lists.size(), 2U);
+  EXPECT_EQ(lists[0].at(0), (json{{"id", 99}, {"name", "release_arm"}}));
+  EXPECT_EQ(lists[0].at(1).at("fsm"), (json{500, 501}));
+  EXPECT_EQ(lists[0].size(), 23U) << "as one with 29 motors";
+  EXPECT_TRUE(lists[1].empty());
+  EXPECT_EQ(caller.Ask(7109, R"({"action_name":"mine"})").code, 7402);
+  EXPECT_EQ(caller.Ask(7110, R"({"action_name":""})").code, 7402);
   EXPECT_EQ(caller.Ask(7108, R"({"action_name":"mine"})").code, 7402);
 }
 

@@ -36,6 +36,7 @@ class FakeServices final : public services::ServicePort {
     owner->Release();
     return 0;
   }
+  void Tell(const authority::MotorOwner&, double) noexcept override {}
   services::ServiceCounts counts() const override { return counts_; }
 
  private:

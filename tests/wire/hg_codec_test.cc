@@ -186,7 +186,10 @@ TEST(HgBmsTest, WritesCellsPackAndCharge) {
   Bms message{};
   EncodeBms(state, HgRobot(), &message);
   for (int cell = 0; cell < 40; ++cell) EXPECT_EQ(message.cell_vol[cell], cell < 13 ? 4000 : 0);
-  EXPECT_THAT(message.bmsvoltage, ElementsAre(52000, 0, 0));
+  EXPECT_THAT(message.bmsvoltage, ElementsAre(52000, 52000, 0));
+  EXPECT_EQ(message.version_high, 1);
+  EXPECT_EQ(message.version_low, 6);
+  EXPECT_EQ(message.fn, 5);
   EXPECT_EQ(message.current, -2100);
   EXPECT_EQ(message.soc, 81);
   EXPECT_THAT(message.temperature, Each(28));

@@ -108,9 +108,10 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
   ASSERT_TRUE(
       test::Eventually([&] { return fsm.matched_writers() == 1 && arms.matched_writers() == 1; }));
   robot::RobotState state = StateOf(spec);
-  port.Publish(state, kMotionStep * kLfStep);
-  state.motion = {.id = 4, .mode = 1, .arm_action = 27};
-  port.Publish(state, kMotionStep * kLfStep);
+  constexpr std::int64_t kArmStateStep = 100;  // 10 Hz
+  port.Publish(state, kMotionStep * kArmStateStep);
+  state.motion = {.id = 4, .mode = 1, .arm_action = 27, .arm_told = 27};
+  port.Publish(state, kMotionStep * kArmStateStep);
   const auto heard = Next(&fsm);
   ASSERT_TRUE(heard);
   EXPECT_EQ(heard->fsm_id, 4U);
@@ -121,7 +122,7 @@ TEST(HgPortTest, TellsTheStateMachineWhileAMotionServiceIsOn) {
       text = message.data;
     }) > 0;
   }));
-  EXPECT_EQ(text, R"({"holding":false,"id":27,"name":"shake hand"})");
+  EXPECT_EQ(text, R"({"holding": false, "id": 27, "name": "shake_hand"})");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ TEST(MotionCodecTest, WritesWhereTheBaseIs) {
   EXPECT_EQ(message.stamp.sec, 12);
   EXPECT_EQ(message.stamp.nanosec, 345'000'000);
   EXPECT_THAT(message.position, ElementsAre(1, 2, 0.25F));
-  EXPECT_EQ(message.body_height, 0.25F);
+  EXPECT_FLOAT_EQ(message.body_height, 0.2585F) << "as two Go2 told it";
   EXPECT_THAT(message.velocity, ElementsAre(-1, 0.5F, 0));
 }
 
@@ -103,6 +103,20 @@ TEST(MotionCodecTest, FillsWhatOldFirmwareFilled) {
   EXPECT_THAT(message.foot_force, ElementsAre(15, 20, 25, 30));
 }
 
+TEST(MotionCodecTest, LeavesStampAndHeightOfAHumanoidsOdometryEmpty) {
+  robot::RobotSpec spec;
+  spec.family = robot::WireFamily::kHg;
+  robot::RobotState state;
+  state.tick_ms = 12'345;
+  state.base.p_WB = {1, 2, 0.7};
+  Message message{};
+  EncodeMotion(state, spec, MotionFields::kNone, &message);
+  EXPECT_EQ(message.stamp.sec, 0);
+  EXPECT_EQ(message.stamp.nanosec, 0U);
+  EXPECT_EQ(message.body_height, 0);
+  EXPECT_THAT(message.position, ElementsAre(1, 2, 0.7F));
+}
+
 TEST(MotionCodecTest, GoesByRobotAndFirmware) {
   robot::RobotSpec spec;
   spec.kind = robot::RobotKind::kQuadruped;
@@ -125,13 +139,16 @@ TEST(MotionCodecTest, TellsAHumanoidsStateMachine) {
   EncodeFsm(state, &message);
   EXPECT_EQ(message.fsm_id, 501U);
   EXPECT_EQ(message.fsm_mode, 1U);
-  EXPECT_EQ(message.task_id, 0U);
+  EXPECT_EQ(message.task_id, 4U);
+  EXPECT_EQ(message.task_time, 0);
 }
 
 TEST(MotionCodecTest, NamesTheArmsAction) {
-  EXPECT_STREQ(ArmActionText({}).data(), R"({"holding":false,"id":0,"name":""})");
-  EXPECT_STREQ(ArmActionText({.arm_action = 25, .arm_holding = true}).data(),
-               R"({"holding":true,"id":25,"name":"face wave"})");
+  EXPECT_STREQ(ArmActionText({}).data(), R"({"holding": false, "id": 0, "name": ""})");
+  EXPECT_STREQ(ArmActionText({.arm_told = 25, .arm_holding = true}).data(),
+               R"({"holding": true, "id": 25, "name": "wave_under_head"})");
+  EXPECT_STREQ(ArmActionText({.arm_told = 99}).data(),
+               R"({"holding": false, "id": 99, "name": "release_arm"})");
 }
 
 TEST(MotionCodecTest, LeavesOutWhatNewFirmwareDropped) {

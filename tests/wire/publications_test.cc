@@ -27,12 +27,13 @@ struct Row {
   int hz;  // of simulated time
 };
 
-std::vector<Row> GoRows() {
+std::vector<Row> GoRows(const robot::RobotSpec& spec) {
+  const int motion = robot::IsQuadruped(spec.kind) ? 300 : 500;
   return {{"rt/lowstate", &unitree_go_msg_dds__LowState__desc, 500},
           {"rt/lf/lowstate", &unitree_go_msg_dds__LowState__desc, 20},
-          {"rt/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 500},
+          {"rt/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, motion},
           {"rt/lf/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
-          {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, 500}};
+          {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, motion}};
 }
 
 std::vector<Row> HgRows(const robot::RobotSpec& spec) {
@@ -51,7 +52,7 @@ std::vector<Row> HgRows(const robot::RobotSpec& spec) {
   rows.push_back({"rt/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 500 : 0});
   rows.push_back({"rt/lf/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 20 : 0});
   const bool acts = spec.name.starts_with("g1");
-  rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts ? 20 : 0});
+  rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts ? 10 : 0});
   const bool hands = spec.name == "g1_29dof_dex3";
   for (const std::string side : {"left", "right"}) {
     const dds_topic_descriptor* type = &unitree_hg_msg_dds__HandState__desc;
@@ -88,7 +89,8 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
     const bus::Participant participant("lo", test::NewDomain());
     bus::EndpointWatch watch(participant);
     Port port(participant, spec, config.physics.timestep);
-    const std::vector<Row> rows = spec.family == robot::WireFamily::kGo ? GoRows() : HgRows(spec);
+    const std::vector<Row> rows =
+        spec.family == robot::WireFamily::kGo ? GoRows(spec) : HgRows(spec);
     EXPECT_EQ(Told(&watch), Topics(rows));
     std::deque<bus::CdrReader> readers;
     for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);

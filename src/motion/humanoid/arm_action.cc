@@ -45,7 +45,8 @@ authority::MotionVerdict ArmActionPlayer::Begin(int id) {
     Release();
     return authority::MotionVerdict::kTaken;
   }
-  if (id == kReleaseArms) return authority::MotionVerdict::kTaken;
+  released_ = id == kReleaseArms;
+  if (released_) return authority::MotionVerdict::kTaken;
   action_ = action;
   next_key_ = 1;
   holding_ = releasing_ = false;
@@ -75,6 +76,7 @@ void ArmActionPlayer::Advance(double dt) {
   if (!releasing_ && next_key_ < action_->keys.size()) {
     GoTo(action_->keys[next_key_++]);
   } else if (releasing_ || !action_->holds) {
+    released_ = releasing_;
     Reset();
   } else {
     holding_ = true;

@@ -30,6 +30,8 @@ class ArmActionPlayer {
 
   int id() const { return action_ == nullptr ? 0 : action_->id; }  // until the arms are down
   bool holding() const { return action_ != nullptr && holding_; }
+  // The same for programs: 99 after a release, until the next action.
+  int told() const { return action_ == nullptr && released_ ? kReleaseArms : id(); }
 
   // The motors of the arms and their target angles, those at rest while no action is under way.
   std::span<const int> motors() const { return motors_; }
@@ -53,7 +55,8 @@ class ArmActionPlayer {
   std::size_t next_key_ = 0;
   bool holding_ = false;
   bool releasing_ = false;
-  double held_ = 0;  // s
+  bool released_ = false;  // the last that was done was to lower the arms
+  double held_ = 0;        // s
 };
 
 }  // namespace understudy::motion

@@ -13,7 +13,9 @@ constexpr double kBlendTime = 0.5;   // s, from locked to balancing
 constexpr double kCentreTime = 1;    // s, in which the centre of mass goes to the middle
 constexpr double kLowStand = 0.35;   // of the way down to the squat: the lowest stand height
 constexpr double kHeightTime = 1.5;  // s, for a change of stand height
-constexpr double kSquatTime = 3;     // s
+
+// "6 to 7 s" of a G1 (docs/sources.md#g1-states).
+constexpr double kSquatTime = 6.5;  // s
 
 }  // namespace
 
@@ -35,11 +37,13 @@ void BalancedStand::Begin(const HumanoidReading& sensed) {
   depth_.Begin(kUp, kUp, 0);
   const Eigen::Vector2d offset = ComOffset(sensed.body);
   com_offset_.Begin(std::array{offset.x(), offset.y()}, kMiddle, kCentreTime);
+  squats_ = false;
   elapsed_ = 0;
 }
 
 void BalancedStand::Squat(bool down) {
   arms_.Release();
+  squats_ = down;
   GoTo(down ? 1 : 0, kSquatTime);
 }
 

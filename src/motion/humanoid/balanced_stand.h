@@ -30,6 +30,7 @@ class BalancedStand final : public HumanoidBehaviour {
   void Step(const HumanoidReading& sensed, double dt, robot::RobotCommand* command) override;
   bool over() const override { return depth_.over(); }  // it has reached the height
   bool upright() const { return depth_.over() && depth_.q(0) == 0; }
+  bool squats() const { return squats_; }  // was last told to go down
 
   ArmActionPlayer& arms() { return arms_; }
   const ArmActionPlayer& arms() const { return arms_; }
@@ -47,7 +48,8 @@ class BalancedStand final : public HumanoidBehaviour {
   StandFigures standing_, half_down_, squatting_;
   JointMove depth_{1};       // from standing, 0, to squatting, 1
   JointMove com_offset_{2};  // m
-  double elapsed_ = 0;       // s since Begin
+  bool squats_ = false;
+  double elapsed_ = 0;  // s since Begin
 };
 
 }  // namespace understudy::motion

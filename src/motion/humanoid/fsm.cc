@@ -55,13 +55,15 @@ HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id) {
   if (id == spec.squat) return HumanoidStance::kSquat;
   if (id == spec.sit) return HumanoidStance::kSit;
   if (id == spec.balanced_squat) return HumanoidStance::kBalancedSquat;
-  if (Has(spec.balance, id)) return HumanoidStance::kBalanced;
+  if (Has(spec.balance, id) || id == spec.arms_balance) return HumanoidStance::kBalanced;
   return Has(spec.unplayed, id) ? HumanoidStance::kUnplayed : HumanoidStance::kNone;
 }
 
 authority::MotionVerdict MayGo(const robot::HumanoidMotionSpec& spec, int from, int to,
                                bool moving) {
-  const HumanoidStance wanted = StanceOf(spec, to);
+  // Arms lead to that state, no request does.
+  const HumanoidStance wanted =
+      to >= 0 && to == spec.arms_balance && to != from ? HumanoidStance::kNone : StanceOf(spec, to);
   if (wanted == HumanoidStance::kNone) return authority::MotionVerdict::kUnknown;
   const HumanoidTransition* row =
       Find(HumanoidTransitions(), wanted, StanceOf(spec, from), [&](HumanoidWhen when) {

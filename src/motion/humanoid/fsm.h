@@ -26,6 +26,10 @@ inline constexpr StateSet<HumanoidStance> kLockedStances{
 inline constexpr StateSet<HumanoidStance> kBalancedStances{HumanoidStance::kBalanced,
                                                            HumanoidStance::kBalancedSquat};
 
+inline constexpr StateSet<HumanoidStance> kBearingStances{
+    HumanoidStance::kLockStand, HumanoidStance::kSquat, HumanoidStance::kBalanced,
+    HumanoidStance::kBalancedSquat};  // whose feet carry the robot
+
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
 
 // Returns whether SetFsm may change one state to another, by the vendor's diagram of the G1

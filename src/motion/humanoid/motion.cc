@@ -9,11 +9,14 @@ namespace understudy::motion {
 namespace {
 
 constexpr double kMoveTime = 4;  // s: on hardware within 5 s (docs/sources.md#g1-states)
+// From the request to squat balanced to damping, a G1's (docs/sources.md#g1-states).
+constexpr double kSquatLasts = 9;  // s
 
 // Assumed, tried on every robot here.
 constexpr double kSettleTime = 1;    // s, into the standing pose of a robot found standing
 constexpr double kFoundTilt = 0.3;   // rad, at most, of a robot that stands
 constexpr double kFoundPose = 0.25;  // rad, at most, off its standing pose
+constexpr double kNoLoad = 0.1;      // of its weight: feet with less carry nothing
 
 // Tilt beyond which a robot has fallen; the vendor's client stops at the same angle (unitree_sdk2
 // terminations.hpp).
@@ -118,6 +121,7 @@ void HumanoidMotion::Lock(int id, std::span<const double> q, double duration) {
 void HumanoidMotion::Balance(int id) {
   if (id == ids_.balanced_squat) {
     stand_.Squat(/*down=*/id_ != id);
+    down_for_ = 0;
   } else {
     if (!balanced()) stand_.Begin(senses_.reading());
     stood_in_ = id;
@@ -131,7 +135,7 @@ authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
   if (!balanced()) return authority::MotionVerdict::kNotNow;
   if (ids_.squat_q.empty()) return authority::MotionVerdict::kUnable;
   if (moving() || id_ == ids_.balanced_squat) return authority::MotionVerdict::kNotNow;
-  stand_.StandAt(height);
+  if (ids_.stand_heights) stand_.StandAt(height);
   return authority::MotionVerdict::kTaken;
 }
 
@@ -148,9 +152,12 @@ authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
 robot::MotionState HumanoidMotion::state() const {
   const ArmActionPlayer& arms = stand_.arms();
   return {.id = id_,
-          .mode = moving() ? 1 : 0,
+          .mode = moving() || id_ == ids_.balanced_squat ? 1
+                  : unloaded()                           ? 2
+                                                         : 0,
           .progress = moving() || (arms.id() != 0 && !arms.holding()) ? 1 : 0,
           .arm_action = arms.id(),
+          .arm_told = arms.told(),
           .arm_holding = arms.holding(),
           .body_height = senses_.reading().body.base().z()};
 }
@@ -162,7 +169,24 @@ void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
   if (balanced() && sensed.body.attitude()(2, 2) < std::cos(kFallenTilt)) Slacken(kDampingId);
   command->joint_space = robot::JointSpace::kPitchRoll;
   now_->Step(sensed, dt, command);
-  if (id_ == ids_.balanced_squat && stand_.upright()) id_ = stood_in_;
+  if (id_ == ids_.balanced_squat) {
+    down_for_ += dt;
+    if (stand_.upright()) {
+      id_ = stood_in_;
+    } else if (stand_.squats() && down_for_ >= kSquatLasts) {
+      Slacken(kDampingId);
+    }
+  }
+  // rt/arm_sdk has a state of its own where the robot has one.
+  if (ids_.arms_balance >= 0 && !ids_.balance.empty()) {
+    const int usual = ids_.balance.front();
+    if (id_ == usual && input.arm_weight > 0) id_ = ids_.arms_balance;
+    if (id_ == ids_.arms_balance && input.arm_weight <= 0) id_ = usual;
+  }
+}
+
+bool HumanoidMotion::unloaded() const {
+  return kBearingStances.Has(StanceOf(ids_, id_)) && senses_.reading().load < kNoLoad;
 }
 
 std::unique_ptr<authority::Motion> MakeHumanoidMotion(const robot::RobotSpec& spec,

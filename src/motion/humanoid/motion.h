@@ -39,6 +39,7 @@ class HumanoidMotion final : public authority::Motion {
   bool balanced() const { return now_ == &stand_; }
   bool moving() const { return !now_->over(); }
   bool IsInStandingPose() const;
+  bool unloaded() const;  // its feet carry nothing where they should
 
   authority::MotionVerdict SetFsm(int id);
   authority::MotionVerdict SetStandHeight(double height);
@@ -59,6 +60,7 @@ class HumanoidMotion final : public authority::Motion {
   int id_ = kZeroTorqueId;
   HumanoidBehaviour* now_ = &slack_;  // the active behaviour
   int stood_in_ = -1;                 // the last state of upright balance
+  double down_for_ = 0;               // s since it began to squat, in the balanced squat
 };
 
 // Makes a HumanoidMotion.

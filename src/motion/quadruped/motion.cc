@@ -33,6 +33,23 @@ authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
   return before_ids ? authority::goal::GaitName::kTrot : authority::goal::GaitName::kFree;
 }
 
+// Whether a robot that is low on charge refuses it: all but what makes it safe, and settings.
+bool NeedsCharge(const authority::MotionGoal& goal) {
+  return !std::holds_alternative<goal::Damp>(goal) &&
+         !std::holds_alternative<goal::StopMove>(goal) &&
+         !std::holds_alternative<goal::RecoveryStand>(goal) &&
+         !std::holds_alternative<goal::AutoRecovery>(goal) &&
+         !std::holds_alternative<goal::SpeedLevel>(goal) &&
+         !std::holds_alternative<goal::KeepStepping>(goal) &&
+         !std::holds_alternative<goal::LastingMoves>(goal) &&
+         !std::holds_alternative<goal::ResetEstimator>(goal);
+}
+
+bool IsGesture(const authority::MotionGoal& goal) {
+  return std::holds_alternative<goal::Gesture>(goal) || std::holds_alternative<goal::Sit>(goal) ||
+         std::holds_alternative<goal::Pose>(goal);
+}
+
 bool AreFinite(std::initializer_list<double> numbers) {
   return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
 }
@@ -73,6 +90,7 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
+  soc_ = input.soc;
   estimator_.Begin(reading_);
   Use(RowOf(DefaultGait(spec_)), 0);
   stepping_ = lasting_ = false;
@@ -96,6 +114,7 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
   const auto rows = QuadrupedTransitions();
   const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
   if (!known || !std::visit(IsSound{}, goal)) return authority::MotionVerdict::kUnknown;
+  if (soc_ < figures_.least_soc && NeedsCharge(goal)) return authority::MotionVerdict::kNotNow;
   const auto holds = [this](QuadrupedWhen when) { return Holds(when); };
   const QuadrupedTransition* row = Find(rows, goal.index(), state_, holds);
   if (row == nullptr && kMovingStates.Has(state_)) {
@@ -106,6 +125,11 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
       Take({});
       return row->verdict;
     }
+  }
+  if (row == nullptr && state_ == kLocked && figures_.gestures_from_lock && IsGesture(goal)) {
+    Enter(stand_ = kBalance);
+    then_ = goal;
+    return authority::MotionVerdict::kTaken;
   }
   if (row == nullptr) return authority::MotionVerdict::kNotNow;
   if (row->verdict == authority::MotionVerdict::kTaken) {
@@ -265,7 +289,10 @@ void QuadrupedMotion::Stand(State from) {
 
 void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
   if (const auto* recovery = std::get_if<goal::AutoRecovery>(&goal)) auto_recovery_ = recovery->on;
-  if (const auto* gait = std::get_if<goal::Gait>(&goal)) Use(RowOf(gait->name), level_);
+  if (const auto* gait = std::get_if<goal::Gait>(&goal)) {
+    const bool back = gait->name == goal::GaitName::kFree;  // to the default one
+    Use(RowOf(back ? DefaultGait(spec_) : gait->name), level_);
+  }
   if (const auto* speed = std::get_if<goal::SpeedLevel>(&goal)) Use(*gait_, speed->level);
   if (const auto* stepping = std::get_if<goal::KeepStepping>(&goal)) stepping_ = stepping->on;
   if (const auto* lasting = std::get_if<goal::LastingMoves>(&goal)) lasting_ = lasting->on;
@@ -351,6 +378,7 @@ robot::MotionState QuadrupedMotion::state() const {
 void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
                            robot::RobotCommand* command) {
   reading_ = body_.Read(input);
+  soc_ = input.soc;
   estimator_.Step(reading_, dt,
                   state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
   since_ += dt;

@@ -82,6 +82,7 @@ class QuadrupedMotion : public authority::Motion {
   double since_ = 0;                // s in this state
   Behaviour* now_ = nullptr;        // what leads the legs; none: they stay as they are, or brake
   bool auto_recovery_ = false;      // outlives Start, as the services' settings do
+  double soc_ = 1;                  // charge, as of the last reading
   const GaitRow* gait_ = nullptr;
   int level_ = 0;          // of speed
   bool stepping_ = false;  // on the spot where it would stand

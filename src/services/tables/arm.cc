@@ -28,7 +28,7 @@ constexpr std::chrono::seconds kLongestAction(20);
 ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before,
                     const ServiceCall& call) {
   // [sdk] g1/arm: states that allow actions.
-  constexpr std::array kStates = {500, 501, 801, 802};
+  constexpr std::array kStates = {200, 500, 501, 801, 802};
   switch (verdict) {
     case authority::MotionVerdict::kTaken:
       return {};
@@ -62,10 +62,19 @@ ServiceReply Stop(const ServiceCall& call) {
   return Answer(call.owner->Ask(authority::goal::StopArmAction{}), before, call);
 }
 
+// A list of the actions and one of those that were taught, of which there are none.
 ServiceReply List(const ServiceCall&) {
-  nlohmann::json list = nlohmann::json::array();
-  for (const auto& [id, name] : robot::kArmActions) list.push_back({{"id", id}, {"name", name}});
-  return {.data = list.dump()};
+  using nlohmann::json;
+  json actions = json::array();
+  for (const robot::ArmActionName& action : robot::kArmActions) {
+    json& entry = actions.emplace_back(json{{"id", action.id}, {"name", action.name}});
+    if (action.while_walking) entry["fsm"] = {500, 501};
+  }
+  return {.data = json::array({actions, json::array()}).dump()};
+}
+
+ApiRow Taught(std::int64_t id, std::string_view name) {
+  return NotPlayed(id, name, "[seen] what the vendor's app sends a G1; the name is ours");
 }
 
 }  // namespace
@@ -87,10 +96,14 @@ ServiceTable G1ArmTable() {
                   "starts an action; answered when it has ended or is held; 7400 busy, 7401 held, "
                   "7402 unknown, 7404 not in this state",
                   "[sdk] g1/arm, [py]: two keys; [seen] answered after 4.19 s for a wave"),
-              Row(7107, "GetActionList", {}, Special{&List, true}, "ids and names",
-                  "[sdk] g1/arm; its form is not published: assumed"),
+              Row(7107, "GetActionList", {}, Special{&List, true},
+                  "a list of ids and names, with fsm where an action is bound to states, and an "
+                  "empty list of taught ones",
+                  "[sdk] g1/arm; [seen] form and names on a G1 with firmware 1.4.7"),
               Row(7108, "ExecuteCustomAction", {Text("action_name")}, Special{&ExecuteByName},
                   "7402: no action has been taught", "[sdk] g1/arm"),
+              Taught(7109, "RenameCustomAction"),
+              Taught(7110, "RecordCustomAction"),
               Row(7113, "StopCustomAction", {}, Special{&Stop}, "lets the arms go", "[sdk] g1/arm"),
           },
       .note = "Part of the motion service: does not answer while that is off ([docs])."};

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "services/status_texts.h"
 #include "services/tables/fields.h"
 #include "services/tables/tables.h"
 
@@ -63,6 +64,7 @@ constexpr int kOn = 0;
 constexpr int kOff = 1;
 constexpr int kFailed = 2;     // assumed: clients call all but 0, 1 and 5 a failure, 5201
 constexpr int kProtected = 5;  // [seen]: clients make 5202 of it
+constexpr double kMostSeconds = 86'400;
 
 ServiceReply ServiceSwitch(const ServiceCall& call) {
   const auto& name = call.parameter.at("name").get_ref<const std::string&>();
@@ -85,14 +87,14 @@ ServiceReply ServiceSwitch(const ServiceCall& call) {
   return {.data = json{{"name", name}, {"status", status}}.dump()};
 }
 
+ServiceReply SetReportFreq(const ServiceCall& call) {
+  const auto seconds = [&](const char* key) { return call.parameter.at(key).get<int>(); };
+  call.owner->AskReport(seconds("interval"), seconds("duration"));
+  return {};
+}
+
 ServiceReply ServiceList(const ServiceCall& call) {
-  json list = json::array();
-  for (const authority::OnboardService& service : call.owner->services()) {
-    list.push_back({{"name", service.name},
-                    {"status", service.on ? kOn : kOff},
-                    {"protect", service.is_protected ? 1 : 0}});
-  }
-  return {.data = list.dump()};
+  return {.data = ProgramList(call.owner->services())};
 }
 
 std::vector<ApiRow> RobotStateRows() {
@@ -102,11 +104,16 @@ std::vector<ApiRow> RobotStateRows() {
           "(clients say 5202), 2 failed (clients say 5201)",
           "[sdk] robot_state; [docs] Go2 RobotStateClient; [seen] 5; that 2 means failure is "
           "assumed"),
-      Row(1002, "SetReportFreq", {Int("interval", 0), Int("duration", 0)}, KeepSetting{"report"},
-          "kept; rt/servicestate is not written", "[sdk] robot_state"),
+      Row(1002, "SetReportFreq",
+          {Int("interval", 0, kMostSeconds), Int("duration", 0, kMostSeconds)},
+          Special{&SetReportFreq},
+          "writes ServiceList's array on rt/servicestate, at once and every `interval` s; 0 ends "
+          "that; "
+          "duration s, 0: for good (units and zeros assumed)",
+          "[sdk] robot_state; [seen] every 5 s on a G1"),
       Row(1003, "ServiceList", {}, Special{&ServiceList, true},
-          "an array of name, status (0 on, 1 off), protect",
-          "[sdk] robot_state; [seen] bare array"),
+          "an array of name, status (0 on, 1 off), protect and, where it is known, version",
+          "[sdk] robot_state; [seen] bare array, versions on a G1"),
   };
 }
 

@@ -21,10 +21,10 @@ struct Loco {
   std::int32_t state_code = 7301, task_code = 7303;
 };
 
-// [seen] on a G1: heights, balance mode and phase come with 7301 and a plausible body while it
-// walks (501) or runs (801, read as 802).
+// [seen] on G1s: heights, balance mode and phase come with 7301 and a plausible body in the states
+// that walk (500 or 501) or run (801 or 802).
 const std::vector<int>& WalkingIds() {
-  static const std::vector<int> kIds = {501, 801, 802};
+  static const std::vector<int> kIds = {500, 501, 801, 802};
   return kIds;
 }
 
@@ -33,8 +33,8 @@ ApiRow GetId(const Loco& l) {
              l.source);
 }
 ApiRow GetMode(const Loco& l) {
-  return Row(l.get + 2, "GetFsmMode", {}, GiveState{StateWord::kMode, "data"}, "0 static, 1 moving",
-             l.source);
+  return Row(l.get + 2, "GetFsmMode", {}, GiveState{StateWord::kMode, "data"},
+             "0 static, 1 moving, 2 feet without load", l.source);
 }
 ApiRow SetId(const Loco& l, std::string_view source) {
   return Row(l.set + 1, "SetFsmId", {Int()},
@@ -64,8 +64,8 @@ ApiRow Getter(const Loco& l, std::int64_t id, std::string_view name, std::string
       .name = name,
       .effect = std::move(effect),
       .does = refused_walking ? "what was set; with 7301 while walking or running" : "what was set",
-      .source =
-          refused_walking ? "[sdk] loco; [seen] 7301 with a plausible body at 501, 802" : l.source};
+      .source = refused_walking ? "[sdk] loco; [seen] 7301 with a plausible body at 500, 501, 802"
+                                : l.source};
 }
 
 // Heights, balance mode and phase, the same for G1, H2 and H1.
@@ -145,12 +145,12 @@ ServiceReply LeaveToUser(const ServiceCall& call) {
 
 // Modes: 0 the last state, 1 damping, 2 walking.
 ServiceReply TakeBack(const ServiceCall& call) {
-  constexpr int kPassive = 1, kWalkRun = 2, kWalkId = 500;
+  constexpr int kPassive = 1, kWalkRun = 2;
   const int mode = call.parameter.at("data").get<int>();
   call.owner->SetUserControl(false);
   if (mode == kPassive) call.owner->Ask(goal::Damp{});
   if (mode == kWalkRun &&
-      call.owner->Ask(goal::SetFsm{kWalkId}) == authority::MotionVerdict::kUnable) {
+      call.owner->Ask(goal::BalanceStand{}) == authority::MotionVerdict::kUnable) {
     *call.notice = "sport SwitchToInternalCtrl: walking is not simulated; answered 7301";
     return {.code = 7301};
   }
@@ -164,6 +164,30 @@ ServiceReply GiveH2Ids(const ServiceCall&) {
                                  "HumanMimic2", "HybridWalk",    "WalkNew",     "PhaseWalk"};
   return {.data = nlohmann::json{{"ids", kIds}, {"names", kNames}}.dump()};
 }
+
+// An R1 has codes of its own: 1001 it is in that state, also while rt/arm_sdk keeps it in another
+// (816) for that one, 1003 no such state.
+ServiceReply SetR1Id(const ServiceCall& call) {
+  constexpr std::int32_t kAlready = 1001, kNoState = 1003;
+  constexpr int kWalk = 811, kWalkWithArms = 816;
+  const int id = goal::Whole(call.parameter.at("data").get<double>());
+  const int now = call.owner->state().id;
+  if (id == now || (id == kWalk && now == kWalkWithArms)) return {.code = kAlready};
+  switch (call.owner->Ask(goal::SetFsm{id})) {
+    case authority::MotionVerdict::kTaken:
+    case authority::MotionVerdict::kNotNow:
+      return {};
+    case authority::MotionVerdict::kUnknown:
+      return {.code = kNoState};
+    case authority::MotionVerdict::kUnable:
+      break;
+  }
+  *call.notice = "sport SetFsmId: this state is not simulated; answered 7301";
+  return {.code = 7301};
+}
+
+// What two R1s answered in every state.
+ServiceReply RefuseR1Velocity(const ServiceCall&) { return {.code = 127}; }
 
 // The vendor's C++ client parses the body of a failure too and would terminate on an empty one.
 ServiceReply GiveNoOdometry(const ServiceCall&) {
@@ -191,7 +215,8 @@ ServiceTable HumanoidSport(std::string_view title, std::vector<ApiRow> rows,
 
 ServiceTable G1SportTable() {
   const Loco l{.source = "[sdk] g1/loco"};
-  ServiceTable table = HumanoidSport("sport of G1", CommonRows(l, true), CommonSettings());
+  ServiceTable table =
+      HumanoidSport("sport of G1, since firmware 1.4", CommonRows(l, true), CommonSettings());
   table.rows.push_back(SetId(l, "[sdk] g1/loco; [seen] 99999 answered 0, impossible ones ignored"));
   table.rows.push_back(
       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it"));
@@ -208,6 +233,22 @@ ServiceTable G1SportTable() {
                         .effect = Special{&TakeBack},
                         .does = "takes the motors back: 0 last state, 1 damping, 2 walking",
                         .source = "[sdk] g1/loco"});
+  table.rows.push_back({.id = 7100,
+                        .name = "EndAppAction",
+                        .fields = {Int("fsm_id"), Int("api_id"), Bool("motion_paused")},
+                        .effect = NoController{},
+                        .does = "ends an action of the vendor's app (state 550); not simulated",
+                        .source = "[seen] what the app sends; its name is ours"});
+  return table;
+}
+
+// The calls of unitree_sdk2's g1/loco of 2024, on the topic that its clients ask.
+ServiceTable G1LocoTable() {
+  const Loco l{.source = "[sdk] g1/loco as of 2024"};
+  ServiceTable table =
+      HumanoidSport("loco of G1, before firmware 1.4", CommonRows(l, false), CommonSettings());
+  table.name = "loco";
+  table.rows.push_back(SetId(l, "[sdk] g1/loco; codes as of newer firmware, assumed"));
   return table;
 }
 
@@ -232,10 +273,26 @@ ServiceTable H2SportTable() {
 
 ServiceTable R1SportTable() {
   const Loco l{.source = "[sdk] r1/loco"};
-  return HumanoidSport("sport of R1",
-                       {GetId(l), GetMode(l), SetId(l, "[sdk] r1/loco; codes as a G1's, assumed"),
-                        SetVelocity(l), SetSpeedMode(l)},
-                       {{"speed_mode", "0"}});
+  ServiceTable table = HumanoidSport(
+      "sport of R1",
+      {GetId(l),
+       Row(7101, "SetFsmId", {Int()}, Special{&SetR1Id},
+           "requests a state: 0 taken, also where it cannot be reached from the present one; 1001 "
+           "already in it; 1003 no such state",
+           "[sdk] r1/loco; [seen] codes of two R1s"),
+       {.id = 7105,
+        .name = "SetVelocity",
+        .fields = {Numbers("velocity", 3), Number("duration", 0)},
+        .effect = Special{&RefuseR1Velocity},
+        .does = "127 in every state; the remote controller moves it",
+        .source = "[sdk] r1/loco; [seen] 127 on two R1s, one of which walked all the same; 3202",
+        .parameter_code = kRpcServerInternal},
+       SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it")},
+      {});
+  table.note =
+      "Its codes are its own, seen on two robots with ai_sport 1.0.2.154, which have 7001, 7101, "
+      "7105 and 7106 only: GetFsmMode (7002) and SetSpeedMode (7107) of the header answer 3203.";
+  return table;
 }
 
 ServiceTable H1LocoTable() {

@@ -133,6 +133,53 @@ std::string AsText(const nlohmann::json& value) {
   return value.is_string() ? value.get<std::string>() : value.dump();
 }
 
+// The words of the vendor's app for the states that are played.
+std::string_view StateWord(int id) {
+  switch (id) {
+    case 100:
+      return "freeWalk";
+    case 1001:
+      return "damping";
+    case 1002:
+      return "jointLock";
+    case 1004:
+      return "lieDown";
+    case 1006:
+      return "hello";
+    case 1007:
+      return "sit";
+    case 1013:
+      return "balanceStand";
+    case 1015:
+      return "walk";
+    case 1016:
+      return "run";
+    case 1017:
+      return "batteryLife";
+    case 1091:
+      return "pose";
+    case 2010:
+      return "stair";
+    default:
+      return "idle";
+  }
+}
+
+// Values as texts: the vendor's client reads no others.
+ServiceReply GiveGo2State(const ServiceCall& call) {
+  constexpr int kEconomic = 1017;
+  const robot::MotionState state = call.owner->state();
+  const nlohmann::json reply = {
+      {"state", std::string(StateWord(state.id))},
+      {"bodyHeight", nlohmann::json(state.body_height).dump()},
+      {"speedLevel", AsText(call.settings->at("speed_level"))},
+      {"gait", std::to_string(state.gait)},
+      {"continuousGait", "false"},
+      {"economicGait", state.id == kEconomic ? "true" : "false"},
+  };
+  return {.data = reply.dump()};
+}
+
 // The vendor's client reads every value as a text and asks for the keys below.
 ServiceReply GiveA2State(const ServiceCall& call) {
   const robot::MotionState state = call.owner->state();
@@ -154,6 +201,7 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kDocs = "[sdk] go2/sport; [docs] Go2 motion services V2.0";
   constexpr std::string_view kPosture =
       "[sdk] go2/sport; [docs] 4206 when the posture does not allow it";
+  constexpr std::string_view kApp = "[seen] the vendor's app, firmware 1.1.11";
   constexpr std::int32_t kPostureUnfit = 4206;
   const auto gesture = [&](std::int64_t id, std::string_view name, authority::GoalMaker goal,
                            std::string_view does) {
@@ -199,6 +247,15 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
        NotPlayed(1031, "FrontJump", kSdk),
        NotPlayed(1032, "FrontPounce", kSdk),
        gesture(1036, "Heart", To<kHeart>, "draws a heart with a paw, on three legs"),
+       Row(1034, "GetState", {}, Special{&GiveGo2State, true},
+           "state, bodyHeight, speedLevel, gait, continuousGait, economicGait, each as text",
+           "[seen] listed of firmware 1.1.7; its words are the app's, its form is assumed"),
+       {.id = 1049,
+        .name = "WalkStair",
+        .fields = {Flag()},
+        .effect = AskGoal{ToIf<kStairs>},
+        .does = "the gait for stairs: highest steps; false: the default one",
+        .source = "[seen] the vendor's app, firmware 1.1.11"},
        gait(1061, "StaticWalk", To<kStatic>, "that gait: one foot at a time"),
        gait(1062, "TrotRun", To<kRun>, "that gait: quicker steps, but no flight"),
        gait(1063, "EconomicGait", To<kEconomic>, "that gait: slower and lower steps"),
@@ -222,11 +279,53 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
            "whether a fallen robot gets up by itself", kDocs),
        Row(2055, "AutoRecoveryGet", {}, GiveSetting{"auto_recovery", "data"},
            "what was set; false at the start (assumed)", kDocs),
-       NotPlayed(2058, "SwitchAvoidMode", kSdk)},
+       NotPlayed(2056, "LeadFollow", kApp, {Flag()}),
+       NotPlayed(2058, "SwitchAvoidMode", kSdk),
+       NotPlayed(2059, "RageMode", kApp, {Flag()})},
       {{"auto_recovery", "false"}, {"speed_level", "0"}},
       "4201 when the present state does not allow it (assumed), 4205 for what is not "
       "played. Ids that firmware 1.1.6 removed (1011 to 1014, 1018, 1019, 1021, 1024, 1025) "
       "answer 3203. Move's range is the vendor's; the part of it that is walked: docs/walking.md.");
+}
+
+ServiceTable OldGo2SportTable(const MoveLimits& limits) {
+  constexpr std::string_view kOld = "[sdk] go2/sport as of 2024";
+  constexpr std::string_view kRange = "[sdk] go2/sport as of 2024; [docs] Go2 sports services";
+  constexpr std::int64_t kLast = 1036, kGetState = 1034;
+  ServiceTable table = Go2SportTable("sport of Go2, before firmware 1.1.6", limits);
+  std::erase_if(table.rows,
+                [](const ApiRow& row) { return row.id > kLast || row.id == kGetState; });
+  std::vector<ApiRow> rows{
+      SwitchGait(kOld),
+      NotPlayed(1012, "Trigger", kOld),
+      Row(1013, "BodyHeight", {Clamped("data", -0.18, 0.03)},
+          AskGoal{.goal = To<goal::BodyHeight>, .keep = "body_height"}, "m over 0.33", kRange),
+      NotPlayed(1014, "FootRaiseHeight", kRange, {Clamped("data", -0.06, 0.03)}),
+      {.id = 1018,
+       .name = "TrajectoryFollow",
+       .fields = {Path("", 30)},
+       .effect = Special{&FollowB2Path},
+       .does = "follows the points, each to be passed at its time from now; clients want no reply",
+       .source = "[sdk] go2/sport as of 2024: 30 points, 4101 for another number",
+       .parameter_code = 4101},
+      Row(1019, "ContinuousGait", {Flag()}, AskGoal{To<goal::KeepStepping>},
+          "steps on the spot where it would stand", kOld),
+      NotPlayed(1021, "Wallow", kOld),
+      Row(1024, "GetBodyHeight", {}, GiveSetting{"body_height", "data"}, "what was set", kOld),
+      Row(1025, "GetFootRaiseHeight", {}, GiveSetting{"foot_raise_height", "data"},
+          "0: it cannot be set here", kOld),
+      NotPlayed(1033, "WiggleHips", kOld),
+      Row(1034, "GetState", {}, Special{&GiveGo2State, true},
+          "state, bodyHeight, speedLevel, gait, continuousGait, economicGait, each as text",
+          "[sdk] go2/sport as of 2024; its form is assumed"),
+      Row(1035, "EconomicGait", {Flag()}, AskGoal{ToIf<kEconomic>},
+          "that gait: slower and lower steps; false: the default one", kOld)};
+  std::ranges::move(rows, std::back_inserter(table.rows));
+  table.settings.emplace_back("body_height", "0.0");
+  table.settings.emplace_back("foot_raise_height", "0.0");
+  table.note =
+      "4201 when the present state does not allow it (assumed), 4205 for what is not played.";
+  return table;
 }
 
 ServiceTable B2SportTable(std::string_view title, double hold) {

@@ -20,10 +20,12 @@ ServiceTable RobotStateLongTable();  // six calls, version 1.0.0.2
 ServiceTable ConfigTable();
 
 ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits);
+ServiceTable OldGo2SportTable(const MoveLimits& limits);  // before firmware 1.1.6
 ServiceTable B2SportTable(std::string_view title, double hold);
 ServiceTable A2SportTable();
 
 ServiceTable G1SportTable();
+ServiceTable G1LocoTable();  // before firmware 1.4
 ServiceTable H2SportTable();
 ServiceTable R1SportTable();
 ServiceTable H1LocoTable();

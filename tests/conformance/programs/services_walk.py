@@ -17,35 +17,25 @@ from unitree_sdk2py.rpc.client import Client
 from sdk_session import arguments
 
 PCM = bytes(3200)  # 0.1 s of silence
-GO2 = {
-    "sport": "go2.sport.sport_client.SportClient",
-    "robot_state": "go2.robot_state.robot_state_client.RobotStateClient",
-    "obstacles_avoid": "go2.obstacles_avoid.obstacles_avoid_client.ObstaclesAvoidClient",
-    "vui": "go2.vui.vui_client.VuiClient",
-    "videohub": "go2.video.video_client.VideoClient",
-}
-B2 = {
-    "sport": "b2.sport.sport_client.SportClient",
-    "vui": "b2.vui.vui_client.VuiClient",
-    "front_videohub": "b2.front_video.front_video_client.FrontVideoClient",
-    "back_videohub": "b2.back_video.back_video_client.BackVideoClient",
-}
-H1 = {"loco": "h1.loco.h1_loco_client.LocoClient"}
+# By table of docs/services.md: its service, and the vendor's client of it.
 CLIENTS = {
-    "go2": GO2,
-    "go2w": GO2,
-    "b2": B2,
-    "b2w": B2,
-    "a2": {},
-    "g1": {
-        "sport": "g1.loco.g1_loco_client.LocoClient",
-        "arm": "g1.arm.g1_arm_action_client.G1ArmActionClient",
-        "voice": "g1.audio.g1_audio_client.AudioClient",
-    },
-    "h1": H1,
-    "h1_2": H1,
-    "h2": {},
-    "r1": {},
+    "sport_go2": ("sport", "go2.sport.sport_client.SportClient"),
+    "sport_go2w": ("sport", "go2.sport.sport_client.SportClient"),
+    "sport_b2": ("sport", "b2.sport.sport_client.SportClient"),
+    "sport_b2w": ("sport", "b2.sport.sport_client.SportClient"),
+    "sport_g1": ("sport", "g1.loco.g1_loco_client.LocoClient"),
+    "loco_h1": ("loco", "h1.loco.h1_loco_client.LocoClient"),
+    "arm_g1": ("arm", "g1.arm.g1_arm_action_client.G1ArmActionClient"),
+    "robot_state_go2": ("robot_state", "go2.robot_state.robot_state_client.RobotStateClient"),
+    "obstacles_avoid": (
+        "obstacles_avoid",
+        "go2.obstacles_avoid.obstacles_avoid_client.ObstaclesAvoidClient",
+    ),
+    "vui": ("vui", "go2.vui.vui_client.VuiClient"),
+    "voice": ("voice", "g1.audio.g1_audio_client.AudioClient"),
+    "videohub": ("videohub", "go2.video.video_client.VideoClient"),
+    "front_videohub": ("front_videohub", "b2.front_video.front_video_client.FrontVideoClient"),
+    "back_videohub": ("back_videohub", "b2.back_video.back_video_client.BackVideoClient"),
 }
 SWITCHER = "comm.motion_switcher.motion_switcher_client.MotionSwitcherClient"
 MOTION = ("sport", "loco", "arm")  # what the motion service serves, or only while it is on
@@ -68,6 +58,7 @@ R1_SPORT = {
     "GetFsmMode": (7002, {}),
     "SetFsmId": (7101, NUMBER, TEXT),
     "SetVelocity": (7105, *VELOCITY),
+    "SetArmTask": (7106, {"data": 0}, TEXT),
     "SetSpeedMode": (7107, NUMBER, TEXT),
 }
 A2_SPORT = {
@@ -111,13 +102,18 @@ H2_SPORT = R1_SPORT | {
     "SetArmSdkStatus": (7109, *FLAG),
 }
 BY_ID = {
-    "b2": {"robot_state": B2_ROBOT_STATE},
-    "b2w": {"robot_state": B2_ROBOT_STATE},
-    "a2": {"sport": A2_SPORT},
-    "h2": {"sport": H2_SPORT},
-    "r1": {"sport": R1_SPORT},
+    "robot_state": ("robot_state", B2_ROBOT_STATE),
+    "sport_a2": ("sport", A2_SPORT),
+    "sport_h2": ("sport", H2_SPORT),
+    "sport_r1": ("sport", R1_SPORT),
 }
-DAMP_BY_ID = {"a2": (1001, "{}"), "h2": (7101, '{"data":1}'), "r1": (7101, '{"data":1}')}
+# Walked by all, and those that no client of the pinned SDK calls.
+EVERYWHERE, NO_CLIENT = ["motion_switcher"], ["config", "uwbswitch"]
+DAMP_BY_ID = {
+    "sport_a2": (1001, "{}"),
+    "sport_h2": (7101, '{"data":1}'),
+    "sport_r1": (7101, '{"data":1}'),
+}
 # Passes a dict where the binding wants a text: the client raises.
 BROKEN = {("robot_state", "SetReportFreq")}
 GOOD = {
@@ -236,12 +232,13 @@ def walk_by_id(service, rows, settle):
     return report
 
 
-def damper(clients, robot):
+def damper(clients, apis):
     """The client that damps the robot, and the call that does."""
-    if robot in DAMP_BY_ID:
-        id, parameter = DAMP_BY_ID[robot]
-        client = client_by_id("sport", [id])
-        return client, lambda: client._Call(id, parameter)[0]
+    for api in apis:
+        if api in DAMP_BY_ID:
+            id, parameter = DAMP_BY_ID[api]
+            client = client_by_id("sport", [id])
+            return client, lambda: client._Call(id, parameter)[0]
     client = clients["sport" if "sport" in clients else "loco"]
     return client, lambda: call(client, client.Damp, [])
 
@@ -252,18 +249,23 @@ def nothing():
 
 def main():
     parsed = arguments(__doc__.splitlines()[0],
-                       lambda parser: parser.add_argument("robot", choices=sorted(CLIENTS)))
-    clients = new_clients({**CLIENTS[parsed.robot], "motion_switcher": SWITCHER})
+                       lambda parser: parser.add_argument("apis", help="of the robot, joined by commas"))
+    apis = parsed.apis.split(",")
+    unknown = set(apis) - {*CLIENTS, *BY_ID, *EVERYWHERE, *NO_CLIENT}
+    if unknown:
+        raise SystemExit(f"no client and no ids for {sorted(unknown)}")
+    paths = dict(CLIENTS[api] for api in apis if api in CLIENTS)
+    clients = new_clients({**paths, "motion_switcher": SWITCHER})
     switcher = clients.pop("motion_switcher")
-    damped_by, damp = damper(clients, parsed.robot)
-    report = {"robot": parsed.robot, "calls": {}, "motion_service": switcher.CheckMode()[1]["name"]}
+    damped_by, damp = damper(clients, apis)
+    report = {"calls": {}, "motion_service": switcher.CheckMode()[1]["name"]}
     for service, client in clients.items():
         report["calls"][service] = walk(client, service, damp if service in MOTION else nothing)
-    for service, rows in BY_ID.get(parsed.robot, {}).items():
+    for service, rows in (BY_ID[api] for api in apis if api in BY_ID):
         report["calls"][service] = walk_by_id(service, rows, damp if service in MOTION else nothing)
     if "vui" in clients:
         clients["vui"].SetVolume(3)
-        report["volume_for_another"] = new_client(class_of(CLIENTS[parsed.robot]["vui"])).GetVolume()
+        report["volume_for_another"] = new_client(class_of(paths["vui"])).GetVolume()
     report["calls"]["motion_switcher"] = walk(switcher, "motion_switcher", nothing)
     damped_by.SetTimeout(0.5)
     report["after_release"] = damp()

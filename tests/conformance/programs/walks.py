@@ -44,12 +44,12 @@ class A2SportClient(Client):
         return self._Call(1008, json.dumps({"x": vx, "y": vy, "z": vyaw}))[0]
 
 
-CLIENTS = {
-    "go2": Go2SportClient,
-    "go2w": Go2SportClient,
-    "b2": B2SportClient,
-    "b2w": B2SportClient,
-    "a2": A2SportClient,
+CLIENTS = {  # by table of docs/services.md
+    "sport_go2": Go2SportClient,
+    "sport_go2w": Go2SportClient,
+    "sport_b2": B2SportClient,
+    "sport_b2w": B2SportClient,
+    "sport_a2": A2SportClient,
 }
 
 
@@ -118,16 +118,17 @@ def go(feed, command):
 
 def main():
     parsed = arguments(__doc__.splitlines()[0],
-                       lambda parser: parser.add_argument("robot", choices=sorted(CLIENTS)))
+                       lambda parser: parser.add_argument("apis", help="of the robot, joined by commas"))
+    apis = parsed.apis.split(",")
     feed = Feed()
-    client = CLIENTS[parsed.robot]()
+    client = next(CLIENTS[api] for api in apis if api in CLIENTS)()
     client.SetTimeout(10.0)
     client.Init()
     report = {"balance": client.BalanceStand()}
     feed.until(feed.clock + 2)
     for name, velocity in WAYS:
         report[name] = go(feed, lambda _, velocity=velocity: client.Move(*velocity))
-    if parsed.robot == "go2":
+    if "sport_go2" in apis:
         avoid = ObstaclesAvoidClient()
         avoid.SetTimeout(10.0)
         avoid.Init()

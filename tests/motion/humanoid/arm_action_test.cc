@@ -71,7 +71,12 @@ TEST_F(ArmActionTest, LetsGoByItselfAfterTwentySeconds) {
   EXPECT_EQ(player_.id(), 0);
 }
 
-TEST_F(ArmActionTest, TakesAReleaseOfNothing) { EXPECT_EQ(player_.Begin(99), kTaken); }
+TEST_F(ArmActionTest, TakesAReleaseOfNothing) {
+  EXPECT_EQ(player_.told(), 0);
+  EXPECT_EQ(player_.Begin(99), kTaken);
+  EXPECT_EQ(player_.told(), 99);
+  EXPECT_EQ(player_.id(), 0);
+}
 
 TEST_F(ArmActionTest, NeverJumps) {
   for (const int id : {11, 17, 20, 26}) {

@@ -5,16 +5,17 @@
 namespace understudy::motion {
 namespace {
 
-constexpr int kReady = 4, kSquat = 2, kSit = 3, kWalk = 500, kWalkWaist = 501, kCrouch = 706,
-              kRun = 801;
+constexpr int kReady = 4, kSquat = 2, kSit = 3, kWalk = 501, kOldWalk = 200, kCrouch = 706,
+              kRun = 802, kArms = 816;
 
 robot::HumanoidMotionSpec G1() {
   robot::HumanoidMotionSpec spec;
   spec.lock_stand = kReady;
-  spec.balance = {kWalk, kWalkWaist};
+  spec.balance = {kWalk, kOldWalk};
   spec.squat = kSquat;
   spec.sit = kSit;
   spec.balanced_squat = kCrouch;
+  spec.arms_balance = kArms;
   spec.unplayed = {kRun};
   return spec;
 }
@@ -32,7 +33,7 @@ TEST(HumanoidFsmTest, KnowsEachStateByItsNumber) {
   EXPECT_EQ(StanceOf(G1(), kReady), HumanoidStance::kLockStand);
   EXPECT_EQ(StanceOf(G1(), kSquat), HumanoidStance::kSquat);
   EXPECT_EQ(StanceOf(G1(), kSit), HumanoidStance::kSit);
-  for (const int id : {kWalk, kWalkWaist}) {
+  for (const int id : {kWalk, kOldWalk}) {
     EXPECT_EQ(StanceOf(G1(), id), HumanoidStance::kBalanced);
   }
   EXPECT_EQ(StanceOf(G1(), kCrouch), HumanoidStance::kBalancedSquat);
@@ -42,7 +43,7 @@ TEST(HumanoidFsmTest, KnowsEachStateByItsNumber) {
 
 TEST(HumanoidFsmTest, HasNoStateWhereTheRobotHasNone) {
   const robot::HumanoidMotionSpec none;
-  for (const int id : {-1, 2, 3, 4, 500, 706}) {
+  for (const int id : {-1, 2, 3, 4, 501, 706, 816}) {
     EXPECT_EQ(StanceOf(none, id), HumanoidStance::kNone) << id;
   }
 }
@@ -72,11 +73,11 @@ TEST(HumanoidFsmTest, LeavesDampingForLockedJoints) {
 
 TEST(HumanoidFsmTest, BalancesOnlyFromLockStand) {
   EXPECT_EQ(Go(kReady, kWalk), kTaken);
-  EXPECT_EQ(Go(kReady, kWalkWaist), kTaken);
+  EXPECT_EQ(Go(kReady, kOldWalk), kTaken);
   EXPECT_EQ(Go(kSquat, kWalk), kNotNow);
   EXPECT_EQ(Go(kSit, kWalk), kNotNow);
   EXPECT_EQ(Go(kCrouch, kWalk), kNotNow);
-  EXPECT_EQ(Go(kWalk, kWalkWaist), kTaken);
+  EXPECT_EQ(Go(kWalk, kOldWalk), kTaken);
 }
 
 TEST(HumanoidFsmTest, GoesBetweenLockedPosturesAnyWay) {
@@ -102,6 +103,13 @@ TEST(HumanoidFsmTest, RefusesNearlyEverythingWhileItMoves) {
   for (const int to : {kSquat, kSit, kWalk}) EXPECT_EQ(Go(kReady, to, true), kNotNow) << to;
   EXPECT_EQ(Go(kReady, kReady, true), kTaken);
   EXPECT_EQ(Go(kCrouch, kCrouch, true), kNotNow);
+}
+
+TEST(HumanoidFsmTest, IsLedToTheStateOfItsArmsByNoRequest) {
+  EXPECT_EQ(StanceOf(G1(), kArms), HumanoidStance::kBalanced);
+  EXPECT_EQ(Go(kReady, kArms), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(Go(kWalk, kArms), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(Go(kArms, kSquat), kTaken);
 }
 
 TEST(HumanoidFsmTest, SaysWhatItCannotPlay) {

@@ -18,7 +18,7 @@ class HumanoidMotionTest : public test::MujocoTest {
   void Balance() {
     rig_.Start("standing");
     rig_.Run(1);
-    ASSERT_EQ(rig_.SetFsm(500), kTaken);
+    ASSERT_EQ(rig_.SetFsm(501), kTaken);
     rig_.Run(0.5);
   }
   robot::MotionState state() const { return rig_.state(); }
@@ -65,9 +65,9 @@ TEST_F(HumanoidMotionTest, ReachesLockStandInTheAirWithinFiveSecondsCalmly) {
   rig_.Run(1);
   EXPECT_EQ(state().mode, 1);
   EXPECT_EQ(state().progress, 1);
-  EXPECT_EQ(rig_.SetFsm(500), kNotNow);
+  EXPECT_EQ(rig_.SetFsm(501), kNotNow);
   rig_.Run(4);
-  EXPECT_EQ(state().mode, 0);
+  EXPECT_EQ(state().mode, 2) << "its feet carry nothing";
   EXPECT_LT(fastest, 0.7);
   for (std::size_t i = 0; i < rig_.spec().motors.size(); ++i) {
     EXPECT_NEAR(rig_.world().robot().q()[i], rig_.spec().standing.q[i], 0.02) << i;
@@ -100,20 +100,100 @@ TEST_F(HumanoidMotionTest, LocksItsJointsAsOnAChair) {
   EXPECT_NEAR(rig_.q("left_knee_joint"), 1.5, 0.05);
 }
 
+// docs/sources.md#g1-states: 6 to 7 s on the way.
 TEST_F(HumanoidMotionTest, SquatsBalancedAndRisesToWhereItWas) {
   Balance();
   ASSERT_EQ(rig_.SetFsm(706), kTaken);
   rig_.Run(1);
   EXPECT_EQ(state().mode, 1);
   EXPECT_EQ(Act(26), kNotNow);
-  rig_.Run(3);
+  rig_.Run(4.9);
+  EXPECT_EQ(rig_.SetFsm(706), kNotNow) << "on the way";
+  rig_.Run(1.1);
   EXPECT_EQ(rig_.state().id, 706);
-  EXPECT_EQ(state().mode, 0);
+  EXPECT_EQ(state().mode, 1) << "706 is never told at rest";
   EXPECT_LT(rig_.height(), 0.55);
   ASSERT_EQ(rig_.SetFsm(706), kTaken);
-  rig_.Run(4);
-  EXPECT_EQ(rig_.state().id, 500);
+  rig_.Run(5.9);
+  EXPECT_EQ(rig_.state().id, 706);
+  rig_.Run(1.1);
+  EXPECT_EQ(rig_.state().id, 501);
   EXPECT_TRUE(rig_.standing());
+}
+
+TEST_F(HumanoidMotionTest, IsDampedNineSecondsAfterItWasToldToSquat) {
+  Balance();
+  ASSERT_EQ(rig_.SetFsm(706), kTaken);
+  rig_.Run(8.9);
+  EXPECT_EQ(rig_.state().id, 706);
+  rig_.Run(0.2);
+  EXPECT_EQ(rig_.state().id, 1);
+  rig_.Run(3);
+  EXPECT_LT(rig_.height(), 0.55) << "stays down";
+}
+
+// unitree_g1_vibes and phanthymotus-driver as docs/sources.md has them.
+TEST_F(HumanoidMotionTest, TellsThatItsFeetCarryNothingUntilTheCraneHasSetItDown) {
+  rig_.Start("hanging");
+  EXPECT_EQ(state().mode, 0) << "limp";
+  rig_.SetFsm(1);
+  rig_.SetFsm(4);
+  rig_.Run(5);
+  EXPECT_EQ(state().mode, 2);
+  rig_.robot().crane().Lower(0.4);
+  rig_.Run(4.5);
+  EXPECT_EQ(state().mode, 0);
+  ASSERT_EQ(rig_.SetFsm(501), kTaken);
+  rig_.Run(1);
+  EXPECT_EQ(state().mode, 0);
+}
+
+TEST_F(HumanoidMotionTest, KnowsTheWalkOfItsWaistAndTheOldOne) {
+  rig_.Start("standing");
+  rig_.Run(1.5);
+  EXPECT_EQ(rig_.SetFsm(500), authority::MotionVerdict::kUnknown) << "a free waist's is 501";
+  EXPECT_EQ(state().id, 4);
+  EXPECT_EQ(rig_.SetFsm(200), kTaken);
+  EXPECT_EQ(state().id, 200);
+  EXPECT_EQ(rig_.SetFsm(501), kTaken);
+  EXPECT_EQ(state().id, 501);
+}
+
+TEST(HumanoidWaistTest, ALockedWaistWalksIn500) {
+  HumanoidRig rig("g1 6");
+  rig.Start("standing");
+  rig.Run(1.5);
+  EXPECT_EQ(rig.SetFsm(501), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig.SetFsm(801), authority::MotionVerdict::kUnable);
+  EXPECT_EQ(rig.SetFsm(500), kTaken);
+  EXPECT_EQ(rig.state().id, 500);
+}
+
+TEST(HumanoidFirmwareTest, BeforeOneFourAG1WalksIn200) {
+  HumanoidRig rig(ConfigOf("g1", {"robot.firmware='1.3'"}));
+  rig.Start("standing");
+  rig.Run(1.5);
+  EXPECT_EQ(rig.SetFsm(501), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig.SetFsm(706), authority::MotionVerdict::kUnknown);
+  EXPECT_EQ(rig.Ask(goal::BalanceStand{}), kTaken);
+  EXPECT_EQ(rig.state().id, 200);
+}
+
+// Two R1s: xr_teleoperate issue 319, unitree_sdk2_python issue 168.
+TEST(HumanoidArmsTest, AnR1TellsAStateOfItsOwnWhileArmSdkHasAWeight) {
+  HumanoidRig rig("r1");
+  rig.Start("standing");
+  rig.Run(1.5);
+  ASSERT_EQ(rig.SetFsm(811), kTaken);
+  rig.Run(0.5);
+  EXPECT_EQ(rig.state().id, 811);
+  robot::RobotCommand arms{.motors = std::vector<robot::MotorCommand>(rig.spec().motors.size())};
+  rig.port().SendArms(arms, 0.3);
+  rig.Run(0.1);
+  EXPECT_EQ(rig.state().id, 816);
+  rig.port().SendArms(arms, 0);
+  rig.Run(0.1);
+  EXPECT_EQ(rig.state().id, 811);
 }
 
 TEST_F(HumanoidMotionTest, TakesZeroTorqueOnItsFeetAndStaysAsItIs) {
@@ -121,10 +201,10 @@ TEST_F(HumanoidMotionTest, TakesZeroTorqueOnItsFeetAndStaysAsItIs) {
   EXPECT_EQ(rig_.SetFsm(0), kTaken);
   EXPECT_EQ(rig_.state().id, 4);
   rig_.Run(1);
-  rig_.SetFsm(500);
+  rig_.SetFsm(501);
   EXPECT_EQ(rig_.SetFsm(0), kTaken);
   rig_.Run(1);
-  EXPECT_EQ(rig_.state().id, 500);
+  EXPECT_EQ(rig_.state().id, 501);
   EXPECT_TRUE(rig_.standing());
 }
 
@@ -177,14 +257,27 @@ TEST_F(HumanoidMotionTest, RefusesValuesThatAreNotFinite) {
   EXPECT_EQ(rig_.Ask(goal::SetFsm::From({HUGE_VAL})), authority::MotionVerdict::kUnknown);
 }
 
-TEST_F(HumanoidMotionTest, StandsLowerAndHigher) {
+TEST(HumanoidHeightTest, StandsLowerAndHigher) {
+  HumanoidRig rig(ConfigOf("g1", {"robot.motion.humanoid.stand_heights=true"}));
+  rig.Start("standing");
+  rig.Run(1);
+  ASSERT_EQ(rig.SetFsm(501), kTaken);
+  rig.Run(0.5);
+  const double high = rig.height();
+  ASSERT_EQ(rig.Ask(goal::SetStandHeight{0}), kTaken);
+  rig.Run(2.5);
+  EXPECT_LT(rig.height(), high - 0.05);
+  EXPECT_NEAR(rig.state().body_height, rig.height(), 0.005);
+  ASSERT_EQ(rig.Ask(goal::SetStandHeight{5}), kTaken);
+  rig.Run(2.5);
+  EXPECT_NEAR(rig.height(), high, 0.005);
+}
+
+// unitree_sdk2_python issues 67 and 138.
+TEST_F(HumanoidMotionTest, TakesAStandHeightAndStaysAsItIs) {
   Balance();
   const double high = rig_.height();
-  ASSERT_EQ(rig_.Ask(goal::SetStandHeight{0}), kTaken);
-  rig_.Run(2.5);
-  EXPECT_LT(rig_.height(), high - 0.05);
-  EXPECT_NEAR(state().body_height, rig_.height(), 0.005);
-  ASSERT_EQ(rig_.Ask(goal::SetStandHeight{5}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::SetStandHeight{0}), kTaken);
   rig_.Run(2.5);
   EXPECT_NEAR(rig_.height(), high, 0.005);
 }
@@ -211,7 +304,12 @@ TEST_F(HumanoidMotionTest, StopsAnActionHalfway) {
   EXPECT_EQ(rig_.Ask(goal::StopArmAction{}), kTaken);
   rig_.Run(2);
   EXPECT_EQ(state().arm_action, 0);
+  EXPECT_EQ(state().arm_told, 99) << "stays until the next action";
   EXPECT_NEAR(rig_.q("right_shoulder_pitch_joint"), 0, 0.03);
+  Act(26);
+  EXPECT_EQ(state().arm_told, 26);
+  rig_.Run(5);
+  EXPECT_EQ(state().arm_told, 0) << "ended by itself";
 }
 
 TEST_F(HumanoidMotionTest, ActsOnlyWhileItBalances) {

@@ -150,7 +150,7 @@ TEST_P(HumanoidDrivesTest, StandsWithOtherDrives) {
                                             .kd_share = ankle ? GetParam().damping : 1});
   }
   HumanoidRig rig(config);
-  rig.SetDown(500);
+  rig.SetDown(501);
   ASSERT_TRUE(rig.Run(3));
   SurvivesPushes(&rig, 5);
 }
@@ -165,7 +165,7 @@ TEST(HumanoidHangsTest, BalancesInTheAirWithoutKicking) {
   rig.SetFsm(1);
   rig.SetFsm(4);
   rig.Run(5);
-  ASSERT_EQ(rig.SetFsm(500), authority::MotionVerdict::kTaken);
+  ASSERT_EQ(rig.SetFsm(501), authority::MotionVerdict::kTaken);
   double fastest = 0;
   rig.watch = [&] { fastest = std::max(fastest, rig.fastest()); };
   rig.Run(2);

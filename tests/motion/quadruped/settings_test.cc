@@ -59,9 +59,47 @@ TEST(QuadrupedSettingsTest, Sit) {
 TEST(QuadrupedSettingsTest, StandsUp) {
   MotionRig b2(ConfigOf("b2", {"robot.motion.quadruped.stands_up=true"}));
   EXPECT_TRUE(b2.RunUntil(1002, 0.1));
-  MotionRig go2(ConfigOf("go2", {"robot.motion.quadruped.stands_up=false"}));
+  MotionRig go2(ConfigOf("go2", {"robot.motion.quadruped.stands_up=false", "start.pose=lying"}));
   go2.Run(0.1);
   EXPECT_EQ(go2.state().id, 1001);
+}
+
+TEST(QuadrupedSettingsTest, GesturesFromLock) {
+  for (const authority::MotionGoal& action :
+       {authority::MotionGoal(goal::Gesture{}), authority::MotionGoal(goal::Sit{}),
+        authority::MotionGoal(goal::Pose{})}) {
+    QuadrupedRig rig("go2", {"robot.motion.quadruped.gestures_from_lock=true"});
+    rig.StandUp();
+    EXPECT_EQ(rig.Ask(action), authority::MotionVerdict::kTaken);
+    const int wanted = std::holds_alternative<goal::Gesture>(action) ? 1006
+                       : std::holds_alternative<goal::Sit>(action)   ? 1007
+                                                                     : 1091;
+    EXPECT_TRUE(rig.RunUntil(wanted, 1));
+    rig.Run(2);
+    EXPECT_LT(rig.tilt(), 0.8);
+    EXPECT_GT(rig.height(), 0.15);
+  }
+}
+
+TEST(QuadrupedSettingsTest, LeastSoc) {
+  QuadrupedRig rig("go2", {"robot.battery.start_soc=0.19"});
+  rig.Start("standing");
+  rig.Run(0.5);
+  EXPECT_EQ(rig.spec().motion.quadruped.least_soc, 0.2) << "a Go2's";
+  for (const authority::MotionGoal& action :
+       {authority::MotionGoal(goal::Move{0.3, 0, 0, 1}), authority::MotionGoal(goal::Gesture{}),
+        authority::MotionGoal(goal::StandUp{}), authority::MotionGoal(goal::StandDown{}),
+        authority::MotionGoal(goal::BalanceStand{})}) {
+    EXPECT_EQ(rig.Ask(action), authority::MotionVerdict::kNotNow);
+  }
+  EXPECT_EQ(rig.Ask(goal::StopMove{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::RecoveryStand{}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::SpeedLevel{1}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig.Ask(goal::Damp{}), authority::MotionVerdict::kTaken);
+  QuadrupedRig fuller("go2", {"robot.battery.start_soc=0.21"});
+  fuller.Start("standing");
+  fuller.Run(0.5);
+  EXPECT_EQ(fuller.Ask(goal::Move{0.3, 0, 0, 1}), authority::MotionVerdict::kTaken);
 }
 
 TEST(QuadrupedSettingsTest, KpKd) {

@@ -21,7 +21,8 @@ using Eigen::Vector3d;
 using goal::GaitName;
 using goal::GestureName;
 
-constexpr int kStanding = 100, kDamped = 1001, kLocked = 1002, kGesture = 1006, kBalance = 1013;
+constexpr int kStanding = 100, kDamped = 1001, kLocked = 1002, kGesture = 1006, kSit = 1007,
+              kBalance = 1013;
 
 class SportTest : public testing::TestWithParam<std::string> {
  protected:
@@ -292,8 +293,41 @@ INSTANTIATE_TEST_SUITE_P(Robots, GesturesTest, testing::Values("go2", "go2w"),
                          [](const auto& test) { return test.param; });
 
 // Seen on real ones: after power-on, and when mcf is selected again.
-TEST(Go2SportTest, StandsUpByItselfWhenItsServiceStarts) {
+TEST(Go2SportTest, IsFoundOnItsFeetInItsGait) {
   MotionRig rig(ConfigOf("go2"));
+  rig.Run(0.1);
+  EXPECT_EQ(rig.state().id, kStanding);
+  rig.Run(2);
+  EXPECT_EQ(rig.state().id, kStanding);
+  EXPECT_NEAR(rig.height(), 0.33, 0.01);
+}
+
+TEST(Go2SportTest, GesturesAndWalksByChords) {
+  constexpr std::uint16_t kR1 = 1, kL1 = 2, kStart = 4, kA = 0x100, kB = 0x200;
+  MotionRig rig(ConfigOf("go2"));
+  rig.Run(2);
+  double t = 2;
+  const auto press = [&](std::uint16_t keys) {
+    rig.robot().remote().Press(keys, t + 0.1);
+    rig.Run(0.2);
+    t += 0.2;
+  };
+  press(kL1 | kA);
+  EXPECT_EQ(rig.state().id, kGesture);
+  EXPECT_TRUE(rig.RunUntil(kStanding, 9));
+  t = rig.world().data().time;
+  press(kStart);
+  EXPECT_EQ(rig.state().id, kBalance);
+  press(kStart);
+  EXPECT_EQ(rig.state().id, kStanding) << "twice: its trot";
+  rig.Run(1);
+  t = rig.world().data().time;
+  press(kR1 | kB);
+  EXPECT_EQ(rig.state().id, kSit);
+}
+
+TEST(Go2SportTest, StandsUpByItselfWhenItsServiceStarts) {
+  MotionRig rig(ConfigOf("go2", {"start.pose=lying"}));
   rig.Run(0.1);
   EXPECT_EQ(rig.state().id, kLocked) << "rising";
   EXPECT_TRUE(rig.RunUntil(kStanding, 5));
