@@ -19,7 +19,8 @@ void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& co
                    const std::string& example) {
   app->add_option("--config", arguments->config_files, config_help + "; may be repeated")
       ->type_name("FILE")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);  // else it swallows the -- before a command
   app->add_option_function<std::vector<std::string>>(
          "--set",
          [arguments](const std::vector<std::string>& sets) {
@@ -27,7 +28,8 @@ void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& co
          },
          "Sets one key, e.g. --set " + example + "; may be repeated")
       ->type_name("KEY=VALUE")
-      ->take_all();
+      ->take_all()
+      ->allow_extra_args(false);
 }
 
 }  // namespace understudy::commands

@@ -1,6 +1,7 @@
 #include "services/status_texts.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -26,6 +27,11 @@ json SettingOf(Services services, std::string_view service, std::string_view set
 }
 
 constexpr double kSlack = 1e-6;  // s: far below a step
+
+// When it is due again that was due at `due` and is told at t, where some may have been left out.
+double NextAfter(double t, double due, double period) {
+  return due + period * std::max(1.0, std::ceil((t + kSlack - due) / period));
+}
 
 json OrElse(json value, json otherwise) { return value.is_null() ? otherwise : value; }
 
@@ -97,7 +103,7 @@ StatusTexts::StatusTexts(const bus::Participant& participant,
 void StatusTexts::Tell(const authority::MotorOwner& owner, double t) {
   for (Outlet& outlet : outlets_) {
     if (t < outlet.next - kSlack) continue;
-    outlet.next += outlet.period;
+    outlet.next = NextAfter(t, outlet.next, outlet.period);
     if (outlet.writer.has_readers()) Send(outlet.text(services_), &outlet.writer);
   }
   const authority::ProgramReport& report = owner.report();
@@ -108,7 +114,7 @@ void StatusTexts::Tell(const authority::MotorOwner& owner, double t) {
                                          : std::numeric_limits<double>::infinity();
   }
   if (t < next_report_ - kSlack || t > last_report_ + kSlack) return;
-  next_report_ += report.interval;
+  next_report_ = NextAfter(t, next_report_, report.interval);
   if (report_.has_readers()) Send(ProgramList(owner.services()), &report_);
 }
 

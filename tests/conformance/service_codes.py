@@ -127,6 +127,13 @@ H2_SPORT = {
     "SetPunch": taking(7301),
     "SetArmSdkStatus": taking(OK),
 }  # fmt: skip
+G1_LOCO = {  # before firmware 1.4
+    **{name: plain(OK) for name in (
+        "GetFsmId", "GetFsmMode", "GetBalanceMode", "GetSwingHeight", "GetStandHeight", "GetPhase")},
+    **{name: taking(OK) for name in (
+        "SetFsmId", "SetBalanceMode", "SetSwingHeight", "SetStandHeight", "SetVelocity")},
+    "SetTaskId": taking(3203, 3203),  # as on a robot of 2025-02
+}  # fmt: skip
 
 VUI = {
     "SetSwitch": taking(OK, 100), "SetVolume": taking(OK, 100), "SetBrightness": taking(OK, 100),
@@ -152,6 +159,7 @@ CODES = {
     "sport_h2": ("sport", H2_SPORT),
     "sport_r1": ("sport", R1_SPORT),
     "loco_h1": ("loco", H1_LOCO),
+    "loco_g1": ("loco", G1_LOCO),
     "arm_g1": ("arm", {"ExecuteAction": (7404, 7402), "GetActionList": plain(OK)}),
     "robot_state_go2": ("robot_state", ROBOT_STATE),
     "robot_state": ("robot_state", ROBOT_STATE | {

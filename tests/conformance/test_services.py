@@ -50,6 +50,22 @@ def test_motion_is_answered_by_nobody_once_its_service_is_released(walks, robot)
     assert walks[robot]["after_release"] == TIMED_OUT
 
 
+@pytest.fixture(scope="module")
+def of_2024(rehearse):
+    """A G1 with firmware before 1.4, asked as clients of then do: its service is `loco`."""
+    apis = ["motion_switcher", "robot_state", "loco_g1", "arm_g1", "voice"]
+    run = rehearse("g1", "services_walk.py", ",".join(apis), options=("--set=robot.firmware='1.3'",))
+    assert run.succeeded()
+    return run.report, codes_of(apis, "ai")
+
+
+def test_a_g1_of_2024_answers_on_loco_with_the_codes_of_then(of_2024):
+    report, wanted = of_2024
+    got = {name: (codes["good"], codes.get("bad")) for name, codes in report["calls"]["loco"].items()}
+    assert got == wanted["loco"]
+    assert report["after_release"] == TIMED_OUT
+
+
 @pytest.mark.parametrize("robot", with_api("vui"))
 def test_a_client_reads_what_another_has_set(walks, robot):
     assert walks[robot]["volume_for_another"] == [0, 3]

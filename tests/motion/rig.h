@@ -48,6 +48,7 @@ class MotionRig {
 
   const robot::RobotSpec& spec() const { return config_.robot; }
   test::FakePort& port() { return port_; }
+  double time() const { return world_->time(); }  // simulated s
   const physics::World& world() const { return world_->physics(); }
   emulator::Robot& robot() { return world_->robot(); }
   const emulator::Robot& robot() const { return world_->robot(); }

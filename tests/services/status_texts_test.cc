@@ -72,6 +72,13 @@ TEST_F(StatusTextsTest, SpeakAllTheTimeAtTheRatesThatWereSeen) {
   EXPECT_EQ(Heard("rt/audiohub/player/state").size(), 40U);
 }
 
+TEST_F(StatusTextsTest, LeaveOutWhatASilencedRobotDidNotSay) {
+  TellTo(0.5);
+  t_ = 20.5;
+  TellTo(21.5);
+  EXPECT_EQ(Heard("rt/rtc/state").size(), 3U) << "at 0, 20.5 and 21 s";
+}
+
 TEST_F(StatusTextsTest, SayWhatRealRobotsSay) {
   TellTo(0.1);
   EXPECT_THAT(Heard("rt/rtc/state"), ElementsAre(R"({"connection_state":"not_connected"})"));

@@ -56,6 +56,33 @@ def test_robots_lists_the_hardware_revisions_and_which_is_played(understudy):
     assert robots["go2"]["revisions"] == []
 
 
+def test_robots_lists_the_firmwares_that_differ_and_which_is_played(understudy):
+    robots = {robot["name"]: robot for robot in json.loads(understudy("robots", "--json").stdout)}
+
+    assert robots["g1"]["firmwares"] == ["1.0", "1.4", "1.5.1"]
+    assert robots["g1"]["firmware"] == "1.5.3"
+    assert robots["go2"]["firmwares"] == ["1.0", "1.1.6"]
+    assert robots["b2"]["firmwares"] == []
+    assert "firmware from 1.0, 1.4, [1.5.1]" in understudy("robots").stdout
+
+
+def test_robots_lists_what_answers_on_each(understudy):
+    robots = {robot["name"]: robot for robot in json.loads(understudy("robots", "--json").stdout)}
+
+    assert robots["go2"]["kind"] == "quadruped"
+    assert robots["b2w"]["kind"] == "wheeled"
+    assert "sport_go2" in robots["go2"]["apis"]
+
+
+def test_check_reads_every_firmware_strictly(understudy, tmp_path):
+    robot = tmp_path / "mine.yaml"
+    robot.write_text("extends: go2\nrobot:\n  firmwares:\n    '0.5': {moters: 3}\n")
+    done = understudy("check", robot)
+
+    assert done.returncode == 3
+    assert "mine.yaml:4: key 'robot.moters': unknown" in done.stdout
+
+
 def test_a_revision_of_another_robot_names_that_robot(understudy):
     done = understudy("run", "g1", "--revision", "10")
 

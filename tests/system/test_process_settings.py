@@ -58,4 +58,4 @@ def test_a_robots_description_is_listed(monkeypatch, tmp_path):
     assert changed == 1
     (robots / "rex.yaml").write_text(text)
     monkeypatch.setenv("UNDERSTUDY_DATA_DIR", str(tmp_path))
-    assert understudy("robots").stdout.rstrip().endswith("a dog")
+    assert "a dog" in understudy("robots").stdout

@@ -284,7 +284,7 @@ ServiceTable R1SportTable() {
         .name = "SetVelocity",
         .fields = {Numbers("velocity", 3), Number("duration", 0)},
         .effect = Special{&RefuseR1Velocity},
-        .does = "127 in every state; the remote controller moves it",
+        .does = "127 in every state",
         .source = "[sdk] r1/loco; [seen] 127 on two R1s, one of which walked all the same; 3202",
         .parameter_code = kRpcServerInternal},
        SetTask(l, 7106, &SetG1Task, "0 wave, 1 wave and turn, 2 handshake, 3 end of it")},

@@ -87,6 +87,20 @@ A2_SPORT = {
     "SetAutoRecovery": (1040, NUMBER, TEXT),
     "ResetEstimator": (1111, {}),
 }  # fmt: skip
+G1_LOCO = {  # of 2024, before firmware 1.4
+    "GetFsmId": (7001, {}),
+    "GetFsmMode": (7002, {}),
+    "GetBalanceMode": (7003, {}),
+    "GetSwingHeight": (7004, {}),
+    "GetStandHeight": (7005, {}),
+    "GetPhase": (7006, {}),
+    "SetFsmId": (7101, {"data": 200}, TEXT),
+    "SetBalanceMode": (7102, NUMBER, TEXT),
+    "SetSwingHeight": (7103, NUMBER, TEXT),
+    "SetStandHeight": (7104, NUMBER, TEXT),
+    "SetVelocity": (7105, *VELOCITY),
+    "SetTaskId": (7106, {"data": 0}, TEXT),
+}
 H2_SPORT = R1_SPORT | {
     "GetBalanceMode": (7003, {}),
     "GetSwingHeight": (7004, {}),
@@ -106,13 +120,15 @@ BY_ID = {
     "sport_a2": ("sport", A2_SPORT),
     "sport_h2": ("sport", H2_SPORT),
     "sport_r1": ("sport", R1_SPORT),
+    "loco_g1": ("loco", G1_LOCO),
 }
 # Walked by all, and those that no client of the pinned SDK calls.
 EVERYWHERE, NO_CLIENT = ["motion_switcher"], ["config", "uwbswitch"]
 DAMP_BY_ID = {
-    "sport_a2": (1001, "{}"),
-    "sport_h2": (7101, '{"data":1}'),
-    "sport_r1": (7101, '{"data":1}'),
+    "sport_a2": ("sport", 1001, "{}"),
+    "sport_h2": ("sport", 7101, '{"data":1}'),
+    "sport_r1": ("sport", 7101, '{"data":1}'),
+    "loco_g1": ("loco", 7101, '{"data":1}'),
 }
 # Passes a dict where the binding wants a text: the client raises.
 BROKEN = {("robot_state", "SetReportFreq")}
@@ -236,8 +252,8 @@ def damper(clients, apis):
     """The client that damps the robot, and the call that does."""
     for api in apis:
         if api in DAMP_BY_ID:
-            id, parameter = DAMP_BY_ID[api]
-            client = client_by_id("sport", [id])
+            service, id, parameter = DAMP_BY_ID[api]
+            client = client_by_id(service, [id])
             return client, lambda: client._Call(id, parameter)[0]
     client = clients["sport" if "sport" in clients else "loco"]
     return client, lambda: call(client, client.Damp, [])

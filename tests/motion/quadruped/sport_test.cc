@@ -315,13 +315,13 @@ TEST(Go2SportTest, GesturesAndWalksByChords) {
   press(kL1 | kA);
   EXPECT_EQ(rig.state().id, kGesture);
   EXPECT_TRUE(rig.RunUntil(kStanding, 9));
-  t = rig.world().data().time;
+  t = rig.time();
   press(kStart);
   EXPECT_EQ(rig.state().id, kBalance);
   press(kStart);
   EXPECT_EQ(rig.state().id, kStanding) << "twice: its trot";
   rig.Run(1);
-  t = rig.world().data().time;
+  t = rig.time();
   press(kR1 | kB);
   EXPECT_EQ(rig.state().id, kSit);
 }
