@@ -62,11 +62,11 @@ TEST_P(G1SquatTest, SquatsBalancedAndRisesAgain) {
   ASSERT_EQ(rig.SetFsm(Balanced(rig)), authority::MotionVerdict::kTaken);
   rig.Run(1);
   ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
-  rig.Run(4);
+  rig.Run(7);
   EXPECT_LT(rig.height(), 0.7 * rig.spec().standing.height);
   EXPECT_LT(rig.world().robot().tilt(), 0.4);
   ASSERT_EQ(rig.SetFsm(squat), authority::MotionVerdict::kTaken);
-  rig.Run(4);
+  rig.Run(7);
   EXPECT_EQ(rig.state().id, Balanced(rig));
   EXPECT_TRUE(rig.standing());
 }
