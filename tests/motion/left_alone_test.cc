@@ -36,7 +36,8 @@ class LeftAloneTest : public testing::TestWithParam<std::string> {};
 using QuadrupedTest = LeftAloneTest;
 
 TEST_P(QuadrupedTest, LiesStill) {
-  MotionRig rig(ConfigOf(GetParam(), {"robot.motion.quadruped.stands_up=false"}));
+  MotionRig rig(
+      ConfigOf(GetParam(), {"robot.motion.quadruped.stands_up=false", "start.pose=lying"}));
   ASSERT_TRUE(rig.Run(2));
   const Stillness before(rig);
   ASSERT_TRUE(rig.Run(kSeconds));
