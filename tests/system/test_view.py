@@ -92,7 +92,7 @@ def test_the_window_shows_the_robot_move(play, look):
 
 
 def test_dragging_with_the_mouse_lifts_the_robot_and_letting_go_drops_it(play, look):
-    robot = play("go2", "--set", "robot.motion.quadruped.stands_up=false")
+    robot = play("go2", "--start", "lying", "--set", "robot.motion.quadruped.stands_up=false")
     low = settle(robot)["base"]["height"]
     window = look(robot)
 
