@@ -96,6 +96,8 @@ class RawSocket {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
+  // Says that nothing more comes.
+  void HangUp() const { ::shutdown(fd_, SHUT_WR); }
   // Whether somebody is there to take it.
   bool Sends(std::string_view bytes) const {
     return ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
