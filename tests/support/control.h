@@ -108,6 +108,7 @@ class RawSocket {
     char bytes[4096];
     while (text.find(end) == std::string::npos) {
       const ssize_t got = ::recv(fd_, bytes, sizeof bytes, 0);
+      if (got < 0 && errno == EINTR) continue;  // libFuzzer's clock
       // A reset: it hung up without having read all that was sent.
       if (got == 0 || (got < 0 && errno == ECONNRESET)) break;
       if (got < 0) throw std::runtime_error("recv");
