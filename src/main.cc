@@ -1,12 +1,14 @@
 // The program `understudy`: parses the command line and runs the chosen command.
 #include <cstdio>
 #include <iostream>
+#include <sstream>
+#include <string>
 
 #include <CLI/CLI.hpp>
 
 #include "base/catch_errors.h"
 #include "base/exit_code.h"
-#include "base/standard_error.h"
+#include "base/log_line.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
 #include "commands/log.h"
@@ -34,8 +36,17 @@ constexpr char kFooter[] =
 // Prints what is wrong with the command line, if that was found.
 bool Explained(const std::string& why) {
   if (why.empty()) return false;
-  std::fprintf(stderr, "%s\nRun with --help for more information.\n", why.c_str());
+  SayErrorText(why + "\nRun with --help for more information.\n");
   return true;
+}
+
+// Prints what CLI11 says of the command line: help to standard output, errors to standard error.
+// Returns its code, 0 for help.
+int Explain(const CLI::App& app, const CLI::Error& error) {
+  std::ostringstream wrong;
+  const int code = app.exit(error, std::cout, wrong);
+  if (const std::string text = wrong.str(); !text.empty()) SayErrorText(text);
+  return code;
 }
 
 int Main(int argc, char** argv) {
@@ -76,16 +87,16 @@ int Main(int argc, char** argv) {
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (argc == 1) {
-      std::fputs(app.help().c_str(), stderr);
+      SayErrorText(app.help());
     } else if (!Explained(commands::MissingCommand(app, argc, argv))) {
-      app.exit(error);
+      Explain(app, error);
     }
     return static_cast<int>(ExitCode::kUsage);
   } catch (const CLI::ExtrasError& error) {
-    if (!Explained(commands::UnknownOption(app, argc, argv))) app.exit(error);
+    if (!Explained(commands::UnknownOption(app, argc, argv))) Explain(app, error);
     return static_cast<int>(ExitCode::kUsage);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
+    const int code = Explain(app, error);
     return code == 0 ? 0 : static_cast<int>(ExitCode::kUsage);
   }
   // Run the chosen command.
@@ -101,7 +112,7 @@ int Main(int argc, char** argv) {
 int CheckOutput() {
   std::cout.flush();
   if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good()) return 0;
-  WriteToStandardError("understudy: standard output cannot be written; is its disk full?\n");
+  SayError("standard output cannot be written; is its disk full?");
   return static_cast<int>(ExitCode::kInternal);
 }
 
@@ -110,6 +121,7 @@ int CheckOutput() {
 
 int main(int argc, char** argv) {
   understudy::OpenClosedStreams();
+  if (understudy::AsksForJson(argc, argv)) understudy::SpeakJson();
   const int code = understudy::CatchErrors([&] { return understudy::Main(argc, argv); });
   understudy::commands::StopLog();
   const int output = understudy::CheckOutput();

@@ -50,6 +50,10 @@ clang_packages=(
   "clang:compiles it once more, with warnings of its own"
 )
 
+fuzz_packages=(
+  "libclang-rt-dev:libFuzzer, and the sanitizers for Clang"
+)
+
 lint_packages=(
   "clang-format:one formatter"
   "clang-tidy:one list of checks"

@@ -37,6 +37,10 @@ class CommandRouter {
   // Intake::Judge.
   robot::Refusal Offer(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                        double t);
+  // Counts commands of a topic that were refused before they came to be offered.
+  void Count(std::size_t topic, robot::Refusal refusal, std::uint64_t times) {
+    intakes_[topic].Count(refusal, times);
+  }
   // Follows the keys and sticks of the remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
 

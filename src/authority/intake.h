@@ -22,8 +22,11 @@ struct GateCounts {
 // another type.
 class Intake {
  public:
-  // The most commands of a topic per tick, which bounds the length of a tick; *assumed*.
+  // The most commands per tick, of a topic and of all topics together, which bounds the length of a
+  // tick; *assumed*. By number, not by time, so that equal commands at equal steps have equal
+  // effects: they are bounded in length, and each takes about as long.
   static constexpr int kMostAtOnce = 8;
+  static constexpr int kMostInATick = 16;
 
   explicit Intake(bool lenient) : lenient_(lenient) {}
 
@@ -39,6 +42,9 @@ class Intake {
     ++(refusal == robot::Refusal::kNone ? counts_.accepted : refused(refusal));
     return refusal;
   }
+
+  // Counts what never came to be judged.
+  void Count(robot::Refusal refusal, std::uint64_t times) { refused(refusal) += times; }
 
   // `timeouts` is 0, since gates count them.
   const GateCounts& counts() const { return counts_; }

@@ -9,7 +9,7 @@
 
 namespace understudy::authority {
 
-// The result of a goal. Services answer with the robot's code for it.
+// The result of a goal, from good to bad. Services answer with the robot's code for it.
 enum class MotionVerdict : std::uint8_t {
   kTaken,    // started; it may still fail
   kNotNow,   // not possible in the present state

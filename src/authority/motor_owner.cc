@@ -53,7 +53,9 @@ void MotorOwner::Restart() {
 }
 
 MotionVerdict MotorOwner::Ask(const MotionGoal& goal) {
-  return active().empty() ? MotionVerdict::kNotNow : motion_->Ask(goal);
+  const MotionVerdict verdict = active().empty() ? MotionVerdict::kNotNow : motion_->Ask(goal);
+  worst_ = std::max(worst_, verdict);
+  return verdict;
 }
 
 robot::MotionState MotorOwner::state() const {

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "authority/motion.h"
@@ -81,6 +82,9 @@ class MotorOwner {
 
   // Gives a goal to the service that is on; kNotNow if none is.
   MotionVerdict Ask(const MotionGoal& goal);
+  // Returns the worst verdict that Ask has returned since the last call, kTaken if none: for those
+  // who ask in the name of somebody whom they do not tell it.
+  MotionVerdict TakeVerdict() { return std::exchange(worst_, MotionVerdict::kTaken); }
   // Returns the state of the motion service; default values if none is on.
   robot::MotionState state() const;
 
@@ -97,6 +101,7 @@ class MotorOwner {
   bool user_control_ = false;
   bool sticks_ = true;
   bool fresh_ = true;  // the service has not started yet
+  MotionVerdict worst_ = MotionVerdict::kTaken;
 };
 
 }  // namespace understudy::authority

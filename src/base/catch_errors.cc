@@ -1,32 +1,23 @@
 #include "base/catch_errors.h"
 
 #include <exception>
-#include <string>
 
 #include <fcntl.h>
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "base/standard_error.h"
+#include "base/log_line.h"
 
 namespace understudy {
-namespace {
-
-void Say(const std::exception& error) {
-  WriteToStandardError(std::string("understudy: ") + error.what() + "\n");
-}
-
-}  // namespace
-
 int CatchErrors(const std::function<int()>& run) {
   int code = static_cast<int>(ExitCode::kInternal);
   try {
     return run();
   } catch (const SetupError& error) {
-    Say(error);
+    SayError(error.what());
     code = error.exit_code();
   } catch (const std::exception& error) {
-    Say(error);
+    SayError(error.what());
   }
   return code;
 }

@@ -3,43 +3,18 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/reader.h"
 #include "bus/topic.h"
 
-struct ddsi_serdata;
-
 namespace understudy::bus {
-
-// One serialized message. It shares Cyclone's buffer.
-class CdrSample {
- public:
-  CdrSample() = default;
-  CdrSample(ddsi_serdata* owned, WriterHandle writer);
-  CdrSample(CdrSample&& other) noexcept { *this = std::move(other); }
-  CdrSample& operator=(CdrSample&& other) noexcept;
-  ~CdrSample();
-
-  // The four bytes of the encoding (00 01: little-endian XCDR1), then the message. Empty if default
-  // constructed or moved from.
-  std::span<const std::byte> bytes() const { return bytes_; }
-  // The source timestamp: when it was written, by the writer's clock; ns since 1970.
-  std::int64_t source_time() const { return source_time_; }
-  WriterHandle writer() const { return writer_; }
-
- private:
-  ddsi_serdata* serdata_ = nullptr;
-  std::span<const std::byte> bytes_;
-  std::int64_t source_time_ = 0;
-  WriterHandle writer_ = 0;
-};
 
 // Receives everything that is written to a topic, by our own participant too, and keeps it until it
 // is taken, without limit. Best effort, as a robot's readers, so that no writer waits for it.

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstring>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -12,12 +15,33 @@ namespace {
 
 constexpr std::size_t kPeersAtOnce = 16;
 
+constexpr std::size_t kMostAnnouncements = 64;     // *assumed*, as the figures below
+constexpr std::size_t kLongestAnnouncement = 256;  // bytes
+constexpr std::size_t kLongestText = 128;          // bytes
+constexpr std::size_t kMostSuspects = 64, kMostTold = 32;
+constexpr std::chrono::milliseconds kPatience(500);  // several times the duration of discovery
+
+std::string Printable(const char* text) {
+  std::string printable(text, std::min(std::strlen(text), kLongestText));
+  for (char& letter : printable) {
+    if (std::iscntrl(static_cast<unsigned char>(letter)) != 0) letter = '?';
+  }
+  return printable;
+}
+
 std::string Property(const dds_qos_t* qos, const char* name) {
   char* value = nullptr;
   if (!dds_qget_prop(qos, name, &value)) return "";
-  std::string text(value);
+  std::string text = Printable(value);
   dds_free(value);
   return text;
+}
+
+void Introduce(const dds_qos_t* qos, Neighbour* neighbour) {
+  neighbour->host = Property(qos, "__Hostname");
+  neighbour->process = Property(qos, "__ProcessName");
+  neighbour->pid = Property(qos, "__Pid");
+  neighbour->addresses = Property(qos, "__NetworkAddresses");
 }
 
 // Adds the properties that the neighbour's participant announces.
@@ -30,33 +54,53 @@ void Introduce(dds_entity_t participants, Neighbour* neighbour) {
   dds_sample_info_t info{};
   if (dds_read_instance(participants, &sample, &info, 1, 1, instance) != 1) return;
   if (info.valid_data) {
-    const dds_qos_t* qos = static_cast<const dds_builtintopic_participant_t*>(sample)->qos;
-    neighbour->host = Property(qos, "__Hostname");
-    neighbour->process = Property(qos, "__ProcessName");
-    neighbour->pid = Property(qos, "__Pid");
-    neighbour->addresses = Property(qos, "__NetworkAddresses");
+    Introduce(static_cast<const dds_builtintopic_participant_t*>(sample)->qos, neighbour);
   }
   dds_return_loan(participants, &sample, 1);
 }
 
-constexpr std::size_t kAtOnce = 16;
-
 // Prefix of the types of discovery's built-in topics, which our participant reads too.
 constexpr std::string_view kBuiltin = "org::eclipse::cyclonedds::builtin::";
 
+// Calls visit(sample, whether it is there) for what a reader of a built-in topic has new. Of what
+// has gone only the key is set.
 template <typename Visit>
-void TakeNew(dds_entity_t reader, Visit&& visit) {
+void ForEachChange(dds_entity_t reader, Visit&& visit) {
   int taken = 0;
   do {
-    std::array<void*, kAtOnce> samples{};
-    std::array<dds_sample_info_t, kAtOnce> infos;
-    taken = dds_take(reader, samples.data(), infos.data(), kAtOnce, kAtOnce);
+    std::array<void*, kPeersAtOnce> samples{};
+    std::array<dds_sample_info_t, kPeersAtOnce> infos;
+    taken = dds_take(reader, samples.data(), infos.data(), kPeersAtOnce, kPeersAtOnce);
     for (std::size_t i = 0; std::cmp_less(i, taken); ++i) {
-      if (infos[i].instance_state != DDS_ALIVE_INSTANCE_STATE || !infos[i].valid_data) continue;
-      visit(*static_cast<const dds_builtintopic_endpoint_t*>(samples[i]));
+      visit(samples[i], infos[i].instance_state == DDS_ALIVE_INSTANCE_STATE && infos[i].valid_data);
     }
     if (taken > 0) dds_return_loan(reader, samples.data(), taken);
-  } while (std::cmp_equal(taken, kAtOnce));
+  } while (std::cmp_equal(taken, kPeersAtOnce));
+}
+
+// The partitions of a writer, quoted; "" if it is in the one that everybody is in by default.
+std::string Partitions(const dds_qos_t* qos) {
+  std::uint32_t count = 0;
+  char** names = nullptr;
+  if (!dds_qget_partition(qos, &count, &names)) return "";
+  std::string text;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const std::string name = Printable(names[i]);
+    if (!name.empty()) text += (text.empty() ? "\"" : ", \"") + name + "\"";
+    dds_free(names[i]);
+  }
+  dds_free(names);
+  return text;
+}
+
+// Why our readers, which have the default partition and `type`, do not match that writer, as far as
+// it tells; else "".
+std::string WhyNot(const dds_builtintopic_endpoint_t& writer, const std::string& type) {
+  if (type != writer.type_name) {
+    return "type " + Printable(writer.type_name);
+  }
+  const std::string partitions = Partitions(writer.qos);
+  return partitions.empty() ? "" : "partition " + partitions;
 }
 
 }  // namespace
@@ -80,23 +124,12 @@ NeighbourWatch::NeighbourWatch(const Participant& participant, std::string topic
                     "watch the participants") {}
 
 const std::vector<Neighbour>& NeighbourWatch::Poll() {
-  int taken = 0;
-  do {
-    std::array<void*, kPeersAtOnce> samples{};
-    std::array<dds_sample_info_t, kPeersAtOnce> infos;
-    taken =
-        dds_take(publications_.handle(), samples.data(), infos.data(), kPeersAtOnce, kPeersAtOnce);
-    for (std::size_t i = 0; std::cmp_less(i, taken); ++i) {
-      if (infos[i].instance_state == DDS_ALIVE_INSTANCE_STATE && infos[i].valid_data) {
-        Note(samples[i]);
-      } else {
-        const auto& gone = static_cast<const dds_builtintopic_endpoint_t*>(samples[i])->key.v;
-        std::erase_if(neighbours_,
-                      [&](const Neighbour& one) { return std::ranges::equal(one.writer, gone); });
-      }
-    }
-    if (taken > 0) dds_return_loan(publications_.handle(), samples.data(), taken);
-  } while (std::cmp_equal(taken, kPeersAtOnce));
+  ForEachChange(publications_.handle(), [&](const void* sample, bool there) {
+    if (there) return Note(sample);
+    const auto& gone = static_cast<const dds_builtintopic_endpoint_t*>(sample)->key.v;
+    std::erase_if(neighbours_,
+                  [&](const Neighbour& one) { return std::ranges::equal(one.writer, gone); });
+  });
   return neighbours_;
 }
 
@@ -111,8 +144,91 @@ void NeighbourWatch::Note(const void* publication) {
   Neighbour& neighbour = neighbours_.emplace_back();
   neighbour.writer = std::to_array(endpoint.key.v);
   neighbour.participant = std::to_array(endpoint.participant_key.v);
-  neighbour.type = endpoint.type_name;
+  neighbour.type = Printable(endpoint.type_name);
   Introduce(participants_.handle(), &neighbour);
+}
+
+AnnouncementWatch::AnnouncementWatch(const Participant& participant)
+    : ours_(participant.key()),
+      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
+                                      nullptr, nullptr),
+                    "watch the participants") {}
+
+const std::vector<Announcement>& AnnouncementWatch::Poll() {
+  ForEachChange(participants_.handle(), [&](const void* sample, bool there) {
+    const auto& participant = *static_cast<const dds_builtintopic_participant_t*>(sample);
+    std::erase_if(announcements_, [&](const Announcement& one) {
+      return std::ranges::equal(one.participant, participant.key.v);
+    });
+    if (!there || std::ranges::equal(ours_, participant.key.v)) return;
+    void* bytes = nullptr;
+    std::size_t size = 0;
+    if (!dds_qget_userdata(participant.qos, &bytes, &size) || bytes == nullptr) return;
+    if (announcements_.size() < kMostAnnouncements) {
+      Announcement& one = announcements_.emplace_back();
+      one.participant = one.who.participant = std::to_array(participant.key.v);
+      one.text.assign(static_cast<const char*>(bytes), std::min(size, kLongestAnnouncement));
+      Introduce(participant.qos, &one.who);
+    }
+    dds_free(bytes);
+  });
+  return announcements_;
+}
+
+std::string Describe(const Mismatch& mismatch) {
+  const Neighbour short_name{.process = mismatch.writer.process, .pid = mismatch.writer.pid};
+  return mismatch.topic + " by " + Describe(short_name) + ": " + mismatch.why;
+}
+
+MismatchWatch::MismatchWatch(const Participant& participant, std::vector<const ReaderCore*> readers)
+    : ours_(participant.key()),
+      readers_(std::move(readers)),
+      publications_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
+                                      nullptr, nullptr),
+                    "watch the writers"),
+      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
+                                      nullptr, nullptr),
+                    "watch the participants") {}
+
+std::vector<Mismatch> MismatchWatch::Poll(std::chrono::nanoseconds now) {
+  ForEachChange(publications_.handle(), [&](const void* sample, bool there) {
+    if (there) return Suspicious(sample, now);
+    const auto& gone = static_cast<const dds_builtintopic_endpoint_t*>(sample)->key.v;
+    std::erase_if(suspects_, [&](const Suspect& one) {
+      return std::ranges::equal(one.found.writer.writer, gone);
+    });
+  });
+  std::vector<Mismatch> told;
+  std::erase_if(suspects_, [&](Suspect& suspect) {
+    if (now < suspect.since + kPatience) return false;
+    if (suspect.reader->IsMatched(suspect.found.writer.writer) || told_ >= kMostTold) return true;
+    ++told_;
+    std::string& why = suspect.found.why;
+    if (why.empty()) why = suspect.reader->refused_policy();
+    if (why.empty()) why = "another definition of " + suspect.reader->type();
+    told.push_back(std::move(suspect.found));
+    return true;
+  });
+  return told;
+}
+
+void MismatchWatch::Suspicious(const void* publication, std::chrono::nanoseconds now) {
+  const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(publication);
+  const auto reader = std::ranges::find_if(
+      readers_, [&](const ReaderCore* one) { return one->topic() == endpoint.topic_name; });
+  if (reader == readers_.end() || std::ranges::equal(ours_, endpoint.participant_key.v)) return;
+  const bool known = std::ranges::any_of(suspects_, [&](const Suspect& one) {
+    return std::ranges::equal(one.found.writer.writer, endpoint.key.v);
+  });
+  if (known || suspects_.size() >= kMostSuspects) return;
+  Suspect& suspect = suspects_.emplace_back(
+      Suspect{.reader = *reader, .found = {.topic = endpoint.topic_name}, .since = now});
+  Neighbour& writer = suspect.found.writer;
+  writer.writer = std::to_array(endpoint.key.v);
+  writer.participant = std::to_array(endpoint.participant_key.v);
+  writer.type = Printable(endpoint.type_name);
+  Introduce(participants_.handle(), &writer);
+  suspect.found.why = WhyNot(endpoint, (*reader)->type());
 }
 
 EndpointWatch::EndpointWatch(const Participant& participant)
@@ -126,14 +242,16 @@ EndpointWatch::EndpointWatch(const Participant& participant)
 
 std::vector<TopicOnBus> EndpointWatch::Poll() {
   std::vector<TopicOnBus> topics;
-  const auto note = [&](const dds_builtintopic_endpoint_t& endpoint) {
-    if (std::string_view(endpoint.type_name).starts_with(kBuiltin)) return;
+  const auto note = [&](const void* sample, bool there, bool of_others) {
+    const auto& endpoint = *static_cast<const dds_builtintopic_endpoint_t*>(sample);
+    if (!there || std::string_view(endpoint.type_name).starts_with(kBuiltin)) return;
+    if (!of_others && !std::ranges::equal(ours_, endpoint.participant_key.v)) return;
     topics.push_back({.topic = endpoint.topic_name, .type = endpoint.type_name});
   };
-  TakeNew(writers_.handle(), note);
-  TakeNew(readers_.handle(), [&](const dds_builtintopic_endpoint_t& endpoint) {
-    if (std::ranges::equal(ours_, endpoint.participant_key.v)) note(endpoint);
-  });
+  ForEachChange(writers_.handle(),
+                [&](const void* sample, bool there) { note(sample, there, true); });
+  ForEachChange(readers_.handle(),
+                [&](const void* sample, bool there) { note(sample, there, false); });
   return topics;
 }
 

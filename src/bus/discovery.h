@@ -1,16 +1,20 @@
 // Watches DDS discovery: which topics there are, and who else writes a topic.
 #pragma once
 
+#include <chrono>
+#include <cstddef>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "bus/participant.h"
+#include "bus/reader.h"
 
 namespace understudy::bus {
 
-// A writer of another participant. A property that its participant does not announce is "": Cyclone
-// announces all of them, other DDS implementations and the vendor's robots may not.
+// A writer of another participant. Texts are cut to 128 bytes, their control characters replaced,
+// for they come from anywhere and go into logs. A property that its participant does not announce
+// is "": Cyclone announces all of them, other DDS implementations and the vendor's robots may not.
 struct Neighbour {
   ParticipantKey writer{};       // GUID of the writer itself
   ParticipantKey participant{};  // GUID of the participant it belongs to
@@ -43,6 +47,68 @@ class NeighbourWatch {
   Entity publications_;  // reader of DCPSPublication
   Entity participants_;  // reader of DCPSParticipant
   std::vector<Neighbour> neighbours_;
+};
+
+// A participant that announces itself.
+struct Announcement {
+  ParticipantKey participant{};
+  std::string text{};  // as its maker was given it, 256 bytes at most; anybody may write anything
+  Neighbour who{};     // without writer and type
+};
+
+// Watches for announcements of other participants.
+class AnnouncementWatch {
+ public:
+  // Throws BusError if Cyclone refuses.
+  explicit AnnouncementWatch(const Participant& participant);
+
+  // Returns the announcements of the participants that are there now, 64 at most, in the order of
+  // their discovery. Never blocks. The list is valid until the next call.
+  const std::vector<Announcement>& Poll();
+
+ private:
+  ParticipantKey ours_;
+  Entity participants_;  // reader of DCPSParticipant
+  std::vector<Announcement> announcements_;
+};
+
+// A writer of a topic that our reader of the topic does not match.
+struct Mismatch {
+  std::string topic{};
+  std::string why{};  // "type X", "partition \"a\"", "ownership"
+  Neighbour writer{};
+};
+
+// Returns what an event has room for: "TOPIC by process 12 (NAME): WHY".
+std::string Describe(const Mismatch& mismatch);
+
+// Watches for writers of other participants from which our readers receive nothing, since their
+// type or quality of service is another.
+class MismatchWatch {
+ public:
+  // `readers` must outlive the watch, which any thread may poll. Throws BusError if Cyclone
+  // refuses.
+  MismatchWatch(const Participant& participant, std::vector<const ReaderCore*> readers);
+
+  // Returns those that are new, each once, 32 in all: whoever is on the network may make as many as
+  // it likes. A writer has 0.5 s to be matched after it was discovered. Never blocks.
+  std::vector<Mismatch> Poll(std::chrono::nanoseconds now);
+
+ private:
+  struct Suspect {
+    const ReaderCore* reader;
+    Mismatch found;
+    std::chrono::nanoseconds since;
+  };
+
+  void Suspicious(const void* publication, std::chrono::nanoseconds now);
+
+  ParticipantKey ours_;
+  std::vector<const ReaderCore*> readers_;
+  Entity publications_;  // reader of DCPSPublication
+  Entity participants_;  // reader of DCPSParticipant
+  std::vector<Suspect> suspects_;
+  std::size_t told_ = 0;
 };
 
 // A topic and its type, named as on the wire.

@@ -23,20 +23,24 @@ inline constexpr int kLastDomain = 232;
 // this machine only, and a domain has room for nine programs (measured, Cyclone 0.10.2).
 class Participant {
  public:
-  // Throws BusError if FindInterface does, if the domain is outside 0..kLastDomain or already in
-  // use in this process, and, with Cyclone's message, if Cyclone refuses.
-  Participant(const std::string& interface, int domain);
+  // `announcement` is what AnnouncementWatch tells others of this participant (DDS user data); ""
+  // is none. Throws BusError if FindInterface does, if the domain is outside 0..kLastDomain or
+  // already in use in this process, if limits leave too few descriptors or too little memory, and,
+  // with Cyclone's message, if Cyclone refuses.
+  Participant(const std::string& interface, int domain, const std::string& announcement = "");
 
   const std::string& interface() const { return interface_.name; }
   int domain() const { return domain_id_; }
   bool multicast() const { return interface_.multicast; }
   const ParticipantKey& key() const { return key_; }
+  const std::string& announcement() const { return announcement_; }
 
   std::int32_t handle() const { return participant_.handle(); }
 
  private:
   NetworkInterface interface_;
   int domain_id_;
+  std::string announcement_;
   Entity domain_;       // outlives participant_
   Entity participant_;  // the parent of all readers and writers
   ParticipantKey key_{};

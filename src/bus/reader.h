@@ -1,20 +1,23 @@
 // Reads messages of one topic by polling.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
+#include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/topic.h"
 
 namespace understudy::bus {
-
-// The handle of a matched writer, valid in this process.
-using WriterHandle = std::uint64_t;
 
 // The most samples that one Take visits.
 inline constexpr int kMaxTake = 16;
@@ -22,72 +25,85 @@ inline constexpr int kMaxTake = 16;
 inline constexpr int kKeepAll = 0;
 
 struct ReaderOptions {
-  int depth =
-      kMaxTake;  // most samples kept until taken, newer ones replace older ones; or kKeepAll
+  int depth = kMaxTake;       // most samples kept until taken, newer ones replace older ones
   bool reliable = false;      // false: best effort, as a robot's readers, matches every writer
   bool foreign_only = false;  // ignores what our own participant writes
+  // Longer samples are dropped unread and count as undecoded: decoding takes as long as they have
+  // bytes. Of the serialized message.
+  std::size_t most_bytes = 65536;
 };
 
-// The part of Reader that does not depend on the message type.
+// The part of Reader that does not depend on the message type: a bounded queue of serialized
+// samples. For one thread, but for what says otherwise.
 class ReaderCore {
  public:
   // Throws BusError if Cyclone refuses or if `message_size` is not that of the descriptor.
+  // `options.depth` is 1 or more.
   ReaderCore(const Participant& participant, const char* topic,
              const dds_topic_descriptor& descriptor, std::size_t message_size,
              const ReaderOptions& options);
 
+  ReaderCore(ReaderCore&& other) = default;
+
   // Returns how many writers are matched now, including our own participant's. Does not allocate.
   int matched_writers() const;
+  // Returns whether the writer with that GUID is among them. Allocates. Any thread.
+  bool IsMatched(const std::array<std::uint8_t, 16>& writer) const;
 
-  // Returns how many samples of the topic were received and could not be decoded.
-  std::uint64_t undecoded() const { return undecoded_->load(std::memory_order_relaxed); }
-
-  ReaderCore(ReaderCore&& other) = default;
+  // Returns how many samples of the topic were received and could not be decoded or were too long.
+  std::uint64_t undecoded() const {
+    return undecoded_->load(std::memory_order_relaxed) + too_long_;
+  }
+  // Returns how many samples were received and never taken: newer ones replaced them in the queue,
+  // or Cyclone reported them lost.
+  std::uint64_t lost() const { return replaced_ + reports_->lost.load(std::memory_order_relaxed); }
+  // Moves what has arrived into the queue, as Take does first.
+  void Gather();
 
   // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
   // Allocates.
   std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const;
 
+  const std::string& topic() const { return name_; }
+  const std::string& type() const { return type_; }
+  // Returns the name of the policy for which a writer was last refused, "" if none was. Any thread.
+  std::string_view refused_policy() const;
+
  protected:
-  // Samples on loan from Cyclone, oldest first. The destructor returns them.
-  class Loan {
-   public:
-    Loan(std::int32_t reader, int max) noexcept;
-    ~Loan();
-    Loan(const Loan&) = delete;
-    Loan& operator=(const Loan&) = delete;
-
-    int size() const { return size_; }
-    // Returns nullptr if the sample only reports that a writer has gone.
-    const void* sample(int i) const {
-      return valid_[static_cast<std::size_t>(i)] ? samples_[static_cast<std::size_t>(i)] : nullptr;
-    }
-    WriterHandle writer(int i) const { return writers_[static_cast<std::size_t>(i)]; }
-
-   private:
-    std::int32_t reader_;
-    int size_ = 0;
-    std::array<void*, kMaxTake> samples_{};
-    std::array<bool, kMaxTake> valid_{};
-    std::array<WriterHandle, kMaxTake> writers_{};
-  };
-
-  std::int32_t handle() const { return reader_.handle(); }
-
-  // Returns whether samples may have arrived since it last returned true. It only loads a flag,
-  // whereas an empty take locks three mutexes.
-  bool MayHoldSamples() {
-    return arrived_->load(std::memory_order_relaxed) &&
-           arrived_->exchange(false, std::memory_order_acquire);
-  }
-  // Samples may be left: makes the next MayHoldSamples return true.
-  void LeaveSamples() { arrived_->store(true, std::memory_order_relaxed); }
+  // Takes the oldest sample; false if none waits. Never blocks; while nothing waits it only loads a
+  // flag.
+  bool Next(CdrSample* sample);
+  // Decodes the sample. The message belongs to the reader and is valid until the next call;
+  // nullptr if Cyclone cannot.
+  const void* Decode(const CdrSample& sample);
 
  private:
+  // What Cyclone's threads report.
+  struct Reports {
+    std::atomic<bool> arrived{false};
+    std::atomic<std::uint64_t> lost{0};
+    std::atomic<std::uint32_t> policy{0};  // of the last writer that did not match; 0: none
+  };
+  // Releases what Cyclone allocated for strings and sequences of a message.
+  struct MessageDeleter {
+    const dds_topic_descriptor* descriptor;
+    void operator()(std::byte* message) const;
+  };
+
+  // Called by Cyclone's threads. Named in cmake/tsan.supp.
+  struct Listener;
+  void Push(CdrSample sample);
+
+  std::string name_, type_;
   const std::atomic<std::uint64_t>* undecoded_;
-  std::unique_ptr<std::atomic<bool>> arrived_;  // set by Cyclone's threads; outlives reader_
+  std::size_t most_bytes_;
+  std::unique_ptr<Reports> reports_;  // outlives reader_
   Entity topic_;
   Entity reader_;
+  std::vector<CdrSample> queue_;  // a ring of `depth`
+  std::size_t first_ = 0, waiting_ = 0;
+  std::uint64_t replaced_ = 0, too_long_ = 0;
+  std::unique_ptr<std::byte[], MessageDeleter> message_;  // the type's C struct
 };
 
 // Receives messages of one topic.
@@ -98,26 +114,29 @@ class Reader : public ReaderCore {
       : ReaderCore(participant, topic.name, *topic.descriptor, sizeof(Msg), options) {}
 
   // Takes at most `max` (1..kMaxTake) waiting samples, oldest first, and calls visit(const Msg&,
-  // WriterHandle) with each. The message belongs to Cyclone and is valid during the call. Returns
-  // how many were visited. Never blocks; while nothing waits it only loads a flag. An exception of
-  // `visit` passes through, and the remaining samples are lost.
+  // WriterHandle) with each. The message belongs to the reader and is valid during the call.
+  // Returns how many were visited. Never blocks; while nothing waits it only loads a flag.
   template <typename Visit>
   int Take(Visit&& visit, int max = kMaxTake) {
-    if (!MayHoldSamples()) return 0;
     int visited = 0;
-    int lent = 0;
-    do {
-      const Loan loan(handle(), max);
-      lent = loan.size();
-      if (lent > 0) LeaveSamples();
-      for (int i = 0; i < lent; ++i) {
-        if (loan.sample(i) == nullptr) continue;
-        std::forward<Visit>(visit)(*static_cast<const Msg*>(loan.sample(i)), loan.writer(i));
-        ++visited;
-      }
-    } while (lent > 0 && visited == 0);
+    for (CdrSample sample; visited < std::min(max, kMaxTake) && Next(&sample);) {
+      const void* const message = Decode(sample);
+      if (message == nullptr) continue;
+      ++visited;
+      std::forward<Visit>(visit)(*static_cast<const Msg*>(message), sample.writer());
+    }
     return visited;
   }
+};
+
+// Receives messages of one topic and leaves them serialized, for those who decode only a part.
+template <typename Msg>
+class RawReader : public ReaderCore {
+ public:
+  RawReader(const Participant& participant, const Topic<Msg>& topic, const ReaderOptions& options)
+      : ReaderCore(participant, topic.name, *topic.descriptor, sizeof(Msg), options) {}
+
+  using ReaderCore::Next;
 };
 
 }  // namespace understudy::bus

@@ -28,6 +28,8 @@ bool IsOurFolder(const std::filesystem::path& path) {
   return ::stat(path.c_str(), &found) == 0 && S_ISDIR(found.st_mode) && found.st_uid == ::geteuid();
 }
 
+std::filesystem::path TransientFolder() { return "/tmp/understudy-" + std::to_string(::geteuid()); }
+
 bool IsNameLetter(char c) {
   return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '.' ||
          c == '_' || c == '-';
@@ -48,12 +50,11 @@ std::filesystem::path ControlFolder() {
       xdg.is_absolute() && std::filesystem::is_directory(xdg, ignored)) {
     return xdg / "understudy";
   }
-  const std::string uid = std::to_string(::geteuid());
-  if (const std::filesystem::path run = "/run/user/" + uid; IsOurFolder(run)) {
-    return run / "understudy";
-  }
-  return "/tmp/understudy-" + uid;
+  const std::filesystem::path run = "/run/user/" + std::to_string(::geteuid());
+  return IsOurFolder(run) ? run / "understudy" : TransientFolder();
 }
+
+bool IsTransient(const std::filesystem::path& folder) { return folder == TransientFolder(); }
 
 void CheckControlFolder(const std::filesystem::path& folder) {
   struct stat found {};

@@ -11,6 +11,9 @@ namespace understudy::client {
 // exist.
 std::filesystem::path ControlFolder();
 
+// Returns whether it is the one in /tmp, where nothing is to stay (RemoveControlFolder).
+bool IsTransient(const std::filesystem::path& folder);
+
 // Throws SocketError unless `folder` is a folder (not a link) of this user without access for
 // others, who could otherwise impersonate a robot.
 void CheckControlFolder(const std::filesystem::path& folder);

@@ -34,6 +34,11 @@ class FolderLock {
   }
 
   bool held() const { return held_; }
+  // Whether the folder was removed before it could be locked.
+  bool missed() const {
+    struct stat found {};
+    return !folder_.valid() || (::fstat(folder_.get(), &found) == 0 && found.st_nlink == 0);
+  }
 
  private:
   UniqueFd folder_;
@@ -62,6 +67,15 @@ const sockaddr* Generic(const sockaddr_un& address) {
 
 std::string Listener(const SocketProbe& probe) {
   return probe.pid == 0 ? "a process out of sight" : "process " + std::to_string(probe.pid);
+}
+
+// Locks a folder, which another process may remove meanwhile if it is one of RemoveControlFolder.
+FolderLock Lock(const std::filesystem::path& folder) {
+  while (true) {
+    FolderLock lock(folder, FolderLock::Patience::kWait);
+    if (!lock.missed() || !IsTransient(folder)) return lock;
+    MakeControlFolder(folder);
+  }
 }
 
 std::filesystem::path FolderOf(const std::filesystem::path& path) {
@@ -102,9 +116,15 @@ void RemoveIfStale(const std::filesystem::path& path) {
   if (lock.held() && ProbeSocket(path).state == SocketState::kStale) ::unlink(path.c_str());
 }
 
+void RemoveControlFolder(const std::filesystem::path& folder) {
+  if (!IsTransient(folder)) return;
+  const FolderLock lock(folder, FolderLock::Patience::kTry);
+  if (lock.held()) ::rmdir(folder.c_str());
+}
+
 ListeningSocket::ListeningSocket(const std::filesystem::path& path) : path_(path) {
   CheckSocketPath(path_);
-  const FolderLock lock(FolderOf(path_), FolderLock::Patience::kWait);
+  const FolderLock lock = Lock(FolderOf(path_));
   if (!lock.held()) RefuseBySystem(path_);
 
   const SocketProbe before = ProbeSocket(path_);

@@ -26,8 +26,13 @@ SocketProbe ProbeSocket(const std::filesystem::path& path);
 // lock. Does not wait.
 void RemoveIfStale(const std::filesystem::path& path);
 
+// Removes a control folder that IsTransient if nothing is in it, unless another process holds its
+// lock. Does not wait.
+void RemoveControlFolder(const std::filesystem::path& folder);
+
 // A Unix stream socket that listens at `path`, mode 0600; the destructor closes it and removes the
-// file. A stale file is replaced. Creation and removal hold a flock on the folder, so a socket
+// file. A stale file is replaced, a transient folder that another process has just removed made
+// again. Creation and removal hold a flock on the folder, so a socket
 // between its bind and its listen is never taken for stale.
 class ListeningSocket {
  public:

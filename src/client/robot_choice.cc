@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/log_line.h"
 #include "base/nearest_word.h"
 #include "client/client.h"
 #include "client/control_folder.h"
@@ -72,7 +73,7 @@ RobotPlace FindRobot(const RobotChoice& choice) {
   }
   if (robots.size() == 1) return {.socket = robots.front().socket, .why = {}};
   const std::vector<std::string> names = NamesOf(robots);
-  if (::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1) {
+  if (!SpeaksJson() && ::isatty(STDIN_FILENO) == 1 && ::isatty(STDERR_FILENO) == 1) {
     if (const auto name = AskWhich(names, std::cin, std::cerr)) return FindNamed(*name, robots);
   }
   std::string list;

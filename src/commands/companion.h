@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/unique_fd.h"
 #include "exec/child_process.h"
 
 namespace CLI {
@@ -25,7 +26,8 @@ struct Companion {
 [[noreturn]] void BecomeCompanion(const Companion& companion, char** argv);
 
 // A companion beside a run: the window of `run --view`, the gamepad of `run --gamepad`. The robot
-// continues if it fails or ends.
+// continues if it fails or ends. What it and its libraries say on standard error become lines of
+// our log.
 class CompanionProcess {
  public:
   // Call it before any thread exists; the companion starts at Release(). `what` is its name in the
@@ -36,11 +38,15 @@ class CompanionProcess {
 
   // Starts the companion. Call it when the robot answers. Logs a warning if it cannot be started.
   void Release();
-  // Logs the end of the companion, once.
+  // Logs what the companion says, and its end, once.
   void Watch();
 
  private:
+  void LogLines();
+
   std::string what_;
+  UniqueFd said_;       // the reading end of its standard error
+  std::string unsaid_;  // the beginning of a line
   std::optional<exec::ChildProcess>
       child_;            // nullopt before the start failed or after the end was logged
   std::string why_not_;  // the reason if it could not be started

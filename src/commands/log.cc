@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include <nlohmann/json.hpp>
 #include <spdlog/async.h>
 #include <spdlog/fmt/fmt.h>
 #include <spdlog/sinks/base_sink.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
 
+#include "base/log_line.h"
 #include "base/standard_error.h"
 
 namespace understudy::commands {
@@ -18,13 +18,8 @@ class JsonFormatter final : public spdlog::formatter {
  public:
   void format(const spdlog::details::log_msg& message, spdlog::memory_buf_t& out) override {
     const auto level = spdlog::level::to_string_view(message.level);
-    const auto since = message.time.time_since_epoch();
-    const nlohmann::json line = {
-        {"time", std::chrono::duration<double>(since).count()},
-        {"level", std::string(level.data(), level.size())},
-        {"message", std::string(message.payload.data(), message.payload.size())}};
-    const std::string text =
-        line.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    const std::string text = JsonLogLine(message.time, {level.data(), level.size()},
+                                         {message.payload.data(), message.payload.size()});
     out.append(text.data(), text.data() + text.size());
   }
   std::unique_ptr<spdlog::formatter> clone() const override {

@@ -24,6 +24,7 @@
 #include "run/alone.h"
 #include "time/clock.h"
 #include "time/pace.h"
+#include "wire/robot_rank.h"
 #include "wire/strangers.h"
 
 namespace understudy::commands {
@@ -161,7 +162,10 @@ int PlayCommand(const PlayArguments& arguments) {
   }
 
   // Network: a robot for the commands, or no other robot.
-  const bus::Participant participant(arguments.network.interface, arguments.network.domain);
+  const std::int64_t since =
+      std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+  const bus::Participant participant(arguments.network.interface, arguments.network.domain,
+                                     arguments.commands ? "" : wire::AnnounceRobot(since));
   wire::StrangerWatch watch(participant);
   if (arguments.commands) {
     WaitForRobot(&watch, participant, &clock);
@@ -180,7 +184,11 @@ int PlayCommand(const PlayArguments& arguments) {
     if (message != nullptr) wire.Write(*message);
     progress.Update(at, wire.sent(), clock.Now());
     if (StopSignal() != 0) return false;
-    if (const auto news = watch.Poll(); !arguments.commands && !news.spoke.empty()) {
+    auto news = watch.Poll();
+    std::erase_if(news.spoke, [&](const bus::Neighbour& one) {  // those yield
+      return watch.KindOf(one) == wire::StrangerWatch::Kind::kYounger;
+    });
+    if (!arguments.commands && !news.spoke.empty()) {
       spdlog::critical("another robot publishes on this network: {}; stopping",
                        wire::Describe(news.spoke));
       code = ExitCode::kNeighbour;

@@ -10,6 +10,7 @@
 #include "base/errors.h"
 #include "base/signals.h"
 #include "client/control_folder.h"
+#include "client/listening_socket.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
 #include "commands/log.h"
@@ -155,12 +156,24 @@ std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
   return companions;
 }
 
-std::filesystem::path MakeControlSocket(const RunArguments& arguments,
-                                        const config::Config& config) {
-  client::MakeControlFolder(client::ControlFolder());
-  return client::ControlSocket(arguments.name.empty() ? client::DefaultName(config.robot.name)
-                                                      : arguments.name);
-}
+// The folder of the control socket, for as long as the run.
+class ControlPlace {
+ public:
+  ControlPlace(const RunArguments& arguments, const config::Config& config)
+      : folder_(client::ControlFolder()),
+        socket_(client::ControlSocket(
+            arguments.name.empty() ? client::DefaultName(config.robot.name) : arguments.name)) {
+    client::MakeControlFolder(folder_);
+  }
+  ~ControlPlace() { client::RemoveControlFolder(folder_); }
+  ControlPlace(const ControlPlace&) = delete;
+  ControlPlace& operator=(const ControlPlace&) = delete;
+
+  const std::filesystem::path& socket() const { return socket_; }
+
+ private:
+  std::filesystem::path folder_, socket_;
+};
 
 // Throw SetupError. ExecCommand returns the exit code of the command.
 int RunCommand(const RunArguments& arguments) {
@@ -176,7 +189,8 @@ int RunCommand(const RunArguments& arguments) {
   run::RunOptions options;
   options.script = LoadEvents(arguments);
   options.recording = RecordingOf(arguments);
-  options.control_socket = MakeControlSocket(arguments, config);
+  const ControlPlace place(arguments, config);
+  options.control_socket = place.socket();
   std::string missing;
   const auto panel = MakePanelSocket(config.control, &missing);
   options.panel = panel.get();
@@ -210,7 +224,8 @@ int ExecCommand(const RunArguments& arguments) {
   if (arguments.network == "private") exec::EnterPrivateNetwork();
 
   // The command is forked before any thread exists and waits until the robot is ready.
-  const std::filesystem::path control = MakeControlSocket(arguments, config);
+  const ControlPlace place(arguments, config);
+  const std::filesystem::path& control = place.socket();
   exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,

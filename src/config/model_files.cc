@@ -1,8 +1,6 @@
 #include "config/model_files.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <system_error>
 #include <vector>
 
 #include "base/errors.h"
@@ -11,16 +9,6 @@
 
 namespace understudy::config {
 namespace {
-
-std::filesystem::path MakeFolder() {
-  std::error_code error;
-  std::string name =
-      (std::filesystem::temp_directory_path(error) / "understudy-scene-XXXXXX").string();
-  if (error || mkdtemp(name.data()) == nullptr) {
-    throw ModelError(name + ": no temporary folder can be made for the scene; set TMPDIR");
-  }
-  return name;
-}
 
 std::filesystem::path FindFile(const std::string& scene) {
   const std::filesystem::path folder = DataDir() / "models" / "scene";
@@ -38,11 +26,6 @@ std::filesystem::path FindFile(const std::string& scene) {
   throw ModelError("no scene '" + scene + "'" + DidYouMean(scene, scenes));
 }
 
-void Remove(const std::filesystem::path& folder) {
-  std::error_code ignored;  // a file left in the temporary folder does no harm
-  if (!folder.empty()) std::filesystem::remove_all(folder, ignored);
-}
-
 }  // namespace
 
 std::filesystem::path ModelFile(const robot::RobotSpec& robot) {
@@ -54,16 +37,13 @@ SceneFile::SceneFile(const std::string& scene, const terrain::TerrainSpec& terra
     path_ = FindFile(scene);
     return;
   }
-  made_ = MakeFolder();
-  path_ = made_ / "scene.xml";
   try {
-    terrain::WriteTerrain(scene, terrain, made_);
-  } catch (...) {
-    Remove(made_);
-    throw;
+    made_.emplace("scene");
+  } catch (const SetupError& error) {
+    throw ModelError(error.what());
   }
+  path_ = made_->path() / "scene.xml";
+  terrain::WriteTerrain(scene, terrain, made_->path());
 }
-
-SceneFile::~SceneFile() { Remove(made_); }
 
 }  // namespace understudy::config

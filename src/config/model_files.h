@@ -2,8 +2,10 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "base/temporary_folder.h"
 #include "robot/robot_spec.h"
 #include "terrain/terrain.h"
 
@@ -19,17 +21,13 @@ class SceneFile {
  public:
   // Generates a kind of terrain or "row"; another word is a file in models/scene, a name with an
   // extension a path. Throws ModelError as WriteTerrain does, or, if there is no such file, with
-  // the valid scenes and the nearest of them.
+  // the valid scenes and the nearest of them, or if there can be no temporary folder.
   SceneFile(const std::string& scene, const terrain::TerrainSpec& terrain);
-  ~SceneFile();
-  SceneFile(const SceneFile&) = delete;
-  SceneFile& operator=(const SceneFile&) = delete;
-
   const std::filesystem::path& path() const { return path_; }
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path made_;  // the temporary folder; empty if nothing was made
+  std::optional<TemporaryFolder> made_;  // nullopt if nothing was made
 };
 
 }  // namespace understudy::config

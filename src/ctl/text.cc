@@ -159,6 +159,8 @@ std::string StatusText(const ordered_json& status) {
       {"commands refused", Refused(commands)},
       {"command time-outs", Count(commands.at("timeouts"))},
       {"unused slots set", Count(commands.at("unused_slots"))},
+      {"service calls", Count(status.at("services").at("requests"))},
+      {"calls refused", Refused(status.at("services"))},
   };
   for (const ordered_json& hand : status.at("hands")) {
     const auto name = hand.at("name").get<std::string>() + " hand";

@@ -12,6 +12,7 @@
 #include "robot/motor_fault.h"
 #include "robot/refusal_text.h"
 #include "robot/remote_keys.h"
+#include "services/service_port.h"
 
 namespace understudy::emulator {
 namespace {
@@ -61,11 +62,21 @@ std::string MessageOf(const Event& event) {
   return (IsOfHand(event) ? "HandCmd of " : "LowCmd of ") + What(event);
 }
 
-std::string SayRefusal(const std::string& verb, const Event& event, std::uint64_t count) {
-  const robot::Refusal reason = ReasonOf(event);
+std::string SayRefusal(const std::string& verb, robot::Refusal reason, const Event& event,
+                       std::uint64_t count) {
   return verb + " " + std::to_string(count) + " " + MessageOf(event) + " (" +
          std::string(robot::Name(reason)) + "): " +
          std::string(IsOfHand(event) ? robot::ExplainForHand(reason) : robot::Explain(reason));
+}
+
+std::string SayCallRefusal(const Event& event, std::uint64_t) {
+  const auto reason = static_cast<services::CallRefusal>(event.numbers[0]);
+  const bool answered = event.numbers[1] != services::Call::kNoCode;
+  std::string text = "refused " + Plural(event.numbers[3], "call") + " of " + What(event) + " (" +
+                     std::string(services::Name(reason)) +
+                     "): " + std::string(services::Explain(reason));
+  if (reason == services::CallRefusal::kState) text += ", " + Text("%.0f", event.numbers[2]);
+  return text + (answered ? "; code " + Text("%.0f", event.numbers[1]) : "; not answered");
 }
 
 std::string SayTimeout(const Event& event, std::uint64_t count) {
@@ -79,7 +90,7 @@ constexpr EventLevel kSilent = EventLevel::kSilent, kInfo = EventLevel::kInfo,
                      kWarning = EventLevel::kWarning, kError = EventLevel::kError;
 
 constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, bool bursts,
-                       const std::array<EventField, 3>& fields,
+                       const std::array<EventField, 5>& fields,
                        std::string (*say)(const Event& event, std::uint64_t count),
                        std::string_view when) {
   return {kind, name, level, bursts, fields, say, when};
@@ -88,12 +99,24 @@ constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, 
 constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kRefused, "refused", kWarning, true, {{{"reason", kReason}, {"topic", kText}}},
-        [](const Event& e, std::uint64_t n) { return SayRefusal("refused", e, n); },
+        [](const Event& e, std::uint64_t n) { return SayRefusal("refused", ReasonOf(e), e, n); },
         "a command is refused"),
     Row(
         EventKind::kTolerated, "tolerated", kInfo, true, {{{"reason", kReason}, {"topic", kText}}},
-        [](const Event& e, std::uint64_t n) { return SayRefusal("took", e, n); },
+        [](const Event& e, std::uint64_t n) { return SayRefusal("took", ReasonOf(e), e, n); },
         "a lenient gate takes a command whose form is wrong"),
+    Row(
+        EventKind::kLostCommands, "lost_commands", kWarning, true,
+        {{{"commands", kSum}, {"topic", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return SayRefusal("refused", robot::Refusal::kLost, e,
+                            static_cast<std::uint64_t>(e.numbers[0]));
+        },
+        "commands are replaced by newer ones before they are read, or lost by the bus"),
+    Row(
+        EventKind::kUnmatched, "unmatched", kWarning, true, {{{"writer", kText}}},
+        [](const Event& e, std::uint64_t) { return "nothing arrives on " + What(e); },
+        "somebody writes a topic of the robot with another type or quality of service"),
     Row(EventKind::kTimeout, "timeout", kWarning, true, {{{"topic", kText}}}, SayTimeout,
         "commands stop"),
     Row(
@@ -186,10 +209,11 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kUnusedSlot, "unused_slot", kWarning, false, {},
         [](const Event&, std::uint64_t) -> std::string {
-          return "a LowCmd sets gains or torque in a slot without a motor; the robot ignores it. "
-                 "Is the program's motor order this robot's?";
+          return "a LowCmd commands slots without a motor, each differently; the robot ignores "
+                 "them. Is the program's motor order this robot's?";
         },
-        "a LowCmd sets gains or torque in a slot without a motor, the first time"),
+        "a LowCmd has gains or torque in slots without a motor, and not the same in all of them, "
+        "the first time"),
     Row(
         EventKind::kUnsetHead, "unset_head", kInfo, false, {},
         [](const Event&, std::uint64_t) -> std::string {
@@ -224,7 +248,14 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           return What(e) + " " + std::to_string(api) + " answers " + std::to_string(code) +
                  Times(n);
         },
-        "a service is called, leases left aside"),
+        "a service is called, leases left aside unless refused"),
+    Row(EventKind::kCallRefused, "call_refused", kWarning, true,
+        {{{"reason", kCallReason},
+          {"code", kInteger},
+          {"state", kInteger},
+          {"calls", kSum},
+          {"call", kText}}},
+        SayCallRefusal, "a call of a service is refused or ignored, whatever is answered"),
     Row(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
@@ -249,6 +280,8 @@ json Value(const Event& event, EventFieldType type, std::size_t number) {
     case kInteger:
     case kCause:
       return static_cast<std::int64_t>(event.numbers[number]);
+    case kCallReason:
+      return services::Name(static_cast<services::CallRefusal>(event.numbers[number]));
     case kReason:
       return robot::Name(static_cast<robot::Refusal>(event.numbers[number]));
     case kGate:
@@ -280,7 +313,9 @@ bool SameCause(const Event& a, const Event& b) {
   if (a.kind != b.kind || a.robot != b.robot || a.text != b.text) return false;
   bool same = true;
   ForEachField(RowOf(a.kind), [&](const EventField& field, std::size_t i) {
-    if (field.type == kReason || field.type == kCause) same = same && a.numbers[i] == b.numbers[i];
+    if (field.type == kReason || field.type == kCallReason || field.type == kCause) {
+      same = same && a.numbers[i] == b.numbers[i];
+    }
   });
   return same;
 }
@@ -328,6 +363,13 @@ std::optional<ToldEvent> EventDigest::Take(const Event& event, double now) {
   if (!RowOf(event.kind).bursts) return ToldEvent{.event = event};
   auto cause = std::ranges::find_if(
       causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
+  if (cause == causes_.end() && causes_.size() >= kMostCauses) {
+    std::erase_if(causes_, [&](const Cause& known) {
+      return known.held.count == 0 && now >= known.told_at + period_;
+    });
+    // Whoever is on the network may think of causes without end: those beyond count as the last.
+    cause = causes_.size() < kMostCauses ? causes_.end() : causes_.end() - 1;
+  }
   if (cause == causes_.end()) {
     causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now});
     return ToldEvent{.event = event};

@@ -29,13 +29,14 @@ enum class EventFieldType : std::uint8_t {
   kInteger,
   kBool,
   kText,
-  kReason,  // a robot::Refusal
-  kCause,   // a whole number; events with different ones have different causes
-  kGate,    // an authority::GateState
-  kFault,   // a place in robot::kMotorFaults
-  kKeys,    // of the remote controller, as bits
-  kWorst,   // a number; a burst has the largest
-  kSum,     // a number; a burst has the sum
+  kReason,      // a robot::Refusal
+  kCallReason,  // a services::CallRefusal
+  kCause,       // a whole number; events with different ones have different causes
+  kGate,        // an authority::GateState
+  kFault,       // a place in robot::kMotorFaults
+  kKeys,        // of the remote controller, as bits
+  kWorst,       // a number; a burst has the largest
+  kSum,         // a number; a burst has the sum
 };
 
 struct EventField {
@@ -48,7 +49,7 @@ struct EventRow {
   std::string_view name;  // in recordings and the control plane
   EventLevel level;
   bool bursts;  // frequent: readers report each cause once per period
-  std::array<EventField, 3> fields;
+  std::array<EventField, 5> fields;
   std::string (*say)(const Event& event, std::uint64_t count);  // for people, without a full stop
   std::string_view when;                                        // it happens
 };
@@ -74,6 +75,9 @@ struct ToldEvent {
 // those that follow within `period` as one event after it. All other events are reported at once.
 class EventDigest {
  public:
+  // The most causes that are told apart within a period; *assumed*, far more than a run has.
+  static constexpr std::size_t kMostCauses = 256;
+
   explicit EventDigest(double period) : period_(period) {}  // s, of the clock that `now` is of
 
   // Returns `event` if it is to be reported at once; otherwise keeps it. `now` never decreases.

@@ -19,6 +19,8 @@ namespace understudy::emulator {
 enum class EventKind : std::uint8_t {
   kRefused,
   kTolerated,
+  kLostCommands,
+  kUnmatched,
   kTimeout,
   kFollowing,
   kGate,
@@ -42,6 +44,7 @@ enum class EventKind : std::uint8_t {
   kOverrun,
   kStall,
   kCall,
+  kCallRefused,
   kLost,
   kCount,
 };

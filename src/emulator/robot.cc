@@ -1,6 +1,8 @@
 #include "emulator/robot.h"
 
+#include <algorithm>
 #include <cmath>
+#include <string>
 
 #include "motion/make_motion.h"
 
@@ -72,14 +74,25 @@ void Robot::ServeCalls(time::Clock::Time now) {
 std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t api_id,
                                         std::string_view parameter, time::Clock::Time now) {
   if (services_ == nullptr) return std::nullopt;
-  const auto code = services_->Answer(service, api_id, parameter, &router_.owner(), now);
-  if (code) NoteCall({.service = service, .api_id = api_id, .code = *code});
-  return code;
+  const auto call = services_->Answer(service, api_id, parameter, &router_.owner(), now);
+  if (call) NoteCall(*call);
+  return call ? std::optional(call->code) : std::nullopt;
 }
 
 void Robot::NoteCall(const services::Call& call) {
-  Note(EventKind::kCall, {static_cast<double>(call.api_id), static_cast<double>(call.code)},
-       call.service);
+  using services::CallRefusal;
+  if (call.code != services::Call::kNoCode) {
+    Note(EventKind::kCall, {static_cast<double>(call.api_id), static_cast<double>(call.code)},
+         call.service);
+  }
+  if (call.refusal == CallRefusal::kNone) return;
+  std::string what(call.service);
+  if (call.api_id != 0) what += " " + std::to_string(call.api_id);
+  if (!call.name.empty()) what += " " + std::string(call.name);
+  Note(EventKind::kCallRefused,
+       {static_cast<double>(call.refusal), static_cast<double>(call.code),
+        static_cast<double>(router_.owner().state().id), static_cast<double>(call.times)},
+       what);
 }
 
 void Robot::Hear(std::int64_t step, double t) {
@@ -87,6 +100,8 @@ void Robot::Hear(std::int64_t step, double t) {
   command_ = &delay_.Pass(Decide(step, t));
   NoteChanges(t);
 }
+
+void Robot::Rest() { port_->Rest(); }
 
 void Robot::Act() {
   const double dt = physics_->timestep();
@@ -115,15 +130,41 @@ void Robot::Tell(std::int64_t step) {
 void Robot::TakeCommands(double t) {
   NoteChanges(t);
   router_.Obey(remote_.Read(t), t);
-  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
-    robot::Refusal form = robot::Refusal::kNone;
-    for (int i = 0; i < authority::Intake::kMostAtOnce && port_->Take(topic, &offered_, &form);
-         ++i) {
-      const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
-      NoteCommand(topic, form, refusal, router_.counts(topic));
-      NoteChanges(t);
+  // One of each topic in turn, so that none keeps the others waiting.
+  int left = authority::Intake::kMostInATick;
+  for (int i = 0; i < authority::Intake::kMostAtOnce; ++i) {
+    const int before = left;
+    for (std::size_t topic = 0; topic < topics_.size() && left > 0; ++topic) {
+      if (TakeCommand(topic, t)) --left;
     }
+    if (left == before) break;
   }
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
+    const std::uint64_t lost = port_->TakeLost(topic);
+    if (lost == 0) continue;
+    router_.Count(topic, robot::Refusal::kLost, lost);
+    Note(EventKind::kLostCommands, {static_cast<double>(lost)}, topics_[topic]);
+  }
+}
+
+// Returns false if none waits.
+bool Robot::TakeCommand(std::size_t topic, double t) {
+  robot::Refusal form = robot::Refusal::kNone;
+  if (!port_->Take(topic, &offered_, &form)) return false;
+  const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
+  NoteCommand(topic, form, refusal, router_.counts(topic));
+  NoteChanges(t);
+  return true;
+}
+
+void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {
+  const auto found = std::ranges::find(topics_, topic);
+  if (found != topics_.end()) {
+    router_.Count(static_cast<std::size_t>(found - topics_.begin()), robot::Refusal::kUnmatched, 1);
+  } else if (services_ != nullptr) {
+    services_->CountUnmatched();
+  }
+  Note(EventKind::kUnmatched, {}, writer);
 }
 
 // The motion service gets the sample of the step before, as on a real robot: the published one if

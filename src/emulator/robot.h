@@ -55,6 +55,8 @@ class Robot {
 
   // Takes the waiting commands and selects what the motors follow in the step at t.
   void Hear(std::int64_t step, double t);
+  // Keeps the newest commands; call it now and then while simulated time stands still.
+  void Rest();
   // Applies the torques of the motors and the pull of the tether. Call it between BeginStep and
   // EndStep of the physics.
   void Act();
@@ -82,6 +84,10 @@ class Robot {
 
   // Stops or resumes publishing; the robot keeps moving.
   void Silence(bool on);
+
+  // Counts and adds an event for a writer of one of this robot's topics from which nothing arrives,
+  // since its type or quality of service is another. `writer` says which and why, for people.
+  void NoteUnmatched(std::string_view topic, std::string_view writer);
 
   // Adds events for changes since the last call: who moves the motors, what the robot hangs from,
   // the remote controller's keys. Call it after anything that may change them.
@@ -129,6 +135,7 @@ class Robot {
   }
   physics::Crane::Hooks hooks() const;
   void TakeCommands(double t);
+  bool TakeCommand(std::size_t topic, double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   void Sample(std::int64_t step);  // samples the current instant of the physics
   void Note(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {

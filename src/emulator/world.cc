@@ -63,6 +63,7 @@ void World::Attend(time::Clock::Time now) {
   TakeRequests();
   for (Robot& robot : robots_) {
     robot.ServeCalls(now);
+    if (pace_.stands_still()) robot.Rest();
     robot.NoteChanges(time());
   }
 }

@@ -93,12 +93,14 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 
 // Runs the child from fork to exec. Never returns, throws or allocates. It starts with all signals
 // blocked and restores `mask`.
-[[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, const char* program,
-                              char* const* arguments, char* const* environment) {
+[[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, int standard_error,
+                              const char* program, char* const* arguments,
+                              char* const* environment) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   // The parent may have died before prctl took effect; getppid() detects that.
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
+  if (standard_error >= 0 && ::dup2(standard_error, STDERR_FILENO) < 0) ::_exit(kExitOwnFailure);
   char go = 0;
   if (!ReadFully(gate, &go, 1)) ::_exit(kExitOwnFailure);
 
@@ -112,8 +114,8 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 
 }  // namespace
 
-ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
-                           const Environment& additions) {
+ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Environment& additions,
+                           int standard_error) {
   if (arguments.empty()) throw CommandError("no command to run", kExitOwnFailure);
   std::vector<std::string> argument_texts = arguments;
   std::vector<std::string> environment_texts = MergedEnvironment(additions);
@@ -139,8 +141,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments,
   const int error = errno;
   if (pid_ == 0) {
     gate_.reset();  // else the child would not see our end close
-    WaitAndExec(child_gate.get(), parent, mask, program_.c_str(), argument_pointers.data(),
-                environment_pointers.data());
+    WaitAndExec(child_gate.get(), parent, mask, standard_error, program_.c_str(),
+                argument_pointers.data(), environment_pointers.data());
   }
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   if (pid_ < 0) RefuseProcess(error);

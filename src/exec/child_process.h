@@ -39,9 +39,11 @@ class ChildProcess {
   // If SIGCHLD is ignored, it is reset to default in this process, since the kernel would discard
   // exit codes otherwise.
   //
+  // With `standard_error`, a descriptor, the command has that for its stderr instead of ours.
+  //
   // Throws CommandError: no such program (127), not executable (126), fork failed (125).
   explicit ChildProcess(const std::vector<std::string>& arguments,
-                        const Environment& additions = {});
+                        const Environment& additions = {}, int standard_error = -1);
 
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -32,6 +32,10 @@ std::string_view Explain(Refusal refusal) {
       return "its bytes are no message of the topic's type; was the program built with the "
              "vendor's "
              "IDL?";
+    case Refusal::kLost:
+      return "more came than the robot reads, 8 of a topic in a tick; newer ones replaced them";
+    case Refusal::kUnmatched:
+      return "the writer's type or quality of service is not the topic's: nothing of it arrives";
     case Refusal::kNone:
     case Refusal::kCount:
       break;

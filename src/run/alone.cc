@@ -8,8 +8,24 @@
 #include <spdlog/spdlog.h>
 
 #include "base/errors.h"
+#include "base/signals.h"
 
 namespace understudy::run {
+namespace {
+
+// For a robot that starts at the same moment: *assumed*, several times the longest start.
+constexpr std::chrono::seconds kElderPatience(60);
+
+// Those of them that are robots of this program.
+std::vector<bus::Neighbour> Robots(const wire::StrangerWatch& watch,
+                                   std::vector<bus::Neighbour> strangers) {
+  std::erase_if(strangers, [&](const bus::Neighbour& one) {
+    return watch.KindOf(one) == wire::StrangerWatch::Kind::kOther;
+  });
+  return strangers;
+}
+
+}  // namespace
 
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
@@ -20,19 +36,40 @@ void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
       std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(seconds));
   const std::string where =
       participant.interface() + ", domain " + std::to_string(participant.domain()) + ": ";
+  constexpr const char* kInstead =
+      "; nothing was sent. Use another --domain or --interface, or `understudy exec`";
+  const bool waits = guard.on_stranger != config::StrangerAction::kWarn;
   time::Clock::Time until = since + listen;
+  const time::Clock::Time give_up = clock->Now() + kElderPatience;
   bool alone = true;
   while (true) {
     const wire::StrangerWatch::News news = watch->Poll();
     if (!news.spoke.empty()) {
       throw NeighbourError("a robot is already on " + where + wire::Describe(news.spoke) +
-                           " sends rt/lowstate; nothing was sent. Use another --domain or "
-                           "--interface, or `understudy exec`");
+                           " sends rt/lowstate" + kInstead);
     }
     const time::Clock::Time now = clock->Now();
     if (alone && !news.appeared.empty()) {
       alone = false;
       until = std::max(until, now + listen);
+    }
+    // Two that start at the same moment both hear nobody. Whoever began first goes on; the other
+    // waits until it writes, or is gone because it could not start after all.
+    const std::vector<bus::Neighbour> elders = watch->EldersStarting();
+    if (waits && !elders.empty()) {
+      if (now >= give_up) {
+        throw NeighbourError("a robot has been starting on " + where + wire::Describe(elders) +
+                             " for a minute" + kInstead);
+      }
+      if (StopSignal() != 0)
+        throw NeighbourError("ended while it waited for a robot on " + where +
+                             wire::Describe(elders) + " starts first");
+      until = std::max(until, now + listen);
+    }
+    const std::vector<bus::Neighbour> starts = Robots(*watch, news.appeared);
+    if (waits && !starts.empty()) {
+      throw NeighbourError("a robot starts at the same moment on " + where +
+                           wire::Describe(starts) + " was first, so this one yields" + kInstead);
     }
     if (now >= until) break;
     clock->SleepUntil(std::min(until, now + std::chrono::milliseconds(10)));

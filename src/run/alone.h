@@ -8,7 +8,8 @@
 
 namespace understudy::run {
 
-// Returns if no other participant writes rt/lowstate, or if it has only a silent writer and the
+// Returns if no other participant writes rt/lowstate and no other robot of this program began to
+// start before this one (wire/robot_rank.h), or if it has only a silent writer and the
 // configuration allows that. The listening time counts from `since`, when the watch began. A writer
 // that has sent nothing gets the same time again. Throws NeighbourError.
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,

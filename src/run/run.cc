@@ -1,8 +1,11 @@
 #include "run/run.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -14,6 +17,7 @@
 
 #include "base/spsc_ring.h"
 #include "bus/cyclone_log.h"
+#include "bus/discovery.h"
 #include "bus/participant.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -30,6 +34,7 @@
 #include "time/realtime.h"
 #include "wire/port.h"
 #include "wire/remote_codec.h"
+#include "wire/robot_rank.h"
 #include "wire/strangers.h"
 
 namespace understudy::run {
@@ -39,6 +44,9 @@ using emulator::EventKind;
 using std::chrono::milliseconds;
 
 constexpr milliseconds kHousekeeping(20);
+// Robots that heard nobody before their start although both were there hear each other soon after;
+// *assumed*, several times the duration of discovery on a busy network.
+constexpr std::chrono::seconds kSameMoment(5);
 // How often a loop that never waits checks the clock and the stop flag and posts its status.
 constexpr std::int64_t kStepsPerPost = 10;
 // The longest that requests and service calls wait while no step is due or the robot is paused.
@@ -48,9 +56,11 @@ constexpr milliseconds kGlance(2);
 class Housekeeper {
  public:
   Housekeeper(const config::Config& config, bool status_line, wire::StrangerWatch watch,
-              const emulator::StatusBoard* board, const emulator::EventRing* events)
+              bus::MismatchWatch mismatches, const emulator::StatusBoard* board,
+              const emulator::EventRing* events)
       : action_(config.guard.on_stranger),
         watch_(std::move(watch)),
+        mismatches_(std::move(mismatches)),
         board_(board),
         reporter_(events, config.robot.rates.lowstate_hz, status_line),
         thread_([this](const std::stop_token& stop) { Run(stop); }) {}
@@ -58,6 +68,19 @@ class Housekeeper {
   // Whether another robot publishes and guard.on_stranger says so.
   bool must_silence() const { return must_silence_; }
   bool must_stop() const { return must_stop_; }
+
+  // A writer of one of the robot's topics from which nothing arrives.
+  struct Unmatched {
+    std::array<char, 64> topic{};
+    std::array<char, sizeof(emulator::Event::text)> writer{};
+  };
+  // Calls visit(topic, writer) for each that is new. For the thread of the tick.
+  template <typename Visit>
+  void TakeUnmatched(Visit&& visit) {
+    for (; const Unmatched* one = unmatched_.Front(); unmatched_.Pop()) {
+      visit(one->topic.data(), one->writer.data());
+    }
+  }
 
   // Logs a warning of MuJoCo from a tick. Never waits; ignores "".
   void Warn(std::string_view text) {
@@ -71,7 +94,8 @@ class Housekeeper {
   void Run(const std::stop_token& stop) {
     time::SteadyClock clock;
     while (!stop.stop_requested()) {
-      Watch();
+      Watch(clock.Now());
+      WatchMismatches(clock.Now());
       reporter_.Update(board_->Read(), clock.Now());
       TellOfCyclone(clock.Now());
       for (; const std::string* text = warnings_.Front(); warnings_.Pop()) {
@@ -91,32 +115,57 @@ class Housekeeper {
     }
   }
 
-  void Watch() {
+  void Watch(time::Clock::Time now) {
     const wire::StrangerWatch::News news = watch_.Poll();
     for (const bus::Neighbour& stranger : news.appeared) {
       spdlog::warn("{} has a writer of rt/lowstate, as a robot has", bus::Describe(stranger));
     }
     constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
                                          "we stop"};
+    // Of two robots of this program the elder goes on, since the younger yields.
+    using Kind = wire::StrangerWatch::Kind;
+    const auto is = [this](Kind kind) {
+      return [this, kind](const bus::Neighbour& one) { return watch_.KindOf(one) == kind; };
+    };
+    const std::vector<bus::Neighbour> speaking = watch_.speaking();
+    const bool speaks = !std::ranges::all_of(speaking, is(Kind::kYounger));
+    const bool yields = action_ != config::StrangerAction::kWarn && now < began_ + kSameMoment &&
+                        std::ranges::any_of(speaking, is(Kind::kElder));
     if (!news.spoke.empty()) {
+      const char* const what = !speaks  ? "it began to start after this one and yields, we go on"
+                               : yields ? "it began to start before this one, which yields"
+                                        : kWhatWeDo[static_cast<int>(action_)];
       spdlog::critical("another robot speaks on this network: {}; {}", wire::Describe(news.spoke),
-                       kWhatWeDo[static_cast<int>(action_)]);
+                       what);
     }
-    const bool speaks = !watch_.speaking().empty();
     if (speaks_ && !speaks) spdlog::info("the other robot has gone");
     speaks_ = speaks;
     must_silence_ = speaks && action_ == config::StrangerAction::kSilence;
-    must_stop_ = speaks && action_ == config::StrangerAction::kStop;
+    must_stop_ = must_stop_ || yields || (speaks && action_ == config::StrangerAction::kStop);
+  }
+
+  // Passes on to the tick what only this thread has time to find out.
+  void WatchMismatches(time::Clock::Time now) {
+    for (const bus::Mismatch& found : mismatches_.Poll(now)) {
+      Unmatched* const slot = unmatched_.Claim();
+      if (slot == nullptr) return;
+      emulator::CopyText(found.topic, &slot->topic);
+      emulator::CopyText(bus::Describe(found), &slot->writer);
+      unmatched_.Commit();
+    }
   }
 
   config::StrangerAction action_;
   wire::StrangerWatch watch_;
+  bus::MismatchWatch mismatches_;
   const emulator::StatusBoard* board_;
   Reporter reporter_;
+  time::Clock::Time began_ = time::SteadyClock().Now();
   bool speaks_ = false;
   time::Clock::Time cyclone_told_ = -std::chrono::hours(1);
   std::atomic<bool> must_silence_{false};
   std::atomic<bool> must_stop_{false};
+  SpscRing<Unmatched> unmatched_{8, Unmatched{}};
   SpscRing<std::string> warnings_{4, std::string(511, ' ')};  // with room for any warning
   std::jthread thread_;                                       // last: it uses all of the above
 };
@@ -136,7 +185,10 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   config::Config config = asked;
   time::SteadyClock clock;
   // The participant comes first, so that discovery runs while the model compiles.
-  const bus::Participant participant(config.network.interface, config.network.domain);
+  const std::int64_t since =
+      std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
+  const bus::Participant participant(config.network.interface, config.network.domain,
+                                     wire::AnnounceRobot(since));
   if (!participant.multicast()) {
     spdlog::info(
         "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
@@ -177,7 +229,11 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
        .files = server::StaticFiles(config::PanelDir()),
        .openapi = config::OpenApiFile()},
       server::ServerLimits{}, options.panel);
-  Housekeeper housekeeper(config, options.status_line, std::move(watch), &board, &world.events());
+  std::vector<const bus::ReaderCore*> readers = port.readers();
+  std::ranges::copy(host.readers(), std::back_inserter(readers));
+  Housekeeper housekeeper(config, options.status_line, std::move(watch),
+                          bus::MismatchWatch(participant, std::move(readers)), &board,
+                          &world.events());
 
   if (config.time.realtime && config.time.speed > 0)
     spdlog::info("{}", time::RequestRealtime().text);
@@ -219,6 +275,9 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     board.Post(world.status(
         {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()}));
     world.robot().Silence(housekeeper.must_silence());
+    housekeeper.TakeUnmatched([&](std::string_view topic, std::string_view writer) {
+      world.robot().NoteUnmatched(topic, writer);
+    });
     if (diverged) {
       spdlog::critical("the physics diverged at {:.3f} s and physics.on_divergence is stop",
                        world.time());

@@ -125,8 +125,11 @@ void AddCommands(const emulator::Status& status, const emulator::Snapshot& snaps
   page->Counter("write_failures_total", "Messages that the bus did not take.",
                 status.port.write_failures);
   page->Counter("service_requests_total", "Requests to services.", status.services.requests);
-  page->Counter("service_refusals_total", "Requests answered by a code other than 0.",
-                status.services.refused);
+  page->Family("service_refusals_total", "counter", "Requests that were refused or ignored.");
+  for (std::size_t i = 1; i < services::kCallRefusals; ++i) {
+    page->Add(status.services.refused[i],
+              Label("reason", services::Name(static_cast<services::CallRefusal>(i))));
+  }
   page->Counter("service_replies_lost_total", "Replies that nobody could be sent.",
                 status.services.lost_replies);
 }

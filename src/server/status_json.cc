@@ -18,6 +18,14 @@ ordered_json RefusedJson(const authority::GateCounts& counts) {
   return refused;
 }
 
+ordered_json RefusedJson(const services::ServiceCounts& counts) {
+  ordered_json refused;
+  for (std::size_t i = 1; i < services::kCallRefusals; ++i) {
+    refused[std::string{services::Name(static_cast<services::CallRefusal>(i))}] = counts.refused[i];
+  }
+  return refused;
+}
+
 // {"seed": 7, "drawn": {"friction": 0.9, "mass": {"base_link": 1.02, ...}, ...}}; null where
 // nothing was drawn.
 ordered_json DrawsJson(const robot::Draws& draws) {
@@ -95,6 +103,10 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
         {"timeouts", status.user_commands.timeouts},
         {"refused", RefusedJson(status.user_commands)}}},
       {"hands", HandsJson(status)},
+      {"services",
+       {{"requests", status.services.requests},
+        {"refused", RefusedJson(status.services)},
+        {"lost_replies", status.services.lost_replies}}},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},

@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "authority/motor_owner.h"
+#include "services/call_refusal.h"
 
 namespace understudy::services {
 
@@ -68,6 +69,9 @@ struct ServiceReply {
   // Longest wait for that condition and for the client's reader; the default is assumed.
   std::chrono::nanoseconds patience = std::chrono::milliseconds(300);
   std::optional<ConfigChange> change{};  // to be published on rt/config_change_status
+  // Why it comes to nothing. kNone: the Service finds out by what the motion service said, and by
+  // the code.
+  CallRefusal refusal = CallRefusal::kNone;
 };
 
 // The arguments of a Special function. `parameter` is decoded and valid for the row's fields.
@@ -104,7 +108,7 @@ struct GiveState {
   StateWord word;
   std::string_view key;
 };
-struct NoController {};  // not simulated: replies with a failure code and logs it
+struct NoController {};  // not simulated: replies with a failure code
 struct Special {
   ServiceReply (*answer)(const ServiceCall& call);
   bool only_reads = false;

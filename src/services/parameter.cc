@@ -96,6 +96,20 @@ const json* Find(const Field& field, const json& object) {
   return nullptr;
 }
 
+// Whether there are too many values, or texts and arrays one in another, to be parsed in time.
+bool IsTooMuch(std::string_view text) {
+  if (text.size() > kMostParameterBytes) return true;
+  std::size_t values = 0;
+  bool quoted = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (quoted && c == '\\') ++i;
+    if (c == '"') quoted = !quoted;
+    if (!quoted && (c == ',' || c == '[' || c == '{')) ++values;
+  }
+  return values > kMostParameterValues;
+}
+
 std::string Shown(double number) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%g", number);
@@ -123,6 +137,7 @@ std::string DescribeRange(const Field& field) {
 std::optional<json> DecodeParameter(std::string_view text, std::span<const Field> fields) {
   json decoded = json::object();
   if (fields.empty()) return decoded;
+  if (IsTooMuch(text)) return std::nullopt;
   const bool nothing = text.empty();
   const json given = nothing ? json::object() : json::parse(text, nullptr, false);
   if (given.is_discarded()) return std::nullopt;

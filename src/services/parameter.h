@@ -11,13 +11,15 @@
 
 namespace understudy::services {
 
-// Longer parameters are refused unread. Assumed: parsing this many takes about 0.1 ms of the tick's
-// thread, and the vendor's longest parameter, 30 path points, has 6 kB.
+// Longer parameters are refused unread, and those of more values, of one of which begins or another
+// follows at each [, { and comma outside of texts. Assumed: the vendor's longest parameter, 30 path
+// points, has 6 kB and 300 values.
 inline constexpr std::size_t kMostParameterBytes = 16384;
+inline constexpr std::size_t kMostParameterValues = 512;
 
 // Returns an object with only the keys of `fields`, numbers clamped if the field says so. Returns
-// nullopt if `text` is not JSON or a field is missing, of the wrong type or out of range. If no
-// field is required, "" means "{}"; if there are no fields, any text does.
+// nullopt if `text` is not JSON or too much of it, or a field is missing, of the wrong type or out
+// of range. If no field is required, "" means "{}"; if there are no fields, any text does.
 std::optional<nlohmann::json> DecodeParameter(std::string_view text, std::span<const Field> fields);
 
 // Describes the fields in one line, such as {"x": number -0.75..0.75 clamped}; "" without fields.

@@ -38,6 +38,21 @@ std::string NameOfSetting(std::string_view name, const Field& field, bool first)
   return first ? std::string(name) : std::string(name) + "." + std::string(field.key);
 }
 
+// Why nothing came of a call, by the worst that the motion service said while it was carried out.
+CallRefusal RefusalOf(authority::MotionVerdict verdict, std::int32_t code) {
+  switch (verdict) {
+    case authority::MotionVerdict::kNotNow:
+      return CallRefusal::kState;
+    case authority::MotionVerdict::kUnknown:
+      return CallRefusal::kGoal;
+    case authority::MotionVerdict::kUnable:
+      return CallRefusal::kNotSimulated;
+    case authority::MotionVerdict::kTaken:
+      break;
+  }
+  return code == kRpcOk ? CallRefusal::kNone : CallRefusal::kCode;
+}
+
 constexpr std::int64_t kApply = 101;
 constexpr std::int64_t kRenew = 102;
 
@@ -53,6 +68,11 @@ Service::Service(ServiceTable table) : table_(std::move(table)) {
   for (const auto& [name, start] : table_.settings) {
     settings_.emplace(name, json::parse(start));
   }
+}
+
+std::string_view Service::NameOf(std::int64_t api_id) const {
+  const auto row = std::ranges::find(table_.rows, api_id, &ApiRow::id);
+  return row == table_.rows.end() ? std::string_view() : row->name;
 }
 
 void Service::Set(std::string_view name, json value) {
@@ -72,17 +92,28 @@ ServiceReply Service::Answer(const ServiceRequest& request, authority::MotorOwne
                              Lease::Time now, std::string* notice) {
   if (request.api_id == kApiVersion) return {.data = std::string(table_.api_version)};
   const auto row = std::ranges::find(table_.rows, request.api_id, &ApiRow::id);
-  if (row == table_.rows.end()) return {.code = kRpcApiNotImplemented};
-  if (!OnlyReads(*row) && lease_.Denies(request.lease_id, now)) return {.code = kRpcLeaseDenied};
-  ServiceReply bad{.code = row->parameter_code.value_or(table_.parameter_code)};
+  if (row == table_.rows.end()) {
+    return {.code = kRpcApiNotImplemented, .refusal = CallRefusal::kUnknownApi};
+  }
+  if (!OnlyReads(*row) && lease_.Denies(request.lease_id, now)) {
+    return {.code = kRpcLeaseDenied, .refusal = CallRefusal::kLease};
+  }
+  ServiceReply bad{.code = row->parameter_code.value_or(table_.parameter_code),
+                   .refusal = CallRefusal::kParameter};
   if (request.parameter_bytes > kMostParameterBytes) return bad;
   if (request.binary_bytes > (row->takes_binary ? kMostBinaryBytes : 0)) return bad;
   try {
     const auto parameter = DecodeParameter(request.parameter, row->fields);
-    return parameter ? Act(*row, *parameter, request.binary_bytes, owner, notice) : bad;
+    if (!parameter) return bad;
+    owner->TakeVerdict();
+    ServiceReply reply = Act(*row, *parameter, request.binary_bytes, owner, notice);
+    if (reply.refusal == CallRefusal::kNone) {
+      reply.refusal = RefusalOf(owner->TakeVerdict(), reply.code);
+    }
+    return reply;
   } catch (const std::exception& error) {
     *notice = std::string(table_.name) + " " + std::string(row->name) + ": " + error.what();
-    return {.code = kRpcServerInternal};
+    return {.code = kRpcServerInternal, .refusal = CallRefusal::kFailed};
   }
 }
 
@@ -90,7 +121,7 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
                           authority::MotorOwner* owner, std::string* notice) {
   return std::visit(
       Overloaded{
-          [&](const AskGoal& effect) { return Ask(row, effect, parameter, owner, notice); },
+          [&](const AskGoal& effect) { return Ask(row, effect, parameter, owner); },
           [&](const KeepSetting& effect) {
             for (const Field& field : row.fields) {
               const bool first = &field == &row.fields.front();
@@ -106,14 +137,15 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
             return ServiceReply{.code = refused ? effect.refused : kRpcOk,
                                 .data = json{{std::string(effect.key),
                                               value == settings_.end() ? json() : value->second}}
-                                            .dump()};
+                                            .dump(),
+                                .refusal = refused ? CallRefusal::kState : CallRefusal::kNone};
           },
           [&](const GiveState& effect) {
             const robot::MotionState state = owner->state();
             const int word = effect.word == StateWord::kId ? state.id : state.mode;
             return ServiceReply{.data = json{{std::string(effect.key), word}}.dump()};
           },
-          [&](const NoController&) { return Refuse(row, notice); },
+          [&](const NoController&) { return Refuse(row); },
           [&](const Special& effect) {
             return effect.answer({.parameter = parameter,
                                   .binary_bytes = binary_bytes,
@@ -126,7 +158,7 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
 }
 
 ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& parameter,
-                          authority::MotorOwner* owner, std::string* notice) {
+                          authority::MotorOwner* owner) {
   switch (owner->Ask(GoalOf(row, effect, parameter))) {
     case authority::MotionVerdict::kTaken:
       if (!effect.keep.empty()) {
@@ -140,28 +172,32 @@ ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& 
     case authority::MotionVerdict::kUnable:
       break;
   }
-  return Refuse(row, notice);
+  return Refuse(row);
 }
 
-ServiceReply Service::Refuse(const ApiRow& row, std::string* notice) const {
-  const std::int32_t code = row.unable_code.value_or(table_.codes.unable);
-  *notice = std::string(table_.name) + " " + std::string(row.name) + ": not simulated; answered " +
-            std::to_string(code);
-  return {.code = code};
+ServiceReply Service::Refuse(const ApiRow& row) const {
+  return {.code = row.unable_code.value_or(table_.codes.unable),
+          .refusal = CallRefusal::kNotSimulated};
 }
 
 ServiceReply Lease::Answer(std::int64_t api_id, std::string_view parameter, std::int64_t lease_id,
                            Time now) {
   ForgetIfOver(now);
   if (api_id == kRenew) {
-    if (id_ == 0 || lease_id != id_) return {.code = kRpcLeaseNotExist};
+    if (id_ == 0 || lease_id != id_) {
+      return {.code = kRpcLeaseNotExist, .refusal = CallRefusal::kLease};
+    }
     renewed_ = now;
     return {};
   }
-  if (api_id != kApply) return {.code = kRpcApiNotImplemented};
+  if (api_id != kApply) {
+    return {.code = kRpcApiNotImplemented, .refusal = CallRefusal::kUnknownApi};
+  }
   const Field name{.key = "name", .kind = FieldKind::kText, .optional = true};
-  if (!DecodeParameter(parameter, {&name, 1})) return {.code = kRpcApiParameter};
-  if (id_ != 0) return {.code = kRpcLeaseExist};
+  if (!DecodeParameter(parameter, {&name, 1})) {
+    return {.code = kRpcApiParameter, .refusal = CallRefusal::kParameter};
+  }
+  if (id_ != 0) return {.code = kRpcLeaseExist, .refusal = CallRefusal::kLease};
   const auto micros = std::chrono::duration_cast<std::chrono::microseconds>(now).count();
   id_ = last_id_ = std::max<std::int64_t>(micros, last_id_ + 1);
   renewed_ = now;

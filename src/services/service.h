@@ -59,6 +59,8 @@ class Service {
   explicit Service(ServiceTable table);
 
   const ServiceTable& table() const { return table_; }
+  // Returns the name of an api, "" if the service does not have it. Valid as long as the service.
+  std::string_view NameOf(std::int64_t api_id) const;
 
   // Returns false while the program that serves it, or the motion service that it needs, is off.
   // Requests are then dropped and clients time out (3104), as seen on an H1-2.
@@ -66,7 +68,8 @@ class Service {
 
   // Checks in the order of the vendor's server: api 1 returns the version; an unknown api gets
   // 3203; a lease held by another client 3205; a bad parameter the service's code. Then the row
-  // takes effect; an exception in it gets 3202. Sets `notice` to a line for the log, "" for none.
+  // takes effect; an exception in it gets 3202. The reply says why it comes to nothing, if it does.
+  // Sets `notice` to a line for the log on what else there is to say, "" for nothing.
   ServiceReply Answer(const ServiceRequest& request, authority::MotorOwner* owner, Lease::Time now,
                       std::string* notice);
 
@@ -78,8 +81,8 @@ class Service {
   ServiceReply Act(const ApiRow& row, const nlohmann::json& parameter, std::size_t binary_bytes,
                    authority::MotorOwner* owner, std::string* notice);
   ServiceReply Ask(const ApiRow& row, const AskGoal& effect, const nlohmann::json& parameter,
-                   authority::MotorOwner* owner, std::string* notice);
-  ServiceReply Refuse(const ApiRow& row, std::string* notice) const;
+                   authority::MotorOwner* owner);
+  ServiceReply Refuse(const ApiRow& row) const;
 
   ServiceTable table_;
   Settings settings_;

@@ -1,7 +1,6 @@
 #include "services/service_host.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <string_view>
 
@@ -14,27 +13,38 @@ namespace {
 
 constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
-constexpr std::size_t kMostNormal = 10;   // the server of the vendor's Python SDK
-constexpr std::size_t kMostUrgent = 5;
-constexpr int kMostServed = 8;  // assumed: bounds the time of a poll
+constexpr std::size_t kMostWaiting = 10;  // the server of the vendor's Python SDK
+constexpr int kMostServed = 8;            // assumed
 // Assumed: a thousand calls a second, with the process stalled for a quarter of a second.
 constexpr int kReaderDepth = 256;
+// The longest request that is kept: one of the longest parameter and the longest binary part, and
+// as much again, so that those a little too long are answered.
+constexpr std::size_t kMostRequestBytes = 2 * (kMostParameterBytes + kMostBinaryBytes);
+
+// In nanoseconds, as measured (docs/performance.md): with one call more than kMostWork, the
+// longest, a poll takes 0.2 ms, a fifth of a tick.
+constexpr std::int64_t kMostWork = 60'000;     // in a poll
+constexpr std::int64_t kWorkOfCall = 10'000;   // without its parameter
+constexpr std::int64_t kWorkOfByte = 8;        // of a parameter
+constexpr std::int64_t kWorkOfReply = 10'000;  // also of one that cannot be sent yet
+constexpr std::int64_t kWorkOfReader = 1'000;  // of each that is asked whether it is the client's
 
 }  // namespace
 
-ServiceHost::Channel::Channel(const bus::Participant& participant, const std::string& name,
+ServiceHost::Channel::Channel(const bus::Participant& participant, const std::string& channel_name,
                               Service* of, bool leases)
-    : service(of),
+    : name(channel_name),
+      service(of),
       is_lease(leases),
       request_topic("rt/api/" + name + "/request"),
       response_topic("rt/api/" + name + "/response"),
       reader(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc},
-             {.depth = kReaderDepth}),
+             {.depth = kReaderDepth, .most_bytes = kMostRequestBytes}),
       writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
 ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables,
-                         Say say, const std::vector<std::string>& status_texts)
-    : say_(std::move(say)) {
+                         Log log, const std::vector<std::string>& status_texts)
+    : log_(std::move(log)) {
   for (ServiceTable& table : tables) {
     const std::string name(table.name);
     const bool tells_changes = table.tells_changes, has_switch_topics = table.has_switch_topics;
@@ -59,114 +69,161 @@ void ServiceHost::Tell(const authority::MotorOwner& owner, double t) noexcept {
   }
 }
 
+std::vector<const bus::ReaderCore*> ServiceHost::readers() const {
+  std::vector<const bus::ReaderCore*> readers;
+  for (const auto& channel : channels_) readers.push_back(&channel->reader);
+  return readers;
+}
+
 std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
   calls_.clear();
   try {
-    if (switches_) switches_->Poll(owner);
+    if (switches_) switches_->Poll(owner, &calls_);
+    for (const Call& call : calls_) Refused(call.refusal) += call.times;
   } catch (const std::exception&) {
     // Out of memory: the switch stays as it was.
   }
-  for (const auto& channel : channels_) {
+  // Where the work ends, the next poll goes on with the channel after: a flood of requests to one
+  // does not keep the others waiting.
+  Work work = kMostWork;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    const std::size_t at = (first_ + i) % channels_.size();
+    const bool could = work > 0;
     try {
-      Receive(channel.get());
-      for (int served = 0; served < kMostServed; ++served) {
-        auto& queue = channel->urgent.empty() ? channel->normal : channel->urgent;
-        if (queue.empty()) break;
-        const Request request = std::move(queue.front());
-        queue.pop_front();
-        Serve(channel.get(), request, owner, now);
-      }
-      if (!channel->pending.empty()) SendPending(channel.get(), *owner, now);
+      PollChannel(channels_[at].get(), owner, now, &work);
     } catch (const std::exception&) {
       ++counts_.lost_replies;  // out of memory: the request gets no reply
     }
+    if (could && work <= 0) next = (at + 1) % channels_.size();
   }
+  first_ = next;
   return calls_;
 }
 
-std::optional<std::int32_t> ServiceHost::Answer(std::string_view service, std::int64_t api_id,
-                                                std::string_view parameter,
-                                                authority::MotorOwner* owner,
-                                                WallTime now) noexcept {
+void ServiceHost::PollChannel(Channel* channel, authority::MotorOwner* owner, WallTime now,
+                              Work* work) {
+  Receive(channel);
+  if (!channel->pending.empty()) SendPending(channel, *owner, now, work);
+  auto& waiting = channel->waiting;
+  for (int served = 0; served < kMostServed && !waiting.empty() && *work > 0; ++served) {
+    auto chosen =
+        std::ranges::find_if(waiting, [](const Request& one) { return one.view.priority > 0; });
+    if (chosen == waiting.end()) chosen = waiting.begin();
+    const Request request = std::move(*chosen);
+    waiting.erase(chosen);
+    *work -= WorkOf(request);
+    Serve(channel, request, owner, now, work);
+  }
+}
+
+ServiceHost::Work ServiceHost::WorkOfReply(const Channel& channel) {
+  return kWorkOfReply + kWorkOfReader * channel.writer.matched_readers();
+}
+
+ServiceHost::Work ServiceHost::WorkOf(const Request& request) {
+  const std::size_t parsed = std::min(request.view.parameter.size(), kMostParameterBytes);
+  return kWorkOfCall + kWorkOfByte * static_cast<Work>(parsed);
+}
+
+std::optional<Call> ServiceHost::Answer(std::string_view service, std::int64_t api_id,
+                                        std::string_view parameter, authority::MotorOwner* owner,
+                                        WallTime now) noexcept {
   const auto found = std::ranges::find_if(
       services_, [&](const std::unique_ptr<Service>& one) { return one->table().name == service; });
   if (found == services_.end() || !(*found)->IsServed(*owner)) return std::nullopt;
   try {
     const ServiceRequest request{
         .api_id = api_id, .parameter = parameter, .parameter_bytes = parameter.size()};
-    return CarryOut(found->get(), request, owner, now).code;
+    const ServiceReply reply = CarryOut(found->get(), request, owner, now);
+    if (reply.refusal != CallRefusal::kNone) ++Refused(reply.refusal);
+    return Call{.service = (*found)->table().name,
+                .api_id = api_id,
+                .code = reply.code,
+                .refusal = reply.refusal,
+                .name = (*found)->NameOf(api_id)};
   } catch (const std::exception&) {
     return std::nullopt;  // out of memory
   }
 }
 
+void ServiceHost::Tell(const Call& call) {
+  if (call.refusal != CallRefusal::kNone) Refused(call.refusal) += call.times;
+  calls_.push_back(call);
+}
+
 void ServiceHost::Receive(Channel* channel) {
-  // Requests that do not fit stay in the reader.
-  const std::size_t room = kMostNormal - channel->normal.size();
-  if (room == 0) return;
-  channel->reader.Take(
-      [&](const unitree_api_msg_dds__Request_& message, bus::WriterHandle writer) {
-        ++counts_.requests;
-        const char* text = message.parameter == nullptr ? "" : message.parameter;
-        const std::size_t bytes = std::strlen(text);
-        Request request{.id = message.header.identity.id,
-                        .api_id = message.header.identity.api_id,
-                        .lease_id = message.header.lease.id,
-                        .noreply = message.header.policy.noreply,
-                        .parameter = bytes > kMostParameterBytes ? "" : text,
-                        .parameter_bytes = bytes,
-                        .binary_bytes = message.binary._length,
-                        .client = std::nullopt};
-        if (!request.noreply) request.client = channel->reader.ParticipantOf(writer);
-        auto& queue = message.header.policy.priority > 0 ? channel->urgent : channel->normal;
-        queue.push_back(std::move(request));
-        if (channel->urgent.size() > kMostUrgent) {
-          channel->urgent.pop_front();
-          ++counts_.lost_replies;
-        }
-      },
-      static_cast<int>(room));
+  bus::CdrSample sample;
+  while (channel->waiting.size() < kMostWaiting && channel->reader.Next(&sample)) {
+    ++counts_.requests;
+    const std::optional<RequestView> view = ReadRequest(sample.bytes());
+    if (!view) {
+      Tell({.service = channel->name, .code = Call::kNoCode, .refusal = CallRefusal::kUndecoded});
+      continue;
+    }
+    Request request{.sample = {}, .view = *view, .client = std::nullopt};
+    if (!view->noreply) request.client = channel->reader.ParticipantOf(sample.writer());
+    request.sample = std::move(sample);
+    channel->waiting.push_back(std::move(request));
+  }
+  const auto tell_more = [&](std::uint64_t* told, std::uint64_t now, CallRefusal refusal) {
+    const std::uint64_t more = now - std::exchange(*told, now);
+    if (more == 0) return;
+    counts_.requests += more;
+    Tell({.service = channel->name, .code = Call::kNoCode, .refusal = refusal, .times = more});
+  };
+  tell_more(&channel->lost, channel->reader.lost(), CallRefusal::kTooMany);
+  tell_more(&channel->undecoded, channel->reader.undecoded(), CallRefusal::kUndecoded);
 }
 
 void ServiceHost::Serve(Channel* channel, const Request& request, authority::MotorOwner* owner,
-                        WallTime now) {
+                        WallTime now, Work* work) {
   Service& service = *channel->service;
-  if (!service.IsServed(*owner)) return;
-  ServiceReply reply = channel->is_lease ? service.lease().Answer(request.api_id, request.parameter,
-                                                                  request.lease_id, now)
-                                         : CarryOut(&service,
-                                                    {.api_id = request.api_id,
-                                                     .lease_id = request.lease_id,
-                                                     .parameter = request.parameter,
-                                                     .parameter_bytes = request.parameter_bytes,
-                                                     .binary_bytes = request.binary_bytes},
-                                                    owner, now);
-  if (reply.code != 0) ++counts_.refused;
-  if (!channel->is_lease) {
-    calls_.push_back(
-        {.service = service.table().name, .api_id = request.api_id, .code = reply.code});
+  const RequestView& view = request.view;
+  Call call{.service = channel->name,
+            .api_id = view.api_id,
+            .name = channel->is_lease ? std::string_view() : service.NameOf(view.api_id)};
+  if (!service.IsServed(*owner)) {
+    call.code = Call::kNoCode;
+    call.refusal = CallRefusal::kNotServed;
+    return Tell(call);
   }
-  if (request.noreply || !request.client) return;
+  ServiceReply reply = channel->is_lease
+                           ? service.lease().Answer(view.api_id, view.parameter, view.lease_id, now)
+                           : CarryOut(&service,
+                                      {.api_id = view.api_id,
+                                       .lease_id = view.lease_id,
+                                       .parameter = view.parameter,
+                                       .parameter_bytes = view.parameter.size(),
+                                       .binary_bytes = view.binary_bytes},
+                                      owner, now);
+  call.code = reply.code;
+  call.refusal = reply.refusal;
+  if (!channel->is_lease || reply.refusal != CallRefusal::kNone) Tell(call);
+  if (view.noreply || !request.client) return;
+  unitree_api_msg_dds__ResponseHeader_ header{};
+  header.identity.id = view.id;
+  header.identity.api_id = view.api_id;
+  header.status.code = reply.code;
+  Pending pending{.client = *request.client,
+                  .header = header,
+                  .data = std::move(reply.data),
+                  .once = reply.once,
+                  .give_up = now + reply.patience};
+  *work -= WorkOfReply(*channel);
+  if (Settle(channel, &pending, owner->state(), now)) return;
   if (channel->pending.size() >= kMostPending) {
     channel->pending.pop_front();
     ++counts_.lost_replies;
   }
-  unitree_api_msg_dds__ResponseHeader_ header{};
-  header.identity.id = request.id;
-  header.identity.api_id = request.api_id;
-  header.status.code = reply.code;
-  channel->pending.push_back({.client = *request.client,
-                              .header = header,
-                              .data = std::move(reply.data),
-                              .once = reply.once,
-                              .give_up = now + reply.patience});
+  channel->pending.push_back(std::move(pending));
 }
 
 ServiceReply ServiceHost::CarryOut(Service* service, const ServiceRequest& request,
                                    authority::MotorOwner* owner, WallTime now) {
   std::string notice;
   ServiceReply reply = service->Answer(request, owner, now, &notice);
-  if (!notice.empty()) Tell(*service, request.api_id, notice, now);
+  if (!notice.empty()) Say(*service, request.api_id, notice, now);
   if (reply.change) Announce(*reply.change);
   return reply;
 }
@@ -176,30 +233,43 @@ void ServiceHost::Announce(ConfigChange change) {
   config_changes_->Write({.name = change.name.data(), .content = change.content.data()});
 }
 
-void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now) {
+// With half of the work at most, so that replies to clients who have no reader yet do not keep
+// calls waiting. Those that cannot be sent yet go to the end, so that they come back in their
+// order.
+void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now,
+                              Work* work) {
   const robot::MotionState state = owner.state();
-  const auto settled = [&](Pending& pending) {
-    const bool over = now >= pending.give_up;
-    if (pending.once != nullptr && !pending.once(state) && !over) return false;
-    const bool reaches = channel->writer.ReachesParticipant(pending.client);
-    if (!reaches && !over) return false;
-    unitree_api_msg_dds__Response_ response{};
-    response.header = pending.header;
-    response.data = pending.data.data();
-    // After the wait the reply is sent anyway: there may be a reader whose participant discovery
-    // has not reported yet.
-    if (!channel->writer.Write(response) || !reaches) ++counts_.lost_replies;
-    return true;
-  };
-  std::erase_if(channel->pending, settled);
+  const Work enough = *work / 2;
+  for (std::size_t left = channel->pending.size(); left > 0 && *work > enough; --left) {
+    Pending pending = std::move(channel->pending.front());
+    channel->pending.pop_front();
+    *work -= WorkOfReply(*channel);
+    if (!Settle(channel, &pending, state, now)) channel->pending.push_back(std::move(pending));
+  }
 }
 
-void ServiceHost::Tell(const Service& service, std::int64_t api_id, const std::string& notice,
-                       WallTime now) {
-  const auto [last, first] = told_.try_emplace({&service, api_id}, now);
+// Sends the reply, or gives it up; false if it has to wait.
+bool ServiceHost::Settle(Channel* channel, Pending* pending, const robot::MotionState& state,
+                         WallTime now) {
+  const bool over = now >= pending->give_up;
+  if (pending->once != nullptr && !pending->once(state) && !over) return false;
+  const bool reaches = channel->writer.ReachesParticipant(pending->client);
+  if (!reaches && !over) return false;
+  unitree_api_msg_dds__Response_ response{};
+  response.header = pending->header;
+  response.data = pending->data.data();
+  // After the wait the reply is sent anyway: there may be a reader whose participant discovery
+  // has not reported yet.
+  if (!channel->writer.Write(response) || !reaches) ++counts_.lost_replies;
+  return true;
+}
+
+void ServiceHost::Say(const Service& service, std::int64_t api_id, const std::string& notice,
+                      WallTime now) {
+  const auto [last, first] = said_.try_emplace({&service, api_id}, now);
   if (!first && now < last->second + kNoticePeriod) return;
   last->second = now;
-  say_(notice);
+  log_(notice);
 }
 
 SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_switch)
@@ -207,10 +277,15 @@ SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_swi
       lidar_(participant, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}),
       uwb_(participant, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}) {}
 
-void SwitchTopics::Poll(authority::MotorOwner* owner) {
+void SwitchTopics::Poll(authority::MotorOwner* owner, std::vector<Call>* calls) {
   lidar_.Take([&](const std_msgs_msg_dds__String_& message, bus::WriterHandle) {
     const std::string_view word = message.data == nullptr ? "" : message.data;
-    if (word == "ON" || word == "OFF") owner->Switch("unitree_lidar", word == "ON");
+    if (word == "ON" || word == "OFF") {
+      owner->Switch("unitree_lidar", word == "ON");
+    } else {
+      calls->push_back(
+          {.service = lidar_.topic(), .code = Call::kNoCode, .refusal = CallRefusal::kName});
+    }
   });
   uwb_.Take([&](const unitree_go_msg_dds__UwbSwitch_& message, bus::WriterHandle) {
     uwb_switch_->Set("enable", message.enabled == 0 ? 0 : 1);

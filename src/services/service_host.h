@@ -12,12 +12,14 @@
 #include <utility>
 #include <vector>
 
+#include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/reader.h"
 #include "bus/writer.h"
 #include "idl/std_msgs.h"
 #include "idl/unitree_api.h"
 #include "idl/unitree_go.h"
+#include "services/request.h"
 #include "services/service.h"
 #include "services/service_port.h"
 #include "services/status_texts.h"
@@ -33,8 +35,9 @@ class SwitchTopics {
   // Throws BusError. `uwb_switch` must outlive this.
   SwitchTopics(const bus::Participant& participant, Service* uwb_switch);
 
-  // Takes the waiting messages. Words other than ON and OFF change nothing.
-  void Poll(authority::MotorOwner* owner);
+  // Takes the waiting messages. Words other than ON and OFF change nothing and are added to `calls`
+  // as refused.
+  void Poll(authority::MotorOwner* owner, std::vector<Call>* calls);
 
  private:
   Service* uwb_switch_;
@@ -48,40 +51,51 @@ class SwitchTopics {
 //
 //   - readers of requests are best effort, writers of replies reliable, as on a robot;
 //   - the request's identity is echoed, since clients match a reply by id;
-//   - requests of priority above 0 go first. Of each service 10 requests and 5 of priority wait in
-//     queues, 256 more in the reader; where there are more, the oldest is dropped. 8 are served in
-//     a poll;
+//   - of the first 10 requests to a service those of priority above 0 go first. 256 more wait
+//     behind; where there are more, the oldest is dropped. 8 of a service are served in a poll;
 //   - a request with noreply set is carried out and not answered;
-//   - while a service is not served (Service::IsServed), what comes for it is dropped;
+//   - while a service is not served (Service::IsServed), what comes for it is dropped. Nothing is
+//     dropped or refused silently: Poll returns all of it;
 //   - a reply waits until a response reader of the asking participant is matched, 300 ms at most:
 //     response readers are volatile, and ROS 2 clients make theirs with each call. The oldest
 //     waiting reply is given up when 64 wait;
 //   - each service has a lease, asked for on <service>_lease.
+//
+// A poll does a bounded amount of work, so that no tick is late however much comes: kMostWork and
+// one request more; the rest waits for the next poll. The work of a request or reply is a figure of
+// its own that follows from its bytes, not a time that is measured, so that equal requests at equal
+// steps have equal effects on any machine and at any speed.
 class ServiceHost final : public ServicePort {
  public:
   // Receives lines for the log, at most one a second per api.
-  using Say = std::function<void(const std::string& notice)>;
+  using Log = std::function<void(const std::string& notice)>;
 
   // `status_texts` are topics as for StatusTexts. Throws BusError, and ConfigError for an unknown
   // one. `participant` must outlive the host.
-  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Say say,
+  ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Log log,
               const std::vector<std::string>& status_texts = {});
 
   // Allocates only if there is a request or a waiting reply.
   std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
-  std::optional<std::int32_t> Answer(std::string_view service, std::int64_t api_id,
-                                     std::string_view parameter, authority::MotorOwner* owner,
-                                     WallTime now) noexcept override;
+  std::optional<Call> Answer(std::string_view service, std::int64_t api_id,
+                             std::string_view parameter, authority::MotorOwner* owner,
+                             WallTime now) noexcept override;
   void Tell(const authority::MotorOwner& owner, double t) noexcept override;
+  void CountUnmatched() override { ++Refused(CallRefusal::kUnmatched); }
 
   ServiceCounts counts() const override { return counts_; }
 
+  // Returns the readers of requests, which live as long as the host.
+  std::vector<const bus::ReaderCore*> readers() const;
+
  private:
+  // The nanoseconds that work takes on the machine of docs/performance.md, where they were measured
+  // and rounded up.
+  using Work = std::int64_t;
+
   struct Request {
-    std::int64_t id, api_id, lease_id;
-    bool noreply;
-    std::string parameter;  // empty if it was too long
-    std::size_t parameter_bytes, binary_bytes;
+    bus::CdrSample sample;  // has the bytes of the parameter
+    RequestView view;
     std::optional<bus::ParticipantKey> client;  // nullopt if its writer has gone
   };
   struct Pending {
@@ -94,31 +108,44 @@ class ServiceHost final : public ServicePort {
   struct Channel {
     Channel(const bus::Participant& participant, const std::string& name, Service* of, bool leases);
 
+    std::string name;
     Service* service;
     bool is_lease;
     std::string request_topic, response_topic;
-    bus::Reader<unitree_api_msg_dds__Request_> reader;
+    bus::RawReader<unitree_api_msg_dds__Request_> reader;
     bus::Writer<unitree_api_msg_dds__Response_> writer;
-    std::deque<Request> normal, urgent;
+    std::uint64_t undecoded = 0, lost = 0;  // of the reader, told so far
+    std::deque<Request> waiting;
     std::deque<Pending> pending;
   };
 
+  static Work WorkOf(const Request& request);
+  static Work WorkOfReply(const Channel& channel);
+  std::uint64_t& Refused(CallRefusal refusal) {
+    return counts_.refused[static_cast<std::size_t>(refusal)];
+  }
+  void PollChannel(Channel* channel, authority::MotorOwner* owner, WallTime now, Work* work);
   void Receive(Channel* channel);
-  void Serve(Channel* channel, const Request& request, authority::MotorOwner* owner, WallTime now);
+  // Counts calls that came to nothing and adds them to calls_.
+  void Tell(const Call& call);
+  void Serve(Channel* channel, const Request& request, authority::MotorOwner* owner, WallTime now,
+             Work* work);
   ServiceReply CarryOut(Service* service, const ServiceRequest& request,
                         authority::MotorOwner* owner, WallTime now);
   void Announce(ConfigChange change);
-  void SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now);
-  void Tell(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
+  void SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now, Work* work);
+  bool Settle(Channel* channel, Pending* pending, const robot::MotionState& state, WallTime now);
+  void Say(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
 
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // for robots that have them
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;
   std::optional<StatusTexts> texts_;  // made once services_ are
-  Say say_;
-  std::map<std::pair<const Service*, std::int64_t>, WallTime> told_;
-  std::vector<Call> calls_;  // carried out in the last poll
+  Log log_;
+  std::map<std::pair<const Service*, std::int64_t>, WallTime> said_;
+  std::size_t first_ = 0;    // the channel that the next poll begins with
+  std::vector<Call> calls_;  // of the last poll
   ServiceCounts counts_;
 };
 

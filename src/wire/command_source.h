@@ -1,6 +1,7 @@
 // Reads commands to motors from one topic.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <utility>
 
@@ -17,8 +18,16 @@ class CommandSource {
 
   // See RobotPort::Take.
   virtual bool Take(robot::RobotCommand* command, robot::Refusal* form) = 0;
+  // See RobotPort::TakeLost and Rest.
+  virtual std::uint64_t TakeLost() = 0;
+  virtual void Rest() = 0;
   virtual int writers() const = 0;  // matched now
+  virtual const bus::ReaderCore& reader() const = 0;
 };
+
+// The longest command that is decoded, serialized; *assumed*: hg LowCmd_, the longest of the
+// vendor's that robots send, has 1 kB, and a HandCmd_ of seven motors 0.3 kB.
+inline constexpr std::size_t kMostCommandBytes = 4096;
 
 // Decodes messages with robot::Refusal decode(const Msg&, robot::RobotCommand*), which returns the
 // fault of form.
@@ -27,7 +36,8 @@ class MessageSource final : public CommandSource {
  public:
   // Throws BusError if Cyclone refuses.
   MessageSource(const bus::Participant& participant, const bus::Topic<Msg>& topic, Decode decode)
-      : reader_(participant, topic), decode_(std::move(decode)) {}
+      : reader_(participant, topic, {.most_bytes = kMostCommandBytes}),
+        decode_(std::move(decode)) {}
 
   bool Take(robot::RobotCommand* command, robot::Refusal* form) override {
     const auto visit = [&](const Msg& message, bus::WriterHandle) {
@@ -40,12 +50,22 @@ class MessageSource final : public CommandSource {
     return true;
   }
 
+  std::uint64_t TakeLost() override {
+    reader_.Gather();
+    return reader_.lost() - std::exchange(lost_, reader_.lost());
+  }
+  void Rest() override {
+    reader_.Gather();
+    lost_ = reader_.lost();
+  }
   int writers() const override { return reader_.matched_writers(); }
+  const bus::ReaderCore& reader() const override { return reader_; }
 
  private:
   bus::Reader<Msg> reader_;
   Decode decode_;
   std::uint64_t undecoded_ = reader_.undecoded();  // reported so far
+  std::uint64_t lost_ = 0;                         // likewise
 };
 
 }  // namespace understudy::wire

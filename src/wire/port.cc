@@ -21,6 +21,24 @@ bool Port::Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal*
   return sources_[topic] != nullptr && sources_[topic]->Take(command, form);
 }
 
+std::uint64_t Port::TakeLost(std::size_t topic) {
+  return sources_[topic] == nullptr ? 0 : sources_[topic]->TakeLost();
+}
+
+void Port::Rest() {
+  for (const auto& source : sources_) {
+    if (source != nullptr) source->Rest();
+  }
+}
+
+std::vector<const bus::ReaderCore*> Port::readers() const {
+  std::vector<const bus::ReaderCore*> readers;
+  for (const auto& source : sources_) {
+    if (source != nullptr) readers.push_back(&source->reader());
+  }
+  return readers;
+}
+
 bool Port::Due(std::int64_t step) const {
   return std::ranges::any_of(publications_, [step](const auto& p) { return p->Due(step); });
 }
@@ -41,9 +59,9 @@ robot::PortNews Port::TakeNews() {
   return std::exchange(news_, {});
 }
 
-void Port::NoteUnusedSlots(std::uint64_t slots) {
-  if (slots > 0 && counts_.unused_slots == 0) news_.unused_slot = true;
-  counts_.unused_slots += slots;
+void Port::NoteUnusedSlots(const UnusedSlots& slots) {
+  if (slots.differ && !told_of_unused_slots_) news_.unused_slot = told_of_unused_slots_ = true;
+  counts_.unused_slots += slots.count;
 }
 
 void Port::NoteUnsetHead() {

@@ -17,6 +17,7 @@
 #include "wire/command_source.h"
 #include "wire/publication.h"
 #include "wire/robot_port.h"
+#include "wire/slots.h"
 
 namespace understudy::wire {
 
@@ -31,11 +32,16 @@ class Port final : public RobotPort {
   Port& operator=(const Port&) = delete;
 
   bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) override;
+  std::uint64_t TakeLost(std::size_t topic) override;
+  void Rest() override;
   bool Due(std::int64_t step) const override;
   void Publish(const robot::RobotState& state, std::int64_t step) override;
   int command_writers() const override;
   robot::PortCounts counts() const override { return counts_; }
   robot::PortNews TakeNews() override;
+
+  // Returns the readers of the command topics, which live as long as the port.
+  std::vector<const bus::ReaderCore*> readers() const;
 
  private:
   void OpenGo();
@@ -47,7 +53,7 @@ class Port final : public RobotPort {
                   const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow);
   void TellRemote();
   // Of what a command of rt/lowcmd has beyond its motors.
-  void NoteUnusedSlots(std::uint64_t slots);
+  void NoteUnusedSlots(const UnusedSlots& slots);
   void NoteUnsetHead();
 
   template <typename Msg, typename Decode>
@@ -69,6 +75,7 @@ class Port final : public RobotPort {
   std::vector<std::unique_ptr<Publication>> publications_;
   robot::PortCounts counts_;
   robot::PortNews news_;
+  bool told_of_unused_slots_ = false;
   int writers_ = 0;  // of rt/lowcmd when they were last news
 };
 

@@ -22,6 +22,13 @@ class RobotPort {
   // possible for a lenient intake; one that IsUnreadable leaves `command` unchanged.
   virtual bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) = 0;
 
+  // Returns how many commands of a topic were lost since the last call: more came than were taken,
+  // so that newer ones replaced them, or the bus reported them lost.
+  virtual std::uint64_t TakeLost(std::size_t topic) = 0;
+  // Keeps the newest commands while simulated time stands still; those that they replace do not
+  // count as lost.
+  virtual void Rest() = 0;
+
   // Returns whether a message is due in that step, so that Publish needs the state.
   virtual bool Due(std::int64_t step) const = 0;
   // Sends the messages that are due in that step. `joint_space` of the state is the space in which

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 
 #include "robot/refusal.h"
 #include "robot/robot_spec.h"
@@ -63,21 +64,34 @@ robot::Refusal DecodeUnsigned(const LowCmd& message, const robot::RobotSpec& spe
   return robot::Refusal::kNone;
 }
 
-// Returns how many slots without a motor have gains or torque.
+// What a LowCmd has in slots without a motor.
+struct UnusedSlots {
+  std::uint64_t count = 0;  // of those with gains or torque
+  // They are commanded differently, or only some of them: the program means other motors by them.
+  // Programs that fill all slots alike are common (the vendor's xr_teleoperate is one).
+  bool differ = false;
+};
+
 template <typename LowCmd>
-std::uint64_t UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
-  std::uint64_t count = 0;
+UnusedSlots UnusedSlotCommands(const LowCmd& message, const robot::RobotSpec& spec) {
+  UnusedSlots unused;
+  const auto same = [](const auto& a, const auto& b) {
+    return a.q == b.q && a.dq == b.dq && a.kp == b.kp && a.kd == b.kd && a.tau == b.tau;
+  };
+  const auto* first = std::end(message.motor_cmd);
   auto motor = spec.motors.begin();
   int slot = 0;
   for (const auto& wire : message.motor_cmd) {
-    if (motor != spec.motors.end() && motor->slot == slot) {
+    if (motor != spec.motors.end() && motor->slot == slot++) {
       ++motor;
-    } else if (wire.kp != 0 || wire.kd != 0 || wire.tau != 0) {
-      ++count;
+      continue;
     }
-    ++slot;
+    if (first == std::end(message.motor_cmd)) first = &wire;
+    if (wire.kp != 0 || wire.kd != 0 || wire.tau != 0) ++unused.count;
+    unused.differ = unused.differ || !same(wire, *first);
   }
-  return count;
+  unused.differ = unused.differ && unused.count > 0;
+  return unused;
 }
 
 }  // namespace understudy::wire

@@ -13,12 +13,15 @@ constexpr bus::ReaderOptions kEar{.depth = bus::kMaxTake, .reliable = false, .fo
 }  // namespace
 
 StrangerWatch::StrangerWatch(const bus::Participant& participant)
-    : watch_(participant, kGoLowState.name),
+    : ours_(RankOf(participant.announcement(), participant.key())),
+      watch_(participant, kGoLowState.name),
+      announcements_(participant),
       go_(participant, kGoLowState, kEar),
       hg_(participant, kHgLowState, kEar) {}
 
 StrangerWatch::News StrangerWatch::Poll() {
   News news;
+  announced_ = announcements_.Poll();
   const std::vector<bus::Neighbour>& writers = watch_.Poll();
   std::erase_if(strangers_, [&](const Stranger& stranger) {
     return std::ranges::none_of(writers, [&](const bus::Neighbour& writer) {
@@ -51,6 +54,29 @@ void StrangerWatch::Hear(bus::Reader<Msg>* ear, News* news) {
       news->spoke.push_back(stranger.who);
     }
   });
+}
+
+StrangerWatch::Kind StrangerWatch::KindOf(const bus::Announcement& announcement) const {
+  const std::optional<RobotRank> theirs = RankOf(announcement.text, announcement.participant);
+  if (!ours_ || !theirs) return Kind::kOther;
+  return *theirs < *ours_ ? Kind::kElder : Kind::kYounger;
+}
+
+StrangerWatch::Kind StrangerWatch::KindOf(const bus::Neighbour& stranger) const {
+  const auto found =
+      std::ranges::find(announced_, stranger.participant, &bus::Announcement::participant);
+  return found == announced_.end() ? Kind::kOther : KindOf(*found);
+}
+
+std::vector<bus::Neighbour> StrangerWatch::EldersStarting() const {
+  std::vector<bus::Neighbour> elders;
+  for (const bus::Announcement& one : announced_) {
+    const bool writes = std::ranges::any_of(strangers_, [&](const Stranger& stranger) {
+      return stranger.who.participant == one.participant;
+    });
+    if (!writes && KindOf(one) == Kind::kElder) elders.push_back(one.who);
+  }
+  return elders;
 }
 
 std::vector<bus::Neighbour> StrangerWatch::WhoseSpeech(bool speaks) const {

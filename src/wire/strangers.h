@@ -9,6 +9,7 @@
 #include "bus/reader.h"
 #include "idl/unitree_go.h"
 #include "idl/unitree_hg.h"
+#include "wire/robot_rank.h"
 
 namespace understudy::wire {
 
@@ -33,17 +34,29 @@ class StrangerWatch {
   std::vector<bus::Neighbour> silent() const { return WhoseSpeech(false); }
   std::vector<bus::Neighbour> speaking() const { return WhoseSpeech(true); }
 
+  // What a stranger is to us, if our participant announces a robot (wire/robot_rank.h): a robot of
+  // this program that began to start earlier or later, or anything else.
+  enum class Kind { kOther, kElder, kYounger };
+  Kind KindOf(const bus::Neighbour& stranger) const;
+  // Returns the robots of this program that began to start before us and have no writer yet, as of
+  // the last Poll.
+  std::vector<bus::Neighbour> EldersStarting() const;
+
  private:
   struct Stranger {
     bus::Neighbour who;
     bool speaks = false;
   };
 
+  Kind KindOf(const bus::Announcement& announcement) const;
   std::vector<bus::Neighbour> WhoseSpeech(bool speaks) const;
   template <typename Msg>
   void Hear(bus::Reader<Msg>* ear, News* news);
 
+  std::optional<RobotRank> ours_;  // nullopt: our participant announces no robot
   bus::NeighbourWatch watch_;
+  bus::AnnouncementWatch announcements_;
+  std::vector<bus::Announcement> announced_;
   bus::Reader<unitree_go_msg_dds__LowState_> go_;
   bus::Reader<unitree_hg_msg_dds__LowState_> hg_;
   std::vector<Stranger> strangers_;

@@ -1,9 +1,13 @@
+#include <chrono>
+#include <memory>
 #include <string>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
 
 #include "bus/discovery.h"
+#include "bus/reader.h"
 #include "bus/writer.h"
 #include "tests/bus/stranger.h"
 #include "tests/support/eventually.h"
@@ -75,6 +79,106 @@ TEST(NeighbourWatchTest, ForgetsAWriterThatHasGone) {
     ASSERT_TRUE(test::Eventually([&] { return watch.Poll().size() == 1; }));
   }
   EXPECT_TRUE(test::Eventually([&] { return watch.Poll().empty(); }));
+}
+
+TEST(AnnouncementWatchTest, TellsWhatOthersAnnounceUntilTheyHaveGone) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain, "us");
+  AnnouncementWatch watch(ours);
+  const Stranger says_nothing(domain);
+  {
+    const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(),
+                                                                    &dds_delete_qos);
+    dds_qset_userdata(qos.get(), "them", 4);
+    const Entity other(
+        dds_create_participant(static_cast<dds_domainid_t>(domain), qos.get(), nullptr), "join");
+    ASSERT_TRUE(test::Eventually([&] { return !watch.Poll().empty(); }));
+    ASSERT_THAT(watch.Poll(), SizeIs(1));
+    EXPECT_EQ(watch.Poll().front().text, "them");
+    dds_guid_t guid{};
+    ASSERT_EQ(dds_get_guid(other.handle(), &guid), DDS_RETCODE_OK);
+    EXPECT_EQ(watch.Poll().front().participant, std::to_array(guid.v));
+  }
+  EXPECT_TRUE(test::Eventually([&] { return watch.Poll().empty(); }));
+}
+
+class MismatchWatchTest : public ::testing::Test {
+ protected:
+  // What is told within a second of the watch's clock, and a little of ours for discovery.
+  std::vector<Mismatch> Told() {
+    std::vector<Mismatch> told;
+    test::Eventually(
+        [&] {
+          now_ += std::chrono::milliseconds(100);
+          for (Mismatch& one : watch_.Poll(now_)) told.push_back(std::move(one));
+          return !told.empty();
+        },
+        std::chrono::milliseconds(500));
+    return told;
+  }
+  Entity WriterOf(const dds_topic_descriptor& type, const dds_qos_t* qos) const {
+    return Entity(dds_create_writer(
+                      stranger_.handle(),
+                      dds_create_topic(stranger_.handle(), &type, kTopic.name, nullptr, nullptr),
+                      qos, nullptr),
+                  "write");
+  }
+
+  const int domain_ = test::NewDomain();
+  const Participant ours_{"lo", domain_};
+  const Reader<Hello> reader_{ours_, kTopic};
+  MismatchWatch watch_{ours_, {&reader_}};
+  const Stranger stranger_{domain_};
+  std::chrono::nanoseconds now_{0};
+};
+
+TEST_F(MismatchWatchTest, SaysNothingOfAWriterThatMatches) {
+  const Entity writer = stranger_.Writes(kTopic.name);
+  EXPECT_THAT(Told(), IsEmpty());
+}
+
+TEST_F(MismatchWatchTest, NamesAnotherType) {
+  const dds_topic_descriptor_t& hello = HelloWorldData_Msg_desc;
+  const dds_topic_descriptor_t other{
+      .m_size = hello.m_size,
+      .m_align = hello.m_align,
+      .m_flagset = hello.m_flagset & ~static_cast<std::uint32_t>(DDS_TOPIC_XTYPES_METADATA),
+      .m_nkeys = hello.m_nkeys,
+      .m_typename = "Hello.World\nData_",
+      .m_keys = hello.m_keys,
+      .m_nops = hello.m_nops,
+      .m_ops = hello.m_ops,
+      .m_meta = hello.m_meta,
+      .type_information = {},
+      .type_mapping = {},
+      .restrict_data_representation = hello.restrict_data_representation};
+  const Entity writer = WriterOf(other, nullptr);
+  const std::vector<Mismatch> told = Told();
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_EQ(told[0].topic, kTopic.name);
+  EXPECT_EQ(told[0].why, "type Hello.World?Data_");
+  EXPECT_THAT(Told(), IsEmpty());
+}
+
+TEST_F(MismatchWatchTest, NamesAPartition) {
+  const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(),
+                                                                  &dds_delete_qos);
+  const char* partitions[] = {"robots", "b"};
+  dds_qset_partition(qos.get(), 2, partitions);
+  const Entity writer = WriterOf(HelloWorldData_Msg_desc, qos.get());
+  const std::vector<Mismatch> told = Told();
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_EQ(told[0].why, "partition \"robots\", \"b\"");
+}
+
+TEST_F(MismatchWatchTest, NamesThePolicy) {
+  const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(),
+                                                                  &dds_delete_qos);
+  dds_qset_ownership(qos.get(), DDS_OWNERSHIP_EXCLUSIVE);
+  const Entity writer = WriterOf(HelloWorldData_Msg_desc, qos.get());
+  const std::vector<Mismatch> told = Told();
+  ASSERT_THAT(told, SizeIs(1));
+  EXPECT_EQ(told[0].why, "ownership");
 }
 
 TEST(NeighbourTest, IsDescribedByWhatIsKnown) {

@@ -73,6 +73,55 @@ TEST(ReaderTest, KeepsTheNewestOfItsDepth) {
   EXPECT_THAT(TakeIds(&reader), ElementsAre(2, 3));
 }
 
+TEST(ReaderTest, CountsWhatNewerOnesReplaced) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  Reader<Hello> reader(ours, kTopic, {.depth = 2});
+  const Stranger stranger(domain);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  for (std::int64_t id = 0; id < 5; ++id) ASSERT_TRUE(Send(writer, id));
+  EXPECT_THAT(TakeIds(&reader), ElementsAre(3, 4));
+  EXPECT_EQ(reader.lost(), 3U);
+  ASSERT_TRUE(Send(writer, 5));
+  EXPECT_THAT(TakeIds(&reader), ElementsAre(5));
+  EXPECT_EQ(reader.lost(), 3U);
+}
+
+TEST(ReaderTest, DropsWhatIsTooLongUnreadAndCountsIt) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  Reader<Hello> reader(ours, kTopic, {.most_bytes = 100});
+  const Stranger stranger(domain);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  const std::uint64_t before = reader.undecoded();  // of all readers of the topic in this process
+  std::string text(200, 'x');
+  const Hello hello{.userID = 1, .message = text.data()};
+  ASSERT_EQ(dds_write(writer.handle(), &hello), DDS_RETCODE_OK);
+  ASSERT_TRUE(Send(writer, 2));
+  EXPECT_THAT(TakeIds(&reader), ElementsAre(2));
+  EXPECT_EQ(reader.undecoded(), before + 1);
+  EXPECT_EQ(reader.lost(), 0U);
+}
+
+TEST(ReaderTest, DecodesTextsOfAnyLengthOneAfterTheOther) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  Reader<Hello> reader(ours, kTopic);
+  const Stranger stranger(domain);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  for (const std::size_t length : {5U, 5000U, 0U, 40U}) {
+    std::string text(length, 'x');
+    const Hello hello{.userID = 1, .message = text.data()};
+    ASSERT_EQ(dds_write(writer.handle(), &hello), DDS_RETCODE_OK);
+    std::string read;
+    ASSERT_EQ(reader.Take([&](const Hello& one, WriterHandle) { read = one.message; }), 1);
+    EXPECT_EQ(read, text);
+  }
+}
+
 TEST(ReaderTest, VisitsAtMostSixteenAtOnce) {
   const int domain = test::NewDomain();
   const Participant ours("lo", domain);

@@ -41,6 +41,8 @@ commands taken     0
 commands refused   0
 command time-outs  0
 unused slots set   0
+service calls      0
+calls refused      0
 crane              released
 crane length       0.000   m
 crane tension      340.2   N
@@ -55,6 +57,13 @@ TEST(CtlTextTest, SaysWhyCommandsWereRefused) {
   emulator::Status status;
   status.commands.refused = {0, 2, 0, 0, 0, 0, 0, 0, 1};
   EXPECT_THAT(TextOf(status), HasSubstr("3 (crc 2, gain 1)\n"));
+}
+
+TEST(CtlTextTest, SaysWhyCallsWereRefused) {
+  emulator::Status status;
+  status.services.requests = 9;
+  status.services.refused[static_cast<std::size_t>(services::CallRefusal::kState)] = 3;
+  EXPECT_THAT(TextOf(status), HasSubstr("3 (state 3)\n"));
 }
 
 TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {

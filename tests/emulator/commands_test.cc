@@ -80,6 +80,73 @@ TEST_F(CommandsTest, AreTakenEightAtOnceAndTheOthersInLaterTicks) {
             20U);
 }
 
+TEST_F(CommandsTest, OfNoTopicKeepThoseOfAnotherWaiting) {
+  for (int i = 1; i <= 20; ++i) {
+    port_.Send(Torque(i));
+    port_.SendArms(Torque(i), 1);
+    port_.SendUser(Torque(i));
+  }
+  Tick();
+  const Status status = world_->status();
+  const auto refused = static_cast<std::size_t>(robot::Refusal::kNoMotionService);
+  EXPECT_EQ(status.commands.accepted, 6U);
+  EXPECT_EQ(status.arm_commands.refused[refused], 5U);
+  EXPECT_EQ(status.user_commands.refused[refused], 5U);
+}
+
+TEST_F(CommandsTest, ThatWereLostAreCountedAndTold) {
+  port_.Lose(robot::kLowCmdTopic, 12);
+  Tick(2);
+  const auto lost = static_cast<std::size_t>(robot::Refusal::kLost);
+  EXPECT_EQ(world_->status().commands.refused[lost], 12U);
+  EXPECT_THAT(Told(EventKind::kLostCommands),
+              testing::ElementsAre(testing::StartsWith("refused 12 LowCmd (lost): more came")));
+}
+
+TEST_F(CommandsTest, AreGatheredButNotTakenWhileTimeStandsStill) {
+  ASSERT_EQ(Answered("pause"), "");
+  port_.Send(Torque(1));
+  const int before = port_.rests();
+  world_->Attend({});
+  EXPECT_EQ(port_.rests(), before + 1);
+  EXPECT_FALSE(port_.idle());
+}
+
+TEST_F(CommandsTest, OfAWriterThatDoesNotMatchAreCountedAsWriters) {
+  robot().NoteUnmatched("rt/lowcmd", "rt/lowcmd by process 7 (a): ownership");
+  robot().NoteUnmatched("rt/api/sport/request", "rt/api/sport/request by process 7 (a): type X");
+  const Status status = world_->status();
+  EXPECT_EQ(status.commands.refused[static_cast<std::size_t>(robot::Refusal::kUnmatched)], 1U);
+  EXPECT_EQ(status.services.refused[static_cast<std::size_t>(services::CallRefusal::kUnmatched)],
+            1U);
+  EXPECT_THAT(
+      Told(EventKind::kUnmatched),
+      testing::ElementsAre("nothing arrives on rt/lowcmd by process 7 (a): ownership",
+                           "nothing arrives on rt/api/sport/request by process 7 (a): type X"));
+}
+
+TEST_F(CommandsTest, ToServicesThatComeToNothingAreToldWithReasonAndCode) {
+  using services::CallRefusal;
+  services_.Bring({.service = "sport",
+                   .api_id = 1008,
+                   .code = 4206,
+                   .refusal = CallRefusal::kState,
+                   .name = "Move"});
+  services_.Bring({.service = "sport",
+                   .code = services::Call::kNoCode,
+                   .refusal = CallRefusal::kTooMany,
+                   .times = 7});
+  Tick();
+  EXPECT_THAT(
+      Told(EventKind::kCallRefused),
+      testing::ElementsAre(
+          "refused 1 call of sport 1008 Move (state): the motion service does not do it in "
+          "its present state, 0; code 4206",
+          "refused 7 calls of sport (too_many): more came than the robot serves; the oldest "
+          "are dropped; not answered"));
+  EXPECT_THAT(Told(EventKind::kCall), testing::SizeIs(1));
+}
+
 TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {
   port_.Send(Torque(1000));
   Tick();

@@ -143,6 +143,20 @@ TEST(EventDigestTest, HoldsBackNothingThatComesAlone) {
   for (int i = 0; i < 3; ++i) EXPECT_TRUE(digest.Take(Made(EventKind::kClamp), 0));
 }
 
+TEST(EventDigestTest, TellsNoMoreCausesApartThanItHasRoomFor) {
+  EventDigest digest(1);
+  std::size_t told = 0;
+  for (int api = 0; api < 5000; ++api) {
+    if (digest.Take(Made(EventKind::kCall, {static_cast<double>(api)}), 0)) ++told;
+  }
+  EXPECT_EQ(told, EventDigest::kMostCauses);
+  const std::vector<ToldEvent> rest = digest.Rest();
+  ASSERT_EQ(rest.size(), 1U);
+  EXPECT_EQ(rest[0].count, 5000 - EventDigest::kMostCauses);
+  // What is over makes room.
+  EXPECT_TRUE(digest.Take(Made(EventKind::kCall, {6000}), 2));
+}
+
 TEST(EventDigestTest, KeepsTheWorstAndTheSumOfABurst) {
   EventDigest digest(1);
   for (const double late : {0.0, 0.002, 0.004, 0.001}) {

@@ -48,6 +48,11 @@ TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {
                               "reason=\"crc\"} 5\n"));
 }
 
+TEST_F(MetricsTest, TellsRefusedCallsByReason) {
+  status_.services.refused[static_cast<std::size_t>(services::CallRefusal::kTooMany)] = 5;
+  EXPECT_THAT(Dut(), HasSubstr("\nunderstudy_service_refusals_total{reason=\"too_many\"} 5\n"));
+}
+
 TEST_F(MetricsTest, BucketsAddUpToTheCount) {
   for (const double late : {1e-6, 3e-5, 3e-5, 9.0}) status_.loop.pace.latenesses.Add(late);
   const std::string text = Dut();

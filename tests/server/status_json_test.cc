@@ -48,6 +48,9 @@ emulator::Status EveryFieldSet() {
   status.crane_attached = true;
   status.crane_length = 0.625;
   status.crane_tension = 340.5;
+  status.services.requests = 51;
+  status.services.refused[static_cast<std::size_t>(services::CallRefusal::kState)] = 52;
+  status.services.lost_replies = 53;
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
@@ -59,7 +62,7 @@ emulator::Status EveryFieldSet() {
 TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
   const std::string kNone =
       R"({"crc":0,"head":0,"mode_machine":0,"mode_pr":0,"motor_mode":0,"motor_count":0,)"
-      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"undecoded":0})";
+      R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0})";
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
       R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
@@ -68,7 +71,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"
       R"("commands":{"state":"following","accepted":100,"timeouts":2,"refused":{"crc":11,"head":12,"mode_machine":13,"mode_pr":14,)"
       R"("motor_mode":15,"motor_count":19,"not_finite":16,"gain":17,"motion_service":18,)"
-      R"("no_motion_service":0,"not_handed_over":0,"undecoded":0},"unused_slots":6,)"
+      R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0},"unused_slots":6,)"
       R"("unset_heads":7,)"
       R"("writers":1},)"
       R"("arm_sdk":{"accepted":41,"refused":)" +
@@ -76,7 +79,10 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"(},)"
           R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
           R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
-          R"("no_motion_service":0,"not_handed_over":0,"undecoded":0}}],)"
+          R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0}}],)"
+          R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"goal":0,)"
+          R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
+          R"("too_many":0,"unmatched":0},"lost_replies":53},)"
           R"("motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
           R"("script":{"done":3,"refused":1},)"

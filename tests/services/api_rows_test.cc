@@ -133,7 +133,7 @@ TEST(ApiRowsTest, TakeAGoodParameterOrSayThatNothingHerePlaysIt) {
     EXPECT_NE(reply.code, kRpcServerInternal) << caller->notice;
     if (std::holds_alternative<NoController>(row.effect)) {
       EXPECT_NE(reply.code, 0);
-      EXPECT_FALSE(caller->notice.empty());
+      EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
       EXPECT_TRUE(caller->robot.book.goals.empty());
     } else if (!std::holds_alternative<Special>(row.effect)) {
       EXPECT_EQ(reply.code, 0);
@@ -155,8 +155,38 @@ TEST(ApiRowsTest, SayThatAGoalCannotBePlayedInsteadOfClaimingIt) {
   ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
     if (!std::holds_alternative<AskGoal>(row.effect)) return;
     caller->robot.book.verdict = authority::MotionVerdict::kUnable;
-    EXPECT_NE(caller->Ask(row.id, GoodParameter(row).dump()).code, 0);
-    EXPECT_FALSE(caller->notice.empty());
+    const ServiceReply reply = caller->Ask(row.id, GoodParameter(row).dump());
+    EXPECT_NE(reply.code, 0);
+    EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
+  });
+}
+
+// Robots answer some of these with 0, as they do what they did.
+TEST(ApiRowsTest, SayWhyTheMotionServiceDidNothingAlsoWhereTheAnswerIsZero) {
+  using authority::MotionVerdict;
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    if (!std::holds_alternative<AskGoal>(row.effect)) return;
+    const std::string parameter = GoodParameter(row).dump();
+    EXPECT_EQ(caller->Ask(row.id, parameter).refusal, CallRefusal::kNone);
+    caller->robot.book.verdict = MotionVerdict::kNotNow;
+    EXPECT_EQ(caller->Ask(row.id, parameter).refusal, CallRefusal::kState);
+    caller->robot.book.verdict = MotionVerdict::kUnknown;
+    EXPECT_EQ(caller->Ask(row.id, parameter).refusal, CallRefusal::kGoal);
+  });
+}
+
+TEST(ApiRowsTest, SayWhyForEveryCodeButZero) {
+  using authority::MotionVerdict;
+  ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
+    for (const MotionVerdict verdict : {MotionVerdict::kTaken, MotionVerdict::kNotNow,
+                                        MotionVerdict::kUnknown, MotionVerdict::kUnable}) {
+      caller->robot.book.verdict = verdict;
+      for (const std::string& parameter : {GoodParameter(row).dump(), std::string("{")}) {
+        const ServiceReply reply = caller->Ask(row.id, parameter);
+        EXPECT_TRUE(reply.code == kRpcOk || reply.refusal != CallRefusal::kNone) << reply.code;
+      }
+    }
+    EXPECT_EQ(caller->Ask(-1).refusal, CallRefusal::kUnknownApi);
   });
 }
 

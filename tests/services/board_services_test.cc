@@ -54,13 +54,11 @@ TEST(MotionSwitcherTest, NeverClaimsToHaveStartedWhatNothingPlays) {
   authority::MotorOwner owner({{.name = "mcf", .alias = "mcf", .on = false}}, "0", nullptr);
   std::string notice;
   const std::string parameter = R"({"name":"mcf"})";
-  EXPECT_EQ(service
-                .Answer({.api_id = 1002, .parameter = parameter, .parameter_bytes = 14}, &owner, {},
-                        &notice)
-                .code,
-            7007);
+  const ServiceReply reply = service.Answer(
+      {.api_id = 1002, .parameter = parameter, .parameter_bytes = 14}, &owner, {}, &notice);
+  EXPECT_EQ(reply.code, 7007);
   EXPECT_EQ(owner.active(), "");
-  EXPECT_NE(notice, "");
+  EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
 }
 
 TEST(MotionSwitcherTest, KeepsSilentModeToBeReadBack) {
@@ -208,14 +206,17 @@ TEST(VoiceTest, TakesSoundButNotMoreThanAChunk) {
 
 TEST(VideoTest, InventsNoPicture) {
   Caller caller(TableOf("go2", "videohub"));
-  EXPECT_EQ(caller.Ask(1001).code, 100);
-  EXPECT_NE(caller.notice, "");
+  const ServiceReply reply = caller.Ask(1001);
+  EXPECT_EQ(reply.code, 100);
+  EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
 }
 
 TEST(ObstaclesAvoidTest, WalksOnlyWhenSwitchedOnAndTold) {
   Caller caller(TableOf("go2", "obstacles_avoid"));
   const char* move = R"({"x":2,"y":0,"yaw":0,"mode":0})";
-  EXPECT_EQ(caller.Ask(1003, move).code, 0);
+  const ServiceReply ignored = caller.Ask(1003, move);
+  EXPECT_EQ(ignored.code, 0);
+  EXPECT_EQ(ignored.refusal, CallRefusal::kState);
   EXPECT_TRUE(caller.robot.book.goals.empty());
   EXPECT_EQ(caller.Ask(1002).data, R"({"enable":true})");
   EXPECT_EQ(caller.Ask(1001, R"({"enable":false})").code, 0);
@@ -244,8 +245,10 @@ TEST(ObstaclesAvoidTest, SaysThatItWalksOnlyWhenItDoes) {
   caller.Ask(1003, move);
   EXPECT_THAT(caller.notice, HasSubstr("walks without seeing obstacles"));
   caller.robot.book.verdict = authority::MotionVerdict::kUnable;
-  EXPECT_EQ(caller.Ask(1003, move).code, 3202);
-  EXPECT_THAT(caller.notice, HasSubstr("not simulated"));
+  const ServiceReply unable = caller.Ask(1003, move);
+  EXPECT_EQ(unable.code, 3202);
+  EXPECT_EQ(unable.refusal, CallRefusal::kNotSimulated);
+  EXPECT_EQ(caller.notice, "");
   caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(1003, move).code, 3202);
   EXPECT_EQ(caller.notice, "");

@@ -160,7 +160,9 @@ TEST(A2SportTest, FollowsAPathByItsOwnEstimateOnly) {
   EXPECT_EQ(caller.Ask(1035, parameter.dump()).code, 0);
   EXPECT_EQ(std::get<goal::FollowPath>(caller.robot.book.goals.at(0)).points->size(), 3U);
   parameter["feedback_mode"] = 1;
-  EXPECT_EQ(caller.Ask(1035, parameter.dump()).code, 4205);
+  const ServiceReply reply = caller.Ask(1035, parameter.dump());
+  EXPECT_EQ(reply.code, 4205);
+  EXPECT_EQ(reply.refusal, CallRefusal::kNotSimulated);
   EXPECT_EQ(caller.robot.book.goals.size(), 1U);
   EXPECT_NE(caller.notice, "");
 }

@@ -76,7 +76,12 @@ class ServiceHostTest : public testing::Test {
     Send(id, 7, nlohmann::json{{"a", text}}.dump(), options);
   }
 
-  void Poll() { host_.Poll(&robot_.owner, now_); }
+  void Poll() {
+    for (const Call& call : host_.Poll(&robot_.owner, now_)) calls_.push_back(call);
+  }
+  std::uint64_t Refused(CallRefusal refusal) const {
+    return host_.counts().refused[static_cast<std::size_t>(refusal)];
+  }
   std::size_t carried_out() const { return robot_.book.goals.size(); }
 
   void Collect() {
@@ -105,6 +110,7 @@ class ServiceHostTest : public testing::Test {
   ServedRobot robot_;
   ServiceHost::WallTime now_{0};
   std::vector<std::string> said_;
+  std::vector<Call> calls_;
   bus::Participant participant_{"lo", test::NewDomain()};
   ServiceHost host_{
       participant_, {EchoTable(false)}, [this](auto& text) { said_.push_back(text); }};
@@ -133,16 +139,19 @@ TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
 TEST_F(ServiceHostTest, TellsWhatEachPollCarriedOut) {
   SendText(1, "");
   Send(2, 9999, "");
-  std::vector<Call> calls;
   ASSERT_TRUE(test::Eventually([&] {
-    for (const Call& call : host_.Poll(&robot_.owner, now_)) calls.push_back(call);
-    return calls.size() == 2;
+    Poll();
+    return calls_.size() == 2;
   }));
-  EXPECT_EQ(calls[0].service, "echo");
-  EXPECT_EQ(calls[0].api_id, 7);
-  EXPECT_EQ(calls[0].code, 0);
-  EXPECT_EQ(calls[1].api_id, 9999);
-  EXPECT_EQ(calls[1].code, 3203);
+  EXPECT_EQ(calls_[0].service, "echo");
+  EXPECT_EQ(calls_[0].name, "Echo");
+  EXPECT_EQ(calls_[0].api_id, 7);
+  EXPECT_EQ(calls_[0].code, 0);
+  EXPECT_EQ(calls_[0].refusal, CallRefusal::kNone);
+  EXPECT_EQ(calls_[1].api_id, 9999);
+  EXPECT_EQ(calls_[1].code, 3203);
+  EXPECT_EQ(calls_[1].refusal, CallRefusal::kUnknownApi);
+  EXPECT_EQ(Refused(CallRefusal::kUnknownApi), 1U);
   EXPECT_TRUE(host_.Poll(&robot_.owner, now_).empty());
 }
 
@@ -150,12 +159,17 @@ TEST_F(ServiceHostTest, AnswersACallFromWithinAsItDoesOneFromTheBus) {
   const auto answer = [this](std::string_view service, std::int64_t api, std::string_view text) {
     return host_.Answer(service, api, text, &robot_.owner, now_);
   };
-  EXPECT_EQ(answer("echo", 7, R"({"a":"x"})"), 0);
+  const std::optional<Call> echo = answer("echo", 7, R"({"a":"x"})");
+  ASSERT_TRUE(echo);
+  EXPECT_EQ(echo->code, 0);
+  EXPECT_EQ(echo->name, "Echo");
   EXPECT_EQ(carried_out(), 1U);
-  EXPECT_EQ(answer("echo", 9999, ""), 3203);
-  EXPECT_EQ(answer("echo", 8, ""), 4205);
-  EXPECT_EQ(said_.size(), 1U);
-  EXPECT_EQ(answer("sport", 7, ""), std::nullopt);
+  EXPECT_EQ(answer("echo", 9999, "")->code, 3203);
+  const std::optional<Call> fly = answer("echo", 8, "");
+  EXPECT_EQ(fly->code, 4205);
+  EXPECT_EQ(fly->refusal, CallRefusal::kNotSimulated);
+  EXPECT_EQ(Refused(CallRefusal::kNotSimulated), 1U);
+  EXPECT_FALSE(answer("sport", 7, ""));
 }
 
 TEST_F(ServiceHostTest, HoldsAReplyUntilTheClientsReaderIsThere) {
@@ -241,6 +255,70 @@ TEST_F(ServiceHostTest, ServesAtMostEightOfAServiceInAPoll) {
   EXPECT_LE(most, 8U);
 }
 
+// A parameter that takes as much work as a poll does, or more.
+TEST_F(ServiceHostTest, ServesOneOfTheLongestRequestsInAPollAndTheRestLater) {
+  const std::string text(kMostParameterBytes - 10, 'x');
+  for (int i = 0; i < 6; ++i) SendText(i, text, {.noreply = true});
+  std::size_t before = 0, most = 0, polls = 0;
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    most = std::max(most, carried_out() - before);
+    polls += carried_out() > before ? 1 : 0;
+    before = carried_out();
+    return before == 6;
+  }));
+  EXPECT_LE(most, 2U);
+  EXPECT_GE(polls, 3U);
+}
+
+TEST_F(ServiceHostTest, DoesNotKeepAServiceWaitingForAnothersFlood) {
+  ServiceTable other = EchoTable(false);
+  other.name = "other";
+  ServiceHost host(participant_,
+                   {[] {
+                      ServiceTable first = EchoTable(false);
+                      first.name = "first";
+                      return first;
+                    }(),
+                    std::move(other)},
+                   [](auto&) {});
+  bus::Writer<Request> flood(participant_,
+                             {"rt/api/first/request", &unitree_api_msg_dds__Request__desc});
+  bus::Writer<Request> client(participant_,
+                              {"rt/api/other/request", &unitree_api_msg_dds__Request__desc});
+  const std::string text = nlohmann::json{{"a", std::string(16000, 'x')}}.dump();
+  for (int i = 0; i < 100; ++i) Send(i, 7, text, {.noreply = true}, &flood);
+  Send(1, 7, text, {.noreply = true}, &client);
+  int polls = 0;
+  bool served = false;
+  while (!served && polls < 100) {
+    ++polls;
+    for (const Call& call : host.Poll(&robot_.owner, now_)) served |= call.service == "other";
+  }
+  EXPECT_TRUE(served);
+  EXPECT_LE(polls, 3);
+}
+
+TEST_F(ServiceHostTest, CountsAndTellsWhatItHasNoRoomFor) {
+  for (int i = 0; i < 400; ++i) {
+    SendText(i, "", {.noreply = true});
+    if (i == 200) Poll();
+  }
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return carried_out() + Refused(CallRefusal::kTooMany) == 400;
+  }));
+  EXPECT_GT(Refused(CallRefusal::kTooMany), 0U);
+  EXPECT_EQ(host_.counts().requests, 400U);
+  std::uint64_t told = 0;
+  for (const Call& call : calls_) {
+    if (call.refusal != CallRefusal::kTooMany) continue;
+    EXPECT_EQ(call.code, Call::kNoCode);
+    told += call.times;
+  }
+  EXPECT_EQ(told, Refused(CallRefusal::kTooMany));
+}
+
 TEST_F(ServiceHostTest, ServesPriorityFirst) {
   Listen();
   for (int i = 0; i < 3; ++i) SendText(i, "");
@@ -265,17 +343,29 @@ TEST_F(ServiceHostTest, RefusesGarbageAndTextsThatAreTooLong) {
   EXPECT_EQ(codes_[2], 3204);
 }
 
-TEST_F(ServiceHostTest, SaysOnceASecondThatNothingHerePlaysIt) {
+TEST_F(ServiceHostTest, SaysOnceASecondWhatWentWrong) {
   Listen();
-  Send(1, 8, "");
-  Send(2, 8, "");
+  Send(1, 9, "");
+  Send(2, 9, "");
   ASSERT_TRUE(Answered(1) && Answered(2));
-  EXPECT_EQ(codes_[1], 4205);
+  EXPECT_EQ(codes_[1], 3202);
   EXPECT_EQ(said_.size(), 1U);
   now_ += std::chrono::seconds(1);
-  Send(3, 8, "");
+  Send(3, 9, "");
   ASSERT_TRUE(Answered(3));
   EXPECT_EQ(said_.size(), 2U);
+  EXPECT_EQ(Refused(CallRefusal::kFailed), 3U);
+}
+
+TEST_F(ServiceHostTest, TellsOfARefusalAlsoWhereNoReplyIsWanted) {
+  Send(1, 8, "", {.noreply = true});
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return !calls_.empty();
+  }));
+  EXPECT_EQ(calls_[0].refusal, CallRefusal::kNotSimulated);
+  EXPECT_EQ(calls_[0].name, "Fly");
+  EXPECT_EQ(Refused(CallRefusal::kNotSimulated), 1U);
 }
 
 TEST_F(ServiceHostTest, AnswersAnArmActionWhenItHasEnded) {
@@ -344,6 +434,7 @@ TEST_F(ServiceHostTest, DropsWhatComesForAServiceThatIsNotServed) {
     quiet.Poll(&robot_.owner, now_);
     return quiet.counts().requests == 1;
   }));
+  EXPECT_EQ(quiet.counts().refused[static_cast<std::size_t>(CallRefusal::kNotServed)], 1U);
   now_ += milliseconds(301);
   quiet.Poll(&robot_.owner, now_);
   EXPECT_EQ(quiet.counts().lost_replies, 0U);

@@ -14,9 +14,10 @@ class SwitchTopicsTest : public testing::Test {
   // A writer and a reader of one participant match at once.
   void Say(std::string word) {
     lidar_.Write({.data = word.data()});
-    switches_.Poll(&owner_);
+    switches_.Poll(&owner_, &calls_);
   }
 
+  std::vector<Call> calls_;
   authority::MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
   Service service_{TableOf("go2", "uwbswitch")};
   bus::Participant participant_{"lo", test::NewDomain()};
@@ -30,16 +31,20 @@ class SwitchTopicsTest : public testing::Test {
 TEST_F(SwitchTopicsTest, SwitchTheLidarsProgramByWord) {
   Say("OFF");
   EXPECT_FALSE(owner_.services()[0].on);
+  EXPECT_TRUE(calls_.empty());
   Say("off");
   Say("on");
   EXPECT_FALSE(owner_.services()[0].on);
+  ASSERT_EQ(calls_.size(), 2U);
+  EXPECT_EQ(calls_[0].service, "rt/utlidar/switch");
+  EXPECT_EQ(calls_[0].refusal, CallRefusal::kName);
   Say("ON");
   EXPECT_TRUE(owner_.services()[0].on);
 }
 
 TEST_F(SwitchTopicsTest, SetWhatTheUwbServiceGives) {
   uwb_.Write({.enabled = 7});
-  switches_.Poll(&owner_);
+  switches_.Poll(&owner_, &calls_);
   EXPECT_EQ(service_.settings().at("enable"), 1);
 }
 

@@ -96,6 +96,8 @@ class RawSocket {
       bytes.remove_prefix(static_cast<std::size_t>(sent));
     }
   }
+  // Says that nothing more comes.
+  void HangUp() const { ::shutdown(fd_, SHUT_WR); }
   // Whether somebody is there to take it.
   bool Sends(std::string_view bytes) const {
     return ::send(fd_, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT) >= 0;
@@ -106,6 +108,7 @@ class RawSocket {
     char bytes[4096];
     while (text.find(end) == std::string::npos) {
       const ssize_t got = ::recv(fd_, bytes, sizeof bytes, 0);
+      if (got < 0 && errno == EINTR) continue;  // libFuzzer's clock
       // A reset: it hung up without having read all that was sent.
       if (got == 0 || (got < 0 && errno == ECONNRESET)) break;
       if (got < 0) throw std::runtime_error("recv");

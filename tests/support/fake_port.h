@@ -43,6 +43,10 @@ class FakePort final : public wire::RobotPort {
       topics_[i].steady = command;
     }
   }
+  // The robot is told of that many lost commands.
+  void Lose(std::size_t topic, std::uint64_t commands) { topics_[topic].lost = commands; }
+  // How often Rest was called.
+  int rests() const { return rests_; }
   // Makes a state due in every `steps`-th step.
   void TellEvery(std::int64_t steps) { every_ = steps; }
   // Is told when the next state has been sent.
@@ -56,6 +60,10 @@ class FakePort final : public wire::RobotPort {
   bool idle() const { return topics_[robot::kLowCmdTopic].waiting.empty(); }
 
   bool Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) override;
+  std::uint64_t TakeLost(std::size_t topic) override {
+    return std::exchange(topics_[topic].lost, 0);
+  }
+  void Rest() override { ++rests_; }
   bool Due(std::int64_t step) const override { return step % every_ == 0; }
   void Publish(const robot::RobotState& state, std::int64_t step) override;
   int command_writers() const override { return 1; }
@@ -72,6 +80,7 @@ class FakePort final : public wire::RobotPort {
     std::deque<Waiting> waiting;
     std::optional<robot::RobotCommand> steady;
     bool steady_taken = false;  // in this drain
+    std::uint64_t lost = 0;
   };
 
   void SendTo(std::size_t topic, const robot::RobotCommand& command,
@@ -83,6 +92,7 @@ class FakePort final : public wire::RobotPort {
   std::int64_t every_ = 2;  // 500 Hz in steps of 1 ms
   robot::PortNews news_;
   bool keep_all_ = true;
+  int rests_ = 0;
   std::uint64_t published_ = 0;
   std::vector<Sample> samples_;
 };

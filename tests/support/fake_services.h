@@ -27,21 +27,29 @@ class FakeServices final : public services::ServicePort {
     }
     counts_.requests += waiting_.size();
     waiting_.clear();
+    for (const services::Call& call : brought_) calls_.push_back(call);
+    brought_.clear();
     return calls_;
   }
   // "release" of no parameter is all that there is.
-  std::optional<std::int32_t> Answer(std::string_view service, std::int64_t, std::string_view,
-                                     authority::MotorOwner* owner, WallTime) noexcept override {
+  std::optional<services::Call> Answer(std::string_view service, std::int64_t api_id,
+                                       std::string_view, authority::MotorOwner* owner,
+                                       WallTime) noexcept override {
     if (service != "release") return std::nullopt;
     owner->Release();
-    return 0;
+    return services::Call{.service = "release", .api_id = api_id};
   }
   void Tell(const authority::MotorOwner&, double) noexcept override {}
+  void CountUnmatched() override {
+    ++counts_.refused[static_cast<std::size_t>(services::CallRefusal::kUnmatched)];
+  }
+  // The next poll returns it.
+  void Bring(const services::Call& call) { brought_.push_back(call); }
   services::ServiceCounts counts() const override { return counts_; }
 
  private:
   std::vector<Effect> waiting_;
-  std::vector<services::Call> calls_;
+  std::vector<services::Call> calls_, brought_;
   services::ServiceCounts counts_;
 };
 

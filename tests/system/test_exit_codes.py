@@ -48,6 +48,22 @@ def test_a_value_that_does_not_do_is_named_with_the_nearest_that_does(understudy
     refused(understudy("run", *arguments), code, *words)
 
 
+@pytest.mark.parametrize(("limit", "words"), [
+    (["--nofile", "8"], "files that this process may open (ulimit -n)"),
+    (["--nofile", "18"], ""),
+    (["--as", "70000000"], "64 MB of memory, more than this process may have (ulimit -v)"),
+    (["--as", "100000000"], ""),
+])
+def test_where_limits_leave_too_little_it_says_so_and_ends(limit, words):
+    option, value = limit
+    done = subprocess.run(["prlimit", f"{option}={value}", os.environ["UNDERSTUDY"], "run", "go2",
+                           "--duration", "0.1"], capture_output=True, text=True, check=False)
+
+    assert 0 < done.returncode < 10, done.stderr
+    assert words in done.stderr.splitlines()[-1]
+    assert done.stderr.splitlines()[-1].startswith("understudy: ")
+
+
 @pytest.mark.parametrize(("text", "line", "words"), [
     ("scene: flat\ngate:\n  tiemout: 1\n", ":3", ["tiemout", "timeout"]),
     ("gate:\n  timeout: -1\n", ":2", ["gate.timeout"]),

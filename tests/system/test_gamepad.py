@@ -95,8 +95,10 @@ def test_a_gamepad_that_comes_and_goes_beside_a_run_is_the_robots_remote(play, g
         gamepad.plug()
         gamepad.press("start")
         reads(block("start"))
-    assert re.findall("Red Gamepad .*", robot.said()) == [
-        "Red Gamepad is the remote controller", "Red Gamepad has gone", "Red Gamepad is the remote controller"]
+    said = [line["message"] for line in robot.log() if "Red Gamepad" in line["message"]]
+    assert len(robot.log()) == len(robot.said().splitlines())
+    assert [message.partition("Red Gamepad ")[2] for message in said] == [
+        "is the remote controller", "has gone", "is the remote controller"]
 
 
 def test_a_mapping_in_a_file_makes_a_gamepad_known_to_understudy_remote(play, gamepad, guid, runtime_dir):

@@ -1,6 +1,7 @@
 """The log of a run."""
 
 import fcntl
+import json
 import os
 import pty
 import re
@@ -10,6 +11,9 @@ import subprocess
 import time
 
 import pytest
+
+from peers import GoLowState as GoState
+from peers import speaker
 
 
 @pytest.fixture(name="stuck")
@@ -87,6 +91,51 @@ def test_with_json_every_line_of_the_log_is_an_object(play):
         assert line["level"] in ("info", "warning", "error", "critical")
         assert line["message"]
         assert abs(line["time"] - time.time()) < 60
+
+
+@pytest.mark.parametrize("arguments", [
+    ["run"],
+    ["run", "gp2"],
+    ["run", "go2", "--strat", "lying"],
+    ["run", "go2", "--domain", "233"],
+    ["run", "go2", "--set", "gate.tiemout=1"],
+    ["run", "go2", "--scene", "flt"],
+    ["run", "go2", "--interface", "l0"],
+    ["run", "go2", "--name", "../x"],
+    ["run", "go2", "--set", "robot.model=/none/no.xml"],
+    ["exec", "go2", "--", "/none/such"],
+    ["exec", "go2"],
+    ["play", "/none.mcap"],
+    ["ctl", "stauts"],
+    ["ctl", "status"],
+])
+def test_with_json_what_goes_wrong_before_the_log_begins_is_an_object_too(understudy, arguments):
+    command, *rest = arguments
+    done = understudy(command, *([] if command == "ctl" else ["--json"]), *rest,
+                      *(["--json"] if command == "ctl" else []))
+
+    assert done.returncode != 0
+    lines = [json.loads(line) for line in done.stderr.splitlines()]
+    assert lines and all(line["message"] and line["level"] for line in lines)
+
+
+def test_with_json_a_window_that_does_not_open_says_so_in_an_object(play):
+    robot = play("go2", "--view", "--duration", "1", ready=False,
+                 env={key: value for key, value in os.environ.items()
+                      if key not in ("DISPLAY", "WAYLAND_DISPLAY")})
+    robot.exit_code()
+
+    assert len(robot.log()) == len(robot.said().splitlines())
+
+
+def test_with_json_names_from_the_network_stay_in_their_line(play):
+    robot = play("go2")
+    with speaker("rt/api/sport/request", GoState):
+        said = robot.heard("nothing arrives on rt/api/sport/request", "warning")["message"]
+
+    assert "type unitree_go::msg::dds_::LowState_" in said
+    assert robot.becomes(lambda status: status["services"]["refused"]["unmatched"] == 1)
+    assert len(robot.log()) == len(robot.said().splitlines())
 
 
 def test_the_log_says_where_the_robot_is(play):

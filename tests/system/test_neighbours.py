@@ -9,6 +9,7 @@ import time
 import pytest
 
 from peers import go_state, listener, stranger
+from robots import eventually
 
 NEIGHBOUR = 6
 
@@ -30,6 +31,26 @@ def test_a_second_robot_on_the_same_network_refuses_and_names_the_first(play, un
     assert f"process {first.pid} (understudy)" in second.stderr
     assert "nothing was sent" in second.stderr
     assert first.status()["silenced"] is False
+
+
+# Without a listening time both publish before they can have heard of each other.
+@pytest.mark.parametrize("listen", [0, 0.2])
+@pytest.mark.parametrize("offset", [0, 0, 0.02, 0.1, 0.2, 0.3])
+def test_of_two_that_start_at_the_same_moment_exactly_one_yields(play, offset, listen):
+    options = ("--set", f"guard.listen_loopback={listen}")
+    robots = [play("go2", *options, ready=False)]
+    time.sleep(offset)
+    robots.append(play("go2", *options, ready=False))
+    eventually(lambda: any(robot.process.poll() is not None for robot in robots),
+               what="one yields\n" + robots[0].said() + robots[1].said())
+    time.sleep(0.5)
+    codes = [robot.process.poll() for robot in robots]
+
+    assert sorted(codes, key=str) == [NEIGHBOUR, None], [robot.said() for robot in robots]
+    yielded, = (robot for robot, code in zip(robots, codes) if code == NEIGHBOUR)
+    stayed, = (robot for robot, code in zip(robots, codes) if code is None)
+    assert f"process {stayed.pid} " in yielded.said()
+    assert not stayed.becomes(lambda status: status["ready"])["silenced"]
 
 
 def test_beside_a_writer_that_is_silent_a_robot_refuses_and_says_how_to_go_on(understudy):

@@ -1,13 +1,54 @@
 """How refused commands appear in status and log."""
 
+import json
 import math
 
 import pytest
+from unitree_sdk2py.idl.unitree_api.msg.dds_ import (
+    Request_,
+    RequestHeader_,
+    RequestIdentity_,
+    RequestLease_,
+    RequestPolicy_,
+)
 
 from peers import GoLowCmd, HgLowCmd, go_command, hg_command, speaker
 from robots import eventually
 
 G1 = 5  # mode_machine of a G1 with 29 motors
+
+
+def request(api, noreply, parameter="{}"):
+    return Request_(RequestHeader_(RequestIdentity_(1, api), RequestLease_(0),
+                                   RequestPolicy_(0, noreply)), parameter, [])
+
+
+@pytest.mark.parametrize("noreply", [False, True])
+@pytest.mark.parametrize(("api", "parameter", "reason", "words"), [
+    (1008, '{"x": 1, "y": 0, "z": 0}', "state", "sport 1008 Move (state)"),
+    (1008, "{", "parameter", "sport 1008 Move (parameter)"),
+    (4711, "{}", "unknown_api", "sport 4711 (unknown_api)"),
+])
+def test_a_refused_call_is_counted_and_explained_also_if_no_reply_is_wanted(
+        play, api, parameter, reason, words, noreply):
+    robot = play("go2")  # which lies
+    with speaker("rt/api/sport/request", Request_) as client:
+        eventually(lambda: client.write(request(api, noreply, parameter)) or
+                   robot.status()["services"]["refused"][reason])
+        robot.heard(words, "warning")
+        refused = robot.status()["services"]["refused"]
+
+    assert {key for key, count in refused.items() if count} == {reason}
+    assert any(event["kind"] == "call_refused" and event["detail"]["reason"] == reason
+               for event in json.loads(robot.ctl("events", "--json"))["events"])
+
+
+def test_a_state_that_is_answered_0_and_ignored_is_told(play):
+    robot = play("g1")
+    with speaker("rt/api/sport/request", Request_) as client:
+        eventually(lambda: client.write(request(7101, False, '{"data": 500}')) or
+                   robot.status()["services"]["refused"]["state"])
+        assert "code 0" in robot.heard("sport 7101 SetFsmId (state)", "warning")["message"]
 
 
 def with_motor(field, value):
@@ -109,7 +150,7 @@ def test_a_gain_in_a_slot_without_a_motor_is_counted_and_said(play):
         status = robot.becomes(lambda now: now["commands"]["unused_slots"])
 
     assert status["commands"]["accepted"] > 0
-    robot.heard("slot without a motor", "warning")
+    robot.heard("slots without a motor", "warning")
 
 
 def test_an_unset_head_is_taken_counted_and_said(play):

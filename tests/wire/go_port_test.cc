@@ -32,6 +32,23 @@ TEST(GoPortTest, CountsWhatIsSetInSlotsWithoutAMotor) {
   EXPECT_FALSE(port.TakeNews().unset_head);
 }
 
+TEST(GoPortTest, WarnsOfNoProgramThatFillsAllSlotsAlike) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Writer<unitree_go_msg_dds__LowCmd_> client(participant, kGoLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  unitree_go_msg_dds__LowCmd_ message = InitialGoCommand();
+  for (auto& motor : message.motor_cmd) motor.kp = 60;
+  message.crc = MessageCrc(message);
+  robot::RobotCommand command = CommandOf(spec);
+  robot::Refusal wire = robot::Refusal::kNone;
+  ASSERT_TRUE(client.Write(message));
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &command, &wire));
+  EXPECT_EQ(port.counts().unused_slots, 17U);
+  EXPECT_FALSE(port.TakeNews().unused_slot);
+}
+
 TEST(GoPortTest, TellsOfTheFirstHeadThatWasLeftUnset) {
   const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = GoRobot();

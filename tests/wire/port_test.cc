@@ -63,6 +63,32 @@ TYPED_TEST(PortTest, HasNoCommandBeforeTheFirst) {
   EXPECT_FALSE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
 }
 
+TYPED_TEST(PortTest, CountsTheCommandsThatNewerOnesReplaced) {
+  const bus::Participant participant("lo", test::NewDomain());
+  Port port(participant, this->spec_, kTimestep);
+  bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  for (int i = 0; i < 20; ++i) ASSERT_TRUE(client.Write(TypeParam::Command(static_cast<float>(i))));
+  EXPECT_EQ(port.TakeLost(robot::kLowCmdTopic), 4U);
+  EXPECT_EQ(port.TakeLost(robot::kLowCmdTopic), 0U);
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
+  EXPECT_EQ(this->command_.motors[1].q, 4);
+}
+
+TYPED_TEST(PortTest, CountsNoneAsLostWhileTimeStandsStill) {
+  const bus::Participant participant("lo", test::NewDomain());
+  Port port(participant, this->spec_, kTimestep);
+  bus::Writer<typename TypeParam::LowCmd> client(participant, TypeParam::kLowCmd);
+  ASSERT_TRUE(test::Eventually([&] { return port.command_writers() == 1; }));
+  for (int i = 0; i < 20; ++i) {
+    ASSERT_TRUE(client.Write(TypeParam::Command(static_cast<float>(i))));
+    port.Rest();
+  }
+  EXPECT_EQ(port.TakeLost(robot::kLowCmdTopic), 0U);
+  ASSERT_TRUE(port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_));
+  EXPECT_EQ(this->command_.motors[1].q, 4);
+}
+
 TYPED_TEST(PortTest, TakesCommandsOldestFirstAndTellsTheBrokenOne) {
   const bus::Participant participant("lo", test::NewDomain());
   Port port(participant, this->spec_, kTimestep);

@@ -53,13 +53,15 @@ TEST(SlotsTest, RefuseABatteryWithoutCells) {
 }
 
 TEST(UnusedSlotCommandsTest, AreNoneInAnEmptyMessage) {
-  EXPECT_EQ(UnusedSlotCommands(Message{}, GoRobot()), 0);
+  const UnusedSlots unused = UnusedSlotCommands(Message{}, GoRobot());
+  EXPECT_EQ(unused.count, 0);
+  EXPECT_FALSE(unused.differ);
 }
 
 TEST(UnusedSlotCommandsTest, DoNotCountSlotsWithAMotor) {
   Message message{};
   for (const robot::MotorSpec& motor : GoRobot().motors) message.motor_cmd[motor.slot].kp = 1;
-  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()), 0);
+  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()).count, 0);
 }
 
 TEST(UnusedSlotCommandsTest, CountGainsAndTorqueButNotModePositionAndRate) {
@@ -70,7 +72,28 @@ TEST(UnusedSlotCommandsTest, CountGainsAndTorqueButNotModePositionAndRate) {
   message.motor_cmd[5].mode = 1;
   message.motor_cmd[6].q = 2.146e9F;
   message.motor_cmd[7].dq = 16000;
-  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()), 3);
+  EXPECT_EQ(UnusedSlotCommands(message, GoRobot()).count, 3);
+}
+
+TEST(UnusedSlotCommandsTest, DoNotDifferInAMessageThatFillsAllSlotsAlike) {
+  Message message{};
+  for (auto& motor : message.motor_cmd) {
+    motor.q = 0.1F;
+    motor.kp = 60;
+  }
+  for (const robot::MotorSpec& motor : GoRobot().motors) message.motor_cmd[motor.slot].q = 0.7F;
+  const UnusedSlots unused = UnusedSlotCommands(message, GoRobot());
+  EXPECT_EQ(unused.count, kGoMotorSlots - GoRobot().motors.size());
+  EXPECT_FALSE(unused.differ);
+}
+
+TEST(UnusedSlotCommandsTest, DifferWhereOneIsMeantForAMotor) {
+  Message message{};
+  message.motor_cmd[18].kp = 60;
+  EXPECT_TRUE(UnusedSlotCommands(message, GoRobot()).differ);
+  for (auto& motor : message.motor_cmd) motor.kp = 60;
+  message.motor_cmd[18].q = 0.3F;
+  EXPECT_TRUE(UnusedSlotCommands(message, GoRobot()).differ);
 }
 
 }  // namespace

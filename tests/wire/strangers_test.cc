@@ -1,6 +1,8 @@
 #include "wire/strangers.h"
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include <dds/dds.h>
 #include <gmock/gmock.h>
@@ -137,6 +139,74 @@ TEST(StrangerWatchTest, ForgetsASpeakerThatHasGone) {
     watch.Poll();
     return watch.speaking().empty();
   }));
+}
+
+// Somebody else's participant that announces a robot, without a writer at first.
+class Rival {
+ public:
+  Rival(int domain, std::int64_t since) {
+    const std::unique_ptr<dds_qos_t, decltype(&dds_delete_qos)> qos(dds_create_qos(),
+                                                                    &dds_delete_qos);
+    const std::string says = AnnounceRobot(since);
+    dds_qset_userdata(qos.get(), says.data(), says.size());
+    participant_.emplace(
+        dds_create_participant(static_cast<dds_domainid_t>(domain), qos.get(), nullptr), "join");
+  }
+  void Start() {
+    writer_.emplace(
+        dds_create_writer(participant_->handle(),
+                          dds_create_topic(participant_->handle(), kGoLowState.descriptor,
+                                           "rt/lowstate", nullptr, nullptr),
+                          nullptr, nullptr),
+        "start");
+  }
+
+ private:
+  std::optional<bus::Entity> participant_, writer_;
+};
+
+TEST(StrangerWatchTest, KnowsTheRobotsThatBeganToStartBeforeUs) {
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain, AnnounceRobot(1000));
+  StrangerWatch watch(ours);
+  Rival elder(domain, 999), younger(domain, 1001);
+  EXPECT_TRUE(test::Eventually([&] {
+    watch.Poll();
+    return watch.EldersStarting().size() == 1;
+  }));
+  elder.Start();
+  younger.Start();
+  std::vector<bus::Neighbour> appeared;
+  ASSERT_TRUE(test::Eventually([&] {
+    for (bus::Neighbour& one : watch.Poll().appeared) appeared.push_back(std::move(one));
+    return appeared.size() == 2;
+  }));
+  EXPECT_TRUE(watch.EldersStarting().empty());
+  std::vector<StrangerWatch::Kind> kinds{watch.KindOf(appeared[0]), watch.KindOf(appeared[1])};
+  EXPECT_THAT(kinds, testing::UnorderedElementsAre(StrangerWatch::Kind::kElder,
+                                                   StrangerWatch::Kind::kYounger));
+}
+
+TEST(StrangerWatchTest, RanksNobodyWhoAnnouncesNothing) {
+  const int domain = test::NewDomain();
+  const bus::Participant ours("lo", domain, AnnounceRobot(1000));
+  StrangerWatch watch(ours);
+  const Stranger stranger(domain, kGoLowState.descriptor);
+  AwaitStrangers(&watch, 1);
+  EXPECT_EQ(watch.KindOf(watch.silent().front()), StrangerWatch::Kind::kOther);
+  EXPECT_TRUE(watch.EldersStarting().empty());
+}
+
+TEST(RobotRankTest, IsComputedAlikeByBoth) {
+  const bus::ParticipantKey low{1}, high{2};
+  const auto a = RankOf(AnnounceRobot(7), low), b = RankOf(AnnounceRobot(7), high),
+             c = RankOf(AnnounceRobot(8), low);
+  EXPECT_LT(*a, *b);
+  EXPECT_LT(*b, *c);
+  for (const char* text : {"", "understudy", "understudy robot since ", "understudy robot since x",
+                           "understudy robot since 7 ", "ros2"}) {
+    EXPECT_FALSE(RankOf(text, low)) << text;
+  }
 }
 
 TEST(StrangersTest, AreDescribedOneByOne) {

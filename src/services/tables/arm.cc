@@ -25,8 +25,7 @@ bool IsSettled(const robot::MotionState& state) {
 // The vendor's header: a held arm is released after 20 s at most, so no action takes longer.
 constexpr std::chrono::seconds kLongestAction(20);
 
-ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before,
-                    const ServiceCall& call) {
+ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& before) {
   // [sdk] g1/arm: states that allow actions.
   constexpr std::array kStates = {200, 500, 501, 801, 802};
   switch (verdict) {
@@ -40,14 +39,13 @@ ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& 
     case authority::MotionVerdict::kUnable:
       break;
   }
-  *call.notice = "arm: this action is not simulated; answered 7402";
   return {.code = kBadAction};
 }
 
 ServiceReply Execute(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
   const int id = authority::goal::Whole(call.parameter.at("action_id").get<double>());
-  ServiceReply reply = Answer(call.owner->Ask(authority::goal::ArmAction{id}), before, call);
+  ServiceReply reply = Answer(call.owner->Ask(authority::goal::ArmAction{id}), before);
   if (reply.code == kRpcOk) {
     reply.once = &IsSettled;
     reply.patience = kLongestAction;
@@ -55,11 +53,13 @@ ServiceReply Execute(const ServiceCall& call) {
   return reply;
 }
 
-ServiceReply ExecuteByName(const ServiceCall&) { return {.code = kBadAction}; }
+ServiceReply ExecuteByName(const ServiceCall&) {
+  return {.code = kBadAction, .refusal = CallRefusal::kName};
+}
 
 ServiceReply Stop(const ServiceCall& call) {
   const robot::MotionState before = call.owner->state();
-  return Answer(call.owner->Ask(authority::goal::StopArmAction{}), before, call);
+  return Answer(call.owner->Ask(authority::goal::StopArmAction{}), before);
 }
 
 // A list of the actions and one of those that were taught, of which there are none.

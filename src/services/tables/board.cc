@@ -27,20 +27,19 @@ ServiceReply CheckMode(const ServiceCall& call) {
 
 ServiceReply SelectMode(const ServiceCall& call) {
   const auto& name = call.parameter.at("name").get_ref<const std::string&>();
-  if (call.owner->active() == "mcf" && name != "mcf") return {.code = kOtherIsOn};
+  if (call.owner->active() == "mcf" && name != "mcf") {
+    return {.code = kOtherIsOn, .refusal = CallRefusal::kState};
+  }
   switch (call.owner->Select(name)) {
     case authority::OwnerVerdict::kDone:
       return {};
     case authority::OwnerVerdict::kUnknownName:
-      return {.code = kBadName};
+      return {.code = kBadName, .refusal = CallRefusal::kName};
     case authority::OwnerVerdict::kProtected:
     case authority::OwnerVerdict::kNoController:
       break;
   }
-  *call.notice =
-      "motion_switcher SelectMode: this motion service is not simulated; "
-      "answered 7007";
-  return {.code = kSelectFailed};
+  return {.code = kSelectFailed, .refusal = CallRefusal::kNotSimulated};
 }
 
 ServiceReply ReleaseMode(const ServiceCall& call) {
@@ -70,21 +69,24 @@ ServiceReply ServiceSwitch(const ServiceCall& call) {
   const auto& name = call.parameter.at("name").get_ref<const std::string&>();
   const bool on = call.parameter.at("switch").get<int>() == 1;
   int status = on ? kOn : kOff;
+  CallRefusal refusal = CallRefusal::kNone;
   switch (call.owner->Switch(name, on)) {
     case authority::OwnerVerdict::kDone:
       break;
     case authority::OwnerVerdict::kProtected:
       status = kProtected;
+      refusal = CallRefusal::kProtected;
       break;
     case authority::OwnerVerdict::kNoController:
-      *call.notice = "robot_state ServiceSwitch: nothing here plays " +
-                     call.parameter.at("name").dump(-1, ' ', true);
-      [[fallthrough]];
+      status = kFailed;
+      refusal = CallRefusal::kNotSimulated;
+      break;
     case authority::OwnerVerdict::kUnknownName:
       status = kFailed;
+      refusal = CallRefusal::kName;
       break;
   }
-  return {.data = json{{"name", name}, {"status", status}}.dump()};
+  return {.data = json{{"name", name}, {"status", status}}.dump(), .refusal = refusal};
 }
 
 ServiceReply SetReportFreq(const ServiceCall& call) {

@@ -32,7 +32,9 @@ ServiceReply StopPlaying(const ServiceCall&) { return {}; }
 ServiceReply AvoidingMove(const ServiceCall& call) {
   const Settings& settings = *call.settings;
   // [docs]: nothing moves before UseRemoteCommandFromApi(true).
-  if (settings.at("enable") != true || settings.at("remote_from_api") != true) return {};
+  if (settings.at("enable") != true || settings.at("remote_from_api") != true) {
+    return {.refusal = CallRefusal::kState};
+  }
   namespace goal = authority::goal;
   const auto within = [&](const char* key, double bound) {
     return std::clamp(call.parameter.at(key).get<double>(), -bound, bound);
@@ -49,9 +51,6 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
   if (verdict == authority::MotionVerdict::kTaken) {
     *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
     return {};
-  }
-  if (verdict == authority::MotionVerdict::kUnable) {
-    *call.notice = "obstacles_avoid Move: not simulated on this robot; answered 3202";
   }
   return {.code = kRpcServerInternal};
 }

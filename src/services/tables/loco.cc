@@ -108,7 +108,6 @@ ServiceReply AskArm(const ServiceCall& call, std::int64_t arm_action, std::int32
   const authority::MotionVerdict verdict = call.owner->Ask(wanted);
   if (verdict == authority::MotionVerdict::kTaken || verdict == authority::MotionVerdict::kNotNow)
     return {};
-  *call.notice = "arm task: not simulated; answered " + std::to_string(state_code);
   return {.code = state_code};
 }
 
@@ -151,7 +150,6 @@ ServiceReply TakeBack(const ServiceCall& call) {
   if (mode == kPassive) call.owner->Ask(goal::Damp{});
   if (mode == kWalkRun &&
       call.owner->Ask(goal::BalanceStand{}) == authority::MotionVerdict::kUnable) {
-    *call.notice = "sport SwitchToInternalCtrl: walking is not simulated; answered 7301";
     return {.code = 7301};
   }
   return {};
@@ -182,7 +180,6 @@ ServiceReply SetR1Id(const ServiceCall& call) {
     case authority::MotionVerdict::kUnable:
       break;
   }
-  *call.notice = "sport SetFsmId: this state is not simulated; answered 7301";
   return {.code = 7301};
 }
 

@@ -67,7 +67,7 @@ ServiceReply FollowB2Path(const ServiceCall& call) {
 ServiceReply FollowA2Path(const ServiceCall& call) {
   if (call.parameter.at("feedback_mode") != 0) {
     *call.notice = "sport Trajectory: only feedback_mode 0, the own estimate, is played";
-    return {.code = kNotPlayed};
+    return {.code = kNotPlayed, .refusal = CallRefusal::kNotSimulated};
   }
   return CodeOf(call.owner->Ask(PathOf(call.parameter, "path")));
 }
