@@ -94,12 +94,13 @@ void PrintRow(const Trial& trial, int first, int runs, Made* made) {
 
 void PrintState(const MotionRig& rig, double t, const Eigen::Vector3d& wish) {
   const Eigen::Vector3d rpy = rig.rpy(), p = rig.world().robot().base().p_WB;
+  const Eigen::Vector3d v = rig.world().robot().base().v_WB_W;
   const robot::MotionState state = rig.state();
   std::printf(
-      "%6.2f %5d  p %6.2f %6.2f %5.2f  rpy %5.2f %5.2f %5.2f  height %5.3f  v %5.2f %5.2f  asked "
-      "%5.2f %5.2f %5.2f\n",
+      "%6.2f %5d  p %6.2f %6.2f %5.2f  rpy %5.2f %5.2f %5.2f  height %5.3f  v %5.2f %5.2f (%5.2f "
+      "%5.2f)  asked %5.2f %5.2f %5.2f\n",
       t, state.id, p.x(), p.y(), p.z(), rpy.x(), rpy.y(), rpy.z(), state.body_height,
-      state.v_WB_W.x(), state.v_WB_W.y(), wish.x(), wish.y(), wish.z());
+      state.v_WB_W.x(), state.v_WB_W.y(), v.x(), v.y(), wish.x(), wish.y(), wish.z());
 }
 
 int Main(int argc, char** argv) {

@@ -4,9 +4,9 @@
 
 namespace understudy::motion {
 
-void GaitClock::Begin(const Gait& gait, double wait) {
+void GaitClock::Begin(const Gait& gait, double wait, double phase) {
   gait_ = gait;
-  phase_ = 0;
+  phase_ = phase;
   wait_ = wait;
   halted_ = false;
 }

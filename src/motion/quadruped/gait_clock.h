@@ -18,8 +18,9 @@ struct Gait {
 // feet stand.
 class GaitClock {
  public:
-  // All feet stand for `wait` s, then the first lift.
-  void Begin(const Gait& gait, double wait);
+  // All feet stand for `wait` s, then the first lift: those that have stood longest at that part of
+  // a stride.
+  void Begin(const Gait& gait, double wait, double phase = 0);
 
   // Goes on by dt [s]. With `halt` it stops as soon as all feet stand.
   void Advance(double dt, const Gait& gait, bool halt);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "motion/quadruped/capture.h"
 #include "motion/quadruped/rotations.h"
 #include "robot/firmware.h"
 
@@ -23,9 +24,13 @@ constexpr double kOneStep = 0.01;        // s, at least one of the service
 constexpr double kSitTime = 1.8;         // s
 constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
 constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
+constexpr double kStepsOn = 2.0;         // s it steps on where it could roll
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
 constexpr double kLyingRest = 5.0;  // s from lying down to damping: "after some seconds" on a B2
 constexpr double kMostShift = 0.2;  // of the leg's length, of the body over its feet
+constexpr double kToppling = 0.6;   // of the way out to an edge of the feet, of the capture point
+constexpr double kShoved = 0.25;    // m/s
+constexpr double kLed = 0.8;        // s in which a stand has followed to where it was led
 
 // Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
 authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
@@ -158,6 +163,8 @@ bool QuadrupedMotion::Holds(QuadrupedWhen when) const {
 }
 
 void QuadrupedMotion::Enter(State state) {
+  const bool topples = Topples();
+  const Vector3d rolling = reading_.R_TB * (reading_.R_WB.transpose() * Rolling());
   const State from = std::exchange(state_, state);
   since_ = 0;
   if (!kStands.Has(state) && !kMovingStates.Has(state)) Take({});
@@ -239,9 +246,14 @@ void QuadrupedMotion::Enter(State state) {
       now_ = &recovery_;
       break;
     case kWalking:
-      stand_ = kStanding;
+      if (!topples) stand_ = kStanding;
+      rolls_for_ = 0;
       wheel_angles_.fill(robot::kNoPosition);
-      trot_.Begin(reading_, Under(figures_.stand_height - body_.radius()));
+      if (const PerLeg rest = Under(figures_.stand_height - body_.radius()); topples) {
+        trot_.BeginToppling(reading_, rest, rolling);
+      } else {
+        trot_.Begin(reading_, rest);
+      }
       trot_.Carry(wanted_.place.z(), wanted_.rpy);
       now_ = &trot_;
       break;
@@ -253,8 +265,27 @@ void QuadrupedMotion::Enter(State state) {
   }
 }
 
+Vector3d QuadrupedMotion::Rolling() const {
+  Vector3d v(0, 0, 0);
+  if (state_ != kDriving) return v;
+  for (const Vector3d& turn : reading_.turn) {
+    const Vector3d w_W = reading_.R_WB * (reading_.w_WB_B + turn);
+    v += w_W.cross(body_.radius() * Vector3d::UnitZ()) / 4;
+  }
+  return v;
+}
+
+bool QuadrupedMotion::Topples() const {
+  const Vector3d v = estimator_.v_WB_W() - Rolling();
+  const double omega = std::sqrt(body_.gravity() / figures_.stand_height);
+  const bool at_rest = kStands.Has(state_) && led_ > kLed;
+  return (at_rest || state_ == kDriving) && v.head<2>().norm() > kShoved &&
+         Overhang(reading_, CapturePoint(reading_, v, omega)) > kToppling;
+}
+
 // Wheels roll ahead and through wide bends. What goes sideways or turns on the spot, where tyres
-// would have to slip, is stepped with the wheels braked.
+// would have to slip, is stepped with the wheels braked, and what follows for a while: to change
+// between the two it has to stop.
 void QuadrupedMotion::Move(double dt) {
   move_for_ -= dt;
   if (move_for_ <= 0) move_.setZero();
@@ -264,12 +295,17 @@ void QuadrupedMotion::Move(double dt) {
   }
   const Vector3d taken = trot_.Taken(move_);
   const bool stepping = stepping_ && !then_;
-  const bool steps = !wheeled() || stepping || std::abs(taken.y()) > figures_.walk.dead_band.y() ||
-                     std::abs(taken.z()) > kSharpest * std::abs(taken.x());
+  const bool rolls = wheeled() && !stepping && std::abs(taken.y()) <= figures_.walk.dead_band.y() &&
+                     std::abs(taken.z()) <= kSharpest * std::abs(taken.x());
+  rolls_for_ = rolls ? rolls_for_ + dt : 0;
+  const bool steps = !rolls || (state_ == kWalking && rolls_for_ < kStepsOn);
   trot_.KeepStepping(stepping);
   trot_.Ask(steps ? taken : Vector3d::Zero());
   drive_.Ask(steps ? Vector3d::Zero() : taken);
-  if (kStands.Has(state_) && stance_.over() && (stepping || !taken.isZero(0))) {
+  if (state_ == kWalking && !taken.isZero(0)) stand_ = kStanding;
+  if (Topples()) {
+    Enter(kWalking);
+  } else if (kStands.Has(state_) && stance_.over() && (stepping || !taken.isZero(0))) {
     Enter(steps ? kWalking : kDriving);
   }
 }
@@ -346,6 +382,7 @@ void QuadrupedMotion::Take(const goal::Move& move) {
 
 void QuadrupedMotion::Follow(const StancePose& pose) {
   wanted_ = pose;
+  led_ = 0;
   if (state_ == kWalking) {
     trot_.Carry(wanted_.place.z(), wanted_.rpy);
   } else {
@@ -382,6 +419,7 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   estimator_.Step(reading_, dt,
                   state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
   since_ += dt;
+  led_ += dt;
   WatchForFalls(dt);
   if (state_ == kLying && since_ > kLyingRest) Enter(kDamped);
   Move(dt);

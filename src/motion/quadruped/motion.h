@@ -52,6 +52,10 @@ class QuadrupedMotion : public authority::Motion {
   void Follow(const StancePose& pose);
   void Use(const GaitRow& gait, int level);
 
+  // Of a robot that stands or drives: how fast its feet roll, m/s, world; whether it was pushed so
+  // hard that it has to step.
+  Eigen::Vector3d Rolling() const;
+  bool Topples() const;
   void Move(double dt);  // begins to walk or drive, and ends what was not renewed
   // Of a step: falls and what comes of them; what the motors are told.
   void WatchForFalls(double dt);
@@ -64,6 +68,8 @@ class QuadrupedMotion : public authority::Motion {
   Eigen::Vector3d Here() const;      // by the estimate: x, y [m], yaw [rad]
   bool upright() const;              // enough for the legs alone
   bool wheeled() const { return spec_.kind == robot::RobotKind::kWheeled; }
+
+  static constexpr double kLongAgo = 1e9;  // s
 
   const robot::RobotSpec& spec_;
   robot::QuadrupedMotionSpec figures_;  // `walk` is that of the gait in force
@@ -89,8 +95,10 @@ class QuadrupedMotion : public authority::Motion {
   bool lasting_ = false;   // moves end only when told to
   authority::goal::GestureName gesture_name_{};
   PathFollower path_;
-  Eigen::Vector3d move_{0, 0, 0};              // of the last Move or the path: m/s, rad/s
-  double move_for_ = 0;                        // s that it still counts
+  Eigen::Vector3d move_{0, 0, 0};  // of the last Move or the path: m/s, rad/s
+  double move_for_ = 0;            // s that it still counts
+  double led_ = kLongAgo;          // s ago that a goal led the body of a stand elsewhere
+  double rolls_for_ = 0;  // s since when wheels could do what is asked for, or it began to step
   std::optional<authority::MotionGoal> then_;  // what it stops walking for
   double fallen_for_ = 0;  // s in kDamped because of a fall; 0 when damped by a goal
   QuadrupedReading reading_;

@@ -6,6 +6,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 
+#include "motion/quadruped/capture.h"
 #include "motion/quadruped/force_qp.h"
 #include "motion/quadruped/rotations.h"
 #include "motion/quadruped/swing.h"
@@ -76,6 +77,17 @@ Trot::Trot(const QuadrupedBody& body, const QuadrupedEstimator& estimator,
 }
 
 void Trot::Begin(const QuadrupedReading& sensed, const PerLeg& rest) {
+  Begin(sensed, rest, Vector3d::Zero(), kWait, 0);
+}
+
+void Trot::BeginToppling(const QuadrupedReading& sensed, const PerLeg& rest,
+                         const Vector3d& rolling) {
+  const Vector3d falls_to = CapturePoint(sensed, estimator_.v_WB_W(), omega_);
+  Begin(sensed, rest, rolling, 0, NearerToFrontRight(sensed, falls_to) ? 0 : 0.5);
+}
+
+void Trot::Begin(const QuadrupedReading& sensed, const PerLeg& rest, const Vector3d& rolling,
+                 double wait, double phase) {
   const Vector3d middle = (rest[0] + rest[1] + rest[2] + rest[3]) / 4;
   for (std::size_t leg = 0; leg < 4; ++leg) {
     rest_[leg] = Level(rest[leg] - middle);
@@ -88,8 +100,8 @@ void Trot::Begin(const QuadrupedReading& sensed, const PerLeg& rest) {
   idle_ = 0;
   begins_ = true;
   ground_.Begin();
-  wish_.Begin();
-  clock_.Begin(WantedGait(), kWait);
+  wish_.Begin(Level(rolling));
+  clock_.Begin(WantedGait(), wait, phase);
 }
 
 void Trot::Carry(double height, const Vector3d& rpy) {

@@ -27,6 +27,10 @@ class Trot final : public Behaviour {
 
   // From standing on four feet; `rest` are points of the base [m] under which feet stand at rest.
   void Begin(const QuadrupedReading& sensed, const PerLeg& rest);
+  // Likewise of a body that topples while its feet roll with that velocity [m/s, frame T]: at once,
+  // and first with the pair of feet that holds the falling body less.
+  void BeginToppling(const QuadrupedReading& sensed, const PerLeg& rest,
+                     const Eigen::Vector3d& rolling);
 
   // Forward, left m/s, turn rad/s, until another is asked for.
   void Ask(const Eigen::Vector3d& velocity) { wish_.Ask(velocity); }
@@ -53,6 +57,8 @@ class Trot final : public Behaviour {
     Eigen::Vector3d on{0, 0, 0};    // where it stands or last stood, W
   };
 
+  void Begin(const QuadrupedReading& sensed, const PerLeg& rest, const Eigen::Vector3d& rolling,
+             double wait, double phase);
   void See(const QuadrupedReading& sensed);
   void Plan(double dt);
   void Watch(const QuadrupedReading& sensed);

@@ -7,16 +7,20 @@ namespace understudy::motion {
 
 using Eigen::Vector3d;
 
-void VelocityWish::Begin() {
+void VelocityWish::Begin(const Vector3d& velocity) {
   delayed_.fill(Vector3d::Zero());
-  velocity_.setZero();
+  velocity_ = velocity;
   acceleration_.setZero();
 }
 
 Vector3d VelocityWish::Taken(const Vector3d& wish) const {
   const Vector3d cut = wish.cwiseMax(spec_.least_speed).cwiseMin(spec_.most_speed);
   const bool none = (cut.cwiseAbs().array() <= spec_.dead_band.array()).all();
-  return none ? Vector3d(0, 0, 0) : cut;
+  if (none) return {0, 0, 0};
+  constexpr double kMostAside =
+      2;  // m/s², assumed: half of what ground with a friction of 0.4 holds
+  const double aside = cut.head<2>().norm() * std::abs(cut.z());
+  return aside > kMostAside ? Vector3d(std::sqrt(kMostAside / aside) * cut) : cut;
 }
 
 void VelocityWish::Step(double dt) {

@@ -11,15 +11,17 @@
 namespace understudy::motion {
 
 // Turns commanded velocities into those that the gait is to have: cut to what the gait is good
-// for, nothing where all are within the dead band, then dead time, gain and a lag of first order,
-// per axis. Axes are forward and left m/s, turn rad/s. Allocates nothing.
+// for, nothing where all are within the dead band, slower where a bend would throw the robot aside;
+// then dead time, gain and a lag of first order, per axis. Axes are forward and left m/s, turn
+// rad/s. Allocates nothing.
 class VelocityWish {
  public:
   // `hurry` is the most acceleration, m/s² and rad/s².
   explicit VelocityWish(const robot::WalkSpec& spec, double hurry = 1e3)
       : spec_(spec), hurry_(hurry) {}
 
-  void Begin();
+  // Nothing is asked for, the gait has that velocity.
+  void Begin(const Eigen::Vector3d& velocity = {0, 0, 0});
   void Ask(const Eigen::Vector3d& wish) { wish_ = Taken(wish); }
   void Step(double dt);
 

@@ -63,6 +63,15 @@ TEST(GaitClockTest, ChangesNoStepThatIsUnderWay) {
   EXPECT_NEAR(clock.stance_time(), 0.15, 1e-9) << "then it does";
 }
 
+TEST(GaitClockTest, ThePairThatLiftsFirstIsTheOneThatHasStoodLongest) {
+  for (const auto& [phase, first] : {std::pair(0.0, 1), std::pair(0.5, 0)}) {
+    GaitClock clock;
+    clock.Begin(kGait, 0, phase);
+    while (clock.stands(0) && clock.stands(1)) clock.Advance(kStep, kGait, false);
+    EXPECT_FALSE(clock.stands(static_cast<std::size_t>(first)));
+  }
+}
+
 // One foot after the other.
 constexpr Gait kWalk{.period = 1, .duty = 0.8, .offsets = {0.75, 0.25, 0.5, 0}};
 
@@ -153,6 +162,13 @@ TEST_F(VelocityWishTest, BeginsAfterTheDeadTimeAndLagsByTheTimeConstant) {
   EXPECT_FALSE(wish.at_rest());
 }
 
+TEST_F(VelocityWishTest, WhatMovesWhenItBeginsComesToRestFromThere) {
+  wish.Begin({1, 0, 0});
+  EXPECT_FALSE(wish.at_rest());
+  EXPECT_NEAR(After(0.4).x(), std::exp(-1), 0.003);
+  EXPECT_NEAR(After(4).x(), 0, 1e-3);
+}
+
 TEST_F(VelocityWishTest, DoesNotOvershootInStepsLongerThanItsTimeConstant) {
   wish.Ask({0.5, 0, 0});
   for (int i = 0; i < 5; ++i) {
@@ -164,6 +180,15 @@ TEST_F(VelocityWishTest, DoesNotOvershootInStepsLongerThanItsTimeConstant) {
 
 TEST_F(VelocityWishTest, CutsToWhatTheGaitCan) {
   EXPECT_EQ(wish.Taken({9, -9, 9}), Vector3d(1, -0.4, 1));
+}
+
+TEST_F(VelocityWishTest, TakesASharpBendAsSharpButSlower) {
+  spec.most_speed = {2, 0.8, 3};
+  const Vector3d asked(2, 0, 3), taken = wish.Taken(asked);
+  EXPECT_NEAR(taken.x() * taken.z(), 2, 1e-9) << "m/s² aside";
+  EXPECT_TRUE(taken.normalized().isApprox(asked.normalized()));
+  EXPECT_EQ(wish.Taken({1, 0, 1.9}), Vector3d(1, 0, 1.9));
+  EXPECT_EQ(wish.Taken({0, 0, 3}), Vector3d(0, 0, 3));
 }
 
 TEST_F(VelocityWishTest, ACommandIsNoneOnlyWhenAllOfItIsWithinTheDeadBand) {

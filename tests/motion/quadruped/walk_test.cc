@@ -136,6 +136,37 @@ TEST_P(WalkTest, TakesAPushFromAnySide) {
   }
 }
 
+TEST_P(WalkTest, StepsWhenItIsPushedAtRestAndThenStandsAgain) {
+  bool stepped = false;
+  for (int side = 0; side < 8; ++side) {
+    const double way = side * M_PI / 4 + rig_.rpy().z();
+    rig_.watch = [&] { stepped = stepped || rig_.state().id == kWalking; };
+    rig_.Push(9 * mass() * Vector3d(std::cos(way), std::sin(way), 0), 0.1);
+    ASSERT_TRUE(rig_.ComesToRest(5)) << "0.9 N·s/kg from side " << side;
+    rig_.watch = {};
+    ASSERT_EQ(rig_.state().id, kBalance) << "0.9 N·s/kg from side " << side;
+    EXPECT_LT(rig_.tilt(), 0.05);
+  }
+  EXPECT_TRUE(stepped);
+}
+
+TEST_P(WalkTest, LeaningAndShiftingIsNoReasonToStep) {
+  bool stepped = false;
+  rig_.watch = [&] { stepped = stepped || rig_.state().id == kWalking; };
+  for (const double way : {1.0, -1.0}) {
+    const Vector3d most = way * rig_.spec().motion.quadruped.euler_range;
+    rig_.Ask(goal::Euler{most.x(), most.y(), most.z()});
+    rig_.Run(1);
+    rig_.Ask(goal::Euler{});
+    rig_.Run(1);
+    rig_.Ask(goal::BodyPosition{way, way, 0, 0});
+    rig_.Run(1);
+    rig_.Ask(goal::BodyPosition{});
+    rig_.Run(1);
+  }
+  EXPECT_FALSE(stepped);
+}
+
 TEST_P(WalkTest, CarriesTheBodyAsAsked) {
   rig_.Walk({0.3, 0, 0}, 1);
   rig_.Ask(goal::Euler{0, 0.15, 0});
@@ -258,6 +289,37 @@ TEST_P(DriveTest, StepsSidewaysAndThroughSharpBendsWithBrakedWheels) {
     EXPECT_NEAR(speed.z(), wish.z(), 0.08);
     EXPECT_LT(rig_.tilt(), 0.1);
   }
+}
+
+TEST_P(DriveTest, StepsWhenItIsPushedAsideAndDrivesOn) {
+  for (const double way : {1.0, -1.0}) {
+    rig_.Walk({0.8, 0, 0}, 4);
+    const double wheels_at = rig_.rpy().z();
+    const double mass = rig_.world().robot().weight() / 9.81;
+    rig_.Push(way * 6 * mass * Vector3d(-std::sin(wheels_at), std::cos(wheels_at), 0), 0.1);
+    rig_.Walk({0.8, 0, 0}, 8);
+    EXPECT_EQ(rig_.state().id, kWalking);
+    EXPECT_LT(rig_.tilt(), 0.1);
+    EXPECT_NEAR(rig_.Speed({0.8, 0, 0}, 2).x(), 0.8, 0.08);
+  }
+}
+
+TEST_P(DriveTest, StepsWhenItIsPushedAtRestAndThenStandsAgain) {
+  for (int side = 0; side < 8; ++side) {
+    const double way = side * M_PI / 4 + rig_.rpy().z();
+    rig_.Push(6 * rig_.world().robot().weight() / 9.81 * Vector3d(std::cos(way), std::sin(way), 0),
+              0.1);
+    ASSERT_TRUE(rig_.ComesToRest(6)) << "0.6 N·s/kg from side " << side;
+    ASSERT_EQ(rig_.state().id, kBalance) << "0.6 N·s/kg from side " << side;
+  }
+}
+
+// A change between rolling and stepping takes a stop: one that is asked for again and again must
+// not keep the robot in its place.
+TEST_P(DriveTest, GetsAheadThroughBendsThatAreNowSharpNowWide) {
+  const Vector3d from = rig_.world().robot().base().p_WB;
+  for (int bend = 0; bend < 12; ++bend) rig_.Walk({0.6, 0, bend % 2 == 0 ? 0.3 : 0}, 1);
+  EXPECT_GT((rig_.world().robot().base().p_WB - from).norm(), 0.5 * 0.6 * 12);
 }
 
 TEST_P(DriveTest, ComesToRestAndStaysThere) {
