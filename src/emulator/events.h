@@ -42,6 +42,8 @@ enum class EventKind : std::uint8_t {
   kOverrun,
   kStall,
   kCall,
+  kProgramStart,
+  kProgramEnd,
   kLost,
   kCount,
 };
