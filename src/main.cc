@@ -24,6 +24,7 @@ constexpr char kFooter[] =
     "First steps:\n"
     "  understudy run go2                      simulate a Go2 on lo, domain 0\n"
     "  understudy exec go2 -- python3 prog.py  simulate one while a program runs\n"
+    "  understudy rehearse stand_up            play a scenario and judge it\n"
     "  understudy ctl status --watch           show its state in another terminal\n"
     "  understudy view                         show it in a window\n"
     "  understudy remote                       use its remote controller\n"
@@ -31,7 +32,8 @@ constexpr char kFooter[] =
     "Exit codes: 0 done; 1 a bug, a request refused, output not written; 2 command line;\n"
     "3 configuration; 4 model; 5 network; 6 another robot on the network; 7 the physics diverged;\n"
     "8 the robot's name or control socket is in use or unusable; 9 a recording that cannot be\n"
-    "written or read; exec: the command's code.";
+    "written or read; 10 an expectation failed; 11 one could not be judged; exec: the command's\n"
+    "code.";
 
 // Prints what is wrong with the command line, if that was found.
 bool Explained(const std::string& why) {
@@ -63,6 +65,7 @@ int Main(int argc, char** argv) {
   commands::AddRunCommands(&app, &chosen);
   ctl::CtlCommand ctl(&app, &std::cout);
   commands::AddTerrainCommand(&app, &chosen);
+  commands::AddRehearseCommands(&app, &chosen);
 
   viewer::ViewArguments view;
   viewer::PictureArguments picture;

@@ -15,6 +15,7 @@ using Chosen = std::function<int()>;
 // of them is used.
 void AddRunCommands(CLI::App* app, Chosen* chosen);       // run, exec
 void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's ground to files
+void AddRehearseCommands(CLI::App* app, Chosen* chosen);  // rehearse, judge
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording

@@ -15,6 +15,7 @@
 #include "config/robot_file.h"
 #include "mjcf/compile.h"
 #include "physics/world_model.h"
+#include "rehearse/scenario.h"
 #include "script/script.h"
 #include "server/request_docs.h"
 #include "services/robot_services.h"
@@ -90,6 +91,23 @@ std::string CheckLayer(const std::filesystem::path& file, const config::YamlValu
   return (is_scene ? "scene for --scene, fits " : "layer for --config, fits ") + robot;
 }
 
+// Checks a scenario, or a file of nothing but expectations, of `robot` unless it names its own.
+std::string CheckScenario(const std::filesystem::path& file, const config::YamlValue& document,
+                          const std::string& robot) {
+  const auto count = [](const rehearse::Expectations& expect) {
+    return std::to_string(expect.list.size()) + " expectations";
+  };
+  if (document.Find("scenario") == nullptr) {
+    return count(rehearse::LoadExpectations(
+        file, document.Find("robot") == nullptr ? robot : std::string(), {}));
+  }
+  const rehearse::Scenario scenario = rehearse::LoadScenario(file);
+  CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
+            nullptr);
+  return "scenario for " + scenario.config.robot.name + ", " +
+         std::to_string(scenario.script.size()) + " events, " + count(scenario.expect);
+}
+
 // Returns one line about a valid file. Throws SetupError for an invalid one. For a model, sets
 // `notes` to those of loading it. A layer is checked over `robot`.
 std::string CheckFile(const std::filesystem::path& file, const std::string& robot,
@@ -103,6 +121,7 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
     throw ConfigError(file.string() + ": expected a .yaml or .xml file");
   }
   const config::YamlValue document = config::ReadYamlFile(file);
+  if (rehearse::IsScenario(document)) return CheckScenario(file, document, robot);
   if (script::IsScript(document)) {
     return "script, " + std::to_string(script::ReadScript(document).size()) + " events";
   }
@@ -268,8 +287,8 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   robots->callback([=] { *chosen = [=] { return RobotsCommand(*flag); }; });
 
   const auto files = std::make_shared<std::vector<std::string>>();
-  CLI::App* check =
-      app->add_subcommand("check", "Check robots, layers, scenes, scripts (.yaml), models (.xml)");
+  CLI::App* check = app->add_subcommand(
+      "check", "Check robots, layers, scenes, scripts, scenarios (.yaml), models (.xml)");
   check->add_option("files", *files, "Files to check")->required()->type_name("FILE...");
   const auto robot = std::make_shared<std::string>("go2");
   check->add_option("--robot", *robot, "Robot over which files for --config and --scene are read")

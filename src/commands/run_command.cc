@@ -204,7 +204,7 @@ int RunCommand(const RunArguments& arguments) {
   options.on_ready = [&companions] {
     for (CompanionProcess& companion : companions) companion.Release();
   };
-  options.should_stop = [&companions] {
+  options.should_stop = [&companions](std::int64_t, emulator::EventRing*) {
     for (CompanionProcess& companion : companions) companion.Watch();
     return StopSignal() != 0;
   };
@@ -242,7 +242,7 @@ int ExecCommand(const RunArguments& arguments) {
     child.Release();
     for (CompanionProcess& companion : companions) companion.Release();
   };
-  options.should_stop = [&] {
+  options.should_stop = [&](std::int64_t, emulator::EventRing*) {
     for (CompanionProcess& companion : companions) companion.Watch();
     if (StopSignal() != 0 && !terminating) {
       terminating = true;

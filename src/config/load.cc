@@ -44,6 +44,7 @@ YamlValue SetTree(const std::string& set) {
 
 void AddTrees(const Layers& layers, std::vector<YamlValue>* trees) {
   for (const std::string& file : layers.files) trees->push_back(ReadLayer(file));
+  trees->insert(trees->end(), layers.trees.begin(), layers.trees.end());
   for (const std::string& set : layers.sets) trees->push_back(SetTree(set));
 }
 

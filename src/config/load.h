@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "config/yaml_document.h"
 #include "emulator/settings.h"
 
 namespace understudy::config {
@@ -15,14 +16,15 @@ struct Layers {
   std::string
       robot{};  // a name in config/robots, or the path of a YAML file (has '/' or ends .yaml)
   std::vector<std::string> files{};  // --config, in order
+  std::vector<YamlValue> trees{};    // the same, already parsed: the settings of a scenario
   std::vector<std::string>
       sets{};  // --set KEY=VALUE, in order; keys dotted, list elements by index
 };
 
 // Returns the effective, validated configuration. Layers are read in order, later ones override.
 // First comes `scene` if it is a YAML file; the result then has the scene that this file names, or
-// "row". Then come the robot's file, its revision, --config and --set. The robot's file has a
-// `robot` section and may have run defaults; it may extend another and have revisions
+// "row". Then come the robot's file, its revision, --config, parsed trees and --set. The robot's
+// file has a `robot` section and may have run defaults; it may extend another and have revisions
 // (config/robot_file.h). The last `robot.revision` of all layers selects the revision; the others
 // are not validated (`understudy check` does that). A relative `robot.model` beside the YAML file
 // that names it becomes absolute. Throws ConfigError.

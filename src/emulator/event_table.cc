@@ -257,6 +257,16 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           {"call", kText}}},
         SayCallRefusal, "a call of a service is refused or ignored, whatever is answered"),
     Row(
+        EventKind::kProgramStart, "program_start", kInfo, false, {{{"command", kText}}},
+        [](const Event& e, std::uint64_t) { return "starts " + What(e); },
+        "a rehearsal starts the program under test"),
+    Row(
+        EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
+        [](const Event& e, std::uint64_t) {
+          return "the program has ended with " + Text("%.0f", e.numbers[0]);
+        },
+        "that program has ended: its exit code, 128 + n if signal n ended it"),
+    Row(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "event") + " came too fast to be told";

@@ -45,6 +45,8 @@ enum class EventKind : std::uint8_t {
   kStall,
   kCall,
   kCallRefused,
+  kProgramStart,
+  kProgramEnd,
   kLost,
   kCount,
 };

@@ -42,13 +42,14 @@ std::int64_t SinceEpoch() {
 
 Recorder::Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
                    const emulator::EventRing* events, const Moment& moment,
-                   std::chrono::nanoseconds timestep, Say say)
+                   std::chrono::nanoseconds timestep, Say say, Audience* audience)
     : participant_(participant),
       ours_(participant.key()),
       watch_(participant),
       timestep_(timestep.count()),
       start_(static_cast<std::uint64_t>(SinceEpoch())),
       say_(std::move(say)),
+      audience_(audience),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
       events_(events),
       moments_(kMoments, moment),
@@ -88,6 +89,18 @@ bool Recorder::behind() const {
          (moments_.size() > kMoments / 2 || marks_.size() > kMarks / 2);
 }
 
+void Recorder::CatchUp() {
+  std::uint64_t asked = 0;
+  {
+    const std::lock_guard lock(mutex_);
+    asked = ++asked_;
+  }
+  wake_.notify_all();
+  for (std::uint64_t answered = answered_; answered < asked; answered = answered_) {
+    answered_.wait(answered);
+  }
+}
+
 emulator::RecordingStatus Recorder::status() const {
   return {.state = failed_ ? emulator::RecordingState::kFailed : emulator::RecordingState::kOn,
           .messages = messages_,
@@ -102,9 +115,10 @@ void Recorder::Begin(const RecordingHead& head) {
   writer_.AddMetadata("understudy", about);
   writer_.Attach("config.yaml", "application/yaml", start_, AsBytes(head.config));
   writer_.Attach("model.mjb", "application/octet-stream", start_, AsBytes(head.model));
+  if (audience_ != nullptr) audience_->Begin(start_);
   const auto channel = [&](const char* topic, const char* type, const char* text) {
-    return writer_.AddChannel(topic, writer_.AddSchema(type, "ros2msg", text), "cdr",
-                              {{"from", "simulation"}, {"offered_qos_profiles", kQos}});
+    return AddChannel(topic, type, writer_.AddSchema(type, "ros2msg", text),
+                      {{"from", "simulation"}, {"offered_qos_profiles", kQos}});
   };
   truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText);
   event_channel_ = channel(kEventTopic, kEventType, kEventText);
@@ -117,7 +131,7 @@ void Recorder::Run(const std::stop_token& stop) {
     while (!stop.stop_requested()) {
       Poll();
       std::unique_lock lock(mutex_);
-      wake_.wait_for(lock, stop, kPollEvery, [] { return false; });
+      wake_.wait_for(lock, stop, kPollEvery, [this] { return asked_ != answered_; });
     }
     Take();
     Merge(std::numeric_limits<Nanoseconds>::max(), true);
@@ -127,6 +141,8 @@ void Recorder::Run(const std::stop_token& stop) {
     bytes_ = writer_.bytes();
   } catch (const std::exception& error) {
     failed_ = true;
+    answered_ = std::numeric_limits<std::uint64_t>::max();
+    answered_.notify_all();
     waiting_.clear();
     topics_.clear();
     say_(std::string(error.what()) + ": recording has stopped; the robot continues", true);
@@ -134,6 +150,7 @@ void Recorder::Run(const std::stop_token& stop) {
 }
 
 void Recorder::Poll() {
+  const std::uint64_t asked = asked_;
   Subscribe();
   const Nanoseconds now = Monotonic();
   Take();
@@ -144,6 +161,8 @@ void Recorder::Poll() {
   }
   messages_ = writer_.messages();
   bytes_ = writer_.bytes();
+  answered_ = asked;
+  answered_.notify_all();
   const std::uint64_t dropped = moments_.dropped() + marks_.dropped();
   if (dropped != told_dropped_) {
     say_("the recording is behind: " + std::to_string(dropped - told_dropped_) +
@@ -225,7 +244,7 @@ void Recorder::WriteMoments(std::int64_t up_to_step, Nanoseconds up_to) {
 
 void Recorder::WriteTruth(const Truth& truth) {
   EncodeTruth(truth, &message_);
-  writer_.Write(truth_channel_, LogTime(truth.step), LogTime(truth.step), message_.span());
+  Write(truth_channel_, LogTime(truth.step), LogTime(truth.step), message_.span());
 }
 
 void Recorder::WriteEvents(std::int64_t up_to_step) {
@@ -254,12 +273,36 @@ void Recorder::WriteEvent(const emulator::ToldEvent& told) {
                     .text = told.text(),
                     .detail = told.detail().dump(-1, ' ', false, json::error_handler_t::replace)};
   EncodeEvent(event, &message_);
-  writer_.Write(event_channel_, LogTime(event.step), LogTime(event.step), message_.span());
+  Write(event_channel_, LogTime(event.step), LogTime(event.step), message_.span());
 }
 
 void Recorder::WriteSample(const Waiting& waiting, std::int64_t step) {
-  writer_.Write(ChannelOf(&topics_[waiting.topic], waiting.ours), LogTime(step),
-                static_cast<std::uint64_t>(waiting.sample.source_time()), waiting.sample.bytes());
+  Write(ChannelOf(&topics_[waiting.topic], waiting.ours), LogTime(step),
+        static_cast<std::uint64_t>(waiting.sample.source_time()), waiting.sample.bytes());
+}
+
+std::uint16_t Recorder::AddChannel(const std::string& topic, const std::string& type,
+                                   std::uint16_t schema, const StringMap& metadata) {
+  const std::uint16_t id = writer_.AddChannel(topic, schema, "cdr", metadata);
+  if (audience_ != nullptr) {
+    told_channels_[id] = {.channel = {.id = id,
+                                      .schema_id = schema,
+                                      .topic = topic,
+                                      .encoding = "cdr",
+                                      .metadata = metadata},
+                          .type = type};
+  }
+  return id;
+}
+
+void Recorder::Write(std::uint16_t channel, std::uint64_t log_time, std::uint64_t publish_time,
+                     ByteSpan data) {
+  writer_.Write(channel, log_time, publish_time, data);
+  if (audience_ == nullptr) return;
+  const Told& told = told_channels_.at(channel);
+  audience_->Hear(
+      told.channel, told.type,
+      {.channel_id = channel, .log_time = log_time, .publish_time = publish_time, .data = data});
 }
 
 std::uint16_t Recorder::ChannelOf(Topic* topic, bool ours) {
@@ -271,11 +314,11 @@ std::uint16_t Recorder::ChannelOf(Topic* topic, bool ours) {
     const std::uint16_t id = writer_.AddSchema(type, "ros2msg", Ros2MsgText(type));
     schema = schemas_.emplace(type, id).first;
   }
-  channel = writer_.AddChannel(RosTopicName(topic->name.topic), schema->second, "cdr",
-                               {{"from", ours ? "robot" : "client"},
-                                {"dds_topic", topic->name.topic},
-                                {"dds_type", topic->name.type},
-                                {"offered_qos_profiles", kQos}});
+  channel = AddChannel(RosTopicName(topic->name.topic), type, schema->second,
+                       {{"from", ours ? "robot" : "client"},
+                        {"dds_topic", topic->name.topic},
+                        {"dds_type", topic->name.type},
+                        {"offered_qos_profiles", kQos}});
   return *channel;
 }
 

@@ -23,6 +23,7 @@
 #include "bus/discovery.h"
 #include "emulator/event_table.h"
 #include "emulator/status.h"
+#include "record/audience.h"
 #include "record/mcap_writer.h"
 #include "record/truth.h"
 
@@ -57,16 +58,17 @@ class Recorder {
 
   // Writes the beginning of the file and starts the thread. Topics that `participant` already has
   // are recorded from their first message on. `events` must outlive the recorder. The vectors of
-  // `moment` have the sizes of those to be offered. Throws RecordError and BusError.
+  // `moment` have the sizes of those to be offered. `audience` may be null; it must outlive the
+  // recorder. Throws RecordError and BusError.
   Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
            const emulator::EventRing* events, const Moment& moment,
-           std::chrono::nanoseconds timestep, Say say);
+           std::chrono::nanoseconds timestep, Say say, Audience* audience = nullptr);
   // Takes the remaining messages and finishes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  // For the loop's thread. None of these functions waits or allocates.
+  // For the loop's thread. None of these functions but CatchUp waits or allocates.
   //
   // Call it after every tick: step `step` is done and its messages are sent.
   void Mark(std::int64_t step);
@@ -76,6 +78,8 @@ class Recorder {
   void Commit();
   // Returns whether the thread is so far behind that a loop without deadlines should wait for it.
   bool behind() const;
+  // Waits until all that was marked and committed is written, or the recording has failed.
+  void CatchUp();
 
   // Any thread.
   emulator::RecordingStatus status() const;
@@ -113,6 +117,10 @@ class Recorder {
   void WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step);
   void WriteEvent(const emulator::ToldEvent& told);
   void WriteSample(const Waiting& waiting, std::int64_t step);
+  std::uint16_t AddChannel(const std::string& topic, const std::string& type, std::uint16_t schema,
+                           const StringMap& metadata);
+  void Write(std::uint16_t channel, std::uint64_t log_time, std::uint64_t publish_time,
+             ByteSpan data);
   std::uint16_t ChannelOf(Topic* topic, bool ours);
   double TimeOf(std::int64_t step) const;  // simulated s
   std::uint64_t LogTime(std::int64_t step) const;
@@ -125,6 +133,12 @@ class Recorder {
   Nanoseconds timestep_;
   std::uint64_t start_;  // ns since 1970
   Say say_;
+  Audience* audience_;
+  struct Told {  // to the audience
+    McapChannel channel;
+    std::string type;
+  };
+  std::map<std::uint16_t, Told> told_channels_;
   McapWriter writer_;
   std::uint16_t truth_channel_ = 0, event_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
@@ -141,6 +155,7 @@ class Recorder {
   std::int64_t marked_ = -1;    // the last step known to be done
   std::uint64_t told_dropped_ = 0;
 
+  std::atomic<std::uint64_t> asked_{0}, answered_{0};  // calls of CatchUp
   std::atomic<bool> failed_{false};
   std::atomic<std::uint64_t> messages_{0}, bytes_{0};
   std::mutex mutex_;

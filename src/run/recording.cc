@@ -89,12 +89,14 @@ Recording::Recording(const RecordingOptions& options, const bus::Participant& pa
                      const config::Config& config, const robot::Draws& draws,
                      const emulator::World& world)
     : every_(std::max<std::int64_t>(
-          1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))) {
+          1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))),
+      heard_(options.audience != nullptr) {
   if (options.file.empty()) return;
   recorder_ = std::make_unique<record::Recorder>(
       participant, record::OutputFile(options.file, options.overwrite), HeadOf(config, draws),
       &world.events(), Prototype(config, world),
-      std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log);
+      std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log,
+      options.audience);
   spdlog::info("recording to {}", options.file.string());
 }
 
@@ -107,7 +109,9 @@ void Recording::Offer(const emulator::World& world, const time::Pacer& pacer) {
       recorder_->Commit();
     }
   }
-  while (pacer.speed() == 0 && recorder_->behind()) {
+  if (pacer.speed() != 0) return;
+  if (heard_ && world.step() % kHeardEvery == 0) recorder_->CatchUp();
+  while (recorder_->behind()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }

@@ -13,9 +13,14 @@
 
 namespace understudy::run {
 
+inline constexpr std::int64_t kHeardEvery = 100;
+
 struct RecordingOptions {
   std::filesystem::path file;  // empty: no recording
   bool overwrite = false;
+  // Hears what is written; may be null. A run as fast as possible waits for it every kHeardEvery
+  // steps, so that what it knows then depends on nothing but the run.
+  record::Audience* audience = nullptr;
 };
 
 // The recording of a run; does nothing without a file.
@@ -34,6 +39,7 @@ class Recording {
 
  private:
   std::int64_t every_;  // steps from one LowState to the next
+  bool heard_;          // by an audience
   std::unique_ptr<record::Recorder> recorder_;
 };
 

@@ -289,7 +289,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       break;
     }
     if (config.time.duration > 0 && world.time() >= config.time.duration) break;
-    if (options.should_stop()) break;
+    if (options.should_stop(world.step(), &world.events())) break;
   }
   spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
                world.time());

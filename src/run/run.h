@@ -7,6 +7,7 @@
 
 #include "base/exit_code.h"
 #include "config/config.h"
+#include "emulator/events.h"
 #include "emulator/request.h"
 #include "run/recording.h"
 #include "server/panel_socket.h"
@@ -21,8 +22,8 @@ struct RunOptions {
   bool status_line = false;                    // redraw a line on the terminal
   // Called once in the loop's thread after the first LowState. May be empty.
   std::function<void()> on_ready;
-  // Called every 10 steps; true ends the run.
-  std::function<bool()> should_stop;
+  // Called every 10 steps in the loop's thread; true ends the run. It may add events.
+  std::function<bool(std::int64_t step, emulator::EventRing* events)> should_stop;
 };
 
 // Runs the robot until should_stop, the configured duration or a divergence, and returns the exit

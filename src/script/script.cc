@@ -90,22 +90,26 @@ emulator::ScriptEvent ReadEvent(const config::YamlValue& value) {
 
 bool IsScript(const config::YamlValue& document) { return document.Find(kScript) != nullptr; }
 
+std::vector<emulator::ScriptEvent> ReadEvents(const config::YamlValue& list) {
+  if (list.kind != config::YamlValue::Kind::kSequence) {
+    Refuse(list, kScript, "a list of events, as in [{at: 1.5, remote.press: L2+B}]");
+  }
+  std::vector<emulator::ScriptEvent> events;
+  for (const config::YamlValue& item : list.items) events.push_back(ReadEvent(item));
+  std::ranges::stable_sort(events, std::ranges::less(), &emulator::ScriptEvent::at);
+  return events;
+}
+
 std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document) {
   const config::YamlValue* list = document.Find(kScript);
-  if (list == nullptr || list->kind != config::YamlValue::Kind::kSequence) {
-    Refuse(list == nullptr ? document : *list, kScript,
-           "a list of events, as in [{at: 1.5, remote.press: L2+B}]");
-  }
+  if (list == nullptr) return ReadEvents(document);  // which says what was expected
   for (const config::YamlValue& key : document.keys) {
     if (key.text != kScript) {
       throw ConfigError(key.where + ": unknown key " + config::Shown(key) +
                         DidYouMean(key.text, {kScript}));
     }
   }
-  std::vector<emulator::ScriptEvent> events;
-  for (const config::YamlValue& item : list->items) events.push_back(ReadEvent(item));
-  std::ranges::stable_sort(events, std::ranges::less(), &emulator::ScriptEvent::at);
-  return events;
+  return ReadEvents(*list);
 }
 
 std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file) {

@@ -1,0 +1,160 @@
+#include "rehearse/evidence.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "record/player.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using nlohmann::json;
+using Source = Signal::Source;
+
+// Of one instant only.
+bool IsPulse(Source source) { return source == Source::kArrival || source == Source::kEvent; }
+
+double ValueOf(const json& value) {
+  if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
+  if (value.is_number()) return value.get<double>();
+  if (value.is_string()) return Evidence::WordNumber(value.get_ref<const std::string&>());
+  return judge::kUnknown;
+}
+
+}  // namespace
+
+Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
+    : start_(start), give_(std::move(give)) {
+  for (Signal& signal : signals) {
+    const Source source = signal.source;
+    // No event has happened before the first one.
+    const bool counts = IsPulse(source) || source == Source::kEventCount;
+    values_.push_back(counts ? 0 : judge::kUnknown);
+    if (signal.origin() == Origin::kMessages) by_topic_[signal.topic].push_back(slots_.size());
+    slots_.push_back({.signal = std::move(signal), .field = {}, .wrong = {}, .last = {}});
+  }
+}
+
+void Evidence::Take(const record::McapChannel& channel, std::string_view ros_type,
+                    const record::McapMessage& message) {
+  const std::uint64_t since = message.log_time > start_ ? message.log_time - start_ : 0;
+  // Longer than any recording: further arithmetic stays in range.
+  constexpr std::uint64_t kLatest = std::numeric_limits<judge::Time>::max() / 4;
+  const auto at = static_cast<judge::Time>(std::min(since, kLatest));
+  if (!now_ || at > *now_) {
+    Flush();
+    now_ = at;
+  }
+  if (channel.topic == record::kTruthTopic) {
+    TakeTruth(record::DecodeTruth(message.data));
+  } else if (channel.topic == record::kEventTopic) {
+    TakeEvent(record::DecodeEvent(message.data));
+  } else {
+    TakeMessage(record::TopicOnWire(channel), ros_type, message);
+  }
+}
+
+void Evidence::TakeTruth(const record::Truth& truth) {
+  if (truth.qpos.size() < 7 || truth.qvel.size() < 6) return;
+  truth_ = true;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const Signal& signal = slots_[i].signal;
+    if (signal.source == Source::kTruth) values_[i] = signal.of(truth, signal.index);
+  }
+}
+
+void Evidence::TakeEvent(const record::Event& event) {
+  told_ = true;
+  const json detail = json::parse(event.detail, nullptr, false);
+  const bool fields = detail.is_object();
+  const double count = fields && detail.contains("count") ? ValueOf(detail["count"]) : 1;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    const Signal& signal = slots_[i].signal;
+    if (signal.origin() != Origin::kEvents || signal.topic != event.kind) continue;
+    if (signal.source == Source::kEventField) {
+      if (fields && detail.contains(signal.field)) values_[i] = ValueOf(detail[signal.field]);
+    } else {
+      values_[i] += count;
+      pulses_ = pulses_ || signal.source == Source::kEvent;
+    }
+  }
+  // Lateness is a matter of the machine.
+  if (event.kind != "overrun") events_.push_back({.at = *now_, .event = event});
+}
+
+void Evidence::TakeMessage(const std::string& topic, std::string_view ros_type,
+                           const record::McapMessage& message) {
+  const auto places = by_topic_.find(topic);
+  if (places == by_topic_.end()) return;
+  for (const std::size_t i : places->second) {
+    Slot& slot = slots_[i];
+    switch (slot.signal.source) {
+      case Source::kArrival:
+        values_[i] += 1;
+        pulses_ = true;
+        break;
+      case Source::kGap:
+        values_[i] = slot.last ? 1e-9 * static_cast<double>(*now_ - *slot.last) : 0;
+        if (!slot.arrived) slot.last = now_;
+        slot.arrived = true;
+        break;
+      default:
+        if (!slot.field && slot.wrong.empty()) {
+          try {
+            slot.field = record::FindField(ros_type, slot.signal.field);
+          } catch (const RecordError& error) {
+            slot.wrong = error.what();
+          }
+        }
+        if (slot.field) {
+          values_[i] = record::ReadField(*slot.field, message.data).value_or(values_[i]);
+        }
+        break;
+    }
+  }
+}
+
+void Evidence::Flush() {
+  if (!now_) return;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    Slot& slot = slots_[i];
+    if (slot.signal.source != Source::kGap) continue;
+    if (!slot.arrived && slot.last) values_[i] = 1e-9 * static_cast<double>(*now_ - *slot.last);
+    slot.arrived = false;
+  }
+  give_(*now_, values_);
+  if (!pulses_) return;
+  pulses_ = false;
+  for (std::size_t i = 0; i < slots_.size(); ++i) {
+    if (IsPulse(slots_[i].signal.source)) values_[i] = 0;
+  }
+  give_(*now_ + 1, values_);
+}
+
+void Evidence::Finish() { Flush(); }
+
+std::string Evidence::WhyUnknown(std::size_t signal) const {
+  const Slot& slot = slots_[signal];
+  if (!slot.wrong.empty()) return slot.wrong;
+  const Origin origin = slot.signal.origin();
+  if (origin == Origin::kTruth && !truth_) {
+    return slot.signal.name + " is the simulation's truth, which this recording does not have";
+  }
+  if (origin == Origin::kEvents && !told_) {
+    return slot.signal.name + " comes from events, which this recording does not have";
+  }
+  return {};
+}
+
+// 2^53 and beyond, where no number of an event's field is: FNV-1a of 52 bits.
+double Evidence::WordNumber(std::string_view word) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return 9007199254740992.0 + 2.0 * static_cast<double>(hash >> 12U);
+}
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,52 @@
+// Reads what is expected of a run.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "config/yaml_document.h"
+#include "judge/claim.h"
+#include "rehearse/signals.h"
+
+namespace understudy::rehearse {
+
+// A comparison of a formula, by its number there.
+struct LeafText {
+  std::string text;        // "base.tilt < 30 deg"
+  std::string unit{};      // of its margin, "" if it has none
+  std::size_t signal = 0;  // place in Expectations::signals
+  judge::Leaf leaf{};
+};
+
+struct Expectation {
+  std::string name;
+  std::string says{};   // a sentence for people
+  std::string asks{};   // "always base.tilt < 30 deg, from 1 s"
+  std::string where{};  // "stand.yaml:12"
+  judge::Claim claim{};
+  std::vector<LeafText> leaves{};        // of claim.formula
+  std::vector<LeafText> until_leaves{};  // of claim.until
+  std::vector<std::size_t> signals{};    // all that it needs, ascending
+
+  // Returns the comparison that a verdict names.
+  const LeafText& LeafOf(const judge::Verdict& verdict) const {
+    return (verdict.of_until ? until_leaves : leaves)[verdict.worth.leaf];
+  }
+};
+
+struct Expectations {
+  std::vector<Expectation> list{};
+  std::vector<Signal> signals{};  // of all, each once
+
+  std::vector<judge::Claim> claims() const;
+};
+
+// Reads the list under `expect`. Throws ConfigError with file, line, key, what was expected and the
+// nearest word.
+Expectations ReadExpectations(const config::YamlValue& list, const Names& names);
+
+// Returns the keys of an expectation as Markdown.
+std::string ExpectationsReference();
+
+}  // namespace understudy::rehearse

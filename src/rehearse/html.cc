@@ -1,0 +1,272 @@
+// The report of a rehearsal as one page.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "rehearse/outputs.h"
+#include "rehearse/svg_plot.h"
+#include "version.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using judge::Outcome;
+using judge::Verdict;
+
+constexpr char kStyle[] = R"css(
+:root { --ink: #1d2530; --dim: #66717f; --line: #d9dee5; --paper: #fff; --ground: #f4f6f8;
+        --good: #1a7f4b; --bad: #c0322b; --none: #9a6b00; --signal: #1f5fa8; }
+@media (prefers-color-scheme: dark) {
+  :root { --ink: #e4e8ed; --dim: #97a1ad; --line: #333c47; --paper: #1b2028; --ground: #12161b;
+          --good: #4cc38a; --bad: #ff6b61; --none: #e2b04a; --signal: #6cb0ff; } }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--ground); color: var(--ink);
+       font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
+main { max-width: 1120px; margin: 0 auto; padding: 28px 20px 60px; }
+h1 { font-size: 26px; margin: 0 0 2px; } h2 { font-size: 18px; margin: 34px 0 10px; }
+p { margin: 4px 0; } .dim { color: var(--dim); }
+code, pre { font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
+pre { background: var(--paper); border: 1px solid var(--line); border-radius: 6px; padding: 10px 12px;
+      overflow-x: auto; margin: 6px 0; }
+.word { display: inline-block; min-width: 92px; text-align: center; border-radius: 4px; color: #fff;
+        font-weight: 600; font-size: 13px; padding: 1px 8px; }
+.passed .word, .word.passed { background: var(--good); }
+.failed .word, .word.failed { background: var(--bad); }
+.none .word, .word.none { background: var(--none); }
+header { border-bottom: 1px solid var(--line); padding-bottom: 14px; }
+table { border-collapse: collapse; width: 100%; background: var(--paper); border: 1px solid var(--line);
+        border-radius: 6px; }
+td, th { text-align: left; padding: 6px 10px; border-top: 1px solid var(--line); vertical-align: top; }
+th { font-weight: 600; color: var(--dim); font-size: 13px; } tr:first-child > * { border-top: 0; }
+td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
+a { color: inherit; }
+section.claim { background: var(--paper); border: 1px solid var(--line); border-left: 5px solid;
+                border-radius: 6px; padding: 12px 16px; margin: 12px 0; }
+section.passed { border-left-color: var(--good); } section.failed { border-left-color: var(--bad); }
+section.none { border-left-color: var(--none); }
+section.claim h3 { margin: 0 0 4px; font-size: 16px; } .plots { display: flex; flex-wrap: wrap; gap: 8px; }
+figure { margin: 8px 0 0; } figcaption { color: var(--dim); font-size: 12px; }
+svg { max-width: 100%; height: auto; display: block; }
+svg text { fill: var(--dim); font: 11px system-ui, "DejaVu Sans", sans-serif; }
+.ylabel { text-anchor: end; } .xlabel, .axis { text-anchor: middle; }
+.grid { stroke: var(--line); stroke-width: 1; } .window { fill: var(--signal); opacity: .07; }
+.signal { fill: none; stroke: var(--signal); stroke-width: 1.5; stroke-linejoin: round; }
+.limit { stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 5 4; }
+.instant { stroke: var(--bad); stroke-width: 1.5; } .passed .instant { stroke: var(--good); }
+.event { stroke: var(--none); stroke-width: 2; }
+@media print { body { background: #fff; } section.claim { break-inside: avoid; } }
+)css";
+
+std::string ClassOf(Outcome outcome) {
+  if (outcome == Outcome::kPassed) return "passed";
+  return outcome == Outcome::kFailed ? "failed" : "none";
+}
+
+std::string Badge(Outcome outcome) {
+  return "<span class=\"word " + ClassOf(outcome) + "\">" + std::string(judge::Name(outcome)) +
+         "</span>";
+}
+
+std::string TimeText(double seconds) {
+  char digits[32];
+  std::snprintf(digits, sizeof digits, "%.3f s", seconds);
+  return digits;
+}
+
+// The comparisons of an expectation with one signal, in one unit.
+struct Drawn {
+  std::size_t signal = 0;
+  std::string unit{};
+  double scale = 1;
+  std::vector<double> limits{};
+};
+
+// What can be drawn of an expectation: numbers, not words and events.
+std::vector<Drawn> DrawnOf(const Expectation& expectation, const Expectations& expectations) {
+  std::vector<Drawn> all;
+  for (const std::vector<LeafText>* leaves : {&expectation.leaves, &expectation.until_leaves}) {
+    for (const LeafText& leaf : *leaves) {
+      const Signal& signal = expectations.signals[leaf.signal];
+      const bool is_word = leaf.leaf.compare == judge::Compare::kEqual && leaf.leaf.value > 1e15;
+      if (leaf.leaf.compare == judge::Compare::kTrue || is_word) continue;
+      const auto known = std::ranges::find(all, leaf.signal, &Drawn::signal);
+      Drawn& drawn = known == all.end() ? all.emplace_back() : *known;
+      if (known == all.end()) {
+        drawn = {.signal = leaf.signal,
+                 .unit = leaf.unit.empty() ? signal.unit : leaf.unit,
+                 .scale = leaf.leaf.scale};
+      }
+      const double to_drawn = drawn.scale / leaf.leaf.scale;
+      drawn.limits.push_back((leaf.leaf.value - leaf.leaf.tolerance) * to_drawn);
+      if (leaf.leaf.tolerance > 0) {
+        drawn.limits.push_back((leaf.leaf.value + leaf.leaf.tolerance) * to_drawn);
+      }
+    }
+  }
+  return all;
+}
+
+record::TracePoints Scaled(record::TracePoints points, double scale) {
+  for (auto& [at, value] : points) value *= scale;
+  return points;
+}
+
+std::string Figure(const SvgPlot& plot, const std::string& caption) {
+  return "<figure>" + DrawSvg(plot) + "<figcaption>" + Escaped(caption) + "</figcaption></figure>";
+}
+
+// What happened; of the script what it asked for.
+std::string TextOf(const Evidence::Told& told, const Occasion& occasion) {
+  if (told.event.kind != "script") return told.event.text;
+  const auto detail = nlohmann::json::parse(told.event.detail, nullptr, false);
+  if (!detail.is_object() || !detail.contains("event") || !detail["event"].is_number_unsigned()) {
+    return told.event.text;
+  }
+  const auto number = detail["event"].get<std::size_t>();
+  if (number >= occasion.script.size()) return told.event.text;
+  return occasion.script[number] + " (" + told.event.text + ")";
+}
+
+std::string PlotsOf(std::size_t index, const Occasion& occasion, const Expectations& expectations,
+                    const Judged& judged) {
+  const Expectation& expectation = expectations.list[index];
+  const Ruling& ruling = judged.rulings[index];
+  const Verdict& verdict = ruling.verdict;
+  std::vector<std::pair<double, std::string>> events;
+  for (const Evidence::Told& told : judged.events) {
+    events.emplace_back(SecondsOf(told.at), TextOf(told, occasion));
+  }
+  std::string html;
+  for (const Drawn& drawn : DrawnOf(expectation, expectations)) {
+    const std::string& name = expectations.signals[drawn.signal].name;
+    SvgPlot whole{.label = name + (drawn.unit.empty() ? "" : " [" + drawn.unit + "]"),
+                  .to = std::max(judged.end, 1e-3),
+                  .points = Scaled(judged.whole[drawn.signal], drawn.scale),
+                  .limits = drawn.limits,
+                  .events = events};
+    if (whole.points.empty()) continue;
+    if (verdict.begin && verdict.end) {
+      whole.window = std::pair(SecondsOf(*verdict.begin), SecondsOf(*verdict.end));
+    }
+    if (ruling.why.empty()) whole.at = SecondsOf(verdict.worth.at);
+    html += Figure(whole, "The whole run. Shaded: the window; dashed: what it is compared with");
+    const auto place = std::ranges::find(expectation.signals, drawn.signal);
+    const Closeup& closeup =
+        judged.closeups[index][static_cast<std::size_t>(place - expectation.signals.begin())];
+    if (!whole.at || closeup.points.empty() || closeup.to <= closeup.from) continue;
+    SvgPlot near = whole;
+    near.from = closeup.from;
+    near.to = closeup.to;
+    near.points = Scaled(closeup.points, drawn.scale);
+    near.width = 420;
+    html += Figure(near, "Around the instant that decided, " + TimeText(*whole.at));
+  }
+  return html.empty() ? "" : "<div class=\"plots\">" + html + "</div>";
+}
+
+std::string ClaimHtml(std::size_t index, const Occasion& occasion, const Expectations& expectations,
+                      const Judged& judged) {
+  const Expectation& expectation = expectations.list[index];
+  const Ruling& ruling = judged.rulings[index];
+  const std::string margin = MarginText(expectation, ruling.verdict);
+  return "<section class=\"claim " + ClassOf(ruling.verdict.outcome) + "\" id=\"e" +
+         std::to_string(index) + "\"><h3>" + Badge(ruling.verdict.outcome) + " " +
+         Escaped(expectation.name) + "</h3>" +
+         (expectation.says.empty() ? "" : "<p>" + Escaped(expectation.says) + "</p>") +
+         "<p><code>" + Escaped(expectation.asks) + "</code> <span class=\"dim\">" +
+         Escaped(expectation.where) + "</span></p><p>" + Escaped(Explain(expectation, ruling)) +
+         (margin.empty() ? "" : "; margin <b>" + Escaped(margin) + "</b>") + "</p>" +
+         PlotsOf(index, occasion, expectations, judged) + "</section>\n";
+}
+
+std::string Summary(const Expectations& expectations, const Judged& judged) {
+  std::string html =
+      "<table><tr><th></th><th>Expectation</th><th>What decided</th><th>Margin</th></tr>\n";
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const Expectation& one = expectations.list[i];
+    const Ruling& ruling = judged.rulings[i];
+    html += "<tr><td>" + Badge(ruling.verdict.outcome) + "</td><td><a href=\"#e" +
+            std::to_string(i) + "\">" + Escaped(one.name) + "</a></td><td>" +
+            Escaped(Explain(one, ruling)) + "</td><td class=\"number\">" +
+            Escaped(MarginText(one, ruling.verdict)) + "</td></tr>\n";
+  }
+  return html + "</table>\n";
+}
+
+std::string EventTable(const Occasion& occasion, const Judged& judged) {
+  constexpr std::size_t kMost = 400;  // rows; *assumed*
+  std::string html = "<table><tr><th>Time</th><th>Kind</th><th>What happened</th></tr>\n";
+  for (std::size_t i = 0; i < std::min(judged.events.size(), kMost); ++i) {
+    const Evidence::Told& told = judged.events[i];
+    html += "<tr><td class=\"number\">" + TimeText(SecondsOf(told.at)) + "</td><td><code>" +
+            Escaped(told.event.kind) + "</code></td><td>" + Escaped(TextOf(told, occasion)) +
+            "</td></tr>\n";
+  }
+  html += "</table>\n";
+  if (judged.events.size() > kMost) {
+    html += "<p class=\"dim\">" + std::to_string(judged.events.size() - kMost) +
+            " more are in the recording.</p>\n";
+  }
+  return html;
+}
+
+std::string Facts(const Occasion& occasion, const Judged& judged) {
+  std::string html = "<table>\n";
+  const auto row = [&html](const std::string& what, const std::string& value) {
+    if (value.empty()) return;
+    html += "<tr><th>" + Escaped(what) + "</th><td><code>" + Escaped(value) + "</code></td></tr>\n";
+  };
+  row("Repeat it", occasion.repeat);
+  row("Evidence", occasion.recording);
+  row("Judge it again", "understudy judge " + occasion.recording + " " + occasion.source);
+  row("Scenario", occasion.source);
+  row("Robot", occasion.robot);
+  row("Judged by", std::string("understudy ") + kVersion);
+  for (const char* key :
+       {"revision", "version", "mujoco", "started", "speed", "timestep_ns", "seed"}) {
+    const auto value = judged.about.find(key);
+    if (value != judged.about.end()) row(key, value->second);
+  }
+  const auto draws = judged.about.find("draws");
+  if (draws != judged.about.end() && draws->second != "[]") row("drawn", draws->second);
+  row("The recording was cut short", judged.cut_short);
+  return html + "</table>\n";
+}
+
+}  // namespace
+
+std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
+                     const Judged& judged) {
+  const std::size_t failed = judged.Count(Outcome::kFailed);
+  const std::size_t open = judged.Count(Outcome::kNotJudged);
+  const Outcome all = failed > 0 ? Outcome::kFailed
+                      : open > 0 ? Outcome::kNotJudged
+                                 : Outcome::kPassed;
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+      "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
+      Escaped(occasion.title) + "</title><style>" + kStyle +
+      "</style></head><body><main>\n<header><h1>" + Badge(all) + " " + Escaped(occasion.title) +
+      "</h1>";
+  if (!occasion.about.empty()) html += "<p>" + Escaped(occasion.about) + "</p>";
+  html += "<p class=\"dim\">" + Escaped(occasion.robot) + " · " + TimeText(judged.end) +
+          " simulated" + (occasion.wall > 0 ? " in " + TimeText(occasion.wall) : "") + " · " +
+          std::to_string(judged.Count(Outcome::kPassed)) + " passed, " + std::to_string(failed) +
+          " failed, " + std::to_string(open) + " not judged" +
+          (occasion.stopped.empty() ? "" : " · " + Escaped(occasion.stopped)) + "</p></header>\n";
+  html += "<h2>Verdicts</h2>\n" + Summary(expectations, judged);
+  html += "<h2>Evidence</h2>\n";
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    html += ClaimHtml(i, occasion, expectations, judged);
+  }
+  html += "<h2>Events</h2>\n" + EventTable(occasion, judged);
+  html += "<h2>How to repeat it</h2>\n" + Facts(occasion, judged);
+  if (!occasion.scenario.empty()) {
+    html += "<h2>What was asked</h2>\n<pre>" + Escaped(occasion.scenario) + "</pre>\n";
+  }
+  return html + "</main></body></html>\n";
+}
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,250 @@
+#include "rehearse/judged.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace understudy::rehearse {
+namespace {
+
+using judge::Outcome;
+using judge::Reason;
+using judge::Verdict;
+
+// Half the width of a closeup [s]; *assumed*.
+constexpr double kCloseup = 0.5;
+
+// The log time of step 0; of another's recording its first message.
+std::uint64_t StartOf(const record::McapContents& contents) {
+  std::uint64_t start = contents.first_time;
+  const auto about = contents.metadata.find("understudy");
+  if (about == contents.metadata.end()) return start;
+  const auto text = about->second.find("start_time_ns");
+  if (text == about->second.end()) return start;
+  std::from_chars(text->second.data(), text->second.data() + text->second.size(), start);
+  return std::min(start, contents.first_time);
+}
+
+std::string TypeOf(const record::McapReader& reader, const record::McapChannel& channel) {
+  const record::McapSchema* schema = reader.SchemaOf(channel);
+  return schema == nullptr ? "" : schema->name;
+}
+
+// Adds a value that is kept until the next sample, as two points.
+void AddStep(double at, double value, record::TracePoints* points) {
+  if (!std::isfinite(value)) return;
+  if (!points->empty() && points->back().second != value) {
+    points->emplace_back(at, points->back().second);
+  }
+  points->emplace_back(at, value);
+}
+
+// Collects the values of all signals, and those around the deciding instants.
+void Draw(const record::McapReader& reader, const Expectations& expectations, Judged* judged) {
+  std::vector<record::Trace> traces(expectations.signals.size());
+  judged->closeups.resize(expectations.list.size());
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const double at = SecondsOf(judged->rulings[i].verdict.worth.at);
+    judged->closeups[i].assign(
+        expectations.list[i].signals.size(),
+        {.from = std::max(0.0, at - kCloseup), .to = std::min(judged->end, at + kCloseup)});
+  }
+  std::vector<double> before(expectations.signals.size(), judge::kUnknown);
+  const auto give = [&](judge::Time time, std::span<const double> values) {
+    const double at = SecondsOf(time);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      // A change is a step. Where nothing changes one point in a while is enough.
+      if (values[i] != before[i] && std::isfinite(before[i])) {
+        traces[i].Add(at, before[i], 0, judged->end);
+      }
+      traces[i].Add(at, values[i], 0, judged->end);
+      before[i] = values[i];
+    }
+    for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+      const std::vector<std::size_t>& signals = expectations.list[i].signals;
+      for (std::size_t j = 0; j < signals.size(); ++j) {
+        Closeup& closeup = judged->closeups[i][j];
+        if (at < closeup.from || at > closeup.to) continue;
+        AddStep(at, values[signals[j]], &closeup.points);
+      }
+    }
+  };
+  Evidence evidence(expectations.signals, StartOf(reader.contents()), give);
+  reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
+    evidence.Take(channel, TypeOf(reader, channel), message);
+    return true;
+  });
+  evidence.Finish();
+  for (const record::Trace& trace : traces) {
+    judged->whole.push_back(record::Thinned(trace.points(), 0, judged->end));
+  }
+}
+
+std::string WithUnit(double number, const std::string& unit) {
+  return NumberText(number) + (unit.empty() ? "" : " " + unit);
+}
+
+std::string AtText(judge::Time time) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), " at %.3f s", SecondsOf(time));
+  return digits.data();
+}
+
+// Whether it must hold at all instants of a window, or else at one.
+bool HoldsThroughout(const judge::Claim& claim) {
+  return !claim.until && claim.op != judge::Operator::kEventually &&
+         claim.op != judge::Operator::kStays;
+}
+
+// Why there is no verdict, by Reason.
+std::string ReasonText(const Expectations& expectations, const Expectation& expectation,
+                       const Verdict& verdict, judge::Time end) {
+  const std::string ended = "the evidence ends" + AtText(end);
+  switch (verdict.reason) {
+    case Reason::kNeverBegan:
+      return "its window never began";
+    case Reason::kEndedBefore:
+      return ended + ", before its window begins";
+    case Reason::kEndedWithin:
+      return ended + ", before its window does";
+    case Reason::kNothingSaid: {
+      std::string names;
+      for (const std::size_t signal : expectation.signals) {
+        names += (names.empty() ? "" : ", ") + expectations.signals[signal].name;
+      }
+      return "nothing in its window says " + names;
+    }
+    case Reason::kNone:
+      break;
+  }
+  return {};
+}
+
+}  // namespace
+
+Jury::Jury(const Expectations& expectations)
+    : expectations_(expectations), judge_(expectations.claims()) {}
+
+void Jury::Begin(std::uint64_t start) {
+  evidence_ = std::make_unique<Evidence>(
+      expectations_.signals, start,
+      [this](judge::Time at, std::span<const double> values) { judge_.Take(at, values); });
+}
+
+void Jury::Hear(const record::McapChannel& channel, std::string_view ros_type,
+                const record::McapMessage& message) {
+  evidence_->Take(channel, ros_type, message);
+  failed_ = judge_.failed();
+  decided_ = judge_.decided();
+}
+
+void Jury::Finish() {
+  if (evidence_ == nullptr) Begin(0);
+  evidence_->Finish();
+  judge_.Finish();
+}
+
+std::vector<Verdict> Jury::verdicts() const {
+  std::vector<Verdict> verdicts;
+  for (std::size_t i = 0; i < expectations_.list.size(); ++i) {
+    Verdict verdict = judge_.verdict(i);
+    if (!WhyNot(i).empty()) verdict = {.outcome = Outcome::kNotJudged};
+    // No message at all.
+    if (verdict.outcome == Outcome::kUndecided) {
+      verdict = {.outcome = Outcome::kNotJudged, .reason = Reason::kEndedBefore};
+    }
+    verdicts.push_back(verdict);
+  }
+  return verdicts;
+}
+
+std::string Jury::WhyNot(std::size_t expectation) const {
+  for (const std::size_t signal : expectations_.list[expectation].signals) {
+    if (std::string why = evidence_->WhyUnknown(signal); !why.empty()) return why;
+  }
+  return {};
+}
+
+std::size_t Judged::Count(Outcome outcome) const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      rulings, [outcome](const Ruling& ruling) { return ruling.verdict.outcome == outcome; }));
+}
+
+Judged JudgeRecording(const record::McapReader& reader, const Expectations& expectations) {
+  const record::McapContents& contents = reader.contents();
+  Jury jury(expectations);
+  jury.Begin(StartOf(contents));
+  reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
+    jury.Hear(channel, TypeOf(reader, channel), message);
+    return true;
+  });
+  jury.Finish();
+
+  Judged judged{.events = jury.evidence().events(),
+                .end = SecondsOf(jury.end()),
+                .cut_short = contents.cut_short};
+  if (const auto about = contents.metadata.find("understudy"); about != contents.metadata.end()) {
+    judged.about = about->second;
+  }
+  const std::vector<Verdict> verdicts = jury.verdicts();
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    std::string why = jury.WhyNot(i);
+    if (why.empty()) {
+      why = ReasonText(expectations, expectations.list[i], verdicts[i], jury.end());
+    }
+    judged.rulings.push_back({.verdict = verdicts[i], .why = std::move(why)});
+  }
+  Draw(reader, expectations, &judged);
+  return judged;
+}
+
+std::string MarginText(const Expectation& expectation, const Verdict& verdict) {
+  const double margin = verdict.worth.margin;
+  if (verdict.reason != Reason::kNone || !std::isfinite(margin)) return {};
+  if (expectation.claim.op == judge::Operator::kCount) {
+    return NumberText(margin) + (std::abs(margin) == 1 ? " time" : " times");
+  }
+  return WithUnit(margin + 0.0, expectation.LeafOf(verdict).unit);
+}
+
+std::string Explain(const Expectation& expectation, const Ruling& ruling) {
+  const Verdict& verdict = ruling.verdict;
+  if (!ruling.why.empty()) return ruling.why;
+  if (expectation.claim.op == judge::Operator::kCount) {
+    return NumberText(verdict.worth.value) + (verdict.worth.value == 1 ? " time" : " times") +
+           ", the last" + AtText(verdict.worth.at);
+  }
+  const LeafText& leaf = expectation.LeafOf(verdict);
+  const bool passed = verdict.outcome == Outcome::kPassed;
+  std::string text;
+  if (std::isfinite(verdict.worth.margin)) {
+    text = leaf.text.substr(0, leaf.text.find(' ')) + " was " +
+           WithUnit(verdict.worth.value, leaf.unit);
+  } else if (passed ? HoldsThroughout(expectation.claim) : !HoldsThroughout(expectation.claim)) {
+    return passed ? "throughout" : "at no instant";
+  } else {
+    // An event or a state.
+    const bool met =
+        judge::Holds(judge::MarginOf(leaf.leaf, verdict.worth.value / leaf.leaf.scale));
+    text = (met ? "" : "not ") + leaf.text;
+  }
+  text += AtText(verdict.worth.at);
+  if (verdict.came_true && verdict.outcome == Outcome::kPassed) {
+    const bool settles = expectation.claim.op == judge::Operator::kSettles;
+    text += settles ? ", settled" : ", came true";
+    text += AtText(*verdict.came_true);
+  }
+  return text;
+}
+
+std::string NumberText(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.4g", number);
+  return digits.data();
+}
+
+}  // namespace understudy::rehearse

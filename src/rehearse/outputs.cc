@@ -1,0 +1,167 @@
+#include "rehearse/outputs.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include <nlohmann/json.hpp>
+
+#include "version.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using judge::Outcome;
+using judge::Verdict;
+using nlohmann::ordered_json;
+
+std::string Fixed(double number) {
+  std::string digits(48, '\0');
+  const int size = std::snprintf(digits.data(), digits.size(), "%.3f", number);
+  digits.resize(static_cast<std::size_t>(size));
+  return digits;
+}
+
+// A word of four letters and its colour.
+const char* Word(Outcome outcome, bool colored) {
+  switch (outcome) {
+    case Outcome::kPassed:
+      return colored ? "\033[32mPASS\033[m" : "PASS";
+    case Outcome::kFailed:
+      return colored ? "\033[31mFAIL\033[m" : "FAIL";
+    default:
+      return colored ? "\033[33mNONE\033[m" : "NONE";
+  }
+}
+
+// Infinite margins, of claims without a quantity, are none.
+ordered_json NumberOrNull(double number) {
+  return std::isfinite(number) ? ordered_json(number) : ordered_json(nullptr);
+}
+
+ordered_json TimeOrNull(const std::optional<judge::Time>& time) {
+  return time ? ordered_json(SecondsOf(*time)) : ordered_json(nullptr);
+}
+
+ordered_json Told(const Expectation& expectation, const Ruling& ruling) {
+  const Verdict& verdict = ruling.verdict;
+  const bool decided = ruling.why.empty();
+  const bool counts = expectation.claim.op == judge::Operator::kCount;
+  ordered_json told = {{"name", expectation.name},
+                       {"asks", expectation.asks},
+                       {"says", expectation.says},
+                       {"where", expectation.where},
+                       {"outcome", judge::Name(verdict.outcome)},
+                       {"explanation", Explain(expectation, ruling)}};
+  told["margin"] = decided ? NumberOrNull(verdict.worth.margin) : ordered_json(nullptr);
+  told["unit"] = decided && !counts ? expectation.LeafOf(verdict).unit : "";
+  told["at"] = decided ? ordered_json(SecondsOf(verdict.worth.at)) : ordered_json(nullptr);
+  told["value"] = decided ? NumberOrNull(verdict.worth.value) : ordered_json(nullptr);
+  told["came_true"] = TimeOrNull(verdict.came_true);
+  told["from"] = TimeOrNull(verdict.begin);
+  told["to"] = TimeOrNull(verdict.end);
+  return told;
+}
+
+}  // namespace
+
+std::string TellLines(const Occasion& occasion, const Expectations& expectations,
+                      const Judged& judged, bool colored) {
+  std::size_t width = 0;
+  for (const Expectation& one : expectations.list) width = std::max(width, one.name.size());
+  std::string text = occasion.title + "\n";
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const Expectation& one = expectations.list[i];
+    const Ruling& ruling = judged.rulings[i];
+    const std::string margin = MarginText(one, ruling.verdict);
+    text += std::string("  ") + Word(ruling.verdict.outcome, colored) + "  " + one.name +
+            std::string(width - one.name.size() + 2, ' ') + Explain(one, ruling) +
+            (margin.empty() ? "" : "; margin " + margin) + "\n";
+  }
+  text += std::to_string(judged.Count(Outcome::kPassed)) + " passed, " +
+          std::to_string(judged.Count(Outcome::kFailed)) + " failed, " +
+          std::to_string(judged.Count(Outcome::kNotJudged)) + " not judged in " +
+          Fixed(judged.end) + " s";
+  if (!occasion.stopped.empty()) text += " (" + occasion.stopped + ")";
+  return text + "\n";
+}
+
+std::string TellJson(const Occasion& occasion, const Expectations& expectations,
+                     const Judged& judged) {
+  ordered_json verdicts = ordered_json::array();
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    verdicts.push_back(Told(expectations.list[i], judged.rulings[i]));
+  }
+  const ordered_json told = {{"title", occasion.title},
+                             {"scenario", occasion.source},
+                             {"robot", occasion.robot},
+                             {"recording", occasion.recording},
+                             {"repeat", occasion.repeat},
+                             {"passed", judged.Count(Outcome::kPassed)},
+                             {"failed", judged.Count(Outcome::kFailed)},
+                             {"not_judged", judged.Count(Outcome::kNotJudged)},
+                             {"seconds", judged.end},
+                             {"stopped", occasion.stopped},
+                             {"about", judged.about},
+                             {"verdicts", verdicts}};
+  return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string Escaped(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    if (c == '&') escaped += "&amp;";
+    if (c == '<') escaped += "&lt;";
+    if (c == '>') escaped += "&gt;";
+    if (c == '"') escaped += "&quot;";
+    const bool written = c == '&' || c == '<' || c == '>' || c == '"';
+    const bool control = static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t';
+    if (!written) escaped += control ? '?' : c;
+  }
+  return escaped;
+}
+
+std::string TellJunit(const Occasion& occasion, const Expectations& expectations,
+                      const Judged& judged) {
+  const auto attribute = [](const char* name, const std::string& value) {
+    return std::string(" ") + name + "=\"" + Escaped(value) + "\"";
+  };
+  const std::string time = Fixed(occasion.wall);
+  std::string cases;
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const Expectation& one = expectations.list[i];
+    const Ruling& ruling = judged.rulings[i];
+    const std::string margin = MarginText(one, ruling.verdict);
+    std::string why = Explain(one, ruling);
+    if (!margin.empty()) why += "; margin " + margin;
+    cases += "    <testcase" + attribute("name", one.name) +
+             attribute("classname", "understudy." + occasion.title) + attribute("time", "0.000");
+    if (ruling.verdict.outcome == Outcome::kFailed) {
+      cases += ">\n      <failure" + attribute("type", "failed") + attribute("message", why) + ">" +
+               Escaped(one.asks + "\n" + one.says + "\n" + one.where) +
+               "</failure>\n    </testcase>\n";
+    } else if (ruling.verdict.outcome == Outcome::kNotJudged) {
+      cases += ">\n      <skipped" + attribute("message", why) + "/>\n    </testcase>\n";
+    } else {
+      cases += "/>\n";
+    }
+  }
+  const std::string counts = attribute("tests", std::to_string(expectations.list.size())) +
+                             attribute("failures", std::to_string(judged.Count(Outcome::kFailed))) +
+                             attribute("errors", "0");
+  std::string started;
+  if (const auto when = judged.about.find("started"); when != judged.about.end()) {
+    started = when->second.substr(0, 19);  // without the Z, as JUnit has it
+  }
+  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites" +
+         attribute("name", "understudy " + std::string(kVersion)) + counts +
+         attribute("time", time) + ">\n  <testsuite" + attribute("name", occasion.title) + counts +
+         attribute("skipped", std::to_string(judged.Count(Outcome::kNotJudged))) +
+         attribute("time", time) + (started.empty() ? "" : attribute("timestamp", started)) +
+         ">\n    <properties>\n" + "      <property name=\"robot\"" +
+         attribute("value", occasion.robot) + "/>\n" + "      <property name=\"recording\"" +
+         attribute("value", occasion.recording) + "/>\n" + "      <property name=\"repeat\"" +
+         attribute("value", occasion.repeat) + "/>\n" + "    </properties>\n" + cases +
+         "  </testsuite>\n</testsuites>\n";
+}
+
+}  // namespace understudy::rehearse

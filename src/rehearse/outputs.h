@@ -1,0 +1,46 @@
+// Tells the judgement of a rehearsal: to a terminal, to CI, to programs and to people.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rehearse/expectations.h"
+#include "rehearse/judged.h"
+
+namespace understudy::rehearse {
+
+// What was rehearsed, as the outputs name it.
+struct Occasion {
+  std::string title{};
+  std::string about{};
+  std::string robot{};
+  std::string source{};               // the scenario's file
+  std::string recording{};            // the evidence
+  std::string repeat{};               // the command line that does the same again
+  std::string scenario{};             // text of the file
+  std::vector<std::string> script{};  // what its events ask for
+  std::string stopped{};              // why it ended before its time; else ""
+  double wall = 0;                    // s that it took; 0 if it was not run now
+};
+
+// Lines for a terminal, one an expectation, with a summary at the end. `colored`: for a terminal.
+std::string TellLines(const Occasion& occasion, const Expectations& expectations,
+                      const Judged& judged, bool colored);
+
+// JSON for programs (docs/rehearsing.md).
+std::string TellJson(const Occasion& occasion, const Expectations& expectations,
+                     const Judged& judged);
+
+// JUnit's XML: a test suite with a test case per expectation; those not judged are skipped.
+std::string TellJunit(const Occasion& occasion, const Expectations& expectations,
+                      const Judged& judged);
+
+// One HTML page that needs no other file, network or script.
+std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
+                     const Judged& judged);
+
+// Returns a text for XML and HTML: with entities, without what XML cannot have.
+std::string Escaped(std::string_view text);
+
+}  // namespace understudy::rehearse

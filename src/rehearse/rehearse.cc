@@ -1,0 +1,156 @@
+#include "rehearse/rehearse.h"
+
+#include <bit>
+#include <chrono>
+#include <csignal>
+#include <cstdint>
+#include <optional>
+
+#include "base/errors.h"
+#include "run/run.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using emulator::EventKind;
+
+// All *assumed*.
+constexpr std::chrono::milliseconds kGrace(500);  // from SIGTERM to SIGKILL
+constexpr double kAftermath = 0.5;                // s that are still played after a failure
+constexpr double kAfterProgram = 0.5;             // s, likewise after the program has ended
+
+// Decides in the loop's thread when the program starts and ends, and the rehearsal with it.
+class StageManager {
+ public:
+  StageManager(const Scenario& scenario, const RehearsalOptions& options, const Jury* jury,
+               exec::ChildProcess* child)
+      : scenario_(scenario),
+        options_(options),
+        jury_(jury),
+        child_(child),
+        timestep_(scenario.config.physics.timestep) {}
+
+  bool ShouldStop(std::int64_t step, emulator::EventRing* events) {
+    const double t = static_cast<double>(step) * timestep_;
+    if (child_ != nullptr) LeadProgram(t, events);
+    if (options_.interrupted && options_.interrupted()) return Stop("interrupted");
+    if (child_ != nullptr && scenario_.config.time.duration <= 0 && ended_ &&
+        t >= *ended_ + kAfterProgram) {
+      return true;
+    }
+    // As fast as possible it looks where the recorder has caught up: always at the same instants.
+    if (scenario_.config.time.speed == 0 && step % run::kHeardEvery != 0) return false;
+    if (jury_->failed() && !failed_) failed_ = t;
+    if (failed_ && !options_.to_the_end && t >= *failed_ + kAftermath) {
+      return Stop("ended as an expectation had failed");
+    }
+    const bool over = child_ == nullptr || ended_;
+    if (!failed_ && over && jury_->decided()) return Stop("ended as all was decided");
+    return false;
+  }
+
+  const std::string& stopped() const { return stopped_; }
+
+ private:
+  bool Stop(const char* why) {
+    stopped_ = why;
+    return true;
+  }
+
+  void LeadProgram(double t, emulator::EventRing* events) {
+    const Program& program = *scenario_.program;
+    if (!started_ && t >= program.at) {
+      child_->Release();
+      events->Add(EventKind::kProgramStart, 0, {}, ShellText(program.command));
+      started_ = true;
+    }
+    if (!started_ || ended_) return;
+    if (program.until && t >= *program.until && !asked_) {
+      if (program.kill) {
+        child_->Forward(SIGKILL);
+      } else {
+        child_->Terminate(kGrace);
+      }
+      asked_ = true;
+    }
+    if (const std::optional<int> code = child_->Poll()) {
+      events->Add(EventKind::kProgramEnd, 0, {static_cast<double>(*code)});
+      ended_ = t;
+    }
+  }
+
+  const Scenario& scenario_;
+  const RehearsalOptions& options_;
+  const Jury* jury_;
+  exec::ChildProcess* child_;
+  double timestep_;
+  bool started_ = false, asked_ = false;
+  std::optional<double> ended_;   // s: the program
+  std::optional<double> failed_;  // s: an expectation
+  std::string stopped_;
+};
+
+bool AreSame(const judge::Verdict& a, const judge::Verdict& b) {
+  return a.outcome == b.outcome && a.reason == b.reason && a.worth.at == b.worth.at &&
+         a.worth.leaf == b.worth.leaf &&
+         std::bit_cast<std::uint64_t>(a.worth.margin) ==
+             std::bit_cast<std::uint64_t>(b.worth.margin);
+}
+
+}  // namespace
+
+Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
+                   exec::ChildProcess* program) {
+  const auto begun = std::chrono::steady_clock::now();
+  Jury jury(scenario.expect);
+  StageManager manager(scenario, options, &jury, program);
+  run::RunOptions run;
+  run.control_socket = options.control_socket;
+  run.script = scenario.script;
+  run.recording = {.file = options.recording, .overwrite = true, .audience = &jury};
+  run.should_stop = [&manager](std::int64_t step, emulator::EventRing* events) {
+    return manager.ShouldStop(step, events);
+  };
+  Rehearsal rehearsal;
+  rehearsal.robot = run::RunRobot(scenario.config, run);
+  if (program != nullptr && !program->Poll()) {
+    program->Terminate(kGrace);
+    program->Wait();
+  }
+  jury.Finish();
+
+  const record::McapReader reader(options.recording);
+  if (!reader.contents().cut_short.empty()) {
+    throw RecordError(options.recording.string() +
+                      ": is no evidence: " + reader.contents().cut_short);
+  }
+  rehearsal.judged = JudgeRecording(reader, scenario.expect);
+  const std::vector<judge::Verdict> heard = jury.verdicts();
+  for (std::size_t i = 0; i < heard.size(); ++i) {
+    if (AreSame(heard[i], rehearsal.judged.rulings[i].verdict)) continue;
+    throw SetupError("a bug: '" + scenario.expect.list[i].name +
+                     "' is judged otherwise from the recording than it was in the run");
+  }
+  rehearsal.stopped = manager.stopped();
+  rehearsal.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return rehearsal;
+}
+
+std::string ShellText(const std::vector<std::string>& words) {
+  constexpr std::string_view kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./=:,+@%";
+  std::string text;
+  for (const std::string& word : words) {
+    if (!text.empty()) text += ' ';
+    if (!word.empty() && word.find_first_not_of(kPlain) == std::string::npos) {
+      text += word;
+      continue;
+    }
+    text += '\'';
+    for (const char c : word) text += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    text += '\'';
+  }
+  return text;
+}
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,40 @@
+// Plays a scenario and judges it.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "base/exit_code.h"
+#include "exec/child_process.h"
+#include "rehearse/judged.h"
+#include "rehearse/scenario.h"
+
+namespace understudy::rehearse {
+
+struct RehearsalOptions {
+  std::filesystem::path control_socket{};  // for `ctl`; in a folder made by MakeControlFolder
+  std::filesystem::path recording{};       // is replaced
+  bool to_the_end = false;                 // also when an expectation has failed
+  std::function<bool()> interrupted{};     // true ends it
+};
+
+struct Rehearsal {
+  Judged judged{};
+  ExitCode robot = ExitCode::kOk;  // of the run
+  std::string stopped{};           // why it ended before its time; else ""
+  double wall = 0;                 // s
+};
+
+// Plays the scenario, with `program`, which waits to be released, if it has one. It ends with its
+// duration, 0.5 s after a program that has no duration has ended, when an expectation has failed,
+// or when nothing can change a verdict. What is judged is the recording; the same judged while it
+// was written decides when to end. Throws SetupError, CommandError if the program cannot be run.
+Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
+                   exec::ChildProcess* program);
+
+// Returns the words as a shell reads them.
+std::string ShellText(const std::vector<std::string>& words);
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,215 @@
+#include "rehearse/scenario.h"
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "config/data_dir.h"
+#include "rehearse/yaml_values.h"
+#include "script/script.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using config::YamlValue;
+using Kind = YamlValue::Kind;
+
+// Letters; *assumed*.
+constexpr std::size_t kMostTitle = 80;
+constexpr std::size_t kMostText = 400;
+
+struct ScenarioKey {
+  std::string_view key, takes, says;
+};
+constexpr ScenarioKey kScenarioKeys[] = {
+    {"scenario", "a text", "Its title; needed"},
+    {"about", "a sentence", "What it shows"},
+    {"robot", "a robot's name or YAML file", "Needed"},
+    {"start", "lying, standing, hanging, clamped", "Start pose; the robot's default unless given"},
+    {"seed", "a whole number", "Of randomization: randomization.seed"},
+    {"scene", "a kind of terrain or a file",
+     "Ground; a file is looked for beside the scenario first"},
+    {"speed", "a number, or max",
+     "Simulated seconds per wall second: max, or 1 with a program, unless given"},
+    {"duration", "seconds", "After which the rehearsal ends; needed without a program"},
+    {"settings", "a mapping", "Further keys of the configuration, as in a file for --config"},
+    {"program", "a mapping", "The program under test, see below"},
+    {"script", "a list", "What happens when, as in a [script](scripts.md)"},
+    {"expect", "a list", "Expectations, see below; needed"},
+};
+constexpr ScenarioKey kProgramKeys[] = {
+    {"command", "a list of words", "Program and arguments; `-- CMD...` replaces it"},
+    {"at", "seconds", "When it starts; 0 unless given"},
+    {"until", "seconds", "When it is ended; it ends by itself unless given"},
+    {"by", "term or kill", "How: SIGTERM, and SIGKILL 0.5 s later, unless given; or SIGKILL"},
+};
+
+template <std::size_t kCount>
+void RefuseUnknown(const YamlValue& map, const ScenarioKey (&rows)[kCount]) {
+  std::vector<std::string> known;
+  for (const ScenarioKey& row : rows) known.emplace_back(row.key);
+  for (const YamlValue& key : map.keys) {
+    if (std::ranges::find(known, key.text) != known.end()) continue;
+    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
+                      DidYouMean(key.text, known));
+  }
+}
+
+const YamlValue& Needed(const YamlValue& map, const std::string& key) {
+  const YamlValue* value = map.Find(key);
+  if (value == nullptr) throw ConfigError(map.where + ": " + key + ": missing");
+  return *value;
+}
+
+// The value as the configuration's key "a.b".
+YamlValue TreeOf(const std::string& outer, const std::string& inner, const YamlValue& value) {
+  YamlValue tree = inner.empty() ? value : config::MapOf(inner, value);
+  return config::MapOf(outer, std::move(tree));
+}
+
+YamlValue ScalarOf(std::string text, const std::string& where) {
+  YamlValue value;
+  value.kind = Kind::kScalar;
+  value.text = std::move(text);
+  value.where = where;
+  return value;
+}
+
+// A file beside the scenario comes before one that the working folder has.
+YamlValue SceneBeside(const std::filesystem::path& file, YamlValue scene) {
+  std::error_code error;
+  const std::filesystem::path beside = file.parent_path() / scene.text;
+  if (scene.kind == Kind::kScalar && std::filesystem::is_regular_file(beside, error)) {
+    scene.text = std::filesystem::absolute(beside);
+  }
+  return scene;
+}
+
+Program ReadProgram(const YamlValue& value) {
+  if (value.kind == Kind::kNull) return {};
+  if (value.kind != Kind::kMap) {
+    Refuse(value, "program", "a mapping, as in {command: [python3, walk.py, lo]}");
+  }
+  RefuseUnknown(value, kProgramKeys);
+  Program program;
+  if (const YamlValue* command = value.Find("command")) {
+    if (command->kind != Kind::kSequence || command->items.empty()) {
+      Refuse(*command, "command", "a list of words, as in [python3, walk.py, lo]");
+    }
+    for (const YamlValue& word : command->items) {
+      if (word.kind != Kind::kScalar) Refuse(word, "command", "a word");
+      program.command.push_back(word.text);
+    }
+  }
+  if (const YamlValue* at = value.Find("at")) program.at = SecondsOf(*at, "program.at");
+  if (const YamlValue* until = value.Find("until")) {
+    program.until = SecondsOf(*until, "program.until");
+    if (*program.until < program.at) {
+      throw ConfigError(until->where + ": program.until: it would end before it starts");
+    }
+  }
+  if (const YamlValue* by = value.Find("by")) {
+    if (by->text != "term" && by->text != "kill") Refuse(*by, "program.by", "term or kill");
+    program.kill = by->text == "kill";
+  }
+  return program;
+}
+
+// The configuration that a scenario describes.
+config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& file,
+                        const std::vector<std::string>& sets, bool has_program) {
+  config::Layers layers{.robot = LineOf(Needed(document, "robot"), "robot", kMostText),
+                        .sets = sets};
+  const std::string& where = document.where;
+  const YamlValue* speed = document.Find("speed");
+  const YamlValue pace = speed != nullptr ? *speed : ScalarOf(has_program ? "1" : "max", where);
+  layers.trees.push_back(
+      TreeOf("time", "speed", pace.text == "max" ? ScalarOf("0", pace.where) : pace));
+  if (const YamlValue* settings = document.Find("settings")) {
+    if (settings->kind != Kind::kMap) Refuse(*settings, "settings", "a mapping of keys");
+    layers.trees.push_back(*settings);
+  }
+  const auto add = [&](const char* key, const char* outer, const char* inner) {
+    const YamlValue* value = document.Find(key);
+    if (value != nullptr) layers.trees.push_back(TreeOf(outer, inner, *value));
+  };
+  add("start", "start", "pose");
+  add("seed", "randomization", "seed");
+  add("duration", "time", "duration");
+  if (const YamlValue* scene = document.Find("scene")) {
+    layers.trees.push_back(TreeOf("scene", "", SceneBeside(file, *scene)));
+  }
+  return config::LoadConfig(layers, config::DataDir());
+}
+
+YamlValue ReadDocument(const std::filesystem::path& file) {
+  YamlValue document = config::ReadYamlFile(file);
+  if (document.kind != Kind::kMap) {
+    throw ConfigError(document.where + ": expected a scenario: a mapping with the key expect");
+  }
+  RefuseUnknown(document, kScenarioKeys);
+  return document;
+}
+
+}  // namespace
+
+bool IsScenario(const YamlValue& document) {
+  return document.Find("expect") != nullptr || document.Find("scenario") != nullptr;
+}
+
+Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& options) {
+  const YamlValue document = ReadDocument(file);
+  Scenario scenario{.file = file};
+  scenario.name = LineOf(Needed(document, "scenario"), "scenario", kMostTitle);
+  if (const YamlValue* about = document.Find("about"))
+    scenario.about = LineOf(*about, "about", kMostText);
+  if (const YamlValue* program = document.Find("program")) {
+    scenario.program = ReadProgram(*program);
+  }
+  if (!options.command.empty()) {
+    if (!scenario.program) scenario.program.emplace();
+    scenario.program->command = options.command;
+  }
+  scenario.config = ConfigOf(document, file, options.sets, scenario.program.has_value());
+  if (!scenario.program && scenario.config.time.duration <= 0) {
+    throw ConfigError(document.where +
+                      ": duration: missing; expected seconds, as no program ends the rehearsal");
+  }
+  if (const YamlValue* script = document.Find("script")) {
+    scenario.script = script::ReadEvents(*script);
+  }
+  scenario.expect = ReadExpectations(Needed(document, "expect"), NamesOf(scenario.config.robot));
+  return scenario;
+}
+
+Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
+                              const std::string& revision) {
+  const YamlValue document = ReadDocument(file);
+  const YamlValue& expect = Needed(document, "expect");
+  if (document.Find("robot") != nullptr) {
+    return ReadExpectations(expect, NamesOf(ConfigOf(document, file, {}, true).robot));
+  }
+  if (robot.empty()) {
+    throw ConfigError(document.where +
+                      ": robot: missing, and the recording does not say which it is of");
+  }
+  config::Layers layers{.robot = robot};
+  if (!revision.empty()) layers.sets.push_back("robot.revision=" + revision);
+  const config::Config config = config::LoadConfig(layers, config::DataDir());
+  return ReadExpectations(expect, NamesOf(config.robot));
+}
+
+std::string ScenarioReference() {
+  std::string text = "| key | takes | is |\n|---|---|---|\n";
+  const auto add = [&text](const std::string& before, const ScenarioKey& row) {
+    text += "| `" + before + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
+            std::string(row.says) + " |\n";
+  };
+  for (const ScenarioKey& row : kScenarioKeys) add("", row);
+  for (const ScenarioKey& row : kProgramKeys) add("program.", row);
+  return text;
+}
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,371 @@
+#include "rehearse/signals.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <iterator>
+#include <optional>
+
+#include <Eigen/Geometry>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "emulator/event_table.h"
+#include "idl/type_table.h"
+#include "judge/margin.h"
+#include "record/cdr_field.h"
+#include "record/ros2msg.h"
+#include "wire/imu_codec.h"
+#include "wire/topics.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using emulator::EventField;
+using emulator::EventRow;
+using record::Truth;
+
+// The free joint of the robot comes first in qpos: position and attitude (w, x, y, z); in qvel the
+// velocity of the base in the world and its angular velocity in its own axes.
+Eigen::Quaterniond Attitude(const Truth& t) { return {t.qpos[3], t.qpos[4], t.qpos[5], t.qpos[6]}; }
+double Angle(const Truth& t, int axis) { return wire::RollPitchYaw(Attitude(t))[axis]; }
+Eigen::Vector3d UpInWorld(const Truth& t) { return Attitude(t) * Eigen::Vector3d::UnitZ(); }
+// Of the base along its heading and to its left.
+Eigen::Vector2d Level(const Truth& t) {
+  const double yaw = Angle(t, 2);
+  return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.qvel[0], t.qvel[1]);
+}
+double At(const std::vector<double>& values, std::size_t index) {
+  return index < values.size() ? values[index] : judge::kUnknown;
+}
+double Sum(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum;
+}
+
+constexpr SignalRow kRows[] = {
+    {"base.x", "", "m", Origin::kTruth, "Position of the base in the world",
+     [](const Truth& t, std::size_t) { return t.qpos[0]; }},
+    {"base.y", "", "m", Origin::kTruth, "likewise",
+     [](const Truth& t, std::size_t) { return t.qpos[1]; }},
+    {"base.height", "", "m", Origin::kTruth, "likewise: z, over the origin of the world",
+     [](const Truth& t, std::size_t) { return t.qpos[2]; }},
+    {"base.roll", "", "rad", Origin::kTruth, "Attitude of the base",
+     [](const Truth& t, std::size_t) { return Angle(t, 0); }},
+    {"base.pitch", "", "rad", Origin::kTruth, "likewise",
+     [](const Truth& t, std::size_t) { return Angle(t, 1); }},
+    {"base.yaw", "", "rad", Origin::kTruth, "likewise, from -π to π",
+     [](const Truth& t, std::size_t) { return Angle(t, 2); }},
+    {"base.tilt", "", "rad", Origin::kTruth, "Angle between the z axes of base and world",
+     [](const Truth& t, std::size_t) { return std::acos(std::clamp(UpInWorld(t).z(), -1., 1.)); }},
+    {"base.forward", "", "m/s", Origin::kTruth, "Velocity of the base along its heading",
+     [](const Truth& t, std::size_t) { return Level(t).x(); }},
+    {"base.left", "", "m/s", Origin::kTruth, "likewise, to the left of its heading",
+     [](const Truth& t, std::size_t) { return Level(t).y(); }},
+    {"base.up", "", "m/s", Origin::kTruth, "likewise, upwards",
+     [](const Truth& t, std::size_t) { return t.qvel[2]; }},
+    {"base.speed", "", "m/s", Origin::kTruth, "Horizontal speed of the base",
+     [](const Truth& t, std::size_t) { return std::hypot(t.qvel[0], t.qvel[1]); }},
+    {"base.turn", "", "rad/s", Origin::kTruth, "Rate of turning about the world's z axis",
+     [](const Truth& t, std::size_t) {
+       return (Attitude(t) * Eigen::Vector3d(t.qvel[3], t.qvel[4], t.qvel[5])).z();
+     }},
+    {"torque", "JOINT", "N·m", Origin::kTruth, "Torque that acts at a joint",
+     [](const Truth& t, std::size_t joint) { return At(t.tau, joint); }},
+    {"foot_force", "FOOT", "N", Origin::kTruth, "What presses on a foot",
+     [](const Truth& t, std::size_t foot) { return At(t.foot_force, foot); }},
+    {"feet.force", "", "N", Origin::kTruth, "What presses on all feet",
+     [](const Truth& t, std::size_t) { return Sum(t.foot_force); }},
+    {"crane.tension", "", "N", Origin::kTruth, "Pull of the tether, 0 off the crane",
+     [](const Truth& t, std::size_t) { return t.crane_tension; }},
+    {"q", "JOINT", "rad", Origin::kMessages, "Angle of a joint in rt/lowstate", nullptr},
+    {"dq", "JOINT", "rad/s", Origin::kMessages, "likewise its rate", nullptr},
+    {"tau_est", "JOINT", "N·m", Origin::kMessages, "likewise its torque", nullptr},
+    {"gap", "TOPIC", "s", Origin::kMessages,
+     "Time since the last message of a topic; unknown before "
+     "the first one",
+     nullptr},
+    {"count", "EVENT", "", Origin::kEvents, "Number of events of a kind so far", nullptr},
+    {"refusals", "", "", Origin::kEvents, "Commands refused so far: count(refused)", nullptr},
+    {"state", "", "", Origin::kEvents, "Of the motion service, by the vendor's id: motion.state",
+     nullptr},
+    {"gate", "", "", Origin::kEvents, "State of the gate of rt/lowcmd: gate.state", nullptr},
+    {"service", "", "", Origin::kEvents, "Motion service that is on: motion_service.service",
+     nullptr},
+    {"program.exit_code", "", "", Origin::kEvents, "Of the program under test: program_end.code",
+     nullptr},
+};
+
+struct UnitRow {
+  std::string_view unit, of;
+  double scale;
+};
+constexpr UnitRow kUnits[] = {{"deg", "rad", 57.29577951308232},
+                              {"deg/s", "rad/s", 57.29577951308232},
+                              {"cm", "m", 100},
+                              {"mm", "m", 1000},
+                              {"cm/s", "m/s", 100},
+                              {"ms", "s", 1000},
+                              {"kN", "N", 0.001}};
+
+Error Unknown(const std::string& what, const std::string& word,
+              const std::vector<std::string>& known) {
+  constexpr std::size_t kFew = 12;
+  if (known.size() <= kFew) return {"no " + what + " '" + word + "'" + DidYouMean(word, known)};
+  const std::string nearest = NearestWord(word, known);
+  return {"no " + what + " '" + word + "'" +
+          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+}
+
+const EventRow* FindEvent(std::string_view kind) {
+  const auto row = std::ranges::find(emulator::EventTable(), kind, &EventRow::name);
+  return row == emulator::EventTable().end() ? nullptr : &*row;
+}
+
+// What a recording calls events: the rows of the table, and requests by their own names.
+std::vector<std::string> EventKinds() {
+  std::vector<std::string> kinds;
+  for (const EventRow& row : emulator::EventTable()) {
+    if (row.kind != emulator::EventKind::kRequest) kinds.emplace_back(row.name);
+  }
+  for (const emulator::RequestRow& row : emulator::RequestRows()) {
+    if (row.noted) kinds.emplace_back(row.name);
+  }
+  return kinds;
+}
+
+std::vector<std::string> Words() {
+  std::vector<std::string> words;
+  for (const SignalRow& row : kRows) {
+    words.push_back(std::string(row.word) +
+                    (row.argument.empty() ? "" : "(" + std::string(row.argument) + ")"));
+  }
+  return words;
+}
+
+// "lowcmd" is rt/lowcmd, "/lowstate" the ROS name of rt/lowstate.
+std::string OnWire(const std::string& topic) {
+  if (topic.starts_with("rt/")) return topic;
+  return (topic.starts_with('/') ? "rt" : "rt/") + topic;
+}
+
+Result<std::string> FindTopic(const std::string& written, const Names& names) {
+  const std::string topic = OnWire(written);
+  // Programs may have topics of their own.
+  if (names.topics.contains(topic) || written.starts_with("rt/")) return topic;
+  std::vector<std::string> topics;
+  for (const auto& [name, type] : names.topics) topics.push_back(name);
+  return Unknown("topic", topic, topics);
+}
+
+Result<std::size_t> FindJoint(const std::string& written, const Names& names) {
+  std::string joint = written;
+  auto found = std::ranges::find(names.joints, joint);
+  if (found == names.joints.end()) found = std::ranges::find(names.joints, joint + "_joint");
+  if (found == names.joints.end()) {
+    std::vector<std::string> known = names.joints;
+    for (std::string& name : known) {
+      if (name.ends_with("_joint")) name.erase(name.size() - 6);
+    }
+    return Unknown("joint", joint, known);
+  }
+  return static_cast<std::size_t>(found - names.joints.begin());
+}
+
+Result<std::size_t> FindFoot(const std::string& foot, const Names& names) {
+  const auto found = std::ranges::find(names.feet, foot);
+  if (found == names.feet.end()) return Unknown("foot", foot, names.feet);
+  return static_cast<std::size_t>(found - names.feet.begin());
+}
+
+Result<Signal> EventValue(Signal signal, const std::string& kind, const std::string& field) {
+  const EventRow* row = FindEvent(kind);
+  if (row == nullptr) return Unknown("event", kind, EventKinds());
+  std::vector<std::string> fields;
+  for (const EventField& known : row->fields) {
+    if (!known.name.empty()) fields.emplace_back(known.name);
+  }
+  if (std::ranges::find(fields, field) == fields.end()) {
+    return Unknown("field of the event " + kind, field, fields);
+  }
+  signal.source = Signal::Source::kEventField;
+  signal.topic = kind;
+  signal.field = field;
+  return signal;
+}
+
+Result<Signal> EventNumber(Signal signal, Signal::Source source, const std::string& kind) {
+  const std::vector<std::string> kinds = EventKinds();
+  if (std::ranges::find(kinds, kind) == kinds.end()) return Unknown("event", kind, kinds);
+  signal.source = source;
+  signal.topic = kind;
+  return signal;
+}
+
+Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::string& field,
+                       const Names& names) {
+  const auto found = FindTopic(topic, names);
+  if (!found) return found.error();
+  signal.source = Signal::Source::kField;
+  signal.topic = *found;
+  signal.field = field;
+  const auto type = names.topics.find(*found);
+  if (type == names.topics.end()) return signal;
+  try {
+    record::FindField(type->second, field);
+  } catch (const RecordError& error) {
+    return Error{error.what()};
+  }
+  return signal;
+}
+
+std::string RosTypeOf(const dds_topic_descriptor* descriptor) {
+  const auto type = std::ranges::find(MessageTypes(), descriptor, &MessageType::descriptor);
+  return record::RosTypeName(type->name);
+}
+
+// "word(argument)" in two; the argument is "" if there is none.
+std::pair<std::string, std::string> Split(const std::string& subject) {
+  const std::size_t open = subject.find('(');
+  if (open == std::string::npos || !subject.ends_with(')')) return {subject, ""};
+  return {subject.substr(0, open), subject.substr(open + 1, subject.size() - open - 2)};
+}
+
+Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal signal,
+                    const Names& names) {
+  signal.unit = row.unit;
+  signal.of = row.of;
+  if (row.argument == "FOOT") {
+    const auto foot = FindFoot(argument, names);
+    if (!foot) return foot.error();
+    signal.index = *foot;
+  }
+  if (row.argument == "JOINT") {
+    const auto joint = FindJoint(argument, names);
+    if (!joint) return joint.error();
+    signal.index = *joint;
+    if (row.origin != Origin::kMessages) return signal;
+    if (*joint >= names.slots.size()) {
+      return Error{"rt/lowstate does not tell of " + names.joints[*joint]};
+    }
+    return FieldOf(
+        std::move(signal), "rt/lowstate",
+        "motor_state[" + std::to_string(names.slots[*joint]) + "]." + std::string(row.word), names);
+  }
+  if (row.word == "gap") {
+    const auto topic = FindTopic(argument, names);
+    if (!topic) return topic.error();
+    signal.source = Signal::Source::kGap;
+    signal.topic = *topic;
+  }
+  using enum Signal::Source;
+  if (row.word == "count") return EventNumber(std::move(signal), kEventCount, argument);
+  if (row.word == "refusals") return EventNumber(std::move(signal), kEventCount, "refused");
+  if (row.word == "state") return EventValue(std::move(signal), "motion", "state");
+  if (row.word == "gate") return EventValue(std::move(signal), "gate", "state");
+  if (row.word == "service") return EventValue(std::move(signal), "motion_service", "service");
+  if (row.word == "program.exit_code") return EventValue(std::move(signal), "program_end", "code");
+  return signal;
+}
+
+}  // namespace
+
+std::span<const SignalRow> SignalRows() { return kRows; }
+
+Names NamesOf(const robot::RobotSpec& spec) {
+  Names names;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) names.joints.push_back(motor->joint);
+  for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
+  for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
+  const auto add = [&names](const auto&... topics) {
+    (names.topics.emplace(topics.name, RosTypeOf(topics.descriptor)), ...);
+  };
+  using namespace wire;  // NOLINT(google-build-using-namespace): the names of topics
+  add(kWirelessController, kArmActionState);
+  if (spec.family == robot::WireFamily::kGo) {
+    add(kGoLowCmd, kGoLowState, kGoLfLowState, kSportModeState, kLfSportModeState, kGoArmSdk);
+  } else {
+    add(kHgLowCmd, kHgLowState, kHgLfLowState, kSecondaryImu, kLfSecondaryImu, kLfBmsState,
+        kOdomModeState, kLfOdomModeState, kHgArmSdk, kUserLowCmd, kHgSportModeState,
+        kLfHgSportModeState, kLfMainBoardState);
+  }
+  return names;
+}
+
+Origin Signal::origin() const {
+  switch (source) {
+    case Source::kTruth:
+      return Origin::kTruth;
+    case Source::kField:
+    case Source::kGap:
+    case Source::kArrival:
+      return Origin::kMessages;
+    case Source::kEventField:
+    case Source::kEvent:
+    case Source::kEventCount:
+      break;
+  }
+  return Origin::kEvents;
+}
+
+Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names) {
+  const std::string& subject = comparison.subject;
+  Signal signal{.name = subject};
+  if (comparison.relation == judge::Relation::kHappens) {
+    return EventNumber(std::move(signal), Signal::Source::kEvent, subject);
+  }
+  if (comparison.relation == judge::Relation::kArrives) {
+    const auto topic = FindTopic(subject, names);
+    if (!topic) return topic.error();
+    signal.source = Signal::Source::kArrival;
+    signal.topic = *topic;
+    return signal;
+  }
+  const auto [word, argument] = Split(subject);
+  const auto row = std::ranges::find_if(kRows, [&word = word, &argument = argument](const auto& r) {
+    return r.word == word && r.argument.empty() == argument.empty();
+  });
+  if (row != std::end(kRows)) return Fill(*row, argument, std::move(signal), names);
+  if (const std::size_t colon = subject.find(':'); colon != std::string::npos) {
+    return FieldOf(std::move(signal), subject.substr(0, colon), subject.substr(colon + 1), names);
+  }
+  if (const std::size_t dot = subject.rfind('.'); dot != std::string::npos) {
+    const std::string kind = subject.substr(0, dot);
+    if (FindEvent(kind) != nullptr) {
+      return EventValue(std::move(signal), kind, subject.substr(dot + 1));
+    }
+  }
+  const std::string nearest = NearestWord(subject, Words());
+  return Error{"no signal '" + subject + "'" +
+               (nearest.empty() ? "; there are words such as base.height, TOPIC:FIELD, EVENT.FIELD"
+                                : "; did you mean '" + nearest + "'?")};
+}
+
+Result<double> ScaleTo(const std::string& unit, const std::string& from) {
+  if (unit.empty() || unit == from) return 1.0;
+  std::vector<std::string> units;
+  if (!from.empty()) units.push_back(from);
+  for (const UnitRow& row : kUnits) {
+    if (row.of != from) continue;
+    if (row.unit == unit) return row.scale;
+    units.emplace_back(row.unit);
+  }
+  if (units.empty()) return Error{"has no unit, got '" + unit + "'"};
+  return Error{"no unit '" + unit + "'" + DidYouMean(unit, units)};
+}
+
+std::string SignalsReference() {
+  constexpr std::string_view kOrigins[] = {"truth", "messages", "events"};
+  std::string text = "| signal | unit | from | is |\n|---|---|---|---|\n";
+  const std::vector<std::string> words = Words();
+  for (std::size_t i = 0; i < std::size(kRows); ++i) {
+    const SignalRow& row = kRows[i];
+    text += "| `" + words[i] + "` | " + std::string(row.unit) + " | " +
+            std::string(kOrigins[static_cast<std::size_t>(row.origin)]) + " | " +
+            std::string(row.says) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace understudy::rehearse

@@ -1,0 +1,102 @@
+#include "rehearse/evidence.h"
+
+#include "tests/rehearse/rehearse_fixture.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using testing::HasSubstr;
+
+// Judges one expectation in YAML by what `play` tells.
+judge::Verdict VerdictOf(const std::string& expectation, const std::function<void(Stage*)>& play) {
+  const Expectations expect = ReadExpect("- " + expectation);
+  Jury jury(expect);
+  Stage stage(&jury);
+  play(&stage);
+  jury.Finish();
+  return jury.verdicts().front();
+}
+double ValueOf(const std::string& condition, const std::function<void(Stage*)>& play) {
+  return VerdictOf("{final: " + condition + "}", play).worth.value;
+}
+constexpr auto kLean = [](Stage* stage) { stage->Truth(0, 0.3, 0.5); };
+
+TEST(EvidenceTest, ReadsTheTruth) {
+  EXPECT_EQ(ValueOf("base.x > 0", kLean), 1);
+  EXPECT_EQ(ValueOf("base.y > 0", kLean), 2);
+  EXPECT_EQ(ValueOf("base.height > 0", kLean), 0.3);
+  EXPECT_NEAR(ValueOf("base.roll > 0", kLean), 0.5, 1e-12);
+  EXPECT_NEAR(ValueOf("base.tilt > 0", kLean), 0.5, 1e-12);
+  EXPECT_NEAR(ValueOf("base.tilt > 0 deg", kLean), 0.5 * 57.29577951308232, 1e-9);
+  EXPECT_EQ(ValueOf("base.speed > 0", kLean), 5);
+  EXPECT_EQ(ValueOf("base.forward > 0", kLean), 3);
+  EXPECT_EQ(ValueOf("base.left > 0", kLean), 4);
+  EXPECT_EQ(ValueOf("torque(knee) > 0", kLean), -20);
+  EXPECT_EQ(ValueOf("foot_force(right) > 0", kLean), 70);
+  EXPECT_EQ(ValueOf("feet.force > 0", kLean), 120);
+}
+
+TEST(EvidenceTest, KeepsWhatAnEventSaidAndTellsWhenItHappens) {
+  const auto play = [](Stage* stage) {
+    stage->Truth(0, 0.3);
+    stage->Event(1, "gate", R"({"state": "damping"})");
+    stage->Truth(2, 0.3);
+  };
+  using enum judge::Outcome;
+  EXPECT_EQ(VerdictOf("{final: gate is damping}", play).outcome, kPassed);
+  EXPECT_EQ(VerdictOf("{always: gate is damping, to: 0.5}", play).outcome, kFailed);
+  EXPECT_EQ(VerdictOf("{always: gate is damping, from: gate happens}", play).outcome, kPassed);
+  EXPECT_EQ(VerdictOf("{count: gate happens, least: 1, most: 1}", play).outcome, kPassed);
+  EXPECT_EQ(VerdictOf("{never: gate happens, from: 1.5}", play).outcome, kPassed);
+}
+
+TEST(EvidenceTest, CountsABurstOfEventsAsManyTimesAsItHappened) {
+  const auto play = [](Stage* stage) {
+    stage->Event(0, "refused", R"({"reason": "crc", "count": 1})");
+    stage->Event(1, "refused", R"({"reason": "crc", "count": 40})");
+  };
+  EXPECT_EQ(ValueOf("refusals > 0", play), 41);
+  EXPECT_EQ(VerdictOf("{count: refused happens, least: 41, most: 41}", play).worth.margin, 0);
+}
+
+TEST(EvidenceTest, MeasuresGapsAlsoWhileNothingComes) {
+  const auto play = [](Stage* stage) {
+    stage->Truth(0, 0.3);
+    for (const double at : {1.0, 1.1, 1.5}) stage->Message(at, "lowcmd");
+    stage->Truth(3, 0.3);
+  };
+  const judge::Verdict worst = VerdictOf("{always: gap(lowcmd) < 1}", play);
+  EXPECT_NEAR(worst.worth.value, 1.5, 1e-9);
+  const judge::Verdict early = VerdictOf("{always: gap(lowcmd) < 1, to: 1.5}", play);
+  EXPECT_NEAR(early.worth.value, 0.4, 1e-9);
+  EXPECT_EQ(VerdictOf("{count: lowcmd arrives, least: 3, most: 3}", play).worth.margin, 0);
+}
+
+TEST(EvidenceTest, DoesNotJudgeByATruthThatARecordingDoesNotHave) {
+  const Expectations expect = ReadExpect("[{always: base.height > 0.2}, {never: lowcmd arrives}]");
+  Jury jury(expect);
+  Stage(&jury).Message(1, "lowstate");
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("base.height is the simulation's truth"));
+  EXPECT_EQ(jury.verdicts()[1].outcome, judge::Outcome::kPassed);
+}
+
+TEST(EvidenceTest, DoesNotJudgeByEventsThatARecordingDoesNotHave) {
+  const Expectations expect = ReadExpect("[{never: refused happens}]");
+  Jury jury(expect);
+  Stage(&jury).Message(1, "lowstate");
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+  EXPECT_THAT(jury.WhyNot(0), HasSubstr("comes from events"));
+}
+
+TEST(EvidenceTest, JudgesNothingByNoMessages) {
+  const Expectations expect = ReadExpect("[{never: lowcmd arrives}]");
+  Jury jury(expect);
+  jury.Finish();
+  EXPECT_EQ(jury.verdicts()[0].outcome, judge::Outcome::kNotJudged);
+}
+
+}  // namespace
+}  // namespace understudy::rehearse

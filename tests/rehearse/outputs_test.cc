@@ -1,0 +1,111 @@
+#include "rehearse/outputs.h"
+
+#include <nlohmann/json.hpp>
+
+#include "rehearse/rehearse.h"
+#include "rehearse/svg_plot.h"
+#include "tests/rehearse/rehearse_fixture.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+// One that passes, one that fails, one that is not judged.
+class OutputsTest : public testing::Test {
+ protected:
+  OutputsTest()
+      : expect_(ReadExpect("- {always: base.height > 0.2, name: 'up & \"<about>\"'}\n"
+                           "- {always: base.height > 35 cm, name: high, says: It is high}\n"
+                           "- {always: base.height > 0.1, to: 9, name: long}\n")) {
+    Jury jury(expect_);
+    Stage stage(&jury);
+    stage.Truth(0, 0.4);
+    stage.Truth(1, 0.3);
+    stage.Event(1, "gate", R"({"state": "damping"})");
+    stage.Truth(2, 0.4);
+    jury.Finish();
+    judged_.end = 2;
+    judged_.events = jury.evidence().events();
+    judged_.whole = {{{0, 0.4}, {1, 0.4}, {1, 0.3}, {2, 0.3}}};
+    for (const judge::Verdict& verdict : jury.verdicts()) {
+      const bool open = verdict.outcome == judge::Outcome::kNotJudged;
+      judged_.rulings.push_back({.verdict = verdict, .why = open ? "it ended" : ""});
+      judged_.closeups.push_back({{.from = 0.5, .to = 1.5, .points = {{0.5, 0.4}, {1, 0.3}}}});
+    }
+  }
+
+  const Occasion occasion_{.title = "Title", .repeat = "understudy rehearse x"};
+  Expectations expect_;
+  Judged judged_;
+};
+
+TEST_F(OutputsTest, ALineHasTheOutcomeWhatDecidedAndTheMargin) {
+  const std::string lines = TellLines(occasion_, expect_, judged_, false);
+  EXPECT_THAT(lines,
+              HasSubstr("PASS  up & \"<about>\"  base.height was 0.3 m at 1.000 s; margin 0.1 m"));
+  EXPECT_THAT(lines,
+              HasSubstr("FAIL  high            base.height was 30 cm at 1.000 s; margin -5 cm"));
+  EXPECT_THAT(lines, HasSubstr("NONE  long            it ended"));
+  EXPECT_THAT(lines, HasSubstr("1 passed, 1 failed, 1 not judged in 2.000 s"));
+}
+
+TEST_F(OutputsTest, JsonHasNumbersAndNullWhereThereIsNone) {
+  const auto told = nlohmann::json::parse(TellJson(occasion_, expect_, judged_));
+  EXPECT_EQ(told["failed"], 1);
+  EXPECT_NEAR(told["verdicts"][1]["margin"], -5, 1e-9);
+  EXPECT_EQ(told["verdicts"][1]["unit"], "cm");
+  EXPECT_EQ(told["verdicts"][1]["at"], 1);
+  EXPECT_TRUE(told["verdicts"][2]["margin"].is_null());
+  EXPECT_EQ(told["verdicts"][2]["outcome"], "not judged");
+}
+
+TEST_F(OutputsTest, JunitHasAFailureForWhatFailedAndASkipForWhatIsNotJudged) {
+  const std::string xml = TellJunit(occasion_, expect_, judged_);
+  EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\""));
+  EXPECT_THAT(xml, HasSubstr("name=\"up &amp; &quot;&lt;about&gt;&quot;\""));
+  EXPECT_THAT(xml, HasSubstr("<failure type=\"failed\" message=\"base.height was 30 cm"));
+  EXPECT_THAT(xml, HasSubstr("<skipped message=\"it ended\"/>"));
+}
+
+TEST_F(OutputsTest, ThePageNeedsNothingElseAndQuotesAllTexts) {
+  const std::string html = TellHtml(occasion_, expect_, judged_);
+  EXPECT_THAT(html, HasSubstr("<svg"));
+  EXPECT_THAT(html, HasSubstr("up &amp; &quot;&lt;about&gt;&quot;"));
+  EXPECT_THAT(html, Not(HasSubstr("<about>")));
+  for (const char* outside : {"http:", "https:", "<script", "<link", "<img", "url("}) {
+    EXPECT_THAT(html, Not(HasSubstr(outside)));
+  }
+}
+
+TEST(SvgPlotTest, DrawsTheLimitTheWindowAndTheInstant) {
+  const std::string svg = DrawSvg({.label = "a < b",
+                                   .to = 2,
+                                   .points = {{0, 1}, {1, 3}},
+                                   .limits = {2},
+                                   .window = std::pair(0.5, 1.5),
+                                   .at = 1,
+                                   .events = {{1, "x & y"}}});
+  for (const char* part : {"class=\"limit\"", "class=\"window\"", "class=\"instant\"",
+                           "class=\"signal\"", "a &lt; b", "x &amp; y"}) {
+    EXPECT_THAT(svg, HasSubstr(part));
+  }
+  EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(SvgPlotTest, DrawsASignalThatNeverChanges) {
+  EXPECT_THAT(DrawSvg({.points = {{0, 0}, {1, 0}}}), Not(HasSubstr("nan")));
+}
+
+TEST(TicksTest, AreRoundAndInside) {
+  EXPECT_EQ(Ticks(-0.1, 1.1, 4), (std::vector<double>{0, 0.5, 1}));
+  EXPECT_EQ(Ticks(0, 40, 4), (std::vector<double>{0, 10, 20, 30, 40}));
+}
+
+TEST(ShellTextTest, QuotesWhatAShellWouldTakeApart) {
+  EXPECT_EQ(ShellText({"a", "b c", "it's", ""}), "a 'b c' 'it'\\''s' ''");
+}
+
+}  // namespace
+}  // namespace understudy::rehearse

@@ -1,0 +1,111 @@
+#include "rehearse/scenario.h"
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/rehearse/rehearse_fixture.h"
+#include "tests/support/temporary_folder.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr char kSmall[] =
+    "scenario: Small\nrobot: go2\nduration: 1\nexpect: [{always: base.height > 0}]\n";
+
+class ScenarioTest : public testing::Test {
+ protected:
+  Scenario Load(const std::string& text, const ScenarioOptions& options = {}) const {
+    return LoadScenario(folder_.Write("s.yaml", text), options);
+  }
+  std::string ErrorIn(const std::string& text) const {
+    return config::ErrorOf([&] { Load(text); });
+  }
+
+  test::TemporaryFolder folder_;
+};
+
+TEST_F(ScenarioTest, SetsWhatARunDoes) {
+  const Scenario scenario = Load(std::string(kSmall) +
+                                 "start: standing\nseed: 7\nscene: slopes\n"
+                                 "settings: {gate: {timeout: 0.5}}\n"
+                                 "script: [{at: 0.5, reset: }]\n");
+  EXPECT_EQ(scenario.config.start.pose, "standing");
+  EXPECT_EQ(scenario.config.randomization.seed, 7);
+  EXPECT_EQ(scenario.config.scene, "slopes");
+  EXPECT_EQ(scenario.config.gate.timeout, 0.5);
+  EXPECT_EQ(scenario.config.time.duration, 1);
+  EXPECT_EQ(scenario.config.time.speed, 0);
+  EXPECT_EQ(scenario.script.size(), 1U);
+}
+
+TEST_F(ScenarioTest, GoesAtTheSpeedOfAClockWithAProgram) {
+  EXPECT_EQ(Load(std::string(kSmall) + "program: {command: ['true']}\n").config.time.speed, 1);
+  EXPECT_EQ(Load(kSmall, {.command = {"true"}}).config.time.speed, 1);
+}
+
+TEST_F(ScenarioTest, TakesProgramAndSettingsOfTheCommandLine) {
+  const Scenario scenario = Load(std::string(kSmall) + "program: {command: ['true'], at: 0.5}\n",
+                                 {.command = {"false", "1"}, .sets = {"gate.timeout=0.25"}});
+  EXPECT_EQ(scenario.program->command, (std::vector<std::string>{"false", "1"}));
+  EXPECT_EQ(scenario.program->at, 0.5);
+  EXPECT_EQ(scenario.config.gate.timeout, 0.25);
+}
+
+TEST_F(ScenarioTest, FindsASceneBesideItself) {
+  folder_.Write("ground.yaml", "scene: flat\n");
+  const Scenario scenario = Load(std::string(kSmall) + "scene: ground.yaml\n");
+  EXPECT_EQ(scenario.config.scene, "flat");
+}
+
+TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
+  const std::pair<std::string, const char*> kRows[] = {
+      {"scenari: a\nexpect: []", "s.yaml:1: key 'scenari': unknown; did you mean 'scenario'?"},
+      {"scenario: a\nexpect: []", "robot: missing"},
+      {"scenario: a\nrobot: gp2\nduration: 1\nexpect: []", "go2"},
+      {"scenario: a\nrobot: go2\nduration: 1", "expect: missing"},
+      {"scenario: a\nrobot: go2\nduration: 1\nexpect: []",
+       "expect: expected a list of expectations"},
+      {"scenario: a\nrobot: go2\nexpect: []", "duration: missing"},
+      {std::string(kSmall) + "settings: {gate: {tiemout: 1}}", "s.yaml:5: key 'gate.tiemout'"},
+      {std::string(kSmall) + "start: siting", "s.yaml:5: start.pose"},
+      {std::string(kSmall) + "script: [{at: 1, resett: }]", "did you mean 'reset'?"},
+      {std::string(kSmall) + "program: {comand: [a]}", "did you mean 'command'?"},
+      {std::string(kSmall) + "program: {command: a}", "command: expected a list of words"},
+      {std::string(kSmall) + "program: {command: [a], by: axe}", "by: expected term or kill"},
+      {std::string(kSmall) + "program: {command: [a], at: 2, until: 1}",
+       "would end before it starts"},
+  };
+  for (const auto& [text, error] : kRows) EXPECT_THAT(ErrorIn(text), HasSubstr(error)) << text;
+}
+
+TEST_F(ScenarioTest, ItsExpectationsAloneNeedARobotFromSomewhere) {
+  const auto file = folder_.Write("e.yaml", "expect: [{always: torque(FR_calf) < 50}]\n");
+  EXPECT_EQ(LoadExpectations(file, "go2", "").list.size(), 1U);
+  EXPECT_THAT(config::ErrorOf([&] { LoadExpectations(file, "", ""); }),
+              HasSubstr("robot: missing"));
+  EXPECT_THAT(config::ErrorOf([&] { LoadExpectations(file, "g1", "29"); }), HasSubstr("revision"));
+}
+
+TEST(ReferenceTest, IsThatOfTheDocument) {
+  std::ifstream stream(std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "docs" / "rehearsing.md");
+  const std::string document{std::istreambuf_iterator<char>(stream), {}};
+  EXPECT_THAT(document, HasSubstr(ScenarioReference()));
+  EXPECT_THAT(document, HasSubstr(ExpectationsReference()));
+  EXPECT_THAT(document, HasSubstr(SignalsReference()));
+}
+
+TEST(ShippedScenariosTest, AreAllSound) {
+  int seen = 0;
+  const auto folder = std::filesystem::path(UNDERSTUDY_SOURCE_DIR) / "config" / "scenarios";
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    EXPECT_EQ(config::ErrorOf([&] { LoadScenario(entry.path()); }), "") << entry.path();
+    ++seen;
+  }
+  EXPECT_GT(seen, 5);
+}
+
+}  // namespace
+}  // namespace understudy::rehearse

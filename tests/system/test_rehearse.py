@@ -1,0 +1,191 @@
+"""Rehearsals and judgements from a shell: shipped scenarios, exit codes, the files that are left, CI's view."""
+
+import json
+import pathlib
+import re
+import sys
+from xml.etree import ElementTree
+
+import pytest
+import xmlschema
+from mcap.reader import make_reader
+from mcap.writer import Writer
+
+ROOT = pathlib.Path(__file__).parents[2]
+SCENARIOS = sorted(file.stem for file in (ROOT / "config" / "scenarios").glob("*.yaml"))
+FAILED, OPEN = 10, 11
+
+# Falls when its motors go limp, so that an expectation fails early.
+FALLS = """
+scenario: It goes limp
+robot: go2
+start: standing
+duration: 20
+settings: {motion: {service: none}}
+script:
+  - {at: 1, remote.press: {keys: L2+B}}
+  - {at: 1, fault: {motor: FR_calf_joint, fault: limp}}
+  - {at: 1, fault: {motor: RR_calf_joint, fault: limp}}
+  - {at: 1, fault: {motor: FL_calf_joint, fault: limp}}
+  - {at: 1, fault: {motor: RL_calf_joint, fault: limp}}
+expect:
+  - {always: base.height > 0.2, name: stands}
+  - {eventually: count(fault) > 3, name: four knees are limp}
+  - {final: base.tilt < 90 deg, to: 19, name: late}
+"""
+
+
+def verdicts(folder):
+    return json.loads((folder / "verdict.json").read_text())
+
+
+def outcomes(folder):
+    return {one["name"]: one["outcome"] for one in verdicts(folder)["verdicts"]}
+
+
+@pytest.fixture(name="rehearse")
+def rehearse_fixture(understudy, tmp_path):
+    """rehearse(scenario, *options, out=...): plays it into a folder of this test."""
+    def play(scenario, *options, out="out", program=()):
+        command = ("--", *program) if program else ()
+        return understudy("rehearse", scenario, "--out", tmp_path / out, *options, *command, timeout=240)
+    return play
+
+
+@pytest.mark.parametrize("scenario", [name for name in SCENARIOS if name != "lost_lowcmd"])
+def test_a_shipped_scenario_holds_faster_than_the_clock(rehearse, tmp_path, scenario):
+    done = rehearse(scenario)
+    assert done.returncode == 0, done.stdout + done.stderr
+    told = verdicts(tmp_path / "out")
+    assert told["failed"] == told["not_judged"] == 0 and told["passed"] >= 3
+    assert "passed, 0 failed, 0 not judged" in done.stdout
+
+
+def test_the_same_rehearsal_has_the_same_verdicts_bit_for_bit(rehearse, tmp_path):
+    for out in "ab":
+        assert rehearse("push", out=out).returncode == 0
+    told = [verdicts(tmp_path / out)["verdicts"] for out in "ab"]
+    assert told[0] == told[1]
+    truths = []
+    for out in "ab":
+        with open(tmp_path / out / "recording.mcap", "rb") as file:
+            messages = make_reader(file).iter_messages(topics=["understudy/truth"])
+            truths.append([message.data for _, _, message in messages])
+    assert len(truths[0]) > 1000 and truths[0] == truths[1]
+
+
+def test_a_failure_ends_the_rehearsal_and_what_is_open_is_not_judged(rehearse, understudy, tmp_path):
+    file = tmp_path / "falls.yaml"
+    file.write_text(FALLS)
+    done = rehearse(file)
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    told = verdicts(tmp_path / "out")
+    assert outcomes(tmp_path / "out") == {"stands": "failed", "four knees are limp": "passed",
+                                          "late": "not judged"}
+    assert told["verdicts"][0]["margin"] < 0 and told["verdicts"][0]["unit"] == "m"
+    assert 1 < told["verdicts"][0]["at"] <= told["seconds"] < 6
+    assert told["stopped"] == "ended as an expectation had failed"
+    again = understudy("judge", tmp_path / "out" / "recording.mcap", file, "--out", tmp_path / "judged")
+    assert again.returncode == FAILED
+    assert verdicts(tmp_path / "judged")["verdicts"] == told["verdicts"]
+
+    assert rehearse(file, "--to-the-end").returncode == FAILED
+    assert verdicts(tmp_path / "out")["seconds"] == pytest.approx(20, abs=0.01)
+    assert outcomes(tmp_path / "out")["late"] == "passed"
+
+
+def test_junit_is_what_ci_reads(rehearse, tmp_path):
+    file = tmp_path / "falls.yaml"
+    file.write_text(FALLS.replace("name: stands", "name: 'stands <&> \"up\"'"))
+    rehearse(file)
+    xml = tmp_path / "out" / "junit.xml"
+    xmlschema.XMLSchema(ROOT / "tests" / "data" / "junit.xsd").validate(xml)
+    suite = ElementTree.parse(xml).getroot()[0]
+    assert (suite.get("tests"), suite.get("failures"), suite.get("skipped")) == ("3", "1", "1")
+    cases = suite.findall("testcase")
+    assert cases[0].get("name") == 'stands <&> "up"'
+    assert "base.height was" in cases[0].find("failure").get("message")
+    assert cases[2].find("skipped") is not None
+
+
+def test_the_report_needs_no_other_file(rehearse, tmp_path):
+    assert rehearse("stand_up").returncode == 0
+    html = (tmp_path / "out" / "report.html").read_text()
+    assert html.count("<svg") > 4 and "understudy rehearse stand_up" in html
+    for outside in ("http:", "https:", "<script", "<link", "<img", "url("):
+        assert outside not in html
+
+
+def test_a_program_is_started_ended_and_its_exit_code_judged(rehearse, tmp_path):
+    file = tmp_path / "program.yaml"
+    file.write_text("""
+scenario: A program
+robot: go2
+program: {at: 0.5, until: 1.5, by: kill}
+expect:
+  - {final: program.exit_code is 137}
+  - {count: program_start happens, least: 1, most: 1, to: 1}
+  - {never: program_end happens, to: 1.4}
+""")
+    assert "this scenario needs one" in rehearse(file).stderr
+    done = rehearse(file, program=[sys.executable, "-c", "import time; time.sleep(60)"])
+    assert done.returncode == 0, done.stdout + done.stderr
+
+    file.write_text("scenario: A program\nrobot: go2\nexpect: [{final: program.exit_code is 0}]\n")
+    assert rehearse(file, program=["true"]).returncode == 0
+    assert rehearse(file, program=["false"]).returncode == FAILED
+    assert rehearse(file, program=["no-such-program"]).returncode == 127
+
+
+def test_lost_lowcmd_holds_with_a_program_that_writes_it(rehearse, tmp_path):
+    program = pathlib.Path(__file__).parent / "writes_lowcmd.py"
+    done = rehearse("lost_lowcmd", program=[sys.executable, program])
+    assert done.returncode == 0, done.stdout + done.stderr
+    done = rehearse("lost_lowcmd", program=[sys.executable, "-c", "import time; time.sleep(60)"])
+    assert done.returncode == FAILED
+    assert outcomes(tmp_path / "out")["the program is heard"] == "failed"
+
+
+def test_a_real_robots_recording_is_not_judged_by_a_truth_that_it_does_not_have(rehearse, understudy, tmp_path):
+    rehearse("stand_up")
+    real = tmp_path / "real.mcap"
+    with open(tmp_path / "out" / "recording.mcap", "rb") as source, open(real, "wb") as target:
+        writer = Writer(target)
+        writer.start()
+        ids = {}
+        for schema, channel, message in make_reader(source).iter_messages(topics=["/lowstate"]):
+            if channel.id not in ids:
+                schema_id = writer.register_schema(schema.name, schema.encoding, schema.data)
+                ids[channel.id] = writer.register_channel(channel.topic, "cdr", schema_id)
+            writer.add_message(ids[channel.id], message.log_time, message.data, message.publish_time)
+        writer.finish()
+    expect = tmp_path / "expect.yaml"
+    expect.write_text("robot: go2\nexpect:\n  - {always: gap(lowstate) < 3 ms, name: wire}\n"
+                      "  - {always: q(FR_calf) < 0, name: joint}\n"
+                      "  - {always: base.height > 0, name: truth}\n  - {never: refused happens, name: events}\n")
+    done = understudy("judge", real, expect, "--out", tmp_path / "judged")
+    assert done.returncode == OPEN, done.stdout + done.stderr
+    assert outcomes(tmp_path / "judged") == {"wire": "passed", "joint": "passed", "truth": "not judged",
+                                             "events": "not judged"}
+    assert "the simulation's truth, which this recording does not have" in done.stdout
+
+
+def test_the_documents_first_scenario_holds(rehearse, tmp_path):
+    text = (ROOT / "docs" / "rehearsing.md").read_text()
+    file = tmp_path / "first.yaml"
+    file.write_text(re.search(r"```yaml\n(scenario:.*?)```", text, re.DOTALL).group(1))
+    done = rehearse(file)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp_path):
+    file = tmp_path / "bad.yaml"
+    file.write_text("scenario: x\nrobot: go2\nduration: 1\nexpect:\n  - always: base.hight > 0\n")
+    for done in (rehearse(file), understudy("check", file)):
+        assert done.returncode == 3
+        assert "bad.yaml:5: always: no signal 'base.hight'; did you mean 'base.height'?" in done.stderr + done.stdout
+    done = rehearse("stnad_up")
+    assert done.returncode == 3 and "did you mean 'stand_up'?" in done.stderr
+    assert understudy("rehearse").returncode == 2
+    good = understudy("check", *(ROOT / "config" / "scenarios").glob("*.yaml"))
+    assert good.returncode == 0 and "6 expectations" in good.stdout
