@@ -70,6 +70,8 @@ class ReaderCore {
   std::string_view refused_policy() const;
 
  protected:
+  // For those who sleep until something has arrived.
+  std::int32_t handle() const { return reader_.handle(); }
   // Takes the oldest sample; false if none waits. Never blocks; while nothing waits it only loads a
   // flag.
   bool Next(CdrSample* sample);

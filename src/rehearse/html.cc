@@ -92,8 +92,9 @@ std::vector<Drawn> DrawnOf(const Expectation& expectation, const Expectations& e
       const bool is_word = leaf.leaf.compare == judge::Compare::kEqual && leaf.leaf.value > 1e15;
       if (leaf.leaf.compare == judge::Compare::kTrue || is_word) continue;
       const auto known = std::ranges::find(all, leaf.signal, &Drawn::signal);
-      Drawn& drawn = known == all.end() ? all.emplace_back() : *known;
-      if (known == all.end()) {
+      const bool first = known == all.end();
+      Drawn& drawn = first ? all.emplace_back() : *known;
+      if (first) {
         drawn = {.signal = leaf.signal,
                  .unit = leaf.unit.empty() ? signal.unit : leaf.unit,
                  .scale = leaf.leaf.scale};

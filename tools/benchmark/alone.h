@@ -27,6 +27,8 @@ class Alone {
    public:
     explicit Port(robot::Rate rate) : rate_(rate) {}
     bool Take(std::size_t, robot::RobotCommand*, robot::Refusal*) override { return false; }
+    std::uint64_t TakeLost(std::size_t) override { return 0; }
+    void Rest() override {}
     bool Due(std::int64_t step) const override { return rate_.Due(step); }
     void Publish(const robot::RobotState&, std::int64_t) override {}
     int command_writers() const override { return 0; }
