@@ -28,6 +28,10 @@ WITHOUT_A_CARD = ["--use-angle=swiftshader-webgl", "--disable-gpu-compositing",
                   "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
 
 
+class Navigated(Exception):
+    """The page went elsewhere while it was asked."""
+
+
 class Chromium:
     """The browser; `page(url)` opens one. Ends with the `with` block."""
 
@@ -84,6 +88,8 @@ class Chromium:
             assert left > 0, f"{method}: no answer from Chromium"
             self.listen(left)
         answer = self._answers.pop(number)
+        if "navigated or closed" in answer.get("error", {}).get("message", ""):
+            raise Navigated(method)
         assert "error" not in answer, f"{method}: {answer['error']}"
         return answer["result"]
 
@@ -168,10 +174,14 @@ class Page:
     def becomes(self, expression, seconds=PATIENCE):
         """Waits until the expression is true in the page and gives its value."""
         deadline = time.monotonic() + seconds
-        while not (value := self.evaluate(expression)):
+        while True:
+            try:
+                if value := self.evaluate(expression):
+                    return value
+            except Navigated:
+                pass  # the next page is asked
             assert time.monotonic() < deadline, f"not within {seconds:.0f} s: {expression}"
             self._browser.listen(0.05)
-        return value
 
     def text(self, selector):
         return self.evaluate(f"document.querySelector({json.dumps(selector)}).textContent")

@@ -30,7 +30,7 @@ constexpr double kLyingRest = 5.0;  // s from lying down to damping: "after some
 constexpr double kMostShift = 0.2;  // of the leg's length, of the body over its feet
 constexpr double kToppling = 0.6;   // of the way out to an edge of the feet, of the capture point
 constexpr double kShoved = 0.25;    // m/s
-constexpr double kLed = 0.8;        // s in which a stand has followed to where it was led
+constexpr double kLed = 1.2;        // s in which a stand has followed to where it was led
 
 // Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
 authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {

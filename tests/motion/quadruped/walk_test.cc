@@ -156,13 +156,13 @@ TEST_P(WalkTest, LeaningAndShiftingIsNoReasonToStep) {
   for (const double way : {1.0, -1.0}) {
     const Vector3d most = way * rig_.spec().motion.quadruped.euler_range;
     rig_.Ask(goal::Euler{most.x(), most.y(), most.z()});
-    rig_.Run(1);
+    rig_.Run(1.5);
     rig_.Ask(goal::Euler{});
-    rig_.Run(1);
+    rig_.Run(1.5);
     rig_.Ask(goal::BodyPosition{way, way, 0, 0});
-    rig_.Run(1);
+    rig_.Run(1.5);
     rig_.Ask(goal::BodyPosition{});
-    rig_.Run(1);
+    rig_.Run(1.5);
   }
   EXPECT_FALSE(stepped);
 }
