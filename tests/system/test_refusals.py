@@ -31,7 +31,7 @@ def request(api, noreply, parameter="{}"):
 ])
 def test_a_refused_call_is_counted_and_explained_also_if_no_reply_is_wanted(
         play, api, parameter, reason, words, noreply):
-    robot = play("go2")  # which lies
+    robot = play("go2", "--start", "lying", "--set", "robot.motion.quadruped.stands_up=false")
     with speaker("rt/api/sport/request", Request_) as client:
         eventually(lambda: client.write(request(api, noreply, parameter)) or
                    robot.status()["services"]["refused"][reason])
@@ -46,7 +46,7 @@ def test_a_refused_call_is_counted_and_explained_also_if_no_reply_is_wanted(
 def test_a_state_that_is_answered_0_and_ignored_is_told(play):
     robot = play("g1")
     with speaker("rt/api/sport/request", Request_) as client:
-        eventually(lambda: client.write(request(7101, False, '{"data": 500}')) or
+        eventually(lambda: client.write(request(7101, False, '{"data": 501}')) or
                    robot.status()["services"]["refused"]["state"])
         assert "code 0" in robot.heard("sport 7101 SetFsmId (state)", "warning")["message"]
 
