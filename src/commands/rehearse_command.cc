@@ -46,7 +46,7 @@ struct RehearseArguments : JudgeArguments, SetArguments {
 fs::path FindScenario(const std::string& written) {
   if (written.find('/') != std::string::npos || fs::path(written).has_extension()) return written;
   const fs::path folder = config::DataDir() / "config" / "scenarios";
-  const fs::path file = folder / (written + ".yaml");
+  fs::path file = folder / (written + ".yaml");
   std::error_code error;
   if (fs::is_regular_file(file, error)) return file;
   std::vector<std::string> names;
@@ -71,7 +71,7 @@ void WriteFile(const fs::path& file, const std::string& text) {
 }
 
 fs::path MakeFolder(const std::string& out, const fs::path& scenario) {
-  const fs::path folder = out.empty() ? fs::path("rehearsals") / scenario.stem() : fs::path(out);
+  fs::path folder = out.empty() ? fs::path("rehearsals") / scenario.stem() : fs::path(out);
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());

@@ -159,8 +159,7 @@ Result<std::string> FindTopic(const std::string& written, const Names& names) {
   return Unknown("topic", topic, topics);
 }
 
-Result<std::size_t> FindJoint(const std::string& written, const Names& names) {
-  std::string joint = written;
+Result<std::size_t> FindJoint(const std::string& joint, const Names& names) {
   auto found = std::ranges::find(names.joints, joint);
   if (found == names.joints.end()) found = std::ranges::find(names.joints, joint + "_joint");
   if (found == names.joints.end()) {

@@ -33,7 +33,9 @@ double NextAfter(double t, double due, double period) {
   return due + period * std::max(1.0, std::ceil((t + kSlack - due) / period));
 }
 
-json OrElse(json value, json otherwise) { return value.is_null() ? otherwise : value; }
+json OrElse(const json& value, const json& otherwise) {
+  return value.is_null() ? otherwise : value;
+}
 
 }  // namespace
 

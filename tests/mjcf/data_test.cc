@@ -11,14 +11,14 @@
 namespace understudy::mjcf {
 namespace {
 
-// Where the bodies are and what they weigh against a joint's turning, at other angles than 0.
+// Where the bodies are and the inertia of what hangs from each, at other angles than 0.
 std::vector<double> Kinematics(const mjModel& model, mjData* data) {
   for (int i = 7; i < model.nq; ++i) data->qpos[i] = 0.01 * i;
   mj_kinematics(&model, data);
   mj_comPos(&model, data);
   mj_crb(&model, data);
   std::vector<double> values(data->xpos, data->xpos + 3L * model.nbody);
-  values.insert(values.end(), data->qM, data->qM + model.nM);
+  values.insert(values.end(), data->crb, data->crb + 10L * model.nbody);
   return values;
 }
 
