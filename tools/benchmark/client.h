@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include <dds/dds.h>
@@ -40,7 +41,11 @@ class WaitingReader : public bus::Reader<Msg> {
 
   // False when nothing came in time.
   bool Wait(std::chrono::nanoseconds patience) const {
-    return dds_waitset_wait(waitset_.handle(), nullptr, 0, patience.count()) > 0;
+    const bool woken = dds_waitset_wait(waitset_.handle(), nullptr, 0, patience.count()) > 0;
+    // Cyclone wakes us before it calls the listener that tells the reader of the message. To ask
+    // again and again meanwhile keeps it from that for a millisecond; a nap does not.
+    if (woken) std::this_thread::sleep_for(std::chrono::microseconds(5));
+    return woken;
   }
 
  private:
