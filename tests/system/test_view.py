@@ -1,5 +1,6 @@
 """The window: `understudy view` and `run --view`, on a screen without a monitor."""
 
+import json
 import os
 import subprocess
 
@@ -105,10 +106,18 @@ def test_dragging_with_the_mouse_lifts_the_robot_and_letting_go_drops_it(play, l
         window.screen.xdotool("sleep", 0.5)
         return robot.status()["base"]["height"] > low + 0.02
 
-    eventually(lifted, 30)
+    def pulls():
+        return json.loads(robot.ctl("snapshot", "--parts", "pushes"))["pushes"]
+
+    def rests():  # on its belly or on its side, as it fell
+        return abs(robot.status()["base"]["height"] - robot.status()["base"]["height"]) < 1e-4
+
+    eventually(lifted, what=f"lifted\n{robot.said()}")
+    eventually(pulls, what="a pull while the button is held")
 
     window.screen.xdotool("mouseup", 1, "keyup", "ctrl")
-    robot.becomes(lambda status: status["base"]["height"] < low + 0.01)
+    eventually(lambda: not pulls(), what="no pull once it is let go")
+    eventually(rests, what=f"it rests\n{robot.said()}")
 
 
 def test_closing_the_window_leaves_the_robot_on_the_wire(play, look):
