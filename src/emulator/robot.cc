@@ -167,10 +167,11 @@ void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {
   Note(EventKind::kUnmatched, {}, writer);
 }
 
-// The motion service gets the sample of the step before, as on a real robot: the published one if
-// there was one. Nothing is sampled for it while no service is on.
+// The motion service gets the sample of the step before, as on a real robot: where their rates are
+// equal the published one, since it is due in the steps after those of that rate (and in the first,
+// so that it leads the robot from the start). Nothing is sampled for it while no service is on.
 const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
-  const bool service_due = service_rate_.Due(step);
+  const bool service_due = step == 0 || service_rate_.Due(step - 1);
   input_.time = t;
   if (service_due && router_.service_on()) {
     if (sampled_ != step - 1) Sample(step - 1);

@@ -167,7 +167,7 @@ TEST_F(OwnerTest, ArmSdkMovesItsJointsOverTheService) {
 TEST_F(OwnerTest, ServiceCommandsAtItsOwnRate) {
   config_.robot.rates.service_hz = 100;
   Start();
-  Tick(1);
+  Tick(2);  // it commands in the first step, then in the one after each sample
   Ask("remote.press", {{"keys", "L2+Y"}, {"for", 0.05}});
   Tick(9);
   EXPECT_TRUE(port_.last().state.motors[0].enabled);

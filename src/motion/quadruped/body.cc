@@ -89,7 +89,7 @@ std::array<double, 4> QuadrupedBody::FootForces(const QuadrupedReading& reading,
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
     const Vector3d arm = reading.feet[leg] - reading.com;
     const auto column = static_cast<Eigen::Index>(leg);
-    a.col(column) << 1, arm.dot(ahead), arm.dot(side);
+    a.col(column) = Vector3d(1, arm.dot(ahead), arm.dot(side));
     wat.row(column) = load[leg] * a.col(column).transpose();
   }
   const Matrix3d awat = a * wat + 1e-9 * Matrix3d::Identity();

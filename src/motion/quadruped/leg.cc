@@ -25,7 +25,9 @@ double IntoRange(double angle, double low, double high) {
 Matrix3d Swung(const Matrix3d& R, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   Matrix3d swung;
-  swung << c * R.col(0) - s * R.col(2), R.col(1), s * R.col(0) + c * R.col(2);
+  swung.col(0) = c * R.col(0) - s * R.col(2);
+  swung.col(1) = R.col(1);
+  swung.col(2) = s * R.col(0) + c * R.col(2);
   return swung;
 }
 
@@ -41,7 +43,8 @@ QuadrupedLeg::QuadrupedLeg(const LegFigures& figures)
 
 LegPlaces QuadrupedLeg::Place(const Vector3d& q) const {
   LegPlaces places;
-  places.R_hip << 1, 0, 0, 0, std::cos(q[0]), -std::sin(q[0]), 0, std::sin(q[0]), std::cos(q[0]);
+  const double c = std::cos(q[0]), s = std::sin(q[0]);
+  places.R_hip << 1, 0, 0, 0, c, -s, 0, s, c;
   // Thigh and calf turn about the same axis, the hip's y.
   places.R_thigh = Swung(places.R_hip, q[1]);
   places.R_calf = Swung(places.R_hip, q[1] + q[2]);
@@ -55,8 +58,9 @@ LegPlaces QuadrupedLeg::Place(const Vector3d& q) const {
 Matrix3d CalfJacobian(const LegPlaces& places, const Vector3d& point) {
   const Vector3d swing = places.R_hip.col(1);  // the axis of thigh and calf
   Matrix3d jacobian;
-  jacobian << Vector3d::UnitX().cross(point - places.hip), swing.cross(point - places.thigh),
-      swing.cross(point - places.calf);
+  jacobian.col(0) = Vector3d::UnitX().cross(point - places.hip);
+  jacobian.col(1) = swing.cross(point - places.thigh);
+  jacobian.col(2) = swing.cross(point - places.calf);
   return jacobian;
 }
 

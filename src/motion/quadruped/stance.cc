@@ -27,6 +27,7 @@ constexpr double kKneeClear = 0.08;
 constexpr double kHeightStep = 0.05;  // of the leg's length, of the search for a feasible pose
 constexpr int kTilts = 20;            // from the wanted tilt down to none, likewise
 constexpr double kFollowRate = 8;     // rad/s, of the critically damped follower
+constexpr double kArrived = 1e-9;     // m, rad and per s: nearer, and it is there
 
 Vector3d Mean(const PerLeg& points) { return (points[0] + points[1] + points[2] + points[3]) / 4; }
 
@@ -145,6 +146,12 @@ void Stance::Lead(double dt) {
     return;
   }
   const auto follow = [dt](const Vector3d& to, Vector3d* x, Vector3d* v) {
+    // Without an end the rest would shrink for ever, into numbers with which a processor is slow.
+    if ((to - *x).norm() < kArrived && v->norm() < kArrived) {
+      *x = to;
+      v->setZero();
+      return;
+    }
     *v += dt * kFollowRate * (kFollowRate * (to - *x) - 2 * *v);
     *x += dt * *v;
   };
