@@ -16,6 +16,7 @@
 #include "mjcf/compile.h"
 #include "physics/world_model.h"
 #include "rehearse/scenario.h"
+#include "robot/fault_docs.h"
 #include "script/script.h"
 #include "server/request_docs.h"
 #include "services/robot_services.h"
@@ -234,6 +235,11 @@ int ServicesCommand() {
   return 0;
 }
 
+int FaultsCommand() {
+  std::fputs(robot::FaultsReference().c_str(), stdout);
+  return 0;
+}
+
 int VersionCommand(bool as_json) {
   if (as_json) {
     const json object = {{"understudy", kVersion}, {"mujoco", mjcf::MujocoVersion()}};
@@ -310,6 +316,11 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
       app->add_subcommand("services", "Print the apis of all services as Markdown");
   services->footer("Example: understudy services > docs/services.md");
   services->callback([=] { *chosen = ServicesCommand; });
+
+  CLI::App* faults =
+      app->add_subcommand("faults", "Print what can be wrong with a robot as Markdown");
+  faults->footer("Example: understudy faults > docs/faults.md");
+  faults->callback([=] { *chosen = FaultsCommand; });
 
   CLI::App* requests = app->add_subcommand(
       "requests", "Print the requests to a running robot as Markdown or for OpenAPI");

@@ -230,6 +230,8 @@ void DescribeThermal(Archive& a, robot::ThermalSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.rise_per_nm2_c),
         {"°C/(N·m)²", kNotNegative, "Steady rise of temperature per square of torque"});
   a.Key(UNDERSTUDY_NVP(t.time_constant), {"s", {1, 1e6}, "Time constant of the rise"});
+  a.Key(UNDERSTUDY_NVP(t.trip_c),
+        {"°C", {0, 300}, "Temperature of a winding at which its motor gives no torque"});
 }
 
 void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {

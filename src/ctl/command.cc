@@ -107,6 +107,17 @@ void CtlCommand::AddReading(CLI::App* ctl) {
       "Examples:\n"
       "  understudy ctl snapshot --parts com,feet\n"
       "  understudy ctl snapshot --parts imus --watch --hz 10 | jq .imus[0].gyroscope");
+  AddAction(ctl, "damage", "Show what the run would have done to the robot",
+            [this] { Show("/snapshot?parts=damage", DamageText); })
+      ->footer(
+          "Seconds at limits of torque, speed and temperature; rad/s at which a joint ran into its "
+          "end;\nrad of the largest jump of a command; J, A, m/s² of the whole robot since its "
+          "start.\nExamples:\n"
+          "  understudy ctl damage\n"
+          "  understudy ctl damage --json | jq .damage.falls");
+  AddAction(ctl, "faults", "Show what is wrong with the robot", [this] {
+    Show("/snapshot?parts=faults", FaultsText);
+  })->footer("Example: understudy ctl faults; `ctl fault --help` tells how to cause some");
   AddAction(ctl, "scene", "Print the geometry of the robot and its surroundings as JSON", [this] {
     Show("/scene", JsonLine);
   })->footer("Example: understudy ctl scene | jq .bodies[].name");

@@ -190,6 +190,13 @@ std::string FieldsText(const ordered_json& object) {
   return text;
 }
 
+std::string DamageText(const ordered_json& snapshot) { return FieldsText(snapshot.at("damage")); }
+
+std::string FaultsText(const ordered_json& snapshot) {
+  const ordered_json& faults = snapshot.at("faults");
+  return faults.empty() ? "nothing is wrong\n" : TableText(faults);
+}
+
 std::string EventText(const ordered_json& event) {
   std::array<char, 32> time{};
   std::snprintf(time.data(), time.size(), "%.3f s  ", event.at("time").get<double>());

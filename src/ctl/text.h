@@ -28,6 +28,10 @@ std::string StatusText(const nlohmann::ordered_json& status);
 // Formats any JSON object: lines of key and value, with lists of objects as tables below.
 std::string FieldsText(const nlohmann::ordered_json& object);
 
+// Format the parts `damage` and `faults` of a snapshot as tables.
+std::string DamageText(const nlohmann::ordered_json& snapshot);
+std::string FaultsText(const nlohmann::ordered_json& snapshot);
+
 // Format one event of the reply to GET /events, as "12.345 s paused at 12.345 s", and all of them.
 std::string EventText(const nlohmann::ordered_json& event);
 std::string EventsText(const nlohmann::ordered_json& reply);

@@ -9,7 +9,7 @@
 
 #include "authority/command_gate.h"
 #include "robot/command_topics.h"
-#include "robot/motor_fault.h"
+#include "robot/fault.h"
 #include "robot/refusal_text.h"
 #include "robot/remote_keys.h"
 #include "services/service_port.h"
@@ -47,8 +47,13 @@ robot::Refusal ReasonOf(const Event& event) {
   return static_cast<robot::Refusal>(event.numbers[0]);
 }
 
-std::string_view FaultOf(const Event& event) {
-  return robot::kMotorFaultNames[static_cast<std::size_t>(event.numbers[0])];
+const robot::FaultKind& FaultOf(const Event& event) {
+  return robot::FaultKinds()[static_cast<std::size_t>(event.numbers[0])];
+}
+
+std::string Amount(const robot::FaultKind& kind, double by) {
+  if (!kind.has_magnitude()) return "";
+  return Text(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
 }
 
 bool IsOfHand(const Event& event) {
@@ -163,11 +168,15 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "the clamp closes or opens"),
     Row(
-        EventKind::kFault, "fault", kInfo, false, {{{"fault", kFault}, {"motor", kText}}},
+        EventKind::kFault, "fault", kInfo, false,
+        {{{"fault", kFault}, {"on", kBool}, {"by", kNumber}, {"component", kText}}},
         [](const Event& e, std::uint64_t) {
-          return What(e) + (On(e) ? " is " + std::string(FaultOf(e)) : " has no fault");
+          const robot::FaultKind& kind = FaultOf(e);
+          const std::string name(kind.name);
+          return e.numbers[1] != 0 ? What(e) + " is " + name + Amount(kind, e.numbers[2])
+                                   : What(e) + " is no longer " + name;
         },
-        "a motor gets a fault or loses it"),
+        "something is wrong with a component of the robot, or no longer"),
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
@@ -297,7 +306,7 @@ json Value(const Event& event, EventFieldType type, std::size_t number) {
     case kGate:
       return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
     case kFault:
-      return FaultOf(event);
+      return FaultOf(event).name;
     case kKeys:
       return Keys(event.numbers[number]);
     case kNumber:

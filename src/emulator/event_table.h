@@ -33,7 +33,7 @@ enum class EventFieldType : std::uint8_t {
   kCallReason,  // a services::CallRefusal
   kCause,       // a whole number; events with different ones have different causes
   kGate,        // an authority::GateState
-  kFault,       // a place in robot::kMotorFaults
+  kFault,       // a place in robot::FaultKinds()
   kKeys,        // of the remote controller, as bits
   kWorst,       // a number; a burst has the largest
   kSum,         // a number; a burst has the sum

@@ -6,7 +6,7 @@
 #include "emulator/request.h"
 #include "emulator/world.h"
 #include "physics/world_reading.h"
-#include "robot/motor_fault.h"
+#include "robot/fault.h"
 #include "robot/start_pose.h"
 
 namespace understudy::emulator {
@@ -16,14 +16,6 @@ Error NoBody(const physics::World& world, std::string_view name) {
   const std::string nearest = NearestWord(name, physics::BodyNames(world));
   const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
   return {"the model has no body '" + std::string(name) + "'" + hint};
-}
-
-Error NoMotor(const robot::RobotSpec& spec, std::string_view joint) {
-  std::vector<std::string> joints;
-  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) joints.push_back(motor->joint);
-  const std::string nearest = NearestWord(joint, joints);
-  const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-  return {"no motor has the joint '" + std::string(joint) + "'" + hint};
 }
 
 // By its name in the world's model, or by the one that it has in the robot's own.
@@ -175,10 +167,15 @@ struct RequestActs {
     return {};
   }
 
-  static Answer SetFault(World&, Robot& robot, Request& request, double) {
-    const auto fault = static_cast<std::size_t>(request.number("fault"));
-    if (robot.SetFault(request.name(), fault)) return {};
-    return NoMotor(robot.spec(), request.name());
+  static Answer SetFault(World&, Robot& robot, Request& request, double t) {
+    const std::string_view kind =
+        robot::FaultNames()[static_cast<std::size_t>(request.number("fault"))];
+    const double by = request.number("by");
+    return robot.SetFault(request.name(), kind, request.has("by") ? &by : nullptr,
+                          {.lasts = request.number("for"),
+                           .ramp = request.number("ramp"),
+                           .probability = request.number("probability")},
+                          t);
   }
 
   static Answer PressKeys(World&, Robot& robot, Request& request, double t) {
@@ -253,6 +250,7 @@ const std::vector<RequestRow>& RequestRows() {
   constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
   constexpr double kMostSteps = 1e6;
   constexpr double kMostApi = 1e6;
+  constexpr double kMostFault = 1e3;  // in any unit; each kind has limits of its own
 
   const Field keys = Needed(Bare({.key = "keys", .kind = kKeys, .low = 1, .does = "Joined by +"}));
   const Field metres =
@@ -313,13 +311,24 @@ const std::vector<RequestRow>& RequestRows() {
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
-      Row("fault", "Something is wrong with a motor from now on, over resets too",
-          {Needed(Bare({.key = "motor", .kind = kName, .does = "Its joint"})),
+      Row("fault",
+          "Something is wrong with a component of the robot from now on, over resets too: "
+          "docs/faults.md",
+          {Needed(Bare({.key = "component",
+                        .kind = kName,
+                        .does = "A joint for its motor, JOINT.encoder, imu, foot.FR, battery, "
+                                "remote, a topic; with none also all"})),
            Needed(Bare({.key = "fault",
                         .kind = kWord,
-                        .does = "limp: no torque; stuck: its joint does not turn; none: well again",
-                        .words = robot::kMotorFaultNames}))},
-          Acts::SetFault, "fault FR_calf_joint limp"),
+                        .does = "What is wrong with it; none takes its faults away",
+                        .words = robot::FaultNames()})),
+           {"by", kNumber, "", -kMostFault, kMostFault,
+            "How much, in the unit of the fault; what is usual unless given"},
+           Or(0, seconds(0, kLongest, "Simulated time that it lasts; 0 is until taken away")),
+           Or(0, {"ramp", kNumber, "s", 0, kLongest, "In which it grows from nothing"}),
+           Or(1, {"probability", kNumber, "", 0, 1,
+                  "That it is there, drawn anew for each tenth of a second: a loose contact"})},
+          Acts::SetFault, "fault FR_calf_joint.encoder offset --by 0.1 --ramp 5"),
       Row("remote.press", "Keys go down together and up again",
           {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
           Acts::PressKeys, "remote press L2+B"),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "motion/make_motion.h"
@@ -29,6 +30,14 @@ std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
   return topics;
 }
 
+// All topics that can have faults: those of commands, then those of states.
+std::vector<std::string> Links(const std::vector<std::string>& commands,
+                               const wire::RobotPort& port) {
+  std::vector<std::string> links = commands;
+  std::ranges::copy(port.topics(), std::back_inserter(links));
+  return links;
+}
+
 }  // namespace
 
 Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
@@ -47,8 +56,11 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
               motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
       delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
              router_.command()),
+      faults_(spec_, Links(topics_, *port_), parts.settings.sensors.seed),
+      encoders_(faults_.effects().encoders.size(), parts.settings.sensors.seed),
       motors_(spec_),
       battery_(spec_.battery),
+      damage_(spec_, body_->ranges()),
       sensors_(parts.settings.sensors, spec_),
       crane_(parts.settings.crane),
       crane_body_(body_->Body(spec_.crane_body)),
@@ -56,7 +68,8 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       step_ns_(std::llround(physics_->timestep() * 1e9)),
       service_rate_(spec_.rates.service_hz, physics_->timestep()),
       command_(&router_.command()),
-      offered_(*command_) {
+      offered_(*command_),
+      braked_(faults_.effects().motors) {
   Reset(start_pose_);
   noted_ = {.gate = router_.gate().state(),
             .service = router_.owner().active(),
@@ -96,6 +109,7 @@ void Robot::NoteCall(const services::Call& call) {
 }
 
 void Robot::Hear(std::int64_t step, double t) {
+  StepFaults(t);
   TakeCommands(t);
   command_ = &delay_.Pass(Decide(step, t));
   NoteChanges(t);
@@ -105,9 +119,11 @@ void Robot::Rest() { port_->Rest(); }
 
 void Robot::Act() {
   const double dt = physics_->timestep();
-  motors_.Step(*command_, body_->q(), body_->dq(), dt);
+  const robot::Effects& faults = faults_.effects();
+  encoders_.Step(body_->q(), body_->dq(), faults.encoders);
+  motors_.Step(*command_, encoders_.q(), encoders_.dq(), dt, faults.motors);
   body_->Drive(motors_.torque());
-  battery_.Step(motors_.torque(), body_->dq(), dt);
+  battery_.Step(motors_.torque(), body_->dq(), dt, faults.battery);
   if (crane_.attached()) {
     const physics::Crane::Hooks at = hooks();
     const physics::Crane::Pulls pulls = crane_.Step(at, dt);
@@ -118,18 +134,28 @@ void Robot::Act() {
 }
 
 void Robot::Tell(std::int64_t step) {
+  damage_.Step({.command = *command_,
+                .q = body_->q(),
+                .dq = body_->dq(),
+                .torque = motors_.torque(),
+                .winding_c = motors_.winding_c(),
+                .battery = battery_.reading(),
+                .f_WI_I = body_->Imu().f_WI_I,
+                .tilt = body_->tilt()},
+               physics_->timestep());
   if (services_ != nullptr && !silenced_) {
     services_->Tell(router_.owner(), static_cast<double>(step * step_ns_) * 1e-9);
   }
   if (!port_->Due(step)) return;
   Sample(step);
-  if (!silenced_) port_->Publish(state_, step);
+  const std::span<const robot::LinkEffects> links = faults_.effects().links;
+  if (!silenced_) port_->Publish(state_, step, links.subspan(topics_.size()));
   NoteNews(port_->TakeNews());
 }
 
 void Robot::TakeCommands(double t) {
   NoteChanges(t);
-  router_.Obey(remote_.Read(t), t);
+  router_.Obey(ReadRemote(t), t);
   // One of each topic in turn, so that none keeps the others waiting.
   int left = authority::Intake::kMostInATick;
   for (int i = 0; i < authority::Intake::kMostAtOnce; ++i) {
@@ -151,8 +177,12 @@ void Robot::TakeCommands(double t) {
 bool Robot::TakeCommand(std::size_t topic, double t) {
   robot::Refusal form = robot::Refusal::kNone;
   if (!port_->Take(topic, &offered_, &form)) return false;
-  const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
-  NoteCommand(topic, form, refusal, router_.counts(topic));
+  const robot::LinkEffects& link = faults_.effects().links[topic];
+  if (link.drops) return true;
+  for (int times = link.doubles ? 2 : 1; times > 0; --times) {
+    const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
+    NoteCommand(topic, form, refusal, router_.counts(topic));
+  }
   NoteChanges(t);
   return true;
 }
@@ -185,14 +215,45 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
                          static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);
 }
 
-bool Robot::SetFault(std::string_view joint, std::size_t fault) {
-  const auto motor = motors_.Find(joint);
-  if (!motor) return false;
-  if (motors_.faults()[*motor] == fault) return true;
-  motors_.SetFault(*motor, fault);
-  body_->Jam(*motor, robot::kMotorFaults[fault].jams);
-  Note(EventKind::kFault, {static_cast<double>(fault)}, joint);
-  return true;
+Result<> Robot::SetFault(std::string_view component, std::string_view kind, const double* by,
+                         const robot::FaultTimes& times, double t) {
+  if (kind != robot::kNoFault) {
+    const auto begun = faults_.Begin(component, kind, by, times, t);
+    if (!begun) return begun.error();
+    NoteFault(*begun, true);
+    return {};
+  }
+  const auto cleared = faults_.Clear(component);
+  if (!cleared) return cleared.error();
+  for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
+  BrakeJoints();
+  return {};
+}
+
+void Robot::NoteFault(const robot::Fault& fault, bool on) {
+  Note(EventKind::kFault,
+       {static_cast<double>(fault.kind - robot::FaultKinds().data()), on ? 1.0 : 0.0, fault.by},
+       faults_.components()[fault.component]);
+}
+
+void Robot::StepFaults(double t) {
+  if (!faults_.any()) return;
+  faults_.Step(t);
+  for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
+  BrakeJoints();
+}
+
+void Robot::BrakeJoints() {
+  for (std::size_t i = 0; i < braked_.size(); ++i) {
+    const robot::MotorEffects& now = faults_.effects().motors[i];
+    if (now.jammed == braked_[i].jammed && now.drag == braked_[i].drag) continue;
+    braked_[i] = now;
+    body_->Brake(i, now.drag, now.jammed);
+  }
+}
+
+robot::RemoteReading Robot::ReadRemote(double t) {
+  return faults_.effects().remote_off ? robot::RemoteReading{} : remote_.Read(t);
 }
 
 void Robot::Silence(bool on) {
@@ -246,7 +307,7 @@ void Robot::NoteChanges(double t) {
     noted_.motion = motion;
     Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)});
   }
-  note(EventKind::kRemote, &noted_.keys, remote_.Read(t).keys);
+  note(EventKind::kRemote, &noted_.keys, ReadRemote(t).keys);
   note(EventKind::kCrane, &noted_.on_crane, crane_.attached());
   note(EventKind::kClamp, &noted_.clamped, body_->clamped());
 }
@@ -295,6 +356,8 @@ void Robot::Reset(robot::StartPose pose) {
   crane_.Release();
   if (begin.on_crane) AttachCrane();
   body_->Clamp(begin.clamped);
+  encoders_.Step(body_->q(), body_->dq(), faults_.effects().encoders);
+  damage_.Restart();
   sampled_ = kNever;
 }
 
@@ -308,8 +371,9 @@ physics::Crane::Hooks Robot::hooks() const {
 
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
-  sensors_.Sample(*body_, motors_, *command_, battery_, step * step_ns_ / 1'000'000, &state_);
-  state_.remote = remote_.Read(static_cast<double>(step * step_ns_) * 1e-9);
+  sensors_.Sample({*body_, encoders_, motors_, *command_, battery_, faults_.effects()},
+                  step * step_ns_ / 1'000'000, &state_);
+  state_.remote = ReadRemote(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();
 }
 

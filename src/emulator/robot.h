@@ -11,6 +11,7 @@
 
 #include "authority/command_delay.h"
 #include "authority/command_router.h"
+#include "base/result.h"
 #include "emulator/events.h"
 #include "emulator/remote.h"
 #include "emulator/settings.h"
@@ -18,6 +19,9 @@
 #include "physics/crane.h"
 #include "physics/world.h"
 #include "robot/battery.h"
+#include "robot/damage.h"
+#include "robot/encoders.h"
+#include "robot/fault_bank.h"
 #include "robot/motor.h"
 #include "robot/rate.h"
 #include "sensors/sensors.h"
@@ -78,9 +82,10 @@ class Robot {
 
   Remote& remote() { return remote_; }
 
-  // Gives the motor of a joint, of the body or of a hand, a fault by its place in kMotorFaults, 0
-  // to take it away. Resets keep it. False if there is no such motor. Allocates nothing.
-  bool SetFault(std::string_view joint, std::size_t fault);
+  // Begins a fault of a component at t, as FaultBank::Begin does, or with the kind "none" takes all
+  // of its faults away. Resets keep them. Allocates only to refuse.
+  Result<> SetFault(std::string_view component, std::string_view kind, const double* by,
+                    const robot::FaultTimes& times, double t);
 
   // Stops or resumes publishing; the robot keeps moving.
   void Silence(bool on);
@@ -104,6 +109,8 @@ class Robot {
     return state_;
   }  // the last sample; empty before the first
   const std::vector<std::string>& topics() const { return topics_; }
+  const robot::FaultBank& faults() const { return faults_; }
+  const robot::Damage& damage() const { return damage_.damage(); }
 
   // Fills in this robot's part of the status at time t.
   void Report(double t, Status* status) const;
@@ -134,6 +141,10 @@ class Robot {
     return starts_[static_cast<std::size_t>(pose)];
   }
   physics::Crane::Hooks hooks() const;
+  void StepFaults(double t);
+  void BrakeJoints();
+  void NoteFault(const robot::Fault& fault, bool on);
+  robot::RemoteReading ReadRemote(double t);
   void TakeCommands(double t);
   bool TakeCommand(std::size_t topic, double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
@@ -158,8 +169,11 @@ class Robot {
   services::ServicePort* services_;
   authority::CommandRouter router_;
   authority::CommandDelay delay_;
+  robot::FaultBank faults_;
+  robot::Encoders encoders_;
   robot::MotorBank motors_;
   robot::Battery battery_;
+  robot::DamageSheet damage_;
   sensors::Sensors sensors_;
   physics::Crane crane_;
   Remote remote_;
@@ -172,7 +186,8 @@ class Robot {
   robot::RobotCommand offered_;
   authority::MotionInput input_;
   robot::RobotState state_;
-  std::int64_t sampled_ = kNever;  // the step of state_
+  std::vector<robot::MotorEffects> braked_;  // as the joints are braked now
+  std::int64_t sampled_ = kNever;            // the step of state_
   bool silenced_ = false;
   Noted noted_;
 };

@@ -10,6 +10,8 @@
 
 #include "physics/world_reading.h"
 #include "robot/command_topics.h"
+#include "robot/damage.h"
+#include "robot/fault.h"
 #include "robot/robot_values.h"
 
 namespace understudy::emulator {
@@ -29,6 +31,8 @@ enum SnapshotPart : std::uint32_t {
   kPartRemote = 1U << 10,
   kPartWirelessRemote = 1U << 11,
   kPartCommand = 1U << 12,
+  kPartFaults = 1U << 13,
+  kPartDamage = 1U << 14,
 };
 using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
@@ -42,9 +46,9 @@ inline constexpr SnapshotPartName kSnapshotParts[] = {
     {"com", kPartCom},         {"crane", kPartCrane},   {"pushes", kPartPushes},
     {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
-    {"command", kPartCommand},
+    {"command", kPartCommand}, {"faults", kPartFaults}, {"damage", kPartDamage},
 };
-inline constexpr SnapshotParts kAllSnapshotParts = (kPartCommand << 1) - 1;
+inline constexpr SnapshotParts kAllSnapshotParts = (kPartDamage << 1) - 1;
 
 struct SnapshotCrane {
   bool attached = false;
@@ -59,6 +63,19 @@ struct SnapshotPush {
   std::array<double, 3> force{};  // N, world
 };
 
+struct SnapshotFault {
+  std::size_t component = 0;  // by Snapshot::components
+  const robot::FaultKind* kind = nullptr;
+  double by = 0;    // of the kind's unit
+  double from = 0;  // s, simulated time
+};
+
+// What a motor's damage is measured by.
+struct SnapshotLimits {
+  double torque = 0;  // N·m
+  double speed = 0;   // rad/s; 0 = not known
+};
+
 // *Assumed*, a robot on its side among stones has about 60.
 inline constexpr std::size_t kMostSnapshotContacts = 256;
 inline constexpr std::size_t kMostSnapshotPushes = 24;
@@ -71,6 +88,9 @@ struct Snapshot {
   std::vector<std::string> body_names;      // by MuJoCo's id
   std::vector<std::string> motor_names;     // in motor order
   std::vector<std::string> command_topics;  // by number; "" where there is none
+  std::vector<std::string> components;      // that can have faults
+  std::vector<SnapshotLimits> limits;       // in motor order
+  double trip_c = 0;                        // °C
   std::int64_t step = 0;
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible
@@ -90,6 +110,8 @@ struct Snapshot {
   robot::RemoteReading remote;
   std::array<std::uint8_t, 40> wireless_remote{};
   std::vector<robot::MotorCommand> command;  // followed by the motors
+  std::vector<SnapshotFault> faults;         // that there are now
+  robot::Damage damage;                      // since the start
 };
 
 }  // namespace understudy::emulator

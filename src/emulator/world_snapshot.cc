@@ -34,6 +34,13 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.imu_count = spec.imu.secondary_site.empty() ? 1 : 2;
   snapshot.feet.resize(spec.feet.size());
   snapshot.command.resize(snapshot.motor_names.size());
+  snapshot.components = robots_[robot].faults().components();
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    snapshot.limits.push_back({.torque = motor->torque_limit, .speed = motor->no_load_speed});
+  }
+  snapshot.trip_c = spec.thermal.trip_c;
+  snapshot.faults.reserve(robot::FaultBank::kMost);
+  snapshot.damage.motors.resize(snapshot.motor_names.size());
   return snapshot;
 }
 
@@ -77,6 +84,13 @@ void World::Show(Snapshot* snapshot) const {
               snapshot->feet.begin());
   snapshot->remote = state.remote;
   if (Has(*snapshot, kPartCommand)) snapshot->command = robot.command().motors;
+  if (Has(*snapshot, kPartFaults)) {
+    snapshot->faults.clear();
+    for (const robot::Fault& fault : robot.faults().faults()) {
+      snapshot->faults.push_back({fault.component, fault.kind, fault.by, fault.from});
+    }
+  }
+  if (Has(*snapshot, kPartDamage)) snapshot->damage = robot.damage();
 }
 
 }  // namespace understudy::emulator

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <mujoco/mujoco.h>
 
@@ -127,11 +128,23 @@ void RobotBody::Clamp(bool on) {
 
 bool RobotBody::clamped() const { return has_fixed_base() || Active(model_, data_)[clamp_] != 0; }
 
-void RobotBody::Jam(std::size_t motor, bool on) {
+void RobotBody::Brake(std::size_t motor, double drag, bool jammed) {
   const int dof = dq_address_[motor];
-  const JointFriction& friction = on ? kJammed : friction_[motor];
-  model_->dof_frictionloss[dof] = friction.torque;
+  const JointFriction& friction = jammed ? kJammed : friction_[motor];
+  model_->dof_frictionloss[dof] = friction.torque + drag;
   std::ranges::copy(friction.impedance, model_->dof_solimp + mjNIMP * dof);
+}
+
+std::vector<std::array<double, 2>> RobotBody::ranges() const {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  std::vector<std::array<double, 2>> ranges;
+  for (const int dof : dq_address_) {
+    const int joint = model_->dof_jntid[dof];
+    const mjtNum* range = model_->jnt_range + 2 * joint;
+    const bool limited = model_->jnt_limited[joint] != 0;
+    ranges.push_back(limited ? std::array{range[0], range[1]} : std::array{-kNone, kNone});
+  }
+  return ranges;
 }
 
 int RobotBody::FindBody(const std::string& name) const {

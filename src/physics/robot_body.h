@@ -45,8 +45,9 @@ class RobotBody {
   void Clamp(bool on);
   bool clamped() const;
 
-  // Keeps the joint of a motor, by its place in motor order, from turning, or lets it turn again.
-  void Jam(std::size_t motor, bool on);
+  // Gives the joint of a motor, by its place in motor order, `drag` [N·m] of friction more than it
+  // has, or keeps it from turning. Both last until the next call.
+  void Brake(std::size_t motor, double drag, bool jammed);
 
   // Returns the world's index of a body of this robot. Throws ModelError if there is none.
   int Body(const std::string& name) const;
@@ -65,6 +66,8 @@ class RobotBody {
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
   double weight() const;  // N
+  // Returns the ranges of the joints [rad], in motor order; infinite where there is none.
+  std::vector<std::array<double, 2>> ranges() const;
 
   // The world's model, and the robot's description with the names in that model.
   const mjModel& model() const { return *model_; }

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "robot/fault.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -24,12 +25,13 @@ class Battery {
 
   // Updates voltage and current for joint torques tau [N·m] and rates dq [rad/s] in motor order,
   // and integrates the charge over dt [s].
-  void Step(std::span<const double> tau, std::span<const double> dq, double dt);
+  void Step(std::span<const double> tau, std::span<const double> dq, double dt,
+            const BatteryEffects& fault = {});
 
   const BatteryReading& reading() const { return reading_; }
 
  private:
-  void Load(double power);  // W, of the motors
+  void Load(double power, double internal_ohm);  // W, of the motors
 
   BatterySpec spec_;
   BatteryReading reading_;

@@ -26,6 +26,8 @@ double AvailableTorque(const MotorSpec& spec, double tau, double dq) {
 
 namespace {
 
+constexpr double kCooled = 10;  // °C below trip_c at which a motor works again; *assumed*
+
 std::vector<double> KdShares(const RobotSpec& spec) {
   std::vector<double> shares(AllMotors(spec).size(), 1.0);
   if (spec.dynamics.use != DynamicsSource::kFitted) return shares;
@@ -52,20 +54,16 @@ MotorBank::MotorBank(const RobotSpec& spec)
     : thermal_(spec.thermal),
       motors_(AllMotors(spec)),
       kd_share_(KdShares(spec)),
-      faults_(motors_.size(), 0),
+      tripped_(motors_.size()),
       torque_(motors_.size()),
-      winding_c_(motors_.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c) {
+      work_c_(motors_.size(), spec.thermal.ambient_c + spec.thermal.rest_rise_c),
+      winding_c_(work_c_) {
   for (const ParallelSpec& pair : spec.parallel) parallel_.emplace_back(pair);
 }
 
-std::optional<std::size_t> MotorBank::Find(std::string_view joint) const {
-  const auto motor = std::ranges::find(motors_, joint, &MotorSpec::joint);
-  if (motor == motors_.end()) return std::nullopt;
-  return static_cast<std::size_t>(motor - motors_.begin());
-}
-
 std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<const double> q,
-                                        std::span<const double> dq, double dt) {
+                                        std::span<const double> dq, double dt,
+                                        std::span<const MotorEffects> faults) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
     MotorCommand motor = Scaled(command.motors[i], *motors_[i]);
     motor.kd *= kd_share_[i];
@@ -86,12 +84,15 @@ std::span<const double> MotorBank::Step(const RobotCommand& command, std::span<c
   }
   for (std::size_t i = 0; i < torque_.size(); ++i) {
     const MotorSpec& motor = *motors_[i];
-    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]) *
-                 kMotorFaults[faults_[i]].torque_share;
+    const MotorEffects fault = faults.empty() ? MotorEffects{} : faults[i];
+    torque_[i] = motor.strength * AvailableTorque(motor, torque_[i], dq[i]) * fault.torque_share;
+    if (tripped_[i]) torque_[i] = 0;
     const double rise = motor.rise_per_nm2_c > 0 ? motor.rise_per_nm2_c : thermal_.rise_per_nm2_c;
     const double steady =
         thermal_.ambient_c + thermal_.rest_rise_c + rise * torque_[i] * torque_[i];
-    winding_c_[i] += (steady - winding_c_[i]) * dt / thermal_.time_constant;
+    work_c_[i] += (steady - work_c_[i]) * dt / thermal_.time_constant;
+    winding_c_[i] = work_c_[i] + fault.heat_c;
+    tripped_[i] = winding_c_[i] >= thermal_.trip_c - (tripped_[i] ? kCooled : 0);
   }
   return torque_;
 }

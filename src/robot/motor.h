@@ -2,12 +2,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <span>
-#include <string_view>
 #include <vector>
 
-#include "robot/motor_fault.h"
+#include "robot/fault.h"
 #include "robot/parallel_joint.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
@@ -42,30 +40,29 @@ class MotorBank {
   // multiplied by the fitted kd_share (spec.dynamics). Gains and torque are scaled by the factors
   // of MotorSpec; in JointSpace::kMotors `strength` applies to pitch and roll. A motor that is not
   // enabled brakes with its lock_kd. A fault takes its share of the torque, in kMotors of pitch's
-  // and roll's.
+  // and roll's; no `faults` are none. A motor whose winding reaches ThermalSpec::trip_c gives no
+  // torque until it has cooled by 10 °C (*assumed*).
   std::span<const double> Step(const RobotCommand& command, std::span<const double> q,
-                               std::span<const double> dq, double dt);
-
-  // Returns the place in motor order of the motor of that joint.
-  std::optional<std::size_t> Find(std::string_view joint) const;
-  // Gives that motor a fault by its place in kMotorFaults; 0 is none.
-  void SetFault(std::size_t motor, std::size_t fault) { faults_[motor] = fault; }
-  std::span<const std::size_t> faults() const { return faults_; }
+                               std::span<const double> dq, double dt,
+                               std::span<const MotorEffects> faults = {});
 
   // Returns the torques of the last Step, zeros before.
   std::span<const double> torque() const { return torque_; }
   // Returns the winding temperatures, °C: first-order, driven by the square of torque (*assumed*,
   // docs/fidelity.md).
   std::span<const double> winding_c() const { return winding_c_; }
+  // Whether a motor is too hot to give torque.
+  bool tripped(std::size_t motor) const { return tripped_[motor]; }
 
  private:
   const ThermalSpec& thermal_;
   std::vector<const MotorSpec*> motors_;
   std::vector<ParallelJoint> parallel_;
   std::vector<double> kd_share_;  // motor order
-  std::vector<std::size_t> faults_;
+  std::vector<bool> tripped_;
   std::vector<double> torque_;
-  std::vector<double> winding_c_;
+  std::vector<double> work_c_;     // °C, of the winding by what the motor did
+  std::vector<double> winding_c_;  // with what faults add
 };
 
 }  // namespace understudy::robot

@@ -199,6 +199,7 @@ struct ThermalSpec {
   double rest_rise_c = 0;      // of an idle motor above ambient
   double rise_per_nm2_c = 0;   // steady rise per (N·m)² of that motor
   double time_constant = 600;  // s
+  double trip_c = 120;         // of a winding at which its motor gives no torque
 };
 
 // The states of a humanoid's motion service, by the vendor's ids; -1 or empty if the robot has no

@@ -48,12 +48,16 @@ struct RobotCommand {
 // The reading of one motor. Joint side, signs as in MotorCommand.
 struct MotorReading {
   bool enabled = false;
-  bool timed_out = false;  // of a hand: has locked because commands stopped
-  double q = 0;            // rad
-  double dq = 0;           // rad/s
-  double tau = 0;          // N·m, of the motor, before joint friction
-  double casing_c = 0;     // degrees Celsius
-  double winding_c = 0;    // degrees Celsius
+  bool timed_out = false;      // of a hand: has locked because commands stopped
+  double q = 0;                // rad
+  double dq = 0;               // rad/s
+  double tau = 0;              // N·m, of the motor, before joint friction
+  double casing_c = 0;         // degrees Celsius
+  double winding_c = 0;        // degrees Celsius
+  std::uint32_t lost = 0;      // samples in which the motor did not answer
+  bool silent = false;         // it does not answer now: all but these three is as it was
+  bool overheated = false;     // its winding is too hot, and it gives no torque
+  bool encoder_error = false;  // its encoder is known to read nonsense
 };
 
 // The reading of an IMU, I, in the world, W. `f` is the specific force: at rest +g along the upward

@@ -28,6 +28,14 @@ struct ExactList {
   const std::vector<double>& numbers;
 };
 
+std::vector<std::string_view> ErrorsOf(const robot::MotorReading& motor) {
+  std::vector<std::string_view> errors;
+  if (motor.overheated) errors.emplace_back("overheated");
+  if (motor.encoder_error) errors.emplace_back("encoder");
+  if (motor.silent) errors.emplace_back("silent");
+  return errors;
+}
+
 // Writes straight into text, since snapshots go out many times a second.
 class Writer {
  public:
@@ -50,6 +58,8 @@ class Writer {
     PutPart(emulator::kPartRemote, snapshot_.remote);
     PutPart(emulator::kPartWirelessRemote, snapshot_.wireless_remote);
     PutPart(emulator::kPartCommand, snapshot_.command);
+    PutPart(emulator::kPartFaults, snapshot_.faults);
+    PutPart(emulator::kPartDamage, snapshot_.damage);
     Close('}');
     return std::move(text_);
   }
@@ -118,11 +128,10 @@ class Writer {
     PutObject("body", snapshot_.body_names[static_cast<std::size_t>(push.body)], "at", push.at,
               "force", push.force);
   }
-  // How the vendor's messages tell faults is not known, so there are no errors.
   void Put(const robot::MotorReading& motor) {
     PutObject("q", motor.q, "dq", motor.dq, "tau", motor.tau, "casing", motor.casing_c, "winding",
-              motor.winding_c, "mode", motor.enabled ? 1 : 0, "errors", 0, "enabled",
-              motor.enabled);
+              motor.winding_c, "mode", motor.enabled ? 1 : 0, "errors", ErrorsOf(motor), "enabled",
+              motor.enabled, "lost", motor.lost);
   }
   void Put(const robot::ImuReading& imu) {
     PutObject("quaternion", imu.R_WI, "gyroscope", imu.w_WI_I, "accelerometer", imu.f_WI_I,
@@ -139,6 +148,25 @@ class Writer {
   void Put(const robot::MotorCommand& command) {
     PutObject("q", command.q, "dq", command.dq, "kp", command.kp, "kd", command.kd, "tau",
               command.tau, "enabled", command.enabled);
+  }
+
+  void Put(std::string_view text) { text_ += JsonText(text); }
+  void Put(const emulator::SnapshotFault& fault) {
+    PutObject("component", snapshot_.components[fault.component], "fault", fault.kind->name, "by",
+              fault.by, "unit", fault.kind->unit, "from", Exact{fault.from});
+  }
+  void Put(const robot::Damage& damage) {
+    PutObject("time", Exact{damage.time}, "energy", damage.energy, "peak_current",
+              damage.peak_current, "shock", damage.shock, "worst_tilt", damage.worst_tilt, "falls",
+              damage.falls, "trip", snapshot_.trip_c, "motors", damage.motors);
+  }
+  void Put(const robot::MotorDamage& motor) {
+    const auto i = static_cast<std::size_t>(&motor - snapshot_.damage.motors.data());
+    PutObject("joint", snapshot_.motor_names[i], "at_torque_limit", motor.at_torque_limit,
+              "torque_limit", snapshot_.limits[i].torque, "at_speed_limit", motor.at_speed_limit,
+              "speed_limit", snapshot_.limits[i].speed, "tripped", motor.tripped, "hottest",
+              motor.hottest_c, "hardest_stop", motor.hardest_stop, "largest_jump",
+              motor.largest_jump);
   }
 
   template <class Value>

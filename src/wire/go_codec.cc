@@ -8,6 +8,7 @@
 
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
+#include "wire/motor_errors.h"
 #include "wire/remote_codec.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
@@ -33,7 +34,8 @@ constexpr std::uint16_t kBmsCycles = 17;
 constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
 constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
 constexpr std::uint8_t kNoRemote = 0x20;
-constexpr float kReel = 4 * 3.3F / 2048;  // A; 4 counts of the converter
+constexpr std::uint8_t kMotorSilent = 0x80;  // vendor, Go2 fault services
+constexpr float kReel = 4 * 3.3F / 2048;     // A; 4 counts of the converter
 constexpr std::uint8_t kBoard_c[] = {45, 41};
 constexpr double kBoardDrop = 1.28;   // V from pack to board; seen 1.13 and 1.42
 constexpr double kBoardShare = 0.69;  // of the pack's current that the board sees
@@ -92,7 +94,9 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
     wire.tau_est = static_cast<float>(motor.tau);
     // One temperature for casing and winding: the hotter one is *assumed*.
     wire.temperature = Rounded<std::uint8_t>(std::max(motor.casing_c, motor.winding_c), 0, 127);
-    wire.reserve[1] = kMotorRate;
+    wire.lost = motor.lost;
+    wire.reserve[0] = ErrorsOf(motor, kGoMotorErrors);
+    wire.reserve[1] = motor.silent ? 0 : kMotorRate;
   }
   EncodeBattery(state.battery, spec.battery, &message->bms_state);
 
@@ -104,7 +108,11 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
   message->tick = static_cast<std::uint32_t>(state.tick_ms);
   const auto remote = EncodeRemote(state.remote);
   std::ranges::copy(remote, message->wireless_remote);
-  message->bit_flag = state.remote.there ? kNotCharging : kNotCharging | kNoRemote;
+  message->bit_flag = kNotCharging;
+  if (!state.remote.there) message->bit_flag |= kNoRemote;
+  if (std::ranges::any_of(state.motors, &robot::MotorReading::silent)) {
+    message->bit_flag |= kMotorSilent;
+  }
   message->adc_reel = kReel;
   message->temperature_ntc1 = kBoard_c[0];
   message->temperature_ntc2 = kBoard_c[1];

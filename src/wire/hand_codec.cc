@@ -5,6 +5,7 @@
 #include <iterator>
 #include <span>
 
+#include "wire/motor_errors.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
 
@@ -71,6 +72,7 @@ void HandStateMessage::Encode(std::span<const robot::MotorReading> reading) {
     wire.tau_est = static_cast<float>(motor.tau);
     wire.temperature[0] = Rounded<std::int16_t>(motor.casing_c);
     wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
+    wire.motorstate = ErrorsOf(motor, kHgMotorErrors);
   }
 }
 

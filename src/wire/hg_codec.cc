@@ -9,6 +9,7 @@
 #include "robot/parallel_joint.h"
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
+#include "wire/motor_errors.h"
 #include "wire/remote_codec.h"
 #include "wire/rounded.h"
 #include "wire/slots.h"
@@ -86,6 +87,7 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
     wire.temperature[0] = Rounded<std::int16_t>(motor.casing_c);
     wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
     wire.vol = vol;
+    wire.motorstate = ErrorsOf(motor, kHgMotorErrors);
   }
   if (state.joint_space == robot::JointSpace::kMotors) {
     for (const robot::ParallelSpec& pair : spec.parallel) {

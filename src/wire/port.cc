@@ -1,6 +1,7 @@
 #include "wire/port.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "wire/motion_codec.h"
@@ -43,12 +44,25 @@ bool Port::Due(std::int64_t step) const {
   return std::ranges::any_of(publications_, [step](const auto& p) { return p->Due(step); });
 }
 
-void Port::Publish(const robot::RobotState& state, std::int64_t step) {
+void Port::Publish(const robot::RobotState& state, std::int64_t step,
+                   std::span<const robot::LinkEffects> links) {
   std::uint64_t failures = 0;
-  for (const auto& publication : publications_) failures += publication->Publish(state, step);
+  for (const auto& publication : publications_) {
+    const std::size_t count = links.empty() ? 0 : publication->topics().size();
+    failures += publication->Publish(state, step, links.first(count));
+    links = links.subspan(count);
+  }
   counts_.write_failures += failures;
   news_.write_failures += failures;
   if (lowstate_.Due(step)) ++counts_.lowstates;
+}
+
+std::vector<std::string> Port::topics() const {
+  std::vector<std::string> topics;
+  for (const auto& publication : publications_) {
+    std::ranges::copy(publication->topics(), std::back_inserter(topics));
+  }
+  return topics;
 }
 
 int Port::command_writers() const { return sources_[robot::kLowCmdTopic]->writers(); }

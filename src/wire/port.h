@@ -35,7 +35,9 @@ class Port final : public RobotPort {
   std::uint64_t TakeLost(std::size_t topic) override;
   void Rest() override;
   bool Due(std::int64_t step) const override;
-  void Publish(const robot::RobotState& state, std::int64_t step) override;
+  void Publish(const robot::RobotState& state, std::int64_t step,
+               std::span<const robot::LinkEffects> links) override;
+  std::vector<std::string> topics() const override;
   int command_writers() const override;
   robot::PortCounts counts() const override { return counts_; }
   robot::PortNews TakeNews() override;

@@ -4,11 +4,14 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "bus/participant.h"
 #include "bus/writer.h"
+#include "robot/fault.h"
 #include "robot/rate.h"
 #include "robot/robot_values.h"
 
@@ -22,8 +25,10 @@ class Publication {
   virtual bool Due(std::int64_t step) const = 0;
   // Sends the message on the topics that are due in that step and have readers. Never blocks or
   // throws, and does not allocate after the first few calls. Returns how many messages Cyclone has
-  // refused.
-  virtual std::uint64_t Publish(const robot::RobotState& state, std::int64_t step) = 0;
+  // refused. `links` has the faults of its topics, in their order; none: empty.
+  virtual std::uint64_t Publish(const robot::RobotState& state, std::int64_t step,
+                                std::span<const robot::LinkEffects> links) = 0;
+  virtual const std::vector<std::string>& topics() const = 0;
 };
 
 // A topic and its rate [1/s of simulated time].
@@ -48,6 +53,7 @@ class MessagePublication final : public Publication {
       : encode_(std::move(encode)) {
     for (const TopicRow<Msg>& row : rows) {
       outlets_.push_back({bus::Writer(participant, row.topic), robot::Rate(row.hz, timestep)});
+      topics_.emplace_back(row.topic.name);
     }
   }
 
@@ -55,17 +61,24 @@ class MessagePublication final : public Publication {
     return std::ranges::any_of(outlets_, [step](const Outlet& o) { return o.rate.Due(step); });
   }
 
-  std::uint64_t Publish(const robot::RobotState& state, std::int64_t step) override {
+  std::uint64_t Publish(const robot::RobotState& state, std::int64_t step,
+                        std::span<const robot::LinkEffects> links) override {
     bool made = false;
     std::uint64_t failures = 0;
-    for (Outlet& outlet : outlets_) {
-      if (!outlet.rate.Due(step) || !outlet.writer.has_readers()) continue;
+    for (std::size_t i = 0; i < outlets_.size(); ++i) {
+      Outlet& outlet = outlets_[i];
+      const robot::LinkEffects link = links.empty() ? robot::LinkEffects{} : links[i];
+      if (!outlet.rate.Due(step) || !outlet.writer.has_readers() || link.drops) continue;
       if (!made && !encode_(state, &message_)) break;
       made = true;
-      if (!outlet.writer.Write(message_)) ++failures;
+      for (int times = link.doubles ? 2 : 1; times > 0; --times) {
+        if (!outlet.writer.Write(message_)) ++failures;
+      }
     }
     return failures;
   }
+
+  const std::vector<std::string>& topics() const override { return topics_; }
 
  private:
   struct Outlet {
@@ -74,6 +87,7 @@ class MessagePublication final : public Publication {
   };
 
   std::vector<Outlet> outlets_;
+  std::vector<std::string> topics_;  // of outlets_
   Encode encode_;
   Msg message_{};
 };

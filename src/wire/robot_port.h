@@ -3,7 +3,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
 
+#include "robot/fault.h"
 #include "robot/port_counts.h"
 #include "robot/refusal.h"
 #include "robot/robot_values.h"
@@ -33,7 +37,11 @@ class RobotPort {
   virtual bool Due(std::int64_t step) const = 0;
   // Sends the messages that are due in that step. `joint_space` of the state is the space in which
   // parallel pairs are reported.
-  virtual void Publish(const robot::RobotState& state, std::int64_t step) = 0;
+  // `links` has the faults of its topics(), in their order; none: empty.
+  virtual void Publish(const robot::RobotState& state, std::int64_t step,
+                       std::span<const robot::LinkEffects> links) = 0;
+  // Returns the topics of states.
+  virtual std::vector<std::string> topics() const = 0;
 
   // Returns how many writers of rt/lowcmd are matched now.
   virtual int command_writers() const = 0;

@@ -242,25 +242,25 @@ TEST_F(RequestsTest, TakeTheTorqueOfALimpMotorAndGiveItBack) {
   StartAs("clamped");
   port_.SendEveryTick(Torque(1));
   Tick();
-  EXPECT_EQ(Answered("fault", {{"motor", "FL_joint"}, {"fault", "limp"}}), "");
+  EXPECT_EQ(Answered("fault", {{"component", "FL_joint"}, {"fault", "limp"}}), "");
   EXPECT_EQ(robot().torque()[1], 0);
   EXPECT_EQ(robot().torque()[0], 1);
   Answered("reset");
   EXPECT_EQ(robot().torque()[1], 0);
-  EXPECT_EQ(Answered("fault", {{"motor", "FL_joint"}, {"fault", "none"}}), "");
+  EXPECT_EQ(Answered("fault", {{"component", "FL_joint"}, {"fault", "none"}}), "");
   EXPECT_EQ(robot().torque()[1], 1);
 }
 
-TEST_F(RequestsTest, KeepAStuckJointFromTurningWhateverPushesIt) {
+TEST_F(RequestsTest, KeepAJammedJointFromTurningWhateverPushesIt) {
   StartAs("clamped");
   port_.SendEveryTick(Torque(10));
-  Answered("fault", {{"motor", "RR_joint"}, {"fault", "stuck"}});
+  Answered("fault", {{"component", "RR_joint"}, {"fault", "jammed"}});
   Tick(500);
   const auto q = [this](std::size_t motor) { return world_->physics().robot().q()[motor]; };
   EXPECT_NEAR(q(2), 0, 0.01);
   EXPECT_GT(q(0), 0.5);
   EXPECT_EQ(robot().torque()[2], 10);
-  Answered("fault", {{"motor", "RR_joint"}, {"fault", "none"}});
+  Answered("fault", {{"component", "RR_joint"}, {"fault", "none"}});
   Tick(500);
   EXPECT_GT(q(2), 0.5);
 }
@@ -268,15 +268,14 @@ TEST_F(RequestsTest, KeepAStuckJointFromTurningWhateverPushesIt) {
 TEST_F(RequestsTest, GiveFaultsToMotorsOfEveryGroupAndToNoOthers) {
   config_.robot = test::FixtureRobotWithHand();
   StartAs("clamped");
-  EXPECT_EQ(Answered("fault", {{"motor", "neck_roll_joint"}, {"fault", "limp"}}), "");
-  EXPECT_EQ(Answered("fault", {{"motor", "FR_joint"}, {"fault", "stuck"}}), "");
-  EXPECT_EQ(Answered("fault", {{"motor", "FR_joint"}, {"fault", "stuck"}}), "");  // no event more
-  EXPECT_EQ(Answered("fault", {{"motor", "FR_joint"}, {"fault", "none"}}), "");
-  EXPECT_EQ(Answered("fault", {{"motor", "FX_joint"}, {"fault", "limp"}}),
-            "no motor has the joint 'FX_joint'; did you mean 'FR_joint'?");
+  EXPECT_EQ(Answered("fault", {{"component", "neck_roll_joint"}, {"fault", "limp"}}), "");
+  EXPECT_EQ(Answered("fault", {{"component", "FR_joint"}, {"fault", "jammed"}}), "");
+  EXPECT_EQ(Answered("fault", {{"component", "FR_joint"}, {"fault", "none"}}), "");
+  EXPECT_EQ(Answered("fault", {{"component", "FX_joint"}, {"fault", "limp"}}),
+            "the robot has no 'FX_joint'; did you mean 'FR_joint'?");
   EXPECT_THAT(Told(EventKind::kFault),
-              testing::ElementsAre("neck_roll_joint is limp", "FR_joint is stuck",
-                                   "FR_joint has no fault"));
+              testing::ElementsAre("neck_roll_joint is limp", "FR_joint is jammed",
+                                   "FR_joint is no longer jammed"));
 }
 
 TEST_F(RequestsTest, ADragEndsWithAReset) {

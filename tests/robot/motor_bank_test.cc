@@ -52,12 +52,27 @@ TEST_F(MotorBankTest, CutsEachMotorToItsOwnLimit) {
 }
 
 TEST_F(MotorBankTest, GivesOfAFaultyMotorTheShareOfItsFault) {
-  for (std::size_t fault = 0; fault < kMotorFaults.size(); ++fault) {
-    bank_.SetFault(1, fault);
-    const auto tau = bank_.Step(Torques(1, 2, 3), q_, dq_, 0.001);
-    EXPECT_EQ(tau[0], 1);
-    EXPECT_EQ(tau[1], 2 * kMotorFaults[fault].torque_share) << kMotorFaults[fault].name;
-  }
+  std::vector<MotorEffects> faults(3);
+  faults[1].torque_share = 0.25;
+  const auto tau = bank_.Step(Torques(1, 2, 3), q_, dq_, 0.001, faults);
+  EXPECT_EQ(tau[0], 1);
+  EXPECT_EQ(tau[1], 0.5);
+}
+
+TEST_F(MotorBankTest, TripsAMotorThatIsTooHotUntilItHasCooled) {
+  std::vector<MotorEffects> faults(3);
+  const auto torque_at = [&](double heat_c) {
+    faults[1].heat_c = heat_c - bank_.winding_c()[0];
+    bank_.Step(Torques(1, 2, 3), q_, dq_, 1e-6, faults);  // knows the temperature afterwards
+    return bank_.Step(Torques(1, 2, 3), q_, dq_, 1e-6, faults)[1];
+  };
+  const double trip = spec_.thermal.trip_c;
+  EXPECT_EQ(torque_at(trip - 1), 2);
+  EXPECT_EQ(torque_at(trip + 1), 0);
+  EXPECT_TRUE(bank_.tripped(1));
+  EXPECT_FALSE(bank_.tripped(0));
+  EXPECT_EQ(torque_at(trip - 5), 0);
+  EXPECT_EQ(torque_at(trip - 11), 2);
 }
 
 TEST_F(MotorBankTest, MapsMotorSpaceTorquesToTheSerialJoints) {

@@ -1,7 +1,9 @@
 #include "sensors/sensors.h"
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -39,9 +41,14 @@ class SensorsTest : public test::MujocoTest {
     return command;
   }
 
+  void SampleInto(Sensors* sensors, std::int64_t tick_ms, robot::RobotState* state) {
+    encoders_.Step(world_.robot().q(), world_.robot().dq(), faults_.encoders);
+    sensors->Sample({world_.robot(), encoders_, motors_, command_, battery_, faults_}, tick_ms,
+                    state);
+  }
   robot::RobotState Sample(Sensors* sensors) {
     robot::RobotState state;
-    sensors->Sample(world_.robot(), motors_, command_, battery_, 200, &state);
+    SampleInto(sensors, 200, &state);
     return state;
   }
   robot::RobotState Sample(const SensorConfig& config) {
@@ -54,6 +61,10 @@ class SensorsTest : public test::MujocoTest {
   physics::World world_ = test::FixtureWorld(spec_);
   robot::MotorBank motors_{spec_};
   robot::Battery battery_{spec_.battery};
+  robot::Encoders encoders_{6, 1};
+  robot::Effects faults_{.motors = std::vector<robot::MotorEffects>(6),
+                         .encoders = std::vector<robot::EncoderEffects>(6),
+                         .feet = std::vector<robot::FootEffects>(4)};
 };
 
 constexpr SensorConfig kTruth{.quantise = false, .noise = false};
@@ -164,7 +175,7 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
   Sensors sensors(kNoise, spec_);
   robot::RobotState state;
   for (int i = 0; i < kSamples; ++i) {
-    sensors.Sample(world_.robot(), motors_, command_, battery_, 0, &state);
+    SampleInto(&sensors, 0, &state);
     for (std::size_t r = 0; r < std::size(readings); ++r) {
       const double error = readings[r].value(state) - readings[r].truth;
       sum[r] += error;
@@ -219,7 +230,7 @@ TEST_F(SensorsTest, LeaveTheRemoteAlone) {
   Sensors sensors(kTruth, spec_);
   robot::RobotState state;
   state.remote.keys = 42;
-  sensors.Sample(world_.robot(), motors_, command_, battery_, 0, &state);
+  SampleInto(&sensors, 0, &state);
   EXPECT_EQ(state.remote.keys, 42);
 }
 
@@ -229,6 +240,82 @@ TEST_F(SensorsTest, LeaveTheSecondUnitAloneWhereThereIsNone) {
   EXPECT_EQ(state.secondary_imu.f_WI_I, Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(state.secondary_imu.temperature_c, 0);
   EXPECT_EQ(state.imu.temperature_c, 40);
+}
+
+TEST_F(SensorsTest, LeaveTheReadingsOfAMotorThatDoesNotAnswerAndCountThem) {
+  Sensors sensors(kTruth, spec_);
+  robot::RobotState state = Sample(&sensors);
+  state.motors[1].q = 7;
+  faults_.motors[1].silent = true;
+  SampleInto(&sensors, 201, &state);
+  SampleInto(&sensors, 202, &state);
+  EXPECT_EQ(state.motors[1].q, 7);
+  EXPECT_EQ(state.motors[1].lost, 2U);
+  EXPECT_TRUE(state.motors[1].silent);
+  EXPECT_EQ(state.motors[0].lost, 0U);
+  faults_.motors[1].silent = false;
+  SampleInto(&sensors, 203, &state);
+  EXPECT_EQ(state.motors[1].q, world_.robot().q()[1]);
+  EXPECT_EQ(state.motors[1].lost, 2U);
+  EXPECT_FALSE(state.motors[1].silent);
+}
+
+TEST_F(SensorsTest, TellAnEncodersErrorOnlyWhereItsBoardCanKnow) {
+  faults_.encoders[1].dead = true;
+  faults_.encoders[2].offset = 0.3;
+  const robot::RobotState state = Sample(kTruth);
+  EXPECT_EQ(state.motors[1].q, 0);
+  EXPECT_TRUE(state.motors[1].encoder_error);
+  EXPECT_DOUBLE_EQ(state.motors[2].q, world_.robot().q()[2] + 0.3);
+  EXPECT_FALSE(state.motors[2].encoder_error);
+}
+
+TEST_F(SensorsTest, TurnAllThatATiltedUnitReads) {
+  faults_.imus[0].tilt = 0.2;
+  const robot::RobotState state = Sample(kTruth);
+  const robot::ImuReading truth = world_.robot().Imu();
+  EXPECT_NEAR(state.imu.R_WI.angularDistance(truth.R_WI), 0.2, 1e-12);
+  // In the world it is the same: the unit is turned, not what it measures.
+  EXPECT_TRUE((state.imu.R_WI * state.imu.f_WI_I).isApprox(truth.R_WI * truth.f_WI_I, 1e-12));
+  EXPECT_TRUE((state.imu.R_WI * state.imu.w_WI_I).isApprox(truth.R_WI * truth.w_WI_I, 1e-12));
+  EXPECT_EQ(state.secondary_imu.f_WI_I, world_.robot().SecondaryImu().f_WI_I);
+}
+
+TEST_F(SensorsTest, TurnTheHeadingAloneOfAUnitThatDrifts) {
+  faults_.imus[0].turn = 0.5;
+  const robot::RobotState state = Sample(kTruth);
+  const robot::ImuReading truth = world_.robot().Imu();
+  const Eigen::Vector3d up = Eigen::Vector3d::UnitZ();
+  EXPECT_TRUE((state.imu.R_WI.conjugate() * up).isApprox(truth.R_WI.conjugate() * up, 1e-12));
+  EXPECT_NEAR(state.imu.R_WI.angularDistance(truth.R_WI), 0.5, 1e-12);
+  EXPECT_EQ(state.imu.f_WI_I, truth.f_WI_I);
+}
+
+TEST_F(SensorsTest, ReadNothingOfADeadUnitAndTheLastOfAStuckOne) {
+  Sensors sensors(kTruth, spec_);
+  robot::RobotState state = Sample(&sensors);
+  state.imu.w_WI_I = {1, 2, 3};
+  faults_.imus[0].stuck = true;
+  SampleInto(&sensors, 201, &state);
+  EXPECT_EQ(state.imu.w_WI_I, Eigen::Vector3d(1, 2, 3));
+  faults_.imus[0] = {.dead = true};
+  SampleInto(&sensors, 202, &state);
+  EXPECT_TRUE(state.imu.w_WI_I.isZero(0));
+  EXPECT_TRUE(state.imu.f_WI_I.isZero(0));
+  EXPECT_EQ(state.imu.R_WI.w(), 1);
+}
+
+TEST_F(SensorsTest, ScaleAndShiftTheForceOfAFootButNeverBelowNone) {
+  std::vector<double> truth(4);
+  world_.robot().FootForces(truth);
+  faults_.feet[0].share = 0.5;
+  faults_.feet[1].offset = 10;
+  faults_.feet[2].offset = -1e4;
+  const robot::RobotState state = Sample(kTruth);
+  EXPECT_DOUBLE_EQ(state.foot_force[0], truth[0] / 2);
+  EXPECT_DOUBLE_EQ(state.foot_force[1], truth[1] + 10);
+  EXPECT_EQ(state.foot_force[2], 0);
+  EXPECT_EQ(state.foot_force[3], truth[3]);
 }
 
 }  // namespace

@@ -17,7 +17,9 @@ bool FakePort::Take(std::size_t topic, robot::RobotCommand* command, robot::Refu
   return true;
 }
 
-void FakePort::Publish(const robot::RobotState& state, std::int64_t) {
+void FakePort::Publish(const robot::RobotState& state, std::int64_t,
+                       std::span<const robot::LinkEffects> links) {
+  if (!links.empty() && links.front().drops) return;
   ++published_;
   if (keep_all_ || samples_.empty()) {
     samples_.push_back({state});

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -65,7 +67,9 @@ class FakePort final : public wire::RobotPort {
   }
   void Rest() override { ++rests_; }
   bool Due(std::int64_t step) const override { return step % every_ == 0; }
-  void Publish(const robot::RobotState& state, std::int64_t step) override;
+  void Publish(const robot::RobotState& state, std::int64_t step,
+               std::span<const robot::LinkEffects> links) override;
+  std::vector<std::string> topics() const override { return {"rt/lowstate"}; }
   int command_writers() const override { return 1; }
   robot::PortCounts counts() const override { return {.lowstates = published_}; }
   robot::PortNews TakeNews() override { return std::exchange(news_, {}); }

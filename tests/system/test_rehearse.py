@@ -24,10 +24,10 @@ duration: 20
 settings: {motion: {service: none}}
 script:
   - {at: 1, remote.press: {keys: L2+B}}
-  - {at: 1, fault: {motor: FR_calf_joint, fault: limp}}
-  - {at: 1, fault: {motor: RR_calf_joint, fault: limp}}
-  - {at: 1, fault: {motor: FL_calf_joint, fault: limp}}
-  - {at: 1, fault: {motor: RL_calf_joint, fault: limp}}
+  - {at: 1, fault: {component: FR_calf_joint, fault: limp}}
+  - {at: 1, fault: {component: RR_calf_joint, fault: limp}}
+  - {at: 1, fault: {component: FL_calf_joint, fault: limp}}
+  - {at: 1, fault: {component: RL_calf_joint, fault: limp}}
 expect:
   - {always: base.height > 0.2, name: stands}
   - {eventually: count(fault) > 3, name: four knees are limp}

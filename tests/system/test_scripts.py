@@ -65,8 +65,8 @@ def test_debug_by_the_remote_leaves_the_motors_to_lowcmd(play):
 
 def test_a_motor_gets_a_fault_by_a_script_and_loses_it_by_hand(play, tmp_path):
     file = tmp_path / "fault.yaml"
-    file.write_text("script:\n  - {at: 0.1, fault: {motor: FR_calf_joint, fault: limp}}\n")
+    file.write_text("script:\n  - {at: 0.1, fault: {component: FR_calf_joint, fault: limp}}\n")
     robot = play("go2", "--script", file)
     robot.heard("FR_calf_joint is limp")
     robot.ctl("fault", "FR_calf_joint", "none")
-    robot.heard("FR_calf_joint has no fault")
+    robot.heard("FR_calf_joint is no longer limp")

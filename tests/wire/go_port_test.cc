@@ -95,18 +95,18 @@ TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   robot::RobotState state = StateOf(spec);
 
   state.tick_ms = 2;
-  port.Publish(state, kLowStateStep);
+  port.Publish(state, kLowStateStep, {});
   const auto first = Next(&lowstate);
   ASSERT_TRUE(first);
   EXPECT_EQ(first->tick, 2);
   EXPECT_EQ(first->crc, MessageCrc(*first));
 
   state.tick_ms = 3;
-  port.Publish(state, kMotionStep);
+  port.Publish(state, kMotionStep, {});
   ASSERT_TRUE(Next(&motion));
 
   state.tick_ms = 4;
-  port.Publish(state, kLfStep);
+  port.Publish(state, kLfStep, {});
   const auto lf = Next(&lf_lowstate);
   ASSERT_TRUE(lf);
   EXPECT_EQ(lf->tick, 4);

@@ -123,15 +123,15 @@ TEST(HandPortTest, PublishesEachHandFastAndSlow) {
   robot::RobotState state = StateOf(robot.spec);
   state.motors[4].q = 1;  // behind the body's four and the left hand's two
   state.motors[6].q = 2;
-  robot.port.Publish(state, kHandStep);
+  robot.port.Publish(state, kHandStep, {});
   EXPECT_EQ(Heard(&left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&right), std::pair(2.0F, 1U));
   const auto ignore = [](const auto&, bus::WriterHandle) {};
   EXPECT_EQ(lf_left.Take(ignore), 0);
-  robot.port.Publish(state, kLfStep);
+  robot.port.Publish(state, kLfStep, {});
   EXPECT_EQ(Heard(&lf_left), std::pair(1.0F, 1U));
   EXPECT_EQ(Heard(&lf_right), std::pair(2.0F, 1U));
-  robot.port.Publish(state, kLowStateStep * kMotionStep);
+  robot.port.Publish(state, kLowStateStep * kMotionStep, {});
   EXPECT_EQ(left.Take(ignore), 0);
   EXPECT_EQ(robot.port.counts().write_failures, 0U);
 }
@@ -155,7 +155,7 @@ TEST(HandPortTest, AllocatesNothingInATick) {
   const std::uint64_t before = test::Allocations();
   left.Write(message.message);
   const bool taken = robot.Take(0);
-  robot.port.Publish(state, kHandStep * kLfStep);
+  robot.port.Publish(state, kHandStep * kLfStep, {});
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);

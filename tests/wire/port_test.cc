@@ -118,7 +118,7 @@ TYPED_TEST(PortTest, AllocatesNothingInATick) {
   const std::uint64_t before = test::Allocations();
   client.Write(message);
   const bool taken = port.Take(robot::kLowCmdTopic, &this->command_, &this->wire_);
-  port.Publish(state, 0);
+  port.Publish(state, 0, {});
   const std::uint64_t after = test::Allocations();
   EXPECT_TRUE(taken);
   EXPECT_EQ(after - before, 0);

@@ -100,7 +100,7 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
     state.motion.emplace();
     const auto steps = std::llround(1 / config.physics.timestep);
     for (std::int64_t step = 0; step < steps; ++step) {
-      if (port.Due(step)) port.Publish(state, step);
+      if (port.Due(step)) port.Publish(state, step, {});
     }
     std::vector<int> heard(rows.size());
     test::Eventually([&] {

@@ -1,7 +1,10 @@
 // The world of a run within this process, with nobody at its port.
 #pragma once
 
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <nlohmann/json.hpp>
 
@@ -30,7 +33,9 @@ class Alone {
     std::uint64_t TakeLost(std::size_t) override { return 0; }
     void Rest() override {}
     bool Due(std::int64_t step) const override { return rate_.Due(step); }
-    void Publish(const robot::RobotState&, std::int64_t) override {}
+    void Publish(const robot::RobotState&, std::int64_t,
+                 std::span<const robot::LinkEffects>) override {}
+    std::vector<std::string> topics() const override { return {}; }
     int command_writers() const override { return 0; }
     robot::PortCounts counts() const override { return {}; }
     robot::PortNews TakeNews() override { return {}; }

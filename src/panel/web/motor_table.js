@@ -71,7 +71,7 @@ class Row {
   // In words too: colour alone is not for everybody.
   showState(reading, levels) {
     const words = [];
-    if (reading.errors) words.push(`error 0x${reading.errors.toString(16)}`);
+    words.push(...reading.errors);
     if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
     if (levels.q === "bad") words.push("end of range");
     if (levels.tau === "bad") words.push("torque limit");

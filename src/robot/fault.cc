@@ -1,0 +1,247 @@
+#include "robot/fault.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace understudy::robot {
+namespace {
+
+constexpr double kPi = 3.141592653589793;
+
+MotorEffects& Motor(const ActingFault& fault, Effects* effects) {
+  return effects->motors[fault.element];
+}
+EncoderEffects& Encoder(const ActingFault& fault, Effects* effects) {
+  return effects->encoders[fault.element];
+}
+ImuEffects& Imu(const ActingFault& fault, Effects* effects) { return effects->imus[fault.element]; }
+FootEffects& Foot(const ActingFault& fault, Effects* effects) {
+  return effects->feet[fault.element];
+}
+LinkEffects& Link(const ActingFault& fault, Effects* effects) {
+  return effects->links[fault.element];
+}
+// What is left of a share that goes down to `by`.
+double Left(const ActingFault& fault) { return 1 - fault.grown * (1 - fault.by); }
+
+using F = const ActingFault&;
+using E = Effects*;
+
+constexpr auto kKinds = std::to_array<FaultKind>({
+    {.of = Component::kMotor,
+     .name = "limp",
+     .does = "It gives no torque, as a drive without current; it goes on answering",
+     .act = [](F f, E e) { Motor(f, e).torque_share = 0; }},
+    {.of = Component::kMotor,
+     .name = "off",
+     .does = "It gives no torque and does not answer: its readings stay as they were, its lost "
+             "packets count, its link is told broken",
+     .act =
+         [](F f, E e) {
+           Motor(f, e).torque_share = 0;
+           Motor(f, e).silent = true;
+         }},
+    {.of = Component::kMotor,
+     .name = "weak",
+     .does = "It gives only that share of its torque",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.5,
+     .act = [](F f, E e) { Motor(f, e).torque_share *= Left(f); }},
+    {.of = Component::kMotor,
+     .name = "jammed",
+     .does = "Its joint does not turn, as with a seized gear; it goes on pushing and gets warm",
+     .act = [](F f, E e) { Motor(f, e).jammed = true; }},
+    {.of = Component::kMotor,
+     .name = "dragging",
+     .does = "Friction in its gear takes that much of its torque",
+     .unit = "N·m",
+     .low = 0,
+     .high = 500,
+     .otherwise = 3,
+     .act = [](F f, E e) { Motor(f, e).drag += f.by * f.grown; }},
+    {.of = Component::kMotor,
+     .name = "hot",
+     .does = "Winding and casing are that much hotter than its work makes them",
+     .unit = "°C",
+     .low = 0,
+     .high = 200,
+     .otherwise = 60,
+     .act = [](F f, E e) { Motor(f, e).heat_c += f.by * f.grown; }},
+    {.of = Component::kEncoder,
+     .name = "off",
+     .does = "It reads 0, and the motor tells its encoder's error",
+     .act = [](F f, E e) { Encoder(f, e).dead = true; }},
+    {.of = Component::kEncoder,
+     .name = "stuck",
+     .does = "It goes on reading the angle it read, and no rate",
+     .act = [](F f, E e) { Encoder(f, e).stuck = true; }},
+    {.of = Component::kEncoder,
+     .name = "garbage",
+     .does = "It reads any angle within a turn either way, another each time, and the motor tells "
+             "its encoder's error",
+     .act = [](F f, E e) { Encoder(f, e).garbage = true; }},
+    {.of = Component::kEncoder,
+     .name = "offset",
+     .does = "It reads that much more than there is, as after a wrong calibration",
+     .unit = "rad",
+     .low = -kPi,
+     .high = kPi,
+     .otherwise = 0.05,
+     .act = [](F f, E e) { Encoder(f, e).offset += f.by * f.grown; }},
+    {.of = Component::kEncoder,
+     .name = "drifting",
+     .does = "What it reads goes away from what there is at that rate",
+     .unit = "rad/s",
+     .low = -1,
+     .high = 1,
+     .otherwise = 0.002,
+     .act = [](F f, E e) { Encoder(f, e).offset += f.by * f.age; }},
+    {.of = Component::kEncoder,
+     .name = "noisy",
+     .does = "What it reads is spread with that standard deviation",
+     .unit = "rad",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.005,
+     .act = [](F f, E e) { Encoder(f, e).noise += f.by * f.grown; }},
+    {.of = Component::kImu,
+     .name = "off",
+     .does = "It reads no rate, no acceleration and no turn",
+     .act = [](F f, E e) { Imu(f, e).dead = true; }},
+    {.of = Component::kImu,
+     .name = "stuck",
+     .does = "It goes on reading what it read",
+     .act = [](F f, E e) { Imu(f, e).stuck = true; }},
+    {.of = Component::kImu,
+     .name = "offset",
+     .does = "Its rates about all axes are off by that much",
+     .unit = "rad/s",
+     .low = -1,
+     .high = 1,
+     .otherwise = 0.02,
+     .act = [](F f, E e) { Imu(f, e).rate += f.by * f.grown; }},
+    {.of = Component::kImu,
+     .name = "tilted",
+     .does = "It is mounted turned by that much about its y axis, and all that it reads with it",
+     .unit = "rad",
+     .low = -kPi / 2,
+     .high = kPi / 2,
+     .otherwise = 0.05,
+     .act = [](F f, E e) { Imu(f, e).tilt += f.by * f.grown; }},
+    {.of = Component::kImu,
+     .name = "drifting",
+     .does = "Its heading turns away at that rate",
+     .unit = "rad/s",
+     .low = -1,
+     .high = 1,
+     .otherwise = 0.01,
+     .act = [](F f, E e) { Imu(f, e).turn += f.by * f.age; }},
+    {.of = Component::kImu,
+     .name = "noisy",
+     .does = "Its rates are spread with that standard deviation, accelerations in m/s² with ten "
+             "times as much",
+     .unit = "rad/s",
+     .low = 0,
+     .high = 10,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { Imu(f, e).noise += f.by * f.grown; }},
+    {.of = Component::kFoot,
+     .name = "off",
+     .does = "It reads no force",
+     .act = [](F f, E e) { Foot(f, e).share = 0; }},
+    {.of = Component::kFoot,
+     .name = "stuck",
+     .does = "It goes on reading the force it read",
+     .act = [](F f, E e) { Foot(f, e).stuck = true; }},
+    {.of = Component::kFoot,
+     .name = "weak",
+     .does = "It reads only that share of the force",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.5,
+     .act = [](F f, E e) { Foot(f, e).share *= Left(f); }},
+    {.of = Component::kFoot,
+     .name = "offset",
+     .does = "It reads that much more than there is",
+     .unit = "N",
+     .low = -1000,
+     .high = 1000,
+     .otherwise = 20,
+     .act = [](F f, E e) { Foot(f, e).offset += f.by * f.grown; }},
+    {.of = Component::kBattery,
+     .name = "weak",
+     .does = "Its internal resistance is that many times as great, as of an old or a cold pack",
+     .low = 1,
+     .high = 50,
+     .otherwise = 3,
+     .act = [](F f, E e) { e->battery.resistance *= 1 + f.grown * (f.by - 1); }},
+    {.of = Component::kBattery,
+     .name = "empty",
+     .does = "It has at most that charge; what went is gone",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.05,
+     .act = [](F f, E e) { e->battery.most_charge = std::min(e->battery.most_charge, Left(f)); }},
+    {.of = Component::kRemote,
+     .name = "off",
+     .does = "Nothing of the remote controller is received",
+     .act = [](F, E e) { e->remote_off = true; }},
+    {.of = Component::kTopic,
+     .name = "off",
+     .does = "Nothing is sent or received on it",
+     .act = [](F f, E e) { Link(f, e).drops = true; }},
+    {.of = Component::kTopic,
+     .name = "lost",
+     .does = "That share of its messages is lost",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { Link(f, e).drops |= f.chance < f.by * f.grown; }},
+    {.of = Component::kTopic,
+     .name = "doubled",
+     .does = "That share of its messages comes twice",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { Link(f, e).doubles |= f.chance < f.by * f.grown; }},
+});
+
+struct ComponentNames {
+  std::string_view name, named_as;
+};
+
+constexpr std::array<ComponentNames, kComponents> kComponentNames{{
+    {"motor", "its joint: `FR_calf_joint`"},
+    {"encoder", "its joint's: `FR_calf_joint.encoder`"},
+    {"inertial unit", "`imu`, `secondary_imu`"},
+    {"foot's sensor", "its foot's: `foot.FR`"},
+    {"battery", "`battery`"},
+    {"remote controller", "`remote`"},
+    {"topic", "itself: `rt/lowstate`"},
+}};
+
+}  // namespace
+
+std::span<const FaultKind> FaultKinds() { return kKinds; }
+
+std::span<const std::string_view> FaultNames() {
+  static const std::vector<std::string_view> kNames = [] {
+    std::vector<std::string_view> names{kNoFault};
+    for (const FaultKind& kind : kKinds) {
+      if (std::ranges::find(names, kind.name) == names.end()) names.push_back(kind.name);
+    }
+    return names;
+  }();
+  return kNames;
+}
+
+std::string_view NameOf(Component component) {
+  return kComponentNames[static_cast<std::size_t>(component)].name;
+}
+
+std::string_view NamedAs(Component component) {
+  return kComponentNames[static_cast<std::size_t>(component)].named_as;
+}
+
+}  // namespace understudy::robot

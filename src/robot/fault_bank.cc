@@ -1,0 +1,174 @@
+#include "robot/fault_bank.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "base/nearest_word.h"
+
+namespace understudy::robot {
+namespace {
+
+constexpr double kContact = 0.1;  // s that a loose contact stays as it is; *assumed*
+constexpr std::string_view kAll = "all";
+
+// SplitMix64: a number that is spread evenly for inputs that follow each other.
+std::uint64_t Mixed(std::uint64_t x) {
+  x += 0x9E3779B97F4A7C15U;
+  x = (x ^ (x >> 30U)) * 0xBF58476D1CE4E5B9U;
+  x = (x ^ (x >> 27U)) * 0x94D049BB133111EBU;
+  return x ^ (x >> 31U);
+}
+
+std::string Number(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%g", number);
+  return text.data();
+}
+
+}  // namespace
+
+FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links, int seed)
+    : seed_(static_cast<std::uint64_t>(seed)) {
+  const auto motors = AllMotors(spec);
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    Add(Component::kMotor, i, motors[i]->joint);
+    Add(Component::kEncoder, i, motors[i]->joint + ".encoder");
+  }
+  Add(Component::kImu, 0, "imu");
+  if (!spec.imu.secondary_site.empty()) Add(Component::kImu, 1, "secondary_imu");
+  for (std::size_t i = 0; i < spec.feet.size(); ++i) {
+    Add(Component::kFoot, i, "foot." + spec.feet[i].name);
+  }
+  Add(Component::kBattery, 0, "battery");
+  Add(Component::kRemote, 0, "remote");
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (!links[i].empty()) Add(Component::kTopic, i, links[i]);
+  }
+  faults_.reserve(kMost);
+  over_.reserve(kMost);
+  nothing_.motors.resize(motors.size());
+  nothing_.encoders.resize(motors.size());
+  nothing_.feet.resize(spec.feet.size());
+  nothing_.links.resize(links.size());
+  effects_ = nothing_;
+}
+
+void FaultBank::Add(Component of, std::size_t element, std::string name) {
+  places_.push_back({of, element});
+  names_.push_back(std::move(name));
+}
+
+Result<std::size_t> FaultBank::Find(std::string_view component) const {
+  const auto found = std::ranges::find(names_, component);
+  if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+  const std::string nearest = NearestWord(component, names_);
+  return Error{"the robot has no '" + std::string(component) + "'" +
+               (nearest.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
+                                  "remote or a topic"
+                                : "; did you mean '" + nearest + "'?")};
+}
+
+Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_view kind) const {
+  const Component of = places_[component].of;
+  for (const FaultKind& row : FaultKinds()) {
+    if (row.of == of && row.name == kind) return &row;
+  }
+  std::string valid;
+  for (const FaultKind& row : FaultKinds()) {
+    if (row.of != of) continue;
+    valid += valid.empty() ? "" : ", ";
+    valid += row.name;
+  }
+  return Error{"no " + std::string(NameOf(of)) + " is ever '" + std::string(kind) +
+               "' (valid: " + valid + ")"};
+}
+
+Result<Fault> FaultBank::Begin(std::string_view component, std::string_view kind, const double* by,
+                               const FaultTimes& times, double t) {
+  const auto found = Find(component);
+  if (!found) return found.error();
+  const auto row = FindKind(*found, kind);
+  if (!row) return row.error();
+  if (by != nullptr && !(*row)->has_magnitude()) {
+    return Error{"by: expected nothing for '" + std::string(kind) + "', found " + Number(*by)};
+  }
+  if (by != nullptr && !(*by >= (*row)->low && *by <= (*row)->high)) {
+    const std::string unit = (*row)->unit.empty() ? "" : " " + std::string((*row)->unit);
+    return Error{"by: expected " + Number((*row)->low) + " to " + Number((*row)->high) + unit +
+                 " for '" + std::string(kind) + "', found " + Number(*by)};
+  }
+  const Fault fault{.kind = *row,
+                    .component = *found,
+                    .by = by != nullptr ? *by : (*row)->otherwise,
+                    .from = t,
+                    .times = times};
+  const auto same = std::ranges::find_if(faults_, [&](const Fault& one) {
+    return one.kind == fault.kind && one.component == fault.component;
+  });
+  if (same != faults_.end()) {
+    *same = fault;
+  } else if (faults_.size() < kMost) {
+    faults_.push_back(fault);
+  } else {
+    return Error{"as many faults as there can be are there"};
+  }
+  return fault;
+}
+
+Result<> FaultBank::Clear(std::string_view component) {
+  std::size_t gone = places_.size();
+  if (component != kAll) {
+    const auto found = Find(component);
+    if (!found) return found.error();
+    gone = *found;
+  }
+  Drop([&](const Fault& fault) { return component == kAll || fault.component == gone; });
+  return {};
+}
+
+template <class Predicate>
+void FaultBank::Drop(Predicate gone) {
+  over_.clear();
+  auto kept = faults_.begin();
+  for (const Fault& fault : faults_) {
+    if (gone(fault)) {
+      over_.push_back(fault);
+    } else {
+      *kept++ = fault;
+    }
+  }
+  faults_.erase(kept, faults_.end());
+  if (faults_.empty()) effects_ = nothing_;
+}
+
+void FaultBank::Step(double t) {
+  if (faults_.empty()) return;
+  effects_ = nothing_;
+  Drop([t](const Fault& fault) {
+    return fault.times.lasts > 0 && t >= fault.from + fault.times.lasts;
+  });
+  for (const Fault& fault : faults_) {
+    const double age = std::max(0.0, t - fault.from);
+    const auto moment = static_cast<std::uint64_t>(std::llround(age * 1e6));
+    const auto contact = static_cast<std::uint64_t>(age / kContact);
+    if (Draw(fault, ~contact) >= fault.times.probability) continue;
+    const double grown = fault.times.ramp > 0 ? std::min(1.0, age / fault.times.ramp) : 1;
+    fault.kind->act({.element = places_[fault.component].element,
+                     .by = fault.by,
+                     .grown = grown,
+                     .age = age,
+                     .chance = Draw(fault, moment)},
+                    &effects_);
+  }
+}
+
+double FaultBank::Draw(const Fault& fault, std::uint64_t moment) const {
+  const auto kind = static_cast<std::uint64_t>(fault.kind - FaultKinds().data());
+  const std::uint64_t bits = Mixed(Mixed(Mixed(seed_ + kind) + fault.component) + moment);
+  return static_cast<double>(bits >> 11U) * 0x1p-53;
+}
+
+}  // namespace understudy::robot

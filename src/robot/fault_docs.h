@@ -1,0 +1,11 @@
+// What the documentation says of faults.
+#pragma once
+
+#include <string>
+
+namespace understudy::robot {
+
+// Returns docs/faults.md.
+std::string FaultsReference();
+
+}  // namespace understudy::robot

@@ -1,0 +1,89 @@
+"""Causes every fault that `understudy faults` lists, one after the other, on a clamped Go2 whose feet
+press on the ground and whose FR calf swings, and prints what the vendor's types show of each: while
+it is there, and after it was taken away."""
+
+import json
+import math
+import os
+import re
+import subprocess
+import time
+
+from sdk_session import Commander, LowStateFeed, arguments, release_motion_services
+from unitree_sdk2py.utils.thread import RecurrentThread
+
+JOINT, SLOT = "FR_calf_joint", 2
+STAND = [0.0, 0.67, -1.3] * 4  # the vendor's example
+SWING = 0.25  # rad, of the calf
+LOOK = 0.4  # s, of one swing
+NAMES = {
+    "Motor": JOINT, "Encoder": f"{JOINT}.encoder", "Inertial unit": "imu", "Foot's sensor": "foot.FL",
+    "Battery": "battery", "Remote controller": "remote", "Topic": "rt/lowstate",
+}
+
+
+def understudy(*words):
+    return subprocess.run([os.environ["UNDERSTUDY"], *words], check=True, capture_output=True, text=True).stdout
+
+
+def rows():
+    """Component and fault of each row of the table."""
+    component = None
+    for line in understudy("faults").splitlines():
+        if line.startswith("## "):
+            component = line[3:]
+        elif row := re.match(r"\| `(\w+)` \|", line):
+            yield NAMES[component], row[1]
+
+
+def facts(state):
+    motor, imu = state.motor_state[SLOT], state.imu_state
+    return {
+        "tick": state.tick, "q": motor.q, "tau": motor.tau_est, "temperature": motor.temperature,
+        "lost": motor.lost, "errors": motor.reserve[0], "bits": state.bit_flag,
+        "rate": list(imu.gyroscope), "acceleration": list(imu.accelerometer),
+        "quaternion": list(imu.quaternion), "foot": state.foot_force[1], "soc": state.bms_state.soc,
+        "volts": state.power_v, "remote": list(state.wireless_remote[:2]),
+    }
+
+
+def main():
+    arguments(__doc__)
+    seen = []
+    feed = LowStateFeed("go2", lambda state: seen.append(facts(state)))
+    release_motion_services()
+    commander = Commander("go2")
+    began = time.monotonic()
+    feed.wait_first()
+
+    def command():
+        for slot, q in enumerate(STAND):
+            swing = SWING * math.sin(2 * math.pi * (time.monotonic() - began) / LOOK) if slot == SLOT else 0
+            commander.motor(slot, q + swing, 60.0, 2.0)
+        commander.send()
+
+    thread = RecurrentThread(interval=0.002, target=command, name="lowcmd")
+    thread.Start()
+    understudy("ctl", "remote", "on")
+
+    def looked():
+        time.sleep(0.1)
+        seen.clear()
+        time.sleep(LOOK)
+        return list(seen)
+
+    looked()
+    report = [{"component": "", "fault": "", "during": looked(), "after": []}]
+    for component, fault in rows():
+        more = ["--by", "0.1"] if fault == "drifting" else []  # so fast that it is seen at once
+        understudy("ctl", "fault", component, fault, *more)
+        during = looked()
+        understudy("ctl", "fault", component, "none")
+        time.sleep(0.2)
+        report.append({"component": component, "fault": fault, "during": during, "after": looked()})
+    thread.Wait()
+    print(json.dumps({"rows": report}))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+"""Every row of docs/faults.md, seen through the vendor's SDK: caused, seen, taken away, gone."""
+
+import math
+import statistics
+
+import pytest
+
+CLAMPED = ("--start", "clamped", "--set", "robot.hanging.height=0.345")
+
+
+@pytest.fixture(scope="module")
+def shown(rehearse):
+    """What LowState shows, by component and fault; of the sound robot by ("", "")."""
+    run = rehearse("go2", "faults.py", options=CLAMPED)
+    assert run.succeeded()
+    return {(row["component"], row["fault"]): row for row in run.report["rows"]}
+
+
+def values(samples, key):
+    return [sample[key] for sample in samples]
+
+
+def spread(samples, key):
+    return max(values(samples, key)) - min(values(samples, key))
+
+
+def turn(samples):
+    """rad between the first attitude and the level one."""
+    return 2 * math.acos(min(1.0, abs(samples[0]["quaternion"][0])))
+
+
+def mean(samples, key):
+    return statistics.mean(values(samples, key))
+
+
+def mean_rate(samples, axis=0):
+    return statistics.mean(sample["rate"][axis] for sample in samples)
+
+
+# By component and fault: whether `now` shows it, beside `sound`, the same robot without. A row of the
+# table that has no line here fails.
+MOTOR, ENCODER = "FR_calf_joint", "FR_calf_joint.encoder"
+SHOWS = {
+    (MOTOR, "limp"): lambda now, sound: max(map(abs, values(now, "tau"))) < 0.5 and spread(sound, "tau") > 1,
+    (MOTOR, "off"): lambda now, sound: (
+        now[-1]["errors"] == 0x100 and now[-1]["bits"] & 0x80 and now[-1]["lost"] > now[0]["lost"]
+        and spread(now, "q") == 0),
+    (MOTOR, "weak"): lambda now, sound: spread(now, "q") < 0.9 * spread(sound, "q"),
+    (MOTOR, "jammed"): lambda now, sound: spread(now, "q") < 0.05 < spread(sound, "q"),
+    (MOTOR, "dragging"): lambda now, sound: spread(now, "q") < 0.8 * spread(sound, "q"),
+    (MOTOR, "hot"): lambda now, sound: now[-1]["temperature"] > sound[-1]["temperature"] + 50,
+    (ENCODER, "off"): lambda now, sound: abs(now[-1]["q"]) < 0.01 and now[-1]["errors"] == 0x20,
+    (ENCODER, "stuck"): lambda now, sound: spread(now, "q") < 0.01 < spread(sound, "q"),
+    (ENCODER, "garbage"): lambda now, sound: spread(now, "q") > 6 and now[-1]["errors"] == 0x20,
+    # The drive follows its encoder: what it reads is nearly where it was told to be, and the torque
+    # against the ground tells that the leg is elsewhere.
+    (ENCODER, "offset"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 1,
+    (ENCODER, "drifting"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 0.5,
+    (ENCODER, "noisy"): lambda now, sound: spread(now, "tau") > spread(sound, "tau") + 0.2,
+    ("imu", "off"): lambda now, sound: now[-1]["acceleration"] == [0, 0, 0] and sound[-1]["acceleration"] != [0, 0, 0],
+    ("imu", "stuck"): lambda now, sound: all(s["acceleration"] == now[0]["acceleration"] for s in now),
+    ("imu", "offset"): lambda now, sound: mean_rate(now) - mean_rate(sound) == pytest.approx(0.02, abs=0.005),
+    ("imu", "tilted"): lambda now, sound: turn(now) - turn(sound) == pytest.approx(0.05, abs=0.01),
+    ("imu", "drifting"): lambda now, sound: now[-1]["quaternion"][3] - now[0]["quaternion"][3] > 0.001,
+    ("imu", "noisy"): lambda now, sound: (
+        statistics.stdev(s["rate"][0] for s in now) > 3 * statistics.stdev(s["rate"][0] for s in sound)),
+    ("foot.FL", "off"): lambda now, sound: max(values(now, "foot")) < min(values(sound, "foot")),
+    ("foot.FL", "stuck"): lambda now, sound: spread(now, "foot") == 0,
+    ("foot.FL", "weak"): lambda now, sound: (
+        mean(now, "foot") < 0.8 * mean(sound, "foot")),
+    ("foot.FL", "offset"): lambda now, sound: (
+        mean(now, "foot") > mean(sound, "foot") + 5),
+    ("battery", "weak"): lambda now, sound: min(values(now, "volts")) < min(values(sound, "volts")) - 0.05,
+    ("battery", "empty"): lambda now, sound: now[-1]["soc"] <= 5 < sound[-1]["soc"],
+    ("remote", "off"): lambda now, sound: now[-1]["remote"] == [0, 0] and sound[-1]["remote"] == [0x55, 0x51],
+    ("rt/lowstate", "off"): lambda now, sound: len(now) == 0,
+    ("rt/lowstate", "lost"): lambda now, sound: any(
+        b["tick"] - a["tick"] > 3 for a, b in zip(now, now[1:])),
+    ("rt/lowstate", "doubled"): lambda now, sound: any(a["tick"] == b["tick"] for a, b in zip(now, now[1:])),
+}
+
+
+def test_every_fault_is_seen_in_low_state(shown):
+    sound = shown.pop(("", ""))["during"]
+    missing = [row for row in shown if row not in SHOWS]
+    assert missing == []
+    unseen = [row for row, told in shown.items() if not SHOWS[row](told["during"], sound)]
+    assert unseen == []
+
+
+def test_every_fault_is_gone_once_it_is_taken_away(shown):
+    for row, told in shown.items():
+        if row == ("", ""):
+            continue
+        after = told["after"]
+        assert after, row
+        last = after[-1]
+        assert last["errors"] == 0 and last["bits"] & 0x80 == 0, row
+        assert spread(after, "q") > 0.1, row
+        assert last["acceleration"][2] > 8, row
+        assert last["remote"] == [0x55, 0x51], row
+        assert not any(a["tick"] == b["tick"] for a, b in zip(after, after[1:])), row

@@ -1,0 +1,186 @@
+#include "robot/fault_bank.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/support/fixture_robot.h"
+
+namespace understudy::robot {
+namespace {
+
+class FaultBankTest : public testing::Test {
+ protected:
+  // Returns the words of the refusal, "" if it began.
+  std::string Begin(std::string_view component, std::string_view kind, const FaultTimes& times = {},
+                    double t = 0) {
+    return bank_.Begin(component, kind, nullptr, times, t).why();
+  }
+  std::string BeginBy(std::string_view component, std::string_view kind, double by,
+                      const FaultTimes& times = {}) {
+    return bank_.Begin(component, kind, &by, times, 0).why();
+  }
+  const MotorEffects& motor() const { return bank_.effects().motors[1]; }
+  const EncoderEffects& encoder() const { return bank_.effects().encoders[1]; }
+
+  RobotSpec spec_ = test::FixtureRobot();
+  FaultBank bank_{spec_, {"rt/lowcmd", "", "rt/lowstate"}, 1};
+  std::string joint_ = spec_.motors[1].joint;
+};
+
+TEST_F(FaultBankTest, HasNoEffectsBeforeTheFirstFault) {
+  bank_.Step(1);
+  EXPECT_FALSE(bank_.any());
+  EXPECT_EQ(motor().torque_share, 1);
+  EXPECT_TRUE(encoder().fine());
+}
+
+TEST_F(FaultBankTest, ActsOnThatComponentAndNoOther) {
+  ASSERT_EQ(Begin(joint_, "limp"), "");
+  bank_.Step(0);
+  EXPECT_EQ(motor().torque_share, 0);
+  EXPECT_EQ(bank_.effects().motors[0].torque_share, 1);
+  EXPECT_TRUE(encoder().fine());
+}
+
+TEST_F(FaultBankTest, AddsUpDifferentFaultsOfAComponent) {
+  ASSERT_EQ(BeginBy(joint_ + ".encoder", "offset", 0.5), "");
+  ASSERT_EQ(BeginBy(joint_ + ".encoder", "drifting", 0.1), "");
+  bank_.Step(2);
+  EXPECT_DOUBLE_EQ(encoder().offset, 0.7);
+}
+
+TEST_F(FaultBankTest, BeginsAFaultAnewInsteadOfHavingItTwice) {
+  ASSERT_EQ(BeginBy(joint_ + ".encoder", "offset", 0.5), "");
+  ASSERT_EQ(BeginBy(joint_ + ".encoder", "offset", 0.2), "");
+  bank_.Step(0);
+  EXPECT_EQ(bank_.faults().size(), 1U);
+  EXPECT_DOUBLE_EQ(encoder().offset, 0.2);
+}
+
+TEST_F(FaultBankTest, GrowsOverItsRamp) {
+  ASSERT_EQ(BeginBy(joint_, "weak", 0.2, {.ramp = 4}), "");
+  bank_.Step(0);
+  EXPECT_DOUBLE_EQ(motor().torque_share, 1);
+  bank_.Step(1);
+  EXPECT_DOUBLE_EQ(motor().torque_share, 0.8);
+  bank_.Step(9);
+  EXPECT_DOUBLE_EQ(motor().torque_share, 0.2);
+}
+
+TEST_F(FaultBankTest, IsOverAfterItsTimeAndSaysSoOnce) {
+  ASSERT_EQ(Begin(joint_, "limp", {.lasts = 2}, 1), "");
+  bank_.Step(2.999);
+  EXPECT_EQ(motor().torque_share, 0);
+  EXPECT_TRUE(bank_.over().empty());
+  bank_.Step(3);
+  EXPECT_EQ(motor().torque_share, 1);
+  ASSERT_EQ(bank_.over().size(), 1U);
+  EXPECT_EQ(bank_.components()[bank_.over()[0].component], joint_);
+}
+
+TEST_F(FaultBankTest, ClearsOneComponentOrAll) {
+  ASSERT_EQ(Begin(joint_, "limp"), "");
+  ASSERT_EQ(Begin("battery", "weak"), "");
+  ASSERT_EQ(Begin("imu", "off"), "");
+  bank_.Step(0);
+  ASSERT_TRUE(bank_.Clear("imu").ok());
+  bank_.Step(0);
+  EXPECT_TRUE(bank_.effects().imus[0].fine());
+  EXPECT_EQ(motor().torque_share, 0);
+  ASSERT_TRUE(bank_.Clear("all").ok());
+  EXPECT_EQ(bank_.over().size(), 2U);
+  EXPECT_EQ(motor().torque_share, 1);  // at once
+}
+
+TEST_F(FaultBankTest, ComesAndGoesLikeALooseContact) {
+  ASSERT_EQ(Begin(joint_, "limp", {.probability = 0.3}), "");
+  int there = 0, changes = 0;
+  bool before = false;
+  for (int ms = 0; ms < 100'000; ++ms) {
+    bank_.Step(ms * 1e-3);
+    const bool now = motor().torque_share == 0;
+    there += now ? 1 : 0;
+    changes += now != before ? 1 : 0;
+    before = now;
+  }
+  EXPECT_NEAR(there / 1e5, 0.3, 0.05);
+  EXPECT_LT(changes, 1000);  // at most one in a tenth of a second
+  EXPECT_GT(changes, 200);
+}
+
+TEST_F(FaultBankTest, LosesThatShareOfMessagesTickByTick) {
+  ASSERT_EQ(BeginBy("rt/lowstate", "lost", 0.25), "");
+  int lost = 0;
+  for (int ms = 0; ms < 20'000; ++ms) {
+    bank_.Step(ms * 1e-3);
+    lost += bank_.effects().links[2].drops ? 1 : 0;
+    EXPECT_FALSE(bank_.effects().links[0].drops);
+  }
+  EXPECT_NEAR(lost / 2e4, 0.25, 0.01);
+}
+
+TEST_F(FaultBankTest, DrawsTheSameForEqualSeedsAndOtherwiseForOthers) {
+  const auto drawn = [this](int seed) {
+    FaultBank bank(spec_, {"rt/lowcmd"}, seed);
+    EXPECT_TRUE(bank.Begin("rt/lowcmd", "lost", nullptr, {}, 0).ok());
+    std::string drops;
+    for (int ms = 0; ms < 200; ++ms) {
+      bank.Step(ms * 1e-3);
+      drops += bank.effects().links[0].drops ? 'x' : '.';
+    }
+    return drops;
+  };
+  EXPECT_EQ(drawn(7), drawn(7));
+  EXPECT_NE(drawn(7), drawn(8));
+}
+
+TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
+  EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
+  EXPECT_EQ(Begin("flux capacitor", "off"),
+            "the robot has no 'flux capacitor'; expected a joint, JOINT.encoder, imu, foot.NAME, "
+            "battery, remote or a topic");
+  EXPECT_NE(bank_.Clear("imv").why(), "");
+}
+
+TEST_F(FaultBankTest, RefusesAFaultThatSuchAComponentNeverHasWithThoseItHas) {
+  EXPECT_EQ(Begin("battery", "limp"), "no battery is ever 'limp' (valid: weak, empty)");
+}
+
+TEST_F(FaultBankTest, RefusesMagnitudesBeyondTheKindsLimits) {
+  EXPECT_EQ(BeginBy(joint_, "weak", 2), "by: expected 0 to 1 for 'weak', found 2");
+  EXPECT_EQ(BeginBy(joint_, "hot", -1), "by: expected 0 to 200 °C for 'hot', found -1");
+  EXPECT_EQ(BeginBy(joint_, "limp", 1), "by: expected nothing for 'limp', found 1");
+  EXPECT_FALSE(bank_.any());
+}
+
+TEST_F(FaultBankTest, RefusesMoreFaultsThanItHasRoomFor) {
+  std::string refusal;
+  for (const MotorSpec& one : spec_.motors) {
+    for (const FaultKind& kind : FaultKinds()) {
+      if (kind.of == Component::kMotor) refusal += Begin(one.joint, kind.name);
+      if (kind.of == Component::kEncoder) refusal += Begin(one.joint + ".encoder", kind.name);
+    }
+  }
+  EXPECT_NE(refusal, "");
+  EXPECT_EQ(bank_.faults().size(), FaultBank::kMost);
+  EXPECT_EQ(Begin("rt/lowstate", "off"), "as many faults as there can be are there");
+}
+
+TEST(FaultKindsTest, AreNamedOncePerComponentAndHaveALaw) {
+  for (const FaultKind& kind : FaultKinds()) {
+    int same = 0;
+    for (const FaultKind& other : FaultKinds()) {
+      same += kind.of == other.of && kind.name == other.name ? 1 : 0;
+    }
+    EXPECT_EQ(same, 1) << kind.name;
+    EXPECT_NE(kind.act, nullptr) << kind.name;
+    EXPECT_NE(kind.name, kNoFault);
+    if (!kind.has_magnitude()) continue;
+    EXPECT_GE(kind.otherwise, kind.low) << kind.name;
+    EXPECT_LE(kind.otherwise, kind.high) << kind.name;
+  }
+}
+
+}  // namespace
+}  // namespace understudy::robot

@@ -1,0 +1,19 @@
+#include "robot/fault_docs.h"
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <gtest/gtest.h>
+
+namespace understudy::robot {
+namespace {
+
+TEST(FaultsReferenceTest, IsWhatDocsFaultsMdHas) {
+  std::ifstream file(UNDERSTUDY_SOURCE_DIR "/docs/faults.md", std::ios::binary);
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(text, FaultsReference()) << "write it anew: understudy faults > docs/faults.md";
+}
+
+}  // namespace
+}  // namespace understudy::robot
