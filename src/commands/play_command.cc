@@ -170,7 +170,8 @@ int PlayCommand(const PlayArguments& arguments) {
   if (arguments.commands) {
     WaitForRobot(&watch, participant, &clock);
   } else {
-    run::RefuseToStartBeside(&watch, clock.Now(), participant, config::GuardConfig{}, &clock);
+    run::RefuseToStartBeside(&watch, clock.Now(), participant, config::GuardConfig{}, false,
+                             &clock);
   }
   Wire wire(participant, player);
   wire.WaitForReaders(arguments.commands, &clock);

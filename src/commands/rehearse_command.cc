@@ -14,9 +14,9 @@
 #include "client/control_folder.h"
 #include "commands/commands.h"
 #include "commands/log.h"
+#include "commands/network_options.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
-#include "exec/private_network.h"
 #include "rehearse/outputs.h"
 #include "rehearse/rehearse.h"
 #include "rehearse/scenario.h"
@@ -35,7 +35,7 @@ struct JudgeArguments {
 };
 
 struct RehearseArguments : JudgeArguments, SetArguments {
-  std::string network = "private";
+  NetworkArguments network;
   std::string log_level = "warn";
   bool to_the_end = false;
   bool words = false;
@@ -104,35 +104,39 @@ int RehearseCommand(const RehearseArguments& arguments) {
     return 0;
   }
   const fs::path file = FindScenario(arguments.scenario);
-  const rehearse::Scenario scenario =
+  rehearse::Scenario scenario =
       rehearse::LoadScenario(file, {.command = arguments.command, .sets = arguments.sets});
   if (scenario.program && scenario.program->command.empty()) {
     throw ConfigError(file.string() + ": program: this scenario needs one: understudy rehearse " +
                       arguments.scenario + " -- CMD...");
   }
   const fs::path folder = MakeFolder(arguments.out, file);
-  if (arguments.network == "private") exec::EnterPrivateNetwork();
-
-  // The program is forked before any thread exists.
   client::MakeControlFolder(client::ControlFolder());
   const fs::path control = client::ControlSocket(client::DefaultName(scenario.config.robot.name));
+  RunNetwork network(arguments.network, &scenario.config);
+
+  // The program is forked before any thread exists.
   std::optional<exec::ChildProcess> program;
   if (scenario.program) {
     program.emplace(scenario.program->command,
-                    exec::ChildProcess::Environment{{"UNDERSTUDY_CONTROL", control}});
+                    exec::ChildProcess::Environment{{"UNDERSTUDY_CONTROL", control}}, -1,
+                    network.program_rights());
   }
+  network.Settle();
   StartLog({.level = arguments.log_level, .json = false, .status_line = false});
   CatchStopSignals();
   const rehearse::Rehearsal rehearsal =
       rehearse::Rehearse(scenario,
                          {.control_socket = control,
                           .recording = folder / "recording.mcap",
+                          .private_network = network.is_private(),
                           .to_the_end = arguments.to_the_end,
                           .interrupted = [] { return StopSignal() != 0; }},
                          program ? &*program : nullptr);
 
   // The line that does the same again has the seed that was drawn.
   std::vector<std::string> words{"understudy", "rehearse", arguments.scenario};
+  for (const std::string& word : WordsOf(arguments.network)) words.push_back(word);
   for (const std::string& set : arguments.sets) {
     words.insert(words.end(), {"--set", set});
   }
@@ -223,10 +227,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       ->take_all();
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
-  rehearse
-      ->add_option("--network", arguments->network,
-                   "private: a new network namespace; host: the machine's network")
-      ->check(CLI::IsMember({"private", "host"}));
+  AddNetworkOptions(rehearse, &arguments->network);
   rehearse->add_option("--log-level", arguments->log_level, "debug, info, warn or error [warn]")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}));
   rehearse
@@ -237,11 +238,13 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       "Examples:\n"
       "  understudy rehearse stand_up\n"
       "  understudy rehearse walk.yaml -- python3 walk.py lo\n"
+      "  understudy rehearse walk.yaml --interface-name eth0 -- python3 walk.py eth0\n"
       "  understudy rehearse push.yaml --set terrain.friction=0.3 --out results\n"
       "Exits with 0 if all expectations hold, 10 if one failed, 11 if none failed and one could\n"
       "not be judged. docs/rehearsing.md has the words of scenarios.");
   rehearse->callback([=] {
     if (arguments->scenario.empty() && !arguments->words) throw CLI::RequiredError("SCENARIO");
+    RequireConsistent(arguments->network);
     *chosen = [=] { return RehearseCommand(*arguments); };
   });
 

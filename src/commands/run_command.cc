@@ -14,12 +14,12 @@
 #include "commands/commands.h"
 #include "commands/companion.h"
 #include "commands/log.h"
+#include "commands/network_options.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
 #include "config/reference.h"
 #include "exec/child_process.h"
-#include "exec/private_network.h"
 #include "remote/arguments.h"
 #include "run/run.h"
 #include "script/script.h"
@@ -44,7 +44,7 @@ struct RunArguments : SetArguments {
   // run only
   bool gamepad = false;
   // exec only
-  std::string network = "private";
+  NetworkArguments network;
   std::vector<std::string> command;
 };
 
@@ -213,7 +213,7 @@ int RunCommand(const RunArguments& arguments) {
 
 int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
-  const config::Config config = Load(arguments);
+  config::Config config = Load(arguments);
   run::RunOptions options;
   options.script = LoadEvents(arguments);
   // The panel listens in the machine's network, where the browser is.
@@ -221,12 +221,15 @@ int ExecCommand(const RunArguments& arguments) {
   const auto panel = MakePanelSocket(config.control, &missing);
   options.panel = panel.get();
   options.recording = RecordingOf(arguments);
-  if (arguments.network == "private") exec::EnterPrivateNetwork();
-
-  // The command is forked before any thread exists and waits until the robot is ready.
   const ControlPlace place(arguments, config);
   const std::filesystem::path& control = place.socket();
-  exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}});
+  RunNetwork network(arguments.network, &config);
+  options.private_network = network.is_private();
+
+  // The command is forked before any thread exists and waits until the robot is ready.
+  exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}}, -1,
+                           network.program_rights());
+  network.Settle();
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
             .json = arguments.json,
@@ -286,21 +289,28 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
   CLI::App* exec = app->add_subcommand(
       "exec", "Simulate a robot in a private network, run a command with it, exit with its code");
   AddRunOptions(exec, exec_arguments.get());
-  exec->add_option("--network", exec_arguments->network,
-                   "private: a new network namespace; host: the machine's network")
-      ->check(CLI::IsMember({"private", "host"}));
+  AddNetworkOptions(exec, &exec_arguments->network);
+  exec->get_option("--interface-name")->excludes(exec->get_option("--interface"));
   exec->add_option("command", exec_arguments->command, "The command and its arguments, after --")
       ->type_name("CMD...")
       ->required();
   exec->footer(
       "The command starts after the first LowState and finds the robot on domain 0 and lo.\n"
+      "Many programs take lo for a simulation and leave out what they do on a robot, or have the\n"
+      "name of a network card in their source: --interface-name gives them a cable of that name,\n"
+      "with multicast and the address 192.168.123.99/24, and the robot 192.168.123.161 at its\n"
+      "other end. docs/network.md has more.\n"
       "Any number of these can run side by side, isolated from each other and from real robots.\n"
       "Examples:\n"
       "  understudy exec go2 -- python3 go2_stand_example.py lo\n"
+      "  understudy exec go2 --interface-name eth0 -- python3 go2_stand_example.py eth0\n"
       "  understudy exec g1 --start clamped -- ./g1_ankle_swing_example lo\n"
       "Exits with the command's code, 128+n if signal n ended it, 126 or 127 if it could not\n"
       "be run, or with one of Understudy's codes if the robot could not be started.");
-  exec->callback([=] { *chosen = [=] { return ExecCommand(*exec_arguments); }; });
+  exec->callback([=] {
+    RequireConsistent(exec_arguments->network);
+    *chosen = [=] { return ExecCommand(*exec_arguments); };
+  });
 }
 
 }  // namespace understudy::commands

@@ -94,10 +94,12 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 // Runs the child from fork to exec. Never returns, throws or allocates. It starts with all signals
 // blocked and restores `mask`.
 [[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, int standard_error,
-                              const char* program, char* const* arguments,
-                              char* const* environment) {
+                              const Capabilities* rights, const char* program,
+                              char* const* arguments, char* const* environment) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
+  // Before prctl: a change of rights may clear what that sets.
+  if (rights != nullptr && !rights->Apply()) ::_exit(kExitOwnFailure);
   // The parent may have died before prctl took effect; getppid() detects that.
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
   if (standard_error >= 0 && ::dup2(standard_error, STDERR_FILENO) < 0) ::_exit(kExitOwnFailure);
@@ -115,7 +117,7 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Environment& additions,
-                           int standard_error) {
+                           int standard_error, const Capabilities* rights) {
   if (arguments.empty()) throw CommandError("no command to run", kExitOwnFailure);
   std::vector<std::string> argument_texts = arguments;
   std::vector<std::string> environment_texts = MergedEnvironment(additions);
@@ -141,7 +143,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Envi
   const int error = errno;
   if (pid_ == 0) {
     gate_.reset();  // else the child would not see our end close
-    WaitAndExec(child_gate.get(), parent, mask, standard_error, program_.c_str(),
+    WaitAndExec(child_gate.get(), parent, mask, standard_error, rights, program_.c_str(),
                 argument_pointers.data(), environment_pointers.data());
   }
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);

@@ -5,6 +5,8 @@
 #include <system_error>
 #include <vector>
 
+#include "base/errors.h"
+
 namespace understudy::exec {
 namespace {
 
@@ -73,6 +75,10 @@ std::vector<std::string> Reasons(int error, const NamespacePolicy& policy) {
     case EINVAL:
     case ENOSYS:
       return {"the kernel needs CONFIG_USER_NS and CONFIG_NET_NS"};
+    case EOPNOTSUPP:  // rtnetlink's word for a kind of interface that it does not know
+      return {
+          "the kernel has no virtual Ethernet: `sudo modprobe veth` (CONFIG_VETH); or leave "
+          "--interface-name out: the private network then has lo alone"};
     default:
       return {};
   }
@@ -94,6 +100,10 @@ std::string ExplainRefusal(const std::string& step, int error, const NamespacePo
       "no private network: " + step + " failed: " + std::generic_category().message(error);
   for (const std::string& reason : Reasons(error, policy)) line += "; " + reason;
   return line + "; or share the machine's network with --network host";
+}
+
+void RefuseNetwork(const std::string& step, int error) {
+  throw BusError(ExplainRefusal(step, error, NamespacePolicy::OfThisMachine()));
 }
 
 }  // namespace understudy::exec

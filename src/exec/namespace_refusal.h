@@ -24,4 +24,7 @@ struct NamespacePolicy {
 // network. If no setting explains it, the line lists the usual causes.
 std::string ExplainRefusal(const std::string& step, int error, const NamespacePolicy& policy);
 
+// Throws BusError with that line, for this machine's policy.
+[[noreturn]] void RefuseNetwork(const std::string& step, int error);
+
 }  // namespace understudy::exec

@@ -1,32 +1,28 @@
 #include "exec/private_network.h"
 
+#include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <string>
+#include <string_view>
 
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <linux/capability.h>
 #include <net/if.h>
-#include <net/route.h>
 #include <netinet/in.h>
 #include <sched.h>
-#include <sys/ioctl.h>
-#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include "base/errors.h"
-#include "base/unique_fd.h"
-#include "exec/capabilities.h"
 #include "exec/namespace_refusal.h"
+#include "exec/network_devices.h"
 
 namespace understudy::exec {
 namespace {
 
-[[noreturn]] void RefuseNetwork(const std::string& step, int error) {
-  throw BusError(ExplainRefusal(step, error, NamespacePolicy::OfThisMachine()));
-}
+// docs/sources.md#addresses
+constexpr char kCableMask[] = "255.255.255.0";
+constexpr std::string_view kCablePrefix = "/24";
 
 // unshare(2) moves only the calling thread: other threads would stay in the old network.
 void RequireSingleThread() {
@@ -66,54 +62,21 @@ void MapOwnIds(uid_t uid, gid_t gid) {
   MapToItself("/proc/self/gid_map", gid);
 }
 
-UniqueFd OpenControlSocket() {
-  UniqueFd socket(::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
-  if (!socket.valid()) RefuseNetwork("opening a socket", errno);
-  return socket;
+void EnterNetwork() {
+  if (::unshare(CLONE_NEWNET) != 0) RefuseNetwork("creating a network namespace", errno);
 }
 
-// The kernel assigns 127.0.0.1/8 to lo when it is set up.
-void RaiseLoopback(int socket) {
-  ifreq request{};
-  std::strcpy(request.ifr_name, "lo");
-  if (::ioctl(socket, SIOCGIFFLAGS, &request) != 0) RefuseNetwork("reading the flags of lo", errno);
-  request.ifr_flags =
-      static_cast<decltype(request.ifr_flags)>(request.ifr_flags | IFF_UP | IFF_MULTICAST);
-  if (::ioctl(socket, SIOCSIFFLAGS, &request) != 0) RefuseNetwork("raising lo", errno);
-}
-
-sockaddr Ipv4(const char* text) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  ::inet_pton(AF_INET, text, &address.sin_addr);
-  sockaddr generic{};
-  static_assert(sizeof(generic) == sizeof(address));
-  std::memcpy(&generic, &address, sizeof(generic));
-  return generic;
-}
-
-// Adds the multicast route for programs that name no interface: joining and sending use the routes.
-void RouteMulticastToLoopback(int socket) {
-  char device[] = "lo";
-  rtentry route{};
-  route.rt_dst = Ipv4("224.0.0.0");
-  route.rt_genmask = Ipv4("240.0.0.0");
-  route.rt_flags = RTF_UP;
-  route.rt_dev = device;
-  if (::ioctl(socket, SIOCADDRT, &route) != 0) RefuseNetwork("adding the multicast route", errno);
-}
-
-}  // namespace
-
-void EnterPrivateNetwork() {
+// Enters a new network, with the rights to set it up, and returns those of before. A new user
+// namespace grants every capability. They would override the permissions of the user's files, and
+// uid 0 would gain some at exec, which disables the command's parent-death signal (ChildProcess):
+// so they have to be given back.
+Capabilities EnterNetworkWithRights() {
   RequireSingleThread();
   const Capabilities before = Capabilities::OfThisThread();
   const uid_t uid = ::geteuid();
   const gid_t gid = ::getegid();
-
-  const bool privileged = before.CanUse(CAP_SYS_ADMIN) && before.CanUse(CAP_NET_ADMIN);
-  if (privileged) {
-    if (::unshare(CLONE_NEWNET) != 0) RefuseNetwork("creating a network namespace", errno);
+  if (before.CanUse(CAP_SYS_ADMIN) && before.CanUse(CAP_NET_ADMIN)) {
+    EnterNetwork();
   } else {
     // One call for both namespaces, so that a refusal changes nothing.
     if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0) {
@@ -121,16 +84,106 @@ void EnterPrivateNetwork() {
     }
     MapOwnIds(uid, gid);
   }
+  // Sockets for ping, icmp(7). Where /proc/sys is read-only there are none, and all else works.
+  const std::string group = std::to_string(gid);
+  WriteWhole("/proc/sys/net/ipv4/ping_group_range", group + " " + group);
+  return before;
+}
 
-  const UniqueFd socket = OpenControlSocket();
-  RaiseLoopback(socket.get());
-  RouteMulticastToLoopback(socket.get());
+void GiveBackRightsBeyond(const Capabilities& before) {
+  if (!before.Apply()) RefuseNetwork("giving the namespace's capabilities back", errno);
+}
 
-  // A new user namespace grants every capability. They would override the permissions of the user's
-  // files, and uid 0 would gain some at exec, which disables the command's parent-death signal
-  // (ChildProcess).
-  if (!privileged && !before.Apply())
-    RefuseNetwork("giving the namespace's capabilities back", errno);
+UniqueFd OpenNetwork() {
+  UniqueFd network(::open("/proc/self/ns/net", O_RDONLY | O_CLOEXEC));
+  if (!network.valid()) RefuseNetwork("opening /proc/self/ns/net", errno);
+  return network;
+}
+
+void MoveTo(const UniqueFd& network) {
+  if (::setns(network.get(), CLONE_NEWNET) != 0) {
+    RefuseNetwork("moving to the other end of the cable", errno);
+  }
+}
+
+void SetUpEnd(const NetworkDevices& devices, const std::string& interface,
+              const std::string& address) {
+  devices.AddFlags("lo", IFF_UP);
+  devices.SetAddress(interface, address, kCableMask);
+  devices.AddFlags(interface, IFF_UP | IFF_MULTICAST);
+  devices.RouteMulticast(interface);
+}
+
+// Without a mask, if there is one.
+std::string AddressOf(const std::string& text) {
+  return text.ends_with(kCablePrefix) ? text.substr(0, text.size() - kCablePrefix.size()) : text;
+}
+
+bool IsLetterOrDigit(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+}
+
+}  // namespace
+
+void EnterPrivateNetwork() {
+  const Capabilities before = EnterNetworkWithRights();
+  const NetworkDevices devices;
+  devices.AddFlags("lo", IFF_UP | IFF_MULTICAST);
+  devices.RouteMulticast("lo");
+  GiveBackRightsBeyond(before);
+}
+
+std::string WhyNoInterface(const std::string& name) {
+  if (name == "lo") return "'lo' is in every network; expected the name of another, as in eth0";
+  const bool reserved = name == "all" || name == "default";
+  const bool good = !name.empty() && name.size() < IFNAMSIZ && IsLetterOrDigit(name[0]) &&
+                    std::ranges::all_of(name, [](char c) {
+                      return IsLetterOrDigit(c) || c == '.' || c == '_' || c == '-';
+                    });
+  if (good && !reserved) return "";
+  return "'" + name + "' is no name of a network interface; expected a letter or digit and up to " +
+         std::to_string(IFNAMSIZ - 2) + " letters, digits, '.', '_' and '-', as in eth0";
+}
+
+std::string WhyNoCableAddress(const std::string& text) {
+  constexpr std::uint32_t kLastOctet = 0xFF;
+  const std::string expected =
+      "; expected 192.168.123.N or 192.168.123.N/24, N from 1 to 254 and not 161, as in "
+      "192.168.123.99/24";
+  const std::string address = AddressOf(text);
+  in_addr parsed{}, robot{};
+  ::inet_pton(AF_INET, kRobotAddress, &robot);
+  if (::inet_pton(AF_INET, address.c_str(), &parsed) != 1) {
+    return "'" + text + "' is no IPv4 address" + expected;
+  }
+  const std::uint32_t number = ntohl(parsed.s_addr), taken = ntohl(robot.s_addr);
+  if (number == taken) return "'" + text + "' is the robot's" + expected;
+  const std::uint32_t octet = number & kLastOctet;
+  if (number >> 8U != taken >> 8U || octet == 0 || octet == kLastOctet) {
+    return "'" + text + "' is not in the network of the robot, which is " + kRobotAddress +
+           std::string(kCablePrefix) + expected;
+  }
+  return "";
+}
+
+CabledNetwork::CabledNetwork(const CableEnd& program) : rights_(EnterNetworkWithRights()) {
+  program_network_ = OpenNetwork();
+  const NetworkDevices program_devices;
+  EnterNetwork();
+  robot_network_ = OpenNetwork();
+  const NetworkDevices robot_devices;
+  LayCable(program.interface, program_network_.get());
+  SetUpEnd(robot_devices, program.interface, kRobotAddress);
+  SetUpEnd(program_devices, program.interface, AddressOf(program.address));
+  AwaitCable(program.interface);
+  MoveTo(program_network_);
+  AwaitCable(program.interface);
+}
+
+void CabledNetwork::MoveToRobot() {
+  MoveTo(robot_network_);
+  robot_network_.reset();
+  GiveBackRightsBeyond(rights_);
 }
 
 }  // namespace understudy::exec

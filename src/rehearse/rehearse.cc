@@ -106,6 +106,7 @@ Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
   StageManager manager(scenario, options, &jury, program);
   run::RunOptions run;
   run.control_socket = options.control_socket;
+  run.private_network = options.private_network;
   run.script = scenario.script;
   run.recording = {.file = options.recording, .overwrite = true, .audience = &jury};
   run.should_stop = [&manager](std::int64_t step, emulator::EventRing* events) {

@@ -16,6 +16,7 @@ namespace understudy::rehearse {
 struct RehearsalOptions {
   std::filesystem::path control_socket{};  // for `ctl`; in a folder made by MakeControlFolder
   std::filesystem::path recording{};       // is replaced
+  bool private_network = false;            // nothing leads out of it
   bool to_the_end = false;                 // also when an expectation has failed
   std::function<bool()> interrupted{};     // true ends it
 };

@@ -29,9 +29,9 @@ std::vector<bus::Neighbour> Robots(const wire::StrangerWatch& watch,
 
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
-                         time::Clock* clock) {
-  const double seconds =
-      participant.interface() == "lo" ? guard.listen_loopback : guard.listen_network;
+                         bool private_network, time::Clock* clock) {
+  const bool stays_here = private_network || participant.interface() == "lo";
+  const double seconds = stays_here ? guard.listen_loopback : guard.listen_network;
   const auto listen =
       std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(seconds));
   const std::string where =

@@ -11,9 +11,11 @@ namespace understudy::run {
 // Returns if no other participant writes rt/lowstate and no other robot of this program began to
 // start before this one (wire/robot_rank.h), or if it has only a silent writer and the
 // configuration allows that. The listening time counts from `since`, when the watch began. A writer
-// that has sent nothing gets the same time again. Throws NeighbourError.
+// that has sent nothing gets the same time again. It is that of the configuration for lo, and also
+// in a `private_network`, out of which nothing leads, whatever its interface is called. Throws
+// NeighbourError.
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
-                         time::Clock* clock);
+                         bool private_network, time::Clock* clock);
 
 }  // namespace understudy::run

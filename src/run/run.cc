@@ -199,7 +199,8 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   wire::StrangerWatch watch(participant);
   const time::Clock::Time watch_set = clock.Now();
   MadeWorld made = MakeWorld(&config);
-  RefuseToStartBeside(&watch, watch_set, participant, config.guard, &clock);
+  RefuseToStartBeside(&watch, watch_set, participant, config.guard, options.private_network,
+                      &clock);
 
   wire::Port port(participant, config.robot, config.physics.timestep);
   services::ServiceHost host(

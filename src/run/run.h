@@ -19,6 +19,7 @@ struct RunOptions {
   std::vector<emulator::ScriptEvent> script;  // may be empty
   RecordingOptions recording;
   const server::PanelSocket* panel = nullptr;  // null: no panel
+  bool private_network = false;                // of exec: nothing leads out of it
   bool status_line = false;                    // redraw a line on the terminal
   // Called once in the loop's thread after the first LowState. May be empty.
   std::function<void()> on_ready;

@@ -63,6 +63,11 @@ TEST(NamespaceRefusalTest, DoesNotBlameASettingThatAllows) {
               Not(HasSubstr("sysctl")));
 }
 
+TEST(NamespaceRefusalTest, SaysWhenTheKernelHasNoVirtualEthernetAndWhatWorksWithout) {
+  EXPECT_THAT(ExplainRefusal("making a veth pair", EOPNOTSUPP, {}),
+              AllOf(HasSubstr("sudo modprobe veth"), HasSubstr("leave --interface-name out")));
+}
+
 TEST(NamespaceRefusalTest, SaysWhenTheKernelHasNoNamespaces) {
   EXPECT_THAT(ExplainRefusal("unshare", EINVAL, {}), HasSubstr("CONFIG_USER_NS"));
 }

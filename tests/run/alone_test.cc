@@ -53,7 +53,7 @@ class AloneTest : public testing::Test {
   // "" if the robot may start, else why not.
   std::string Refusal(const config::GuardConfig& guard = {}) {
     try {
-      RefuseToStartBeside(&watch_, clock_.Now(), participant_, guard, &clock_);
+      RefuseToStartBeside(&watch_, clock_.Now(), participant_, guard, false, &clock_);
       return "";
     } catch (const NeighbourError& error) {
       return error.what();
