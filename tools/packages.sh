@@ -46,6 +46,16 @@ test_packages=(
   "chromium:looks at the browser panel"
 )
 
+# What tests/conformance/other_dds needs (RustDDS 0.15). Debian 12's own cargo is older; cargo-web, which
+# builds its browsers, is not.
+least_cargo=1.88
+has_cargo() {
+  local version
+  version=$(cargo --version 2>/dev/null) || return 1
+  printf '%s\n' "$least_cargo" "$(cut -d ' ' -f 2 <<<"$version")" | sort --check --version-sort 2>/dev/null
+}
+has_cargo || test_packages+=("cargo-web:compiles a program on another DDS")
+
 clang_packages=(
   "clang:compiles it once more, with warnings of its own"
 )

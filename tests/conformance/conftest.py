@@ -51,9 +51,14 @@ class Run:
         return True
 
 
+def command_of(program):
+    return [sys.executable, PROGRAMS / program] if str(program).endswith(".py") else [program]
+
+
 @pytest.fixture(scope="session")
 def rehearse(tmp_path_factory):
-    """rehearse(robot, program, *arguments, options=()): starts that robot, runs the program on it.
+    """rehearse(robot, program, *arguments, options=()): starts that robot, runs the program on it:
+    the name of one in programs/, or the path of one that is no Python.
 
     The same rehearsal is run once per session: tests that ask for it again get the same Run.
     """
@@ -66,7 +71,7 @@ def rehearse(tmp_path_factory):
         command = [
             os.environ["UNDERSTUDY"], "exec", robot, *options, "--",
             "sh", "-c", THEN_STATUS, "then-status", str(status),
-            sys.executable, str(PROGRAMS / program), *arguments,
+            *command_of(program), *arguments,
         ]  # fmt: skip
         done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
         said = f"{done.stdout}\n{done.stderr}"
