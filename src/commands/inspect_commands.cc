@@ -106,7 +106,7 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
             nullptr);
   return "scenario for " + scenario.config.robot.name + ", " +
-         std::to_string(scenario.script.size()) + " events, " + count(scenario.expect);
+         std::to_string(scenario.script.events.size()) + " events, " + count(scenario.expect);
 }
 
 // Returns one line about a valid file. Throws SetupError for an invalid one. For a model, sets
@@ -124,7 +124,8 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
   const config::YamlValue document = config::ReadYamlFile(file);
   if (rehearse::IsScenario(document)) return CheckScenario(file, document, robot);
   if (script::IsScript(document)) {
-    return "script, " + std::to_string(script::ReadScript(document).size()) + " events";
+    const script::Script script = script::ReadScript(document, signals::RunningNames());
+    return "script, " + std::to_string(script.events.size()) + " events";
   }
   if (!IsRobot(document)) return CheckLayer(file, document, robot);
   const config::Config config =

@@ -100,7 +100,7 @@ int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expec
 int RehearseCommand(const RehearseArguments& arguments) {
   if (arguments.words) {
     std::printf("%s\n%s\n%s", rehearse::ScenarioReference().c_str(),
-                rehearse::ExpectationsReference().c_str(), rehearse::SignalsReference().c_str());
+                rehearse::ExpectationsReference().c_str(), signals::SignalsReference().c_str());
     return 0;
   }
   const fs::path file = FindScenario(arguments.scenario);
@@ -116,13 +116,19 @@ int RehearseCommand(const RehearseArguments& arguments) {
   RunNetwork network(arguments.network, &scenario.config);
 
   // The program is forked before any thread exists.
+  std::optional<exec::ProgramOutput> output;
   std::optional<exec::ChildProcess> program;
   if (scenario.program) {
+    std::vector<signals::Signal> heard = scenario.script.conditions.signals;
+    heard.insert(heard.end(), scenario.expect.signals.begin(), scenario.expect.signals.end());
+    const std::vector<std::string> printed = signals::PrintedTexts(heard);
+    if (!printed.empty()) output.emplace(printed);
     program.emplace(scenario.program->command,
                     exec::ChildProcess::Environment{{"UNDERSTUDY_CONTROL", control}}, -1,
-                    network.program_rights());
+                      output ? output->descriptor() : -1, network.program_rights());
   }
   network.Settle();
+  if (output) output->Start();
   StartLog({.level = arguments.log_level, .json = false, .status_line = false});
   CatchStopSignals();
   const rehearse::Rehearsal rehearsal =
@@ -131,7 +137,8 @@ int RehearseCommand(const RehearseArguments& arguments) {
                           .recording = folder / "recording.mcap",
                           .private_network = network.is_private(),
                           .to_the_end = arguments.to_the_end,
-                          .interrupted = [] { return StopSignal() != 0; }},
+                          .interrupted = [] { return StopSignal() != 0; },
+                          .output = output ? &*output : nullptr},
                          program ? &*program : nullptr);
 
   // The line that does the same again has the seed that was drawn.
@@ -149,7 +156,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
     words.insert(words.end(), arguments.command.begin(), arguments.command.end());
   }
   std::vector<std::string> script;
-  for (const emulator::ScriptEvent& event : scenario.script) {
+  for (const emulator::ScriptEvent& event : scenario.script.events) {
     script.push_back(emulator::Describe(event.request));
   }
   const rehearse::Occasion occasion{.title = scenario.name,

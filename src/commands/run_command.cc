@@ -20,6 +20,7 @@
 #include "config/load.h"
 #include "config/reference.h"
 #include "exec/child_process.h"
+#include "exec/program_output.h"
 #include "remote/arguments.h"
 #include "run/run.h"
 #include "script/script.h"
@@ -113,9 +114,11 @@ config::Config Load(const RunArguments& arguments) {
       config::DataDir());
 }
 
-std::vector<emulator::ScriptEvent> LoadEvents(const RunArguments& arguments) {
-  return arguments.script.empty() ? std::vector<emulator::ScriptEvent>()
-                                  : script::LoadScript(arguments.script);
+script::Script LoadScript(const RunArguments& arguments, const config::Config& config) {
+  if (arguments.script.empty()) return {};
+  signals::Names names = signals::RunningNames(config.robot);
+  names.program = !arguments.command.empty();
+  return script::LoadScript(arguments.script, names);
 }
 
 // Throws SocketError if the configured address or port cannot be had. With the defaults it returns
@@ -187,7 +190,7 @@ int RunCommand(const RunArguments& arguments) {
     return 0;
   }
   run::RunOptions options;
-  options.script = LoadEvents(arguments);
+  options.script = LoadScript(arguments, config);
   options.recording = RecordingOf(arguments);
   const ControlPlace place(arguments, config);
   options.control_socket = place.socket();
@@ -215,7 +218,7 @@ int ExecCommand(const RunArguments& arguments) {
   if (arguments.help_config || arguments.print_config) return RunCommand(arguments);
   config::Config config = Load(arguments);
   run::RunOptions options;
-  options.script = LoadEvents(arguments);
+  options.script = LoadScript(arguments, config);
   // The panel listens in the machine's network, where the browser is.
   std::string missing;
   const auto panel = MakePanelSocket(config.control, &missing);
@@ -227,8 +230,11 @@ int ExecCommand(const RunArguments& arguments) {
   options.private_network = network.is_private();
 
   // The command is forked before any thread exists and waits until the robot is ready.
+  const std::vector<std::string> printed = signals::PrintedTexts(options.script.conditions.signals);
+  std::optional<exec::ProgramOutput> output;
+  if (!printed.empty()) output.emplace(printed);
   exec::ChildProcess child(arguments.command, {{"UNDERSTUDY_CONTROL", control}}, -1,
-                           network.program_rights());
+                           output ? output->descriptor() : -1, network.program_rights());
   network.Settle();
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, control);
   StartLog({.level = arguments.log_level.empty() ? "warn" : arguments.log_level,
@@ -242,11 +248,17 @@ int ExecCommand(const RunArguments& arguments) {
   bool terminating = false;
   options.control_socket = control;
   options.on_ready = [&] {
+    if (output) output->Start();
     child.Release();
     for (CompanionProcess& companion : companions) companion.Release();
   };
-  options.should_stop = [&](std::int64_t, emulator::EventRing*) {
+  options.should_stop = [&](std::int64_t, emulator::EventRing* events) {
     for (CompanionProcess& companion : companions) companion.Watch();
+    if (output) {
+      output->TakeFound([events](const std::string& text) {
+        events->Add(emulator::EventKind::kProgramPrints, 0, {}, text);
+      });
+    }
     if (StopSignal() != 0 && !terminating) {
       terminating = true;
       child.Terminate(kGrace);  // the robot runs until the command has ended

@@ -129,6 +129,13 @@ std::string ReasonsText(const ordered_json& commands) {
   return reasons;
 }
 
+std::string ScriptText(const ordered_json& script) {
+  const auto waiting = script.at("waiting").get<std::int64_t>();
+  if (waiting == 0) return {};
+  return script.at("where").get<std::string>() + ": " + script.at("waits_for").get<std::string>() +
+         (waiting > 1 ? ", and " + std::to_string(waiting - 1) + " more" : "");
+}
+
 std::string StatusText(const ordered_json& status) {
   const ordered_json& pace = status.at("pace");
   const ordered_json& commands = status.at("commands");
@@ -167,6 +174,9 @@ std::string StatusText(const ordered_json& status) {
     rows.push_back({name + " taken", Count(hand.at("accepted"))});
     rows.push_back({name + " refused", Refused(hand)});
     rows.push_back({name + " time-outs", Count(hand.at("timeouts"))});
+  }
+  if (const std::string waits = ScriptText(status.at("script")); !waits.empty()) {
+    rows.push_back({"script waits for", waits});
   }
   rows.insert(rows.end(), {
                               {"crane", Crane(crane)},

@@ -20,6 +20,8 @@ std::string StateText(const nlohmann::ordered_json& status);
 std::string SpeedText(const nlohmann::ordered_json& speed);
 std::string ServiceText(const nlohmann::ordered_json& motion);
 std::string ReasonsText(const nlohmann::ordered_json& commands);
+// "s.yaml:4: lowcmd arrives", "" if no event waits.
+std::string ScriptText(const nlohmann::ordered_json& script);
 
 // Formats a status as lines of label, value and unit. `status` is the JSON of StatusJson; throws
 // json::exception for any other.

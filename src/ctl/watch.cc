@@ -71,7 +71,7 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
   });
   text += "\n";
   // State.
-  text += Aligned({
+  std::vector<Cells> state = {
       {"motion service", ServiceText(status.at("motion"))},
       {"motors follow", commands.at("state").get<std::string>()},
       {"base", Number("%.3f", base.at("height")) + " m high, tilted by " +
@@ -81,7 +81,11 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
        crane.at("attached").get<bool>() ? Number("%.1f", crane.at("tension")) + " N" : "released"},
       {"remote", remote.at("there").get<bool>() ? "keys " + remote.at("keys").get<std::string>()
                                                 : "not there"},
-  });
+  };
+  if (std::string waits = ScriptText(status.at("script")); !waits.empty()) {
+    state.push_back({"script waits for", std::move(waits)});
+  }
+  text += Aligned(state);
   before_ = status;
   then_ = now;
   return text;

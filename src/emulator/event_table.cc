@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "authority/command_gate.h"
+#include "judge/condition.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
 #include "robot/refusal_text.h"
@@ -197,6 +198,14 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         [](const Event& e, std::uint64_t n) { return "script: " + What(e) + Times(n); },
         "a script's request is refused"),
     Row(
+        EventKind::kScriptWait, "script_wait", kInfo, false,
+        {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return "script: '" + What(e) + (e.numbers[2] != 0 ? "' came" : "' had not come") +
+                 " after " + Text("%.3f", e.numbers[1]) + " s";
+        },
+        "a script has what it waited for, or waits no longer"),
+    Row(
         EventKind::kDivergence, "divergence", kError, true, {},
         [](const Event& e, std::uint64_t n) {
           return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
@@ -276,6 +285,12 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
     Row(
+        EventKind::kProgramPrints, "program_prints", kSilent, true, {{{"text", kText}}},
+        [](const Event& e, std::uint64_t n) {
+          return "the program prints \"" + What(e) + "\"" + Times(n);
+        },
+        "a line of the program has a text for which a script or an expectation looks"),
+    Row(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "event") + " came too fast to be told";
@@ -290,15 +305,12 @@ static_assert([] {
   return true;
 }());
 
-json Value(const Event& event, EventFieldType type, std::size_t number) {
+// The word of a field, in `room` if it is none of ours; nullopt for a number.
+std::optional<std::string_view> WordOf(const Event& event, EventFieldType type, std::size_t number,
+                                       robot::RemoteKeyText* room) {
   switch (type) {
     case kText:
-      return What(event);
-    case kBool:
-      return event.numbers[number] != 0;
-    case kInteger:
-    case kCause:
-      return static_cast<std::int64_t>(event.numbers[number]);
+      return event.text.data();
     case kCallReason:
       return services::Name(static_cast<services::CallRefusal>(event.numbers[number]));
     case kReason:
@@ -308,12 +320,23 @@ json Value(const Event& event, EventFieldType type, std::size_t number) {
     case kFault:
       return FaultOf(event).name;
     case kKeys:
-      return Keys(event.numbers[number]);
+      return robot::WriteRemoteKeyNames(static_cast<std::uint16_t>(event.numbers[number]), room);
+    case kBool:
+    case kInteger:
+    case kCause:
     case kNumber:
     case kWorst:
     case kSum:
       break;
   }
+  return std::nullopt;
+}
+
+json Value(const Event& event, EventFieldType type, std::size_t number) {
+  robot::RemoteKeyText room{};
+  if (const auto word = WordOf(event, type, number, &room)) return std::string(*word);
+  if (type == kBool) return event.numbers[number] != 0;
+  if (type == kInteger || type == kCause) return static_cast<std::int64_t>(event.numbers[number]);
   return event.numbers[number];
 }
 
@@ -355,6 +378,16 @@ void Add(const Event& event, ToldEvent* held) {
 }  // namespace
 
 std::span<const EventRow, kEventKinds> EventTable() { return kRows; }
+
+double FieldNumber(const Event& event, std::size_t field) {
+  const EventRow& row = RowOf(event.kind);
+  const auto number = static_cast<std::size_t>(
+      std::count_if(row.fields.begin(), row.fields.begin() + static_cast<std::ptrdiff_t>(field),
+                    [](const EventField& before) { return before.type != kText; }));
+  robot::RemoteKeyText room{};
+  const auto word = WordOf(event, row.fields[field].type, number, &room);
+  return word ? judge::WordNumber(*word) : event.numbers[number];
+}
 
 const EventRow& RowOf(EventKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
 

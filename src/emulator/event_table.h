@@ -57,6 +57,10 @@ struct EventRow {
 std::span<const EventRow, kEventKinds> EventTable();
 const EventRow& RowOf(EventKind kind);
 
+// Returns the value of a field, by its place in the row: its number; a switch is 0 or 1, a word its
+// judge::WordNumber. Allocates nothing.
+double FieldNumber(const Event& event, std::size_t field);
+
 // One or more events of one cause. Time and text are those of the last one.
 struct ToldEvent {
   Event event;

@@ -35,6 +35,7 @@ enum class EventKind : std::uint8_t {
   kSpeed,
   kScript,
   kScriptRefused,
+  kScriptWait,
   kDivergence,
   kSilence,
   kWriters,
@@ -47,6 +48,7 @@ enum class EventKind : std::uint8_t {
   kCallRefused,
   kProgramStart,
   kProgramEnd,
+  kProgramPrints,
   kLost,
   kCount,
 };

@@ -105,13 +105,6 @@ struct Request {
   std::size_t Index(std::string_view key) const;
 };
 
-// A request that a script makes.
-struct ScriptEvent {
-  double at = 0;  // simulated s
-  Request request{};
-  std::string where{};  // "stand.yaml:3"
-};
-
 // The field that every request has besides those of its row.
 inline constexpr Field kRobotField{.key = "robot",
                                    .kind = FieldKind::kWhole,

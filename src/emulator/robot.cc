@@ -21,15 +21,6 @@ robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<
   return command;
 }
 
-std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
-  std::vector<std::string> topics(robot::kCommandTopicNames.begin(),
-                                  robot::kCommandTopicNames.end());
-  if (spec.arm_sdk.slots.empty()) topics[robot::kArmSdkTopic].clear();
-  if (!spec.user_lowcmd) topics[robot::kUserLowCmdTopic].clear();
-  for (const robot::HandSpec& hand : spec.hands) topics.push_back("rt/" + hand.topic + "/cmd");
-  return topics;
-}
-
 // All topics that can have faults: those of commands, then those of states.
 std::vector<std::string> Links(const std::vector<std::string>& commands,
                                const wire::RobotPort& port) {
@@ -40,11 +31,21 @@ std::vector<std::string> Links(const std::vector<std::string>& commands,
 
 }  // namespace
 
+std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
+  std::vector<std::string> topics(robot::kCommandTopicNames.begin(),
+                                  robot::kCommandTopicNames.end());
+  if (spec.arm_sdk.slots.empty()) topics[robot::kArmSdkTopic].clear();
+  if (!spec.user_lowcmd) topics[robot::kUserLowCmdTopic].clear();
+  for (const robot::HandSpec& hand : spec.hands) topics.push_back("rt/" + hand.topic + "/cmd");
+  return topics;
+}
+
 Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
              EventRing* events)
     : spec_(parts.spec),
       index_(index),
       topics_(CommandTopics(spec_)),
+      heard_(topics_.size()),
       start_pose_(parts.settings.start),
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
       physics_(physics),
@@ -179,6 +180,7 @@ bool Robot::TakeCommand(std::size_t topic, double t) {
   if (!port_->Take(topic, &offered_, &form)) return false;
   const robot::LinkEffects& link = faults_.effects().links[topic];
   if (link.drops) return true;
+  ++heard_[topic];
   for (int times = link.doubles ? 2 : 1; times > 0; --times) {
     const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
     NoteCommand(topic, form, refusal, router_.counts(topic));

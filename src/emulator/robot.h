@@ -31,6 +31,10 @@
 
 namespace understudy::emulator {
 
+// Returns the topics of commands to a robot, by number (robot/command_topics.h); "" where it has
+// none.
+std::vector<std::string> CommandTopics(const robot::RobotSpec& spec);
+
 // The parts from which a robot is made.
 struct RobotParts {
   robot::RobotSpec spec;  // validated, as the settings are
@@ -109,6 +113,8 @@ class Robot {
     return state_;
   }  // the last sample; empty before the first
   const std::vector<std::string>& topics() const { return topics_; }
+  // Returns how many commands of a topic came so far, taken or not.
+  std::uint64_t heard(std::size_t topic) const { return heard_[topic]; }
   const robot::FaultBank& faults() const { return faults_; }
   const robot::Damage& damage() const { return damage_.damage(); }
 
@@ -159,7 +165,8 @@ class Robot {
 
   robot::RobotSpec spec_;
   std::uint8_t index_;
-  std::vector<std::string> topics_;  // of commands, by number; "" if there is none
+  std::vector<std::string> topics_;   // of commands, by number; "" if there is none
+  std::vector<std::uint64_t> heard_;  // by topic
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
   physics::World* physics_;

@@ -71,10 +71,13 @@ struct Status {
   int command_writers = 0;
   std::uint64_t published = 0;  // published LowState samples
   std::uint64_t divergences = 0;
-  std::size_t script_done = 0;  // events of the script carried out
+  std::size_t script_done = 0;  // events of the script that are over
   std::size_t script_refused = 0;
-  double crane_tension = 0;  // N
-  double crane_length = 0;   // m
+  std::size_t script_waiting = 0;            // events that wait for a condition
+  std::array<char, 120> script_where{};      // file and line of the first of them
+  std::array<char, 120> script_waits_for{};  // its condition
+  double crane_tension = 0;                  // N
+  double crane_length = 0;                   // m
   bool crane_attached = false;
   bool clamped = false;
   double base_height = 0;  // m

@@ -84,8 +84,15 @@ Status World::status(const LoopReading& loop, std::size_t robot) const {
   status.paused = pace_.paused;
   status.steps_left = pace_.steps_left;
   status.divergences = divergences_;
-  status.script_done = script_next_;
+  status.script_done = script_done_;
   status.script_refused = script_refused_;
+  for (const ScriptTurn& turn : script_turns_) {
+    const ScriptEvent& event = script_[turn.event];
+    if (!event.when || turn.since > time()) continue;
+    if (status.script_waiting++ > 0) continue;
+    CopyText(event.where, &status.script_where);
+    CopyText(event.condition, &status.script_waits_for);
+  }
   robots_[robot].Report(time(), &status);
   return status;
 }

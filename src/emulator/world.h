@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "emulator/events.h"
 #include "emulator/inbox.h"
 #include "emulator/robot.h"
+#include "emulator/script.h"
 #include "emulator/settings.h"
 #include "emulator/snapshot.h"
 #include "emulator/status.h"
@@ -32,10 +34,12 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  // Plays a script, sorted by time: each event is carried out in the tick of its time, like a
-  // request from the inbox. Call it before the first Tick. Throws ConfigError for a robot or a
+  // Plays a script: each event is carried out in the tick of its time, or in the first one from
+  // then on in which its condition holds, like a request from the inbox. One that has waited too
+  // long is refused. Events that do not come after another are sorted by time. `conditions` has
+  // those for which events wait. Call it before the first Tick. Throws ConfigError for a robot or a
   // body that is not in the world.
-  void Play(std::vector<ScriptEvent> script);
+  void Play(std::vector<ScriptEvent> script, std::unique_ptr<Conditions> conditions = nullptr);
 
   // Makes one physics step; `now` is wall time. After the first few it allocates only for requests
   // and service calls. On kDiverged nothing was published for this step and, with
@@ -81,7 +85,16 @@ class World {
     Reply reply;
   };
 
+  // The next event of a sequence, of which the others are over.
+  struct ScriptTurn {
+    std::size_t event;
+    double since;  // s: when it is due, or begins to wait
+  };
+
   void FollowScript(double t);
+  bool FinishEvent(const ScriptTurn& turn, double t);
+  void RefuseEvent(const ScriptEvent& event, const std::string& why);
+  double Latest(double t) const;
   void TakeRequests();
   Answer CheckNames(const Request& request) const;  // robot and body
   void AnswerSteppers();
@@ -104,7 +117,10 @@ class World {
   time::Clock::Time now_{};  // wall time of the last call
   std::int64_t step_ = 0;
   std::vector<ScriptEvent> script_;
-  std::size_t script_next_ = 0;
+  std::unique_ptr<Conditions> conditions_;
+  std::vector<ScriptTurn> script_turns_;  // of the sequences that have begun, in their order
+  std::size_t script_next_ = 0;           // the sequence that begins next
+  std::size_t script_done_ = 0;
   std::size_t script_refused_ = 0;
   time::Pace pace_;
   physics::Pushes pushes_;

@@ -1,4 +1,5 @@
 // Carries out the requests of the script and of the inbox.
+#include <algorithm>
 #include <utility>
 
 #include "base/errors.h"
@@ -6,26 +7,74 @@
 
 namespace understudy::emulator {
 
-void World::Play(std::vector<ScriptEvent> script) {
+void World::Play(std::vector<ScriptEvent> script, std::unique_ptr<Conditions> conditions) {
   for (const ScriptEvent& event : script) {
     if (auto fits = CheckNames(event.request); !fits) {
       throw ConfigError(event.where + ": " + fits.why());
     }
   }
   script_ = std::move(script);
+  conditions_ = std::move(conditions);
+  script_turns_.reserve(script_.size());
 }
 
+// Half a step of tolerance: an event at 0.3 s belongs to the step of 0.3 s in spite of rounding.
+double World::Latest(double t) const { return t + 0.5 * physics_.timestep(); }
+
 void World::FollowScript(double t) {
-  // Half a step of tolerance: an event at 0.3 s belongs to the step of 0.3 s in spite of rounding.
-  const double now = t + 0.5 * physics_.timestep();
-  for (; script_next_ < script_.size() && script_[script_next_].at <= now; ++script_next_) {
-    ScriptEvent& event = script_[script_next_];
-    events_.Add(EventKind::kScript, 0, {static_cast<double>(script_next_)}, event.where);
-    const Answer answer = CarryOut(&event.request, t);
-    if (answer) continue;
-    ++script_refused_;
-    events_.Add(EventKind::kScriptRefused, 0, {}, event.where + ": " + answer.why());
+  if (script_done_ == script_.size()) return;
+  const double now = Latest(t);
+  while (script_next_ < script_.size() && script_[script_next_].at <= now) {
+    script_turns_.push_back({.event = script_next_, .since = script_[script_next_].at});
+    do {
+      ++script_next_;
+    } while (script_next_ < script_.size() && script_[script_next_].after);
   }
+  if (conditions_ != nullptr) {
+    conditions_->Look(*this, std::ranges::any_of(script_turns_, [&](const ScriptTurn& turn) {
+      return script_[turn.event].when.has_value();
+    }));
+  }
+  for (std::size_t i = 0; i < script_turns_.size();) {
+    ScriptTurn& turn = script_turns_[i];
+    if (!FinishEvent(turn, t)) {
+      ++i;
+      continue;
+    }
+    ++script_done_;
+    ++turn.event;
+    if (turn.event < script_.size() && script_[turn.event].after) {
+      turn.since = t + script_[turn.event].at;
+    } else {
+      script_turns_.erase(script_turns_.begin() + static_cast<std::ptrdiff_t>(i));
+    }
+  }
+}
+
+// Carries out or refuses the event whose turn it is. Returns false if it is not over.
+bool World::FinishEvent(const ScriptTurn& turn, double t) {
+  ScriptEvent& event = script_[turn.event];
+  const double now = Latest(t);
+  if (turn.since > now) return false;
+  const auto number = static_cast<double>(turn.event);
+  if (event.when) {
+    const bool holds = conditions_->Holds(*event.when);
+    if (!holds && now < turn.since + event.within) return false;
+    const double waited = std::max(0.0, t - turn.since);
+    events_.Add(EventKind::kScriptWait, 0, {number, waited, holds ? 1.0 : 0.0}, event.condition);
+    if (!holds) {
+      RefuseEvent(event, "waited " + NumberText(event.within) + " s in vain: " + event.condition);
+      return true;
+    }
+  }
+  events_.Add(EventKind::kScript, 0, {number}, event.where);
+  if (const Answer answer = CarryOut(&event.request, t); !answer) RefuseEvent(event, answer.why());
+  return true;
+}
+
+void World::RefuseEvent(const ScriptEvent& event, const std::string& why) {
+  ++script_refused_;
+  events_.Add(EventKind::kScriptRefused, 0, {}, event.where + ": " + why);
 }
 
 void World::TakeRequests() {

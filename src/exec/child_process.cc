@@ -94,8 +94,9 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 // Runs the child from fork to exec. Never returns, throws or allocates. It starts with all signals
 // blocked and restores `mask`.
 [[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, int standard_error,
-                              const Capabilities* rights, const char* program,
-                              char* const* arguments, char* const* environment) {
+                              int standard_output, const Capabilities* rights,
+                              const char* program, char* const* arguments,
+                              char* const* environment) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   // Before prctl: a change of rights may clear what that sets.
@@ -103,6 +104,7 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
   // The parent may have died before prctl took effect; getppid() detects that.
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0 || ::getppid() != parent) ::_exit(kExitOwnFailure);
   if (standard_error >= 0 && ::dup2(standard_error, STDERR_FILENO) < 0) ::_exit(kExitOwnFailure);
+  if (standard_output >= 0 && ::dup2(standard_output, STDOUT_FILENO) < 0) ::_exit(kExitOwnFailure);
   char go = 0;
   if (!ReadFully(gate, &go, 1)) ::_exit(kExitOwnFailure);
 
@@ -117,7 +119,7 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 }  // namespace
 
 ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Environment& additions,
-                           int standard_error, const Capabilities* rights) {
+                           int standard_error, int standard_output, const Capabilities* rights) {
   if (arguments.empty()) throw CommandError("no command to run", kExitOwnFailure);
   std::vector<std::string> argument_texts = arguments;
   std::vector<std::string> environment_texts = MergedEnvironment(additions);
@@ -143,7 +145,8 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Envi
   const int error = errno;
   if (pid_ == 0) {
     gate_.reset();  // else the child would not see our end close
-    WaitAndExec(child_gate.get(), parent, mask, standard_error, rights, program_.c_str(),
+    WaitAndExec(child_gate.get(), parent, mask, standard_error, standard_output, rights,
+                program_.c_str(),
                 argument_pointers.data(), environment_pointers.data());
   }
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);

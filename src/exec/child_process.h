@@ -40,13 +40,14 @@ class ChildProcess {
   // If SIGCHLD is ignored, it is reset to default in this process, since the kernel would discard
   // exit codes otherwise.
   //
-  // With `standard_error`, a descriptor, the command has that for its stderr instead of ours. With
-  // `rights` it has those instead of ours, which have to include them: of CabledNetwork.
+  // With `standard_error` or `standard_output`, a descriptor, the command has that for its stderr
+  // or stdout instead of ours. With `rights` it has those instead of ours, which have to include
+  // them: of CabledNetwork.
   //
   // Throws CommandError: no such program (127), not executable (126), fork failed (125).
   explicit ChildProcess(const std::vector<std::string>& arguments,
                         const Environment& additions = {}, int standard_error = -1,
-                        const Capabilities* rights = nullptr);
+                        int standard_output = -1, const Capabilities* rights = nullptr);
 
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;

@@ -1,5 +1,6 @@
 #include "judge/condition.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -8,8 +9,9 @@
 namespace understudy::judge {
 namespace {
 
-constexpr std::size_t kLongest = 1000;  // characters; *assumed*
-constexpr int kDeepest = 16;            // parentheses and nots; *assumed*
+constexpr std::size_t kLongest = 1000;      // characters; *assumed*
+constexpr std::size_t kLongestPrint = 100;  // bytes, which an event has room for; *assumed*
+constexpr int kDeepest = 16;                // parentheses and nots; *assumed*
 
 struct RelationRow {
   std::string_view word;
@@ -25,7 +27,8 @@ constexpr RelationRow kOccurring[] = {{"happens", Relation::kHappens},
 bool IsSpace(char c) { return c == ' ' || c == '\t' || c == '\n'; }
 bool IsOperator(char c) { return c == '<' || c == '>' || c == '='; }
 
-// Cuts a text into words. "gap(rt/lowcmd)" is one word, "(" and ")" elsewhere are words.
+// Cuts a text into words. "gap(rt/lowcmd)" is one word, and what stands between double quotes, with
+// these; "(" and ")" elsewhere are words.
 std::vector<std::string_view> Cut(std::string_view text) {
   std::vector<std::string_view> words;
   for (std::size_t at = 0; at < text.size();) {
@@ -36,6 +39,8 @@ std::vector<std::string_view> Cut(std::string_view text) {
     }
     if (text[at] == '(' || text[at] == ')') {
       ++at;
+    } else if (text[at] == '"') {
+      at = std::min(text.find('"', at + 1), text.size() - 1) + 1;
     } else if (IsOperator(text[at])) {
       while (at < text.size() && IsOperator(text[at])) ++at;
     } else {
@@ -119,6 +124,7 @@ class ConditionReader {
       return Expected("a signal, an event or a topic");
     }
     Comparison comparison{.subject = std::string(words_[at_++])};
+    if (comparison.subject == "the") return Printed();
     for (const RelationRow& row : kOccurring) {
       if (!Takes(row.word)) continue;
       comparison.relation = row.relation;
@@ -136,6 +142,23 @@ class ConditionReader {
     if (Takes("between")) return Between(std::move(comparison));
     if (Takes("is")) return Is(std::move(comparison));
     return Expected("one of < <= > >= is between happens arrives");
+  }
+
+  // What follows "the".
+  Result<Condition> Printed() {
+    if (!Takes("program")) return Expected("'program'");
+    if (!Takes("prints")) return Expected("'prints'");
+    const std::string_view text = at_ < words_.size() ? Now() : "";
+    if (text.size() < 3 || !text.starts_with('"') || !text.ends_with('"')) {
+      return Expected("a text between double quotes");
+    }
+    if (text.size() - 2 > kLongestPrint) {
+      return Error{"a text has at most " + std::to_string(kLongestPrint) + " bytes"};
+    }
+    ++at_;
+    return Condition{.comparison = {.subject = "the program",
+                                    .relation = Relation::kPrints,
+                                    .word = std::string(text.substr(1, text.size() - 2))}};
   }
 
   Result<Condition> Between(Comparison low) {
@@ -240,6 +263,8 @@ std::string Text(const Comparison& comparison) {
       return comparison.subject + " happens";
     case Relation::kArrives:
       return comparison.subject + " arrives";
+    case Relation::kPrints:
+      return comparison.subject + " prints \"" + comparison.word + "\"";
     case Relation::kBelow:
     case Relation::kAtMost:
     case Relation::kAbove:
@@ -247,6 +272,13 @@ std::string Text(const Comparison& comparison) {
       break;
   }
   return number(kNumeric[static_cast<std::size_t>(comparison.relation)].word) + unit;
+}
+
+// FNV-1a of 52 bits: from 2^53 on, where no number of an event's field is.
+double WordNumber(std::string_view word) {
+  std::uint64_t hash = 14695981039346656037U;
+  for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
+  return 9007199254740992.0 + 2.0 * static_cast<double>(hash >> 12U);
 }
 
 }  // namespace understudy::judge

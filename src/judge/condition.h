@@ -19,6 +19,7 @@ enum class Relation : std::uint8_t {
   kNear,     // is 0.3 +- 0.02
   kHappens,  // an event
   kArrives,  // a message of a topic
+  kPrints,   // a line of the program
 };
 
 struct Comparison {
@@ -26,7 +27,7 @@ struct Comparison {
   Relation relation = Relation::kHappens;
   double number = 0;
   double tolerance = 0;  // of kNear
-  std::string word{};    // of kIs, in place of a number
+  std::string word{};    // of kIs, in place of a number; of kPrints what is printed
   std::string unit{};    // as written, "" for the signal's own
 
   bool operator==(const Comparison&) const = default;
@@ -49,11 +50,18 @@ struct Condition {
 //             | SUBJECT "between" NUMBER "and" NUMBER [UNIT]
 //             | SUBJECT "is" ["not"] (NUMBER ["+-" NUMBER] [UNIT] | WORD)
 //             | SUBJECT ("happens" | "arrives")
+//             | "the" "program" "prints" TEXT
+//
+// A TEXT stands between double quotes and has none inside.
 //
 // An Error says what was expected after what.
 Result<Condition> ReadCondition(std::string_view text);
 
 // Returns it as ReadCondition reads it.
 std::string Text(const Comparison& comparison);
+
+// Returns the number by which a word is compared, 2^53 or more. The same word has the same number
+// in every process.
+double WordNumber(std::string_view word);
 
 }  // namespace understudy::judge

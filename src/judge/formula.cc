@@ -44,6 +44,28 @@ double MarginOf(const Leaf& leaf, double signal) {
   return kUnknown;
 }
 
+double MarginOf(const Formula& formula, std::span<const double> signals) {
+  switch (formula.op) {
+    case Op::kLeaf:
+      return MarginOf(formula.leaf, signals[formula.leaf.signal]);
+    case Op::kNot:
+      return -MarginOf(formula.parts.front(), signals);
+    case Op::kAll:
+    case Op::kAny: {
+      Worth worth{.margin = MarginOf(formula.parts.front(), signals)};
+      for (std::size_t i = 1; i < formula.parts.size(); ++i) {
+        const Worth part{.margin = MarginOf(formula.parts[i], signals)};
+        worth = formula.op == Op::kAll ? Least(worth, part) : Most(worth, part);
+      }
+      return worth.margin;
+    }
+    case Op::kAlways:
+    case Op::kEventually:
+      break;
+  }
+  return kUnknown;
+}
+
 std::size_t NumberLeaves(Formula* formula) { return NumberFrom(formula, 0); }
 
 Time Horizon(const Formula& formula) {

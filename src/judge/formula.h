@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "judge/margin.h"
@@ -43,6 +44,10 @@ struct Formula {
   std::vector<Formula> parts{};  // one; of kAll and kAny one or more
   Time from = 0, to = 0;         // of kAlways and kEventually; 0 <= from <= to
 };
+
+// Returns the margin of a formula at an instant with these signals; unknown where it looks ahead.
+// Allocates nothing.
+double MarginOf(const Formula& formula, std::span<const double> signals);
 
 // Numbers the leaves from 0, in order. Returns their count.
 std::size_t NumberLeaves(Formula* formula);

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "judge/condition.h"
 #include "record/player.h"
+#include "record/ros2msg.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -16,16 +18,35 @@ using nlohmann::json;
 using Source = Signal::Source;
 
 // Of one instant only.
-bool IsPulse(Source source) { return source == Source::kArrival || source == Source::kEvent; }
+bool IsPulse(Source source) {
+  return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
+}
+
+signals::Truth ViewOf(const record::Truth& truth) {
+  return {.qpos = truth.qpos,
+          .qvel = truth.qvel,
+          .tau = truth.tau,
+          .foot_force = truth.foot_force,
+          .crane_tension = truth.crane_tension};
+}
 
 double ValueOf(const json& value) {
   if (value.is_boolean()) return value.get<bool>() ? 1 : 0;
   if (value.is_number()) return value.get<double>();
-  if (value.is_string()) return Evidence::WordNumber(value.get_ref<const std::string&>());
+  if (value.is_string()) return judge::WordNumber(value.get_ref<const std::string&>());
   return judge::kUnknown;
 }
 
 }  // namespace
+
+std::string WrongField(const std::string& type, const std::string& field) {
+  try {
+    record::FindField(record::RosTypeName(type), field);
+  } catch (const RecordError& error) {
+    return error.what();
+  }
+  return {};
+}
 
 Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
     : start_(start), give_(std::move(give)) {
@@ -35,7 +56,9 @@ Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
     const bool counts = IsPulse(source) || source == Source::kEventCount;
     values_.push_back(counts ? 0 : judge::kUnknown);
     if (signal.origin() == Origin::kMessages) by_topic_[signal.topic].push_back(slots_.size());
-    slots_.push_back({.signal = std::move(signal), .field = {}, .wrong = {}, .last = {}});
+    const double word = judge::WordNumber(signal.printed);
+    slots_.push_back(
+        {.signal = std::move(signal), .field = {}, .wrong = {}, .word = word, .last = {}});
   }
 }
 
@@ -61,9 +84,10 @@ void Evidence::Take(const record::McapChannel& channel, std::string_view ros_typ
 void Evidence::TakeTruth(const record::Truth& truth) {
   if (truth.qpos.size() < 7 || truth.qvel.size() < 6) return;
   truth_ = true;
+  const signals::Truth view = ViewOf(truth);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
-    if (signal.source == Source::kTruth) values_[i] = signal.of(truth, signal.index);
+    if (signal.source == Source::kTruth) values_[i] = signal.of(view, signal.index);
   }
 }
 
@@ -75,11 +99,13 @@ void Evidence::TakeEvent(const record::Event& event) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
     if (signal.origin() != Origin::kEvents || signal.topic != event.kind) continue;
+    const double value =
+        fields && detail.contains(signal.field) ? ValueOf(detail[signal.field]) : judge::kUnknown;
     if (signal.source == Source::kEventField) {
-      if (fields && detail.contains(signal.field)) values_[i] = ValueOf(detail[signal.field]);
-    } else {
+      if (judge::IsKnown(value)) values_[i] = value;
+    } else if (signal.source != Source::kPrint || value == slots_[i].word) {
       values_[i] += count;
-      pulses_ = pulses_ || signal.source == Source::kEvent;
+      pulses_ = pulses_ || IsPulse(signal.source);
     }
   }
   // Lateness is a matter of the machine.
@@ -148,13 +174,6 @@ std::string Evidence::WhyUnknown(std::size_t signal) const {
     return slot.signal.name + " comes from events, which this recording does not have";
   }
   return {};
-}
-
-// 2^53 and beyond, where no number of an event's field is: FNV-1a of 52 bits.
-double Evidence::WordNumber(std::string_view word) {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const char c : word) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211U;
-  return 9007199254740992.0 + 2.0 * static_cast<double>(hash >> 12U);
 }
 
 }  // namespace understudy::rehearse

@@ -13,9 +13,16 @@
 #include "judge/margin.h"
 #include "record/cdr_field.h"
 #include "record/mcap_format.h"
-#include "rehearse/signals.h"
+#include "record/truth.h"
+#include "signals/signals.h"
 
 namespace understudy::rehearse {
+
+using signals::Origin;
+using signals::Signal;
+
+// As signals::Names has it.
+std::string WrongField(const std::string& type, const std::string& field);
 
 // Takes messages in the order of the file, while it is written or read, and gives one sample for
 // each instant at which there is one. So a run and its recording give the same samples.
@@ -45,15 +52,12 @@ class Evidence {
   // All events but those of late ticks.
   const std::vector<Told>& events() const { return events_; }
 
-  // Returns the number by which a word of an event's field is compared. The same word has the same
-  // number in every Evidence.
-  static double WordNumber(std::string_view word);
-
  private:
   struct Slot {
     Signal signal;
     std::optional<record::CdrField> field;  // kField, once its channel was seen
     std::string wrong;                      // why not
+    double word = 0;                        // kPrint
     std::optional<judge::Time> last;        // kGap: last message
     bool arrived = false;                   // kGap: at this instant
   };

@@ -8,7 +8,6 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
-#include "rehearse/evidence.h"
 #include "rehearse/yaml_values.h"
 
 namespace understudy::rehearse {
@@ -16,12 +15,8 @@ namespace {
 
 using config::YamlValue;
 using judge::Claim;
-using judge::Comparison;
-using judge::Condition;
 using judge::Formula;
-using judge::Leaf;
 using judge::OperatorRow;
-using judge::Relation;
 
 constexpr std::size_t kMostName = 80;  // characters; *assumed*
 constexpr std::size_t kMostSays = 400;
@@ -42,102 +37,18 @@ class Binder {
     if (value.kind != YamlValue::Kind::kScalar) {
       Refuse(value, key, "a condition, as in base.height > 0.3");
     }
-    const auto condition = judge::ReadCondition(value.text);
-    if (!condition) Fail(value, key, condition.why());
-    Formula formula = Bind(*condition, value, key, leaves);
-    judge::NumberLeaves(&formula);
-    return formula;
+    auto bound = signals::BindCondition(value.text, names_, &all_->signals);
+    if (!bound) throw ConfigError(value.where + ": " + key + ": " + bound.why());
+    for (const LeafText& leaf : bound->leaves) {
+      std::vector<std::size_t>& needed = one_->signals;
+      const auto place = std::ranges::lower_bound(needed, leaf.signal);
+      if (place == needed.end() || *place != leaf.signal) needed.insert(place, leaf.signal);
+    }
+    *leaves = std::move(bound->leaves);
+    return std::move(bound->formula);
   }
 
  private:
-  [[noreturn]] static void Fail(const YamlValue& value, const std::string& key,
-                                const std::string& why) {
-    throw ConfigError(value.where + ": " + key + ": " + why);
-  }
-
-  Formula Bind(const Condition& condition, const YamlValue& value, const std::string& key,
-               std::vector<LeafText>* leaves) {
-    using Kind = Condition::Kind;
-    if (condition.kind == Kind::kComparison) {
-      return BindLeaf(condition.comparison, value, key, leaves);
-    }
-    Formula formula{.op = condition.kind == Kind::kNot   ? judge::Op::kNot
-                          : condition.kind == Kind::kAll ? judge::Op::kAll
-                                                         : judge::Op::kAny};
-    for (const Condition& part : condition.parts) {
-      formula.parts.push_back(Bind(part, value, key, leaves));
-    }
-    return formula;
-  }
-
-  Formula BindLeaf(const Comparison& comparison, const YamlValue& value, const std::string& key,
-                   std::vector<LeafText>* leaves) {
-    auto found = FindSignal(comparison, names_);
-    if (!found) Fail(value, key, found.why());
-    const auto scale = ScaleTo(comparison.unit, found->unit);
-    if (!scale) Fail(value, key, comparison.subject + ": " + scale.why());
-    const bool worded = found->source == Signal::Source::kEventField;
-    if (!comparison.word.empty() && !worded) {
-      Fail(value, key, comparison.subject + " is a number, got '" + comparison.word + "'");
-    }
-    Leaf leaf{.compare = CompareOf(comparison.relation),
-              .value = comparison.number,
-              .tolerance = comparison.tolerance,
-              .scale = *scale,
-              .fails_unsaid = found->origin() == Origin::kEvents};
-    if (!comparison.word.empty()) leaf.value = WordOf(comparison.word);
-    const bool quantity =
-        leaf.compare != judge::Compare::kEqual && leaf.compare != judge::Compare::kTrue;
-    const std::string unit = comparison.unit.empty() ? found->unit : comparison.unit;
-    leaf.signal = PlaceOf(*std::move(found));
-    leaves->push_back({.text = judge::Text(comparison),
-                       .unit = quantity ? unit : "",
-                       .signal = leaf.signal,
-                       .leaf = leaf});
-    return {.op = judge::Op::kLeaf, .leaf = leaf};
-  }
-
-  static judge::Compare CompareOf(Relation relation) {
-    switch (relation) {
-      case Relation::kBelow:
-        return judge::Compare::kBelow;
-      case Relation::kAtMost:
-        return judge::Compare::kAtMost;
-      case Relation::kAbove:
-        return judge::Compare::kAbove;
-      case Relation::kAtLeast:
-        return judge::Compare::kAtLeast;
-      case Relation::kIs:
-        return judge::Compare::kEqual;
-      case Relation::kNear:
-        return judge::Compare::kNear;
-      case Relation::kHappens:
-      case Relation::kArrives:
-        break;
-    }
-    return judge::Compare::kTrue;
-  }
-
-  // Switches are numbers in the events, all other words are words.
-  static double WordOf(const std::string& word) {
-    if (word == "true" || word == "on") return 1;
-    if (word == "false" || word == "off") return 0;
-    return Evidence::WordNumber(word);
-  }
-
-  std::size_t PlaceOf(Signal signal) {
-    const auto same = [&signal](const Signal& other) {
-      return other.name == signal.name && other.source == signal.source;
-    };
-    const auto known = std::ranges::find_if(all_->signals, same);
-    const auto place = static_cast<std::size_t>(known - all_->signals.begin());
-    if (known == all_->signals.end()) all_->signals.push_back(std::move(signal));
-    std::vector<std::size_t>& needed = one_->signals;
-    if (std::ranges::find(needed, place) == needed.end()) needed.push_back(place);
-    std::ranges::sort(needed);
-    return place;
-  }
-
   const Names& names_;
   Expectations* all_;
   Expectation* one_;

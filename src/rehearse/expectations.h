@@ -7,17 +7,13 @@
 
 #include "config/yaml_document.h"
 #include "judge/claim.h"
-#include "rehearse/signals.h"
+#include "signals/bound_condition.h"
 
 namespace understudy::rehearse {
 
-// A comparison of a formula, by its number there.
-struct LeafText {
-  std::string text;        // "base.tilt < 30 deg"
-  std::string unit{};      // of its margin, "" if it has none
-  std::size_t signal = 0;  // place in Expectations::signals
-  judge::Leaf leaf{};
-};
+using signals::LeafText;
+using signals::Names;
+using signals::Signal;
 
 struct Expectation {
   std::string name;

@@ -65,6 +65,11 @@ class StageManager {
       started_ = true;
     }
     if (!started_ || ended_) return;
+    if (options_.output != nullptr) {
+      options_.output->TakeFound([events](const std::string& text) {
+        events->Add(EventKind::kProgramPrints, 0, {}, text);
+      });
+    }
     if (program.until && t >= *program.until && !asked_) {
       if (program.kill) {
         child_->Forward(SIGKILL);

@@ -8,6 +8,7 @@
 
 #include "base/exit_code.h"
 #include "exec/child_process.h"
+#include "exec/program_output.h"
 #include "rehearse/judged.h"
 #include "rehearse/scenario.h"
 
@@ -19,6 +20,7 @@ struct RehearsalOptions {
   bool private_network = false;            // nothing leads out of it
   bool to_the_end = false;                 // also when an expectation has failed
   std::function<bool()> interrupted{};     // true ends it
+  exec::ProgramOutput* output = nullptr;   // of the program; null: nobody asks what it prints
 };
 
 struct Rehearsal {

@@ -7,8 +7,8 @@
 #include "base/errors.h"
 #include "base/nearest_word.h"
 #include "config/data_dir.h"
+#include "rehearse/evidence.h"
 #include "rehearse/yaml_values.h"
-#include "script/script.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -178,9 +178,13 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
                       ": duration: missing; expected seconds, as no program ends the rehearsal");
   }
   if (const YamlValue* script = document.Find("script")) {
-    scenario.script = script::ReadEvents(*script);
+    Names names = signals::RunningNames(scenario.config.robot);
+    names.program = scenario.program.has_value();
+    scenario.script = script::ReadEvents(*script, names);
   }
-  scenario.expect = ReadExpectations(Needed(document, "expect"), NamesOf(scenario.config.robot));
+  Names names = signals::RecordedNames(scenario.config.robot, WrongField);
+  names.program = scenario.program.has_value();
+  scenario.expect = ReadExpectations(Needed(document, "expect"), names);
   return scenario;
 }
 
@@ -189,7 +193,8 @@ Expectations LoadExpectations(const std::filesystem::path& file, const std::stri
   const YamlValue document = ReadDocument(file);
   const YamlValue& expect = Needed(document, "expect");
   if (document.Find("robot") != nullptr) {
-    return ReadExpectations(expect, NamesOf(ConfigOf(document, file, {}, true).robot));
+    return ReadExpectations(
+        expect, signals::RecordedNames(ConfigOf(document, file, {}, true).robot, WrongField));
   }
   if (robot.empty()) {
     throw ConfigError(document.where +
@@ -198,7 +203,7 @@ Expectations LoadExpectations(const std::filesystem::path& file, const std::stri
   config::Layers layers{.robot = robot};
   if (!revision.empty()) layers.sets.push_back("robot.revision=" + revision);
   const config::Config config = config::LoadConfig(layers, config::DataDir());
-  return ReadExpectations(expect, NamesOf(config.robot));
+  return ReadExpectations(expect, signals::RecordedNames(config.robot, WrongField));
 }
 
 std::string ScenarioReference() {

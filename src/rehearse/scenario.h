@@ -9,8 +9,8 @@
 #include "config/config.h"
 #include "config/load.h"
 #include "config/yaml_document.h"
-#include "emulator/request.h"
 #include "rehearse/expectations.h"
+#include "script/script.h"
 
 namespace understudy::rehearse {
 
@@ -27,7 +27,7 @@ struct Scenario {
   std::string name{};
   std::string about{};
   config::Config config{};
-  std::vector<emulator::ScriptEvent> script{};
+  script::Script script{};
   std::optional<Program> program{};
   Expectations expect{};
 };

@@ -30,13 +30,18 @@ std::optional<std::uint16_t> RemoteKeys(std::string_view chord) {
 }
 
 std::string RemoteKeyNames(std::uint16_t keys) {
-  std::string names;
+  RemoteKeyText room{};
+  return std::string(WriteRemoteKeyNames(keys, &room));
+}
+
+std::string_view WriteRemoteKeyNames(std::uint16_t keys, RemoteKeyText* room) {
+  std::size_t size = 0;
   for (std::size_t bit = 0; bit < kRemoteKeys.size(); ++bit) {
     if ((keys >> bit & 1U) == 0) continue;
-    if (!names.empty()) names += '+';
-    names += kRemoteKeys[bit];
+    if (size > 0) (*room)[size++] = '+';
+    size += kRemoteKeys[bit].copy(room->data() + size, room->size() - size);
   }
-  return names;
+  return {room->data(), size};
 }
 
 }  // namespace understudy::robot

@@ -29,5 +29,8 @@ std::optional<std::uint16_t> RemoteKeys(std::string_view chord);
 
 // Returns the names of the bits, joined by "+" in the order of the bits.
 std::string RemoteKeyNames(std::uint16_t keys);
+// The same in a room for all of them. Allocates nothing.
+using RemoteKeyText = std::array<char, 72>;
+std::string_view WriteRemoteKeyNames(std::uint16_t keys, RemoteKeyText* room);
 
 }  // namespace understudy::robot

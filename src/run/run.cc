@@ -215,7 +215,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                           .port = &port,
                           .services = &host}},
                         &inbox);
-  world.Play(options.script);
+  script::Play(options.script, &world);
   Recording recording(options.recording, participant, config, made.draws, world);
   emulator::SnapshotMailbox snapshots(world.MakeSnapshot());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
@@ -291,6 +291,10 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     }
     if (config.time.duration > 0 && world.time() >= config.time.duration) break;
     if (options.should_stop(world.step(), &world.events())) break;
+  }
+  if (const emulator::Status status = world.status(); status.script_waiting > 0) {
+    spdlog::warn("script: {}: '{}' has not come", status.script_where.data(),
+                 status.script_waits_for.data());
   }
   spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
                world.time());

@@ -3,20 +3,19 @@
 
 #include <filesystem>
 #include <functional>
-#include <vector>
 
 #include "base/exit_code.h"
 #include "config/config.h"
 #include "emulator/events.h"
-#include "emulator/request.h"
 #include "run/recording.h"
+#include "script/script.h"
 #include "server/panel_socket.h"
 
 namespace understudy::run {
 
 struct RunOptions {
-  std::filesystem::path control_socket;       // for `ctl`; in a folder made by MakeControlFolder
-  std::vector<emulator::ScriptEvent> script;  // may be empty
+  std::filesystem::path control_socket;  // for `ctl`; in a folder made by MakeControlFolder
+  script::Script script;                 // may be empty
   RecordingOptions recording;
   const server::PanelSocket* panel = nullptr;  // null: no panel
   bool private_network = false;                // of exec: nothing leads out of it

@@ -1,22 +1,33 @@
-// Reads scripts: YAML lists of timed events for a robot (docs/scripts.md).
+// Reads scripts: YAML lists of events for a robot, and what they wait for (docs/scripts.md).
 #pragma once
 
 #include <filesystem>
 #include <vector>
 
 #include "config/yaml_document.h"
-#include "emulator/request.h"
+#include "emulator/script.h"
+#include "emulator/world.h"
+#include "signals/watch.h"
 
 namespace understudy::script {
+
+struct Script {
+  // Each that does not come after another is followed by those that come after it, and is in its
+  // place by its time, of equal ones by the file.
+  std::vector<emulator::ScriptEvent> events{};
+  signals::Conditions conditions{};  // for which events wait
+};
 
 // Returns whether a document is a script: a mapping with the key `script`.
 bool IsScript(const config::YamlValue& document);
 
-// Return the events of a list, or of the document or file `script: [...]`, in order of time, events
-// of the same time in the file's order. Throw ConfigError with file, line, key, what was expected
-// and what was found.
-std::vector<emulator::ScriptEvent> ReadEvents(const config::YamlValue& list);
-std::vector<emulator::ScriptEvent> ReadScript(const config::YamlValue& document);
-std::vector<emulator::ScriptEvent> LoadScript(const std::filesystem::path& file);
+// Read the events of a list, or of the document or file `script: [...]`, for a robot that has these
+// names. Throw ConfigError with file, line, key, what was expected and what was found.
+Script ReadEvents(const config::YamlValue& list, const signals::Names& names);
+Script ReadScript(const config::YamlValue& document, const signals::Names& names);
+Script LoadScript(const std::filesystem::path& file, const signals::Names& names);
+
+// Has a world that has made no tick yet play a script, as World::Play does.
+void Play(const Script& script, emulator::World* world);
 
 }  // namespace understudy::script

@@ -138,8 +138,9 @@ TEST_F(RequestTableTest, EveryRequestReadsTheSameFromJsonScriptsAndTheCommandLin
     EXPECT_EQ(emulator::Describe(robot.last()), said);
 
     if (row.from == emulator::From::kPeople) continue;
-    const auto events = script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"));
-    EXPECT_EQ(emulator::Describe(events.front().request), said);
+    const auto script =
+        script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
+    EXPECT_EQ(emulator::Describe(script.events.front().request), said);
   }
 }
 
@@ -153,7 +154,7 @@ TEST_F(RequestTableTest, EveryMistakeIsToldTheSameByJsonScriptsAndTheCommandLine
       EXPECT_EQ(Parse(Words(row, values), false), std::string(row.name) + ": " + why);
       if (row.from == emulator::From::kPeople) continue;
       try {
-        script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"));
+        script::ReadScript(config::ParseYaml(ScriptOf(row, values), "s"), signals::RunningNames());
         ADD_FAILURE() << row.name << "." << field.key;
       } catch (const ConfigError& error) {
         EXPECT_EQ(error.what(), "s:1: " + std::string(row.name) + ": " + why);

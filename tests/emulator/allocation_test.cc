@@ -10,7 +10,9 @@
 #include <mujoco/mujoco.h>
 
 #include "config/load.h"
+#include "config/yaml_document.h"
 #include "physics/world_model.h"
+#include "script/script.h"
 #include "tests/emulator/emulator_test.h"
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
@@ -171,6 +173,30 @@ TEST_F(AllocationTest, DoesNotHappenWhileAMotionServiceIsOn) {
   EXPECT_EQ(world_->status().gate, authority::GateState::kClosed);
   services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
   EXPECT_EQ(CountIn(100), 0);
+}
+
+// For commands, the truth, samples and events, while events come and time-outs do not.
+TEST_F(AllocationTest, DoesNotHappenWhileAScriptWaits) {
+  port_.KeepTheLastOnly();
+  StartAs("hanging");
+  const std::string joint = config_.robot.motors[0].joint;
+  const std::string text =
+      "[{at: 0.1, when: gap(lowcmd) > 1 or q(" + joint +
+      ") > 9 or base.tilt > 170 deg, clamp: on},"
+      " {when: feet.force > 5 and remote.keys is not START+SELECT+UP+RIGHT, remote.hold: L2},"
+      " {at: 0.1, when: lowcmd arrives, crane.release: },"
+      " {after: previous, when: feet.force > 5, within: 5, push: {force: [1, 0, 0]}},"
+      " {after: previous, at: 0.01, when: count(following) > 0, push: {force: [1, 0, 0]}}]";
+  script::Play(
+      script::ReadEvents(config::ParseYaml(text, "s"), signals::RunningNames(config_.robot)),
+      world_.get());
+  port_.SendEveryTick(Torque(0));
+  Ask("remote.hold", "START+SELECT+UP+RIGHT+DOWN");
+  CountIn(10);
+  EXPECT_EQ(CountIn(4000), 0);
+  const Status status = world_->status();
+  EXPECT_EQ(status.script_done, 4U);
+  EXPECT_EQ(status.script_waiting, 1U);
 }
 
 // With commands that come late to its motors, refused ones and none.

@@ -6,7 +6,114 @@
 namespace understudy::emulator {
 namespace {
 
-class ScriptTest : public EmulatorTest {};
+// Conditions that hold when the test says so.
+class SaidConditions final : public Conditions {
+ public:
+  explicit SaidConditions(const std::vector<bool>* hold) : hold_(hold) {}
+
+  void Look(const World&, bool) override {}
+  bool Holds(std::size_t condition) const override { return (*hold_)[condition]; }
+
+ private:
+  const std::vector<bool>* hold_;
+};
+
+class ScriptTest : public EmulatorTest {
+ protected:
+  void Play(const std::vector<ScriptEvent>& events) {
+    world_->Play(events, std::make_unique<SaidConditions>(&holds_));
+  }
+  static ScriptEvent Event(const char* where, const char* keys, ScriptEvent event) {
+    event.where = where;
+    event.request = test::RequestOf("remote.hold", keys);
+    return event;
+  }
+
+  std::vector<bool> holds_ = std::vector<bool>(4, false);
+};
+
+TEST_F(ScriptTest, AnEventWaitsForItsCondition) {
+  StartAs("standing");
+  Play({Event("s:1", "A", {.at = 0.005, .when = 0, .condition = "a"})});
+  holds_[0] = true;
+  Tick(3);
+  EXPECT_EQ(world_->status().script_done, 0U);  // not before its time
+  holds_[0] = false;
+  Tick(7);
+  EXPECT_EQ(world_->status().script_done, 0U);
+  holds_[0] = true;
+  Tick();
+  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_THAT(Told(EventKind::kScriptWait), testing::ElementsAre("script: 'a' came after 0.005 s"));
+  EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:1"));
+}
+
+TEST_F(ScriptTest, WhatComesAfterAnEventCountsFromItsEnd) {
+  StartAs("standing");
+  Play({Event("s:1", "A", {.when = 0, .condition = "a"}),
+        Event("s:2", "B", {.at = 0.01, .after = true}),
+        Event("s:3", "X", {.after = true, .when = 1, .condition = "b"}),
+        Event("s:4", "Y", {.after = true})});
+  holds_[1] = true;
+  Tick(20);
+  EXPECT_EQ(world_->status().script_done, 0U);
+  holds_[0] = true;
+  Tick();
+  EXPECT_EQ(world_->status().script_done, 1U);
+  Tick(9);
+  EXPECT_EQ(world_->status().script_done, 1U);
+  Tick();
+  EXPECT_EQ(world_->status().script_done, 4U);  // the others at once, in their order
+  EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:1", "s:2", "s:3", "s:4"));
+}
+
+TEST_F(ScriptTest, AnEventThatHasWaitedTooLongIsRefusedAndTheScriptGoesOn) {
+  StartAs("standing");
+  Play({Event("s:1", "A", {.when = 0, .condition = "a > 1", .within = 0.01}),
+        Event("s:2", "B", {.at = 0.005, .after = true})});
+  Tick(10);
+  EXPECT_EQ(world_->status().script_done, 0U);
+  Tick();
+  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_THAT(Told(EventKind::kScriptRefused),
+              testing::ElementsAre("script: s:1: waited 0.01 s in vain: a > 1"));
+  EXPECT_THAT(Told(EventKind::kScriptWait),
+              testing::ElementsAre("script: 'a > 1' had not come after 0.010 s"));
+  Tick(5);
+  EXPECT_EQ(world_->status().script_done, 2U);
+  EXPECT_EQ(world_->status().script_refused, 1U);
+  EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:2"));
+}
+
+TEST_F(ScriptTest, AConditionThatHoldsAtTheLastInstantIsInTime) {
+  StartAs("standing");
+  Play({Event("s:1", "A", {.when = 0, .within = 0.01})});
+  Tick(10);
+  holds_[0] = true;
+  Tick();
+  EXPECT_EQ(world_->status().script_done, 1U);
+  EXPECT_EQ(world_->status().script_refused, 0U);
+}
+
+TEST_F(ScriptTest, SequencesWaitBesideEachOtherAndTheStatusTellsOfTheFirst) {
+  StartAs("standing");
+  Play({Event("s:1", "A", {.when = 0, .condition = "a"}),
+        Event("s:2", "B", {.when = 1, .condition = "b"}), Event("s:3", "X", {.at = 0.005}),
+        Event("s:4", "Y", {.at = 0.5, .when = 2})});
+  Tick(20);
+  Status status = world_->status();
+  EXPECT_EQ(status.script_done, 1U);
+  EXPECT_EQ(status.script_waiting, 2U);  // the last has not begun
+  EXPECT_STREQ(status.script_where.data(), "s:1");
+  EXPECT_STREQ(status.script_waits_for.data(), "a");
+  holds_[0] = true;
+  Tick();
+  status = world_->status();
+  EXPECT_EQ(status.script_waiting, 1U);
+  EXPECT_STREQ(status.script_where.data(), "s:2");
+  EXPECT_STREQ(status.script_waits_for.data(), "b");
+}
 
 TEST_F(ScriptTest, GivesEachRequestToTheTickOfItsTime) {
   port_.TellEvery(1);

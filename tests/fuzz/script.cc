@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
     const config::YamlValue document = config::ParseYaml(text, "fuzz.yaml");
-    if (script::IsScript(document)) script::ReadScript(document);
+    if (script::IsScript(document)) script::ReadScript(document, signals::RunningNames());
   } catch (const SetupError&) {
     // What most bytes are, said in words.
   }

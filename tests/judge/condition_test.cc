@@ -18,7 +18,7 @@ TEST(ConditionTest, ReadsEveryFormOfComparison) {
   for (const char* text :
        {"base.height < 0.8", "base.height <= 0.8 cm", "rt/lowstate:imu_state.rpy[0] > -3",
         "gap(rt/lowcmd) >= 20 ms", "state is 500", "gate is damping", "base.x is 1 +- 0.25 m",
-        "refused happens", "lowcmd arrives"}) {
+        "refused happens", "lowcmd arrives", "the program prints \"all (is) well\""}) {
     const Condition read = Read(text);
     EXPECT_EQ(read.kind, Kind::kComparison) << text;
     EXPECT_EQ(Text(read.comparison), text);
@@ -52,6 +52,14 @@ TEST(ConditionTest, SaysWhatWasExpectedAfterWhat) {
   EXPECT_EQ(
       WhyNot("base.height"),
       "expected one of < <= > >= is between happens arrives after 'base.height', got the end");
+  EXPECT_EQ(WhyNot("the robot prints \"x\""), "expected 'program' after 'the', got 'robot'");
+  EXPECT_EQ(WhyNot("the program says \"x\""), "expected 'prints' after 'program', got 'says'");
+  for (const char* text : {"the program prints", "the program prints x", "the program prints \"\"",
+                           "the program prints \"x"}) {
+    EXPECT_TRUE(WhyNot(text).starts_with("expected a text between double quotes")) << text;
+  }
+  EXPECT_EQ(WhyNot("the program prints \"" + std::string(101, 'x') + "\""),
+            "a text has at most 100 bytes");
   EXPECT_EQ(WhyNot("base.height < high"), "expected a number after '<', got 'high'");
   EXPECT_EQ(WhyNot("a > 1 b > 2"), "expected 'and', 'or' or the end after 'b', got '>'");
   EXPECT_EQ(WhyNot("(a > 1"), "expected ')' after '1', got the end");

@@ -53,6 +53,46 @@ TEST(MarginTest, OrdersAFailureByNothingBelowAnHoldByNothing) {
   EXPECT_FALSE(IsLess(0.0, 0.0));
 }
 
+// A formula that does not look ahead, by chance.
+Formula Draw(int depth, std::minstd_rand* random) {
+  const auto kind = (*random)() % (depth == 0 ? 1U : 4U);
+  if (kind == 0) {
+    return {.op = Op::kLeaf,
+            .leaf = {.signal = (*random)() % 2,
+                     .compare = (*random)() % 2 == 0 ? Compare::kBelow : Compare::kEqual,
+                     .value = static_cast<double>((*random)() % 4),
+                     .fails_unsaid = (*random)() % 2 == 0}};
+  }
+  if (kind == 1) return {.op = Op::kNot, .parts = {Draw(depth - 1, random)}};
+  return {.op = kind == 2 ? Op::kAll : Op::kAny,
+          .parts = {Draw(depth - 1, random), Draw(depth - 1, random), Draw(depth - 1, random)}};
+}
+
+TEST(MarginTest, OfAFormulaAtAnInstantIsWhatItsStreamSays) {
+  std::minstd_rand random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Formula formula = Draw(3, &random);
+    const auto value = [&] {
+      const auto drawn = random() % 5;
+      return drawn == 4 ? kUnknown : static_cast<double>(drawn);
+    };
+    const double signals[] = {value(), value()};
+    std::vector<Piece> pieces;
+    Stream(formula).Advance(0, 1, signals, &pieces);
+    ASSERT_EQ(pieces.size(), 1U);
+    const double streamed = pieces[0].worth.margin, margin = MarginOf(formula, signals);
+    ASSERT_EQ(IsKnown(margin), IsKnown(streamed));
+    if (!IsKnown(margin)) continue;
+    ASSERT_EQ(margin, streamed);
+    ASSERT_EQ(Holds(margin), Holds(streamed));
+  }
+}
+
+TEST(MarginTest, OfAFormulaThatLooksAheadIsUnknown) {
+  const double signal = 1;
+  EXPECT_FALSE(IsKnown(MarginOf(Over(Op::kAlways, 0, 1, Above(0)), std::span(&signal, 1))));
+}
+
 TEST(StreamTest, LooksAheadOverAWindow) {
   const Line signal{3, 1, 4, 1, 5, 9, 2, 6};
   EXPECT_EQ(MarginsOf(Over(Op::kAlways, 0, 2, Above(0)), signal), (Line{1, 1, 1, 1, 2, 2}));

@@ -50,6 +50,21 @@ TEST(EvidenceTest, KeepsWhatAnEventSaidAndTellsWhenItHappens) {
   EXPECT_EQ(VerdictOf("{never: gate happens, from: 1.5}", play).outcome, kPassed);
 }
 
+TEST(EvidenceTest, TellsAtWhichInstantTheProgramPrintsAText) {
+  const auto play = [](Stage* stage) {
+    stage->Event(0, "program_prints", R"({"text": "walk", "count": 1})");
+    stage->Event(1, "program_prints", R"({"text": "ready", "count": 1})");
+    stage->Event(2, "program_prints", R"({"text": "walk", "count": 1})");
+  };
+  using enum judge::Outcome;
+  EXPECT_EQ(VerdictOf(R"({count: the program prints "walk", least: 2, most: 2})", play).outcome,
+            kPassed);
+  EXPECT_EQ(VerdictOf(R"({never: the program prints "walk", from: 0.5, to: 1.5})", play).outcome,
+            kPassed);
+  EXPECT_EQ(VerdictOf(R"({eventually: the program prints "ready", to: 0.5})", play).outcome,
+            kFailed);
+}
+
 TEST(EvidenceTest, CountsABurstOfEventsAsManyTimesAsItHappened) {
   const auto play = [](Stage* stage) {
     stage->Event(0, "refused", R"({"reason": "crc", "count": 1})");

@@ -20,8 +20,9 @@ inline Names TinyNames() {
   return {.joints = {"hip_joint", "knee_joint"},
           .slots = {0, 1},
           .feet = {"left", "right"},
-          .topics = {{"rt/lowcmd", "unitree_go/msg/LowCmd"},
-                     {"rt/lowstate", "unitree_go/msg/LowState"}}};
+          .topics = {{"rt/lowcmd", "unitree_go::msg::dds_::LowCmd_"},
+                     {"rt/lowstate", "unitree_go::msg::dds_::LowState_"}},
+          .wrong_field = WrongField};
 }
 
 // Reads the expectation(s) of a list in YAML.

@@ -38,7 +38,7 @@ TEST_F(ScenarioTest, SetsWhatARunDoes) {
   EXPECT_EQ(scenario.config.gate.timeout, 0.5);
   EXPECT_EQ(scenario.config.time.duration, 1);
   EXPECT_EQ(scenario.config.time.speed, 0);
-  EXPECT_EQ(scenario.script.size(), 1U);
+  EXPECT_EQ(scenario.script.events.size(), 1U);
 }
 
 TEST_F(ScenarioTest, GoesAtTheSpeedOfAClockWithAProgram) {
@@ -94,7 +94,7 @@ TEST(ReferenceTest, IsThatOfTheDocument) {
   const std::string document{std::istreambuf_iterator<char>(stream), {}};
   EXPECT_THAT(document, HasSubstr(ScenarioReference()));
   EXPECT_THAT(document, HasSubstr(ExpectationsReference()));
-  EXPECT_THAT(document, HasSubstr(SignalsReference()));
+  EXPECT_THAT(document, HasSubstr(signals::SignalsReference()));
 }
 
 TEST(ShippedScenariosTest, AreAllSound) {

@@ -266,7 +266,8 @@ class SettingsTest : public test::MujocoTest {
         {.robot = Text(scene, "robot", "go2"), .files = {}, .sets = sets}, UNDERSTUDY_SOURCE_DIR));
     if (scene.Find("look") != nullptr) return played.Model();
     const std::string script = "script: [" + Text(scene, "script", "") + "]";
-    played.world().Play(script::ReadScript(config::ParseYaml(script, "script")));
+    script::Play(script::ReadScript(config::ParseYaml(script, "script"), signals::RunningNames()),
+                 &played.world());
     const Acts& acts = NamedActs().at(Text(scene, "acts", ""));
     for (const int end = std::stoi(Text(scene, "ms", "300")); played.ms() < end;) {
       acts(&played);

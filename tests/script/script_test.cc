@@ -1,13 +1,16 @@
 #include "script/script.h"
 
+#include <cmath>
+
 #include "tests/config/config_fixture.h"
 
 namespace understudy::script {
 namespace {
 
-std::vector<emulator::ScriptEvent> Read(const std::string& text) {
-  return ReadScript(config::ParseYaml(text, "s"));
+Script ReadAll(const std::string& text) {
+  return ReadScript(config::ParseYaml(text, "s"), signals::RunningNames());
 }
+std::vector<emulator::ScriptEvent> Read(const std::string& text) { return ReadAll(text).events; }
 std::string ErrorIn(const std::string& event) {
   return config::ErrorOf([&] { Read("script:\n  - " + event + "\n"); });
 }
@@ -48,7 +51,9 @@ TEST(ScriptTest, SortsByTimeAndKeepsTheOrderOfEqualTimes) {
 }
 
 TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
-  EXPECT_EQ(ErrorIn("{reset: }"), "s:2: at: missing; expected the time of the event in seconds");
+  EXPECT_EQ(
+      ErrorIn("{reset: }"),
+      "s:2: at: missing; expected the time of the event in seconds, or when, or after: previous");
   EXPECT_EQ(ErrorIn("{at: soon, reset: }"), "s:2: at: expected seconds, got 'soon'");
   EXPECT_EQ(ErrorIn("{at: -1, reset: }"), "s:2: at: expected seconds, got '-1'");
   EXPECT_EQ(ErrorIn("{at: 1}"), "s:2: what is to happen at 1?");
@@ -69,6 +74,70 @@ TEST(ScriptTest, SaysWhereAndWhatIsWrong) {
             "s:2: clamp: on: expected true or false, got \"maybe\"");
   EXPECT_EQ(ErrorIn("5"),
             "s:2: script: expected an event, as in {at: 1.5, remote.press: L2+B}, got '5'");
+}
+
+TEST(ScriptTest, ReadsWhatAnEventWaitsFor) {
+  const Script script = ReadAll(
+      "script:\n"
+      "- {when: lowcmd arrives, crane.lower: 0.3}\n"
+      "- {after: previous, at: 0.5, when: base.height < 0.8 and feet.force > 20, within: 10,\n"
+      "   crane.release: }\n"
+      "- {after: previous, at: 2, reset: }\n");
+  ASSERT_EQ(script.events.size(), 3U);
+  const emulator::ScriptEvent &first = script.events[0], &second = script.events[1],
+                              &third = script.events[2];
+  EXPECT_EQ(first.at, 0);
+  EXPECT_FALSE(first.after);
+  EXPECT_EQ(first.when, 0U);
+  EXPECT_EQ(first.condition, "lowcmd arrives");
+  EXPECT_TRUE(std::isinf(first.within));
+  EXPECT_TRUE(second.after);
+  EXPECT_EQ(second.at, 0.5);
+  EXPECT_EQ(second.when, 1U);
+  EXPECT_EQ(second.within, 10);
+  EXPECT_TRUE(third.after);
+  EXPECT_FALSE(third.when);
+  EXPECT_EQ(script.conditions.formulas.size(), 2U);
+  EXPECT_EQ(script.conditions.signals.size(), 3U);
+}
+
+TEST(ScriptTest, SortsSequencesAndLeavesThemTogether) {
+  const auto events = Read(
+      "script:\n"
+      "- {at: 2, remote.hold: A}\n"
+      "- {after: previous, remote.hold: B}\n"
+      "- {at: 1, remote.hold: X}\n"
+      "- {after: previous, at: 9, remote.hold: Y}\n"
+      "- {when: lowcmd arrives, reset: }\n");
+  std::vector<std::string> where;
+  for (const emulator::ScriptEvent& event : events) where.push_back(event.where);
+  EXPECT_THAT(where, testing::ElementsAre("s:6", "s:4", "s:5", "s:2", "s:3"));
+}
+
+TEST(ScriptTest, SaysWhatIsWrongWithAWait) {
+  const std::pair<const char*, const char*> kRows[] = {
+      {"{when: base.hight < 1, reset: }",
+       "s:2: when: no signal 'base.hight'; did you mean 'base.height'?"},
+      {"{when: lowcmt arrives, reset: }", "did you mean 'rt/lowcmd'?"},
+      {"{when: base.height <, reset: }", "s:2: when: expected a number after '<', got the end"},
+      {"{when: [a], reset: }", "s:2: when: expected a condition, as in lowcmd arrives, got a list"},
+      {"{when: lowcmd arrives}", "s:2: what is to happen?"},
+      {"{wen: lowcmd arrives, reset: }", "s:2: unknown key 'wen'; did you mean 'when'?"},
+      {"{at: 1, within: 2, reset: }", "s:2: within: only beside when"},
+      {"{when: lowcmd arrives, within: soon, reset: }",
+       "s:2: within: expected seconds, got 'soon'"},
+      {"{after: previous, reset: }", "s:2: after: no event comes before this one"},
+      {"{after: 3, reset: }", "s:2: after: expected previous, got '3'"},
+  };
+  for (const auto& [event, error] : kRows) {
+    EXPECT_THAT(ErrorIn(event), testing::HasSubstr(error)) << event;
+  }
+}
+
+TEST(ScriptTest, BoundsHowOftenItWaits) {
+  std::string text = "script:\n";
+  for (int i = 0; i < 257; ++i) text += "- {when: lowcmd arrives, reset: }\n";
+  EXPECT_EQ(config::ErrorOf([&] { Read(text); }), "s:258: when: a script waits at most 256 times");
 }
 
 TEST(ScriptTest, SaysOnWhichLineTheWrongValueOfARequestStands) {

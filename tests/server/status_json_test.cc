@@ -43,6 +43,9 @@ emulator::Status EveryFieldSet() {
   status.stick_wish = {1, 2, 3};
   status.script_done = 3;
   status.script_refused = 1;
+  status.script_waiting = 2;
+  emulator::CopyText("s.yaml:4", &status.script_where);
+  emulator::CopyText("lowcmd arrives", &status.script_waits_for);
   status.published = 12499;
   status.divergences = 4;
   status.crane_attached = true;
@@ -85,7 +88,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
           R"("motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
-          R"("script":{"done":3,"refused":1},)"
+          R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
           R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
           R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");

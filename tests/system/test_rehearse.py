@@ -137,6 +137,30 @@ expect:
     assert rehearse(file, program=["no-such-program"]).returncode == 127
 
 
+def test_a_script_and_an_expectation_hear_what_the_program_prints(rehearse, tmp_path):
+    file = tmp_path / "prints.yaml"
+    file.write_text("""
+scenario: A program says when it is ready
+robot: go2
+program:
+script:
+  - {when: the program prints "policy loaded", within: 10, fault: {motor: FR_calf_joint, fault: limp}}
+  - {after: previous, when: the program prints "never", within: 0.2, reset: }
+expect:
+  - {eventually: fault happens, from: the program prints "policy loaded", within: 0.1, name: in time}
+  - {never: fault happens, to: 0.5, name: not before}
+  - {count: the program prints "policy", least: 2, most: 2, name: both lines}
+  - {eventually: script_refused happens, from: fault happens, within: 0.3, name: gives up}
+""")
+    # Neither flushes: a pipe would keep the lines back until the program ends.
+    program = "import time; time.sleep(1); print('a policy'); print('policy loaded'); time.sleep(1)"
+    done = rehearse(file, program=[sys.executable, "-c", program])
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "a policy\npolicy loaded\n" in done.stdout
+    assert "prints.yaml:7: waited 0.2 s in vain" in done.stderr
+    assert set(outcomes(tmp_path / "out").values()) == {"passed"}
+
+
 def test_lost_lowcmd_holds_with_a_program_that_writes_it(rehearse, tmp_path):
     program = pathlib.Path(__file__).parent / "writes_lowcmd.py"
     done = rehearse("lost_lowcmd", program=[sys.executable, program])

@@ -1,8 +1,12 @@
 """Scripts, pushes and the remote controller from a shell."""
 
+import os
 import pathlib
 import re
+import signal
+import sys
 
+import pytest
 from unitree_sdk2py.idl.unitree_go.msg.dds_ import WirelessController_
 
 from peers import HgLowState, listener
@@ -10,22 +14,78 @@ from peers import HgLowState, listener
 DOCS = pathlib.Path(__file__).parents[2] / "docs" / "scripts.md"
 
 
-def example(folder):
-    text = re.search(r"```yaml\n(.*?)```", DOCS.read_text(), re.DOTALL).group(1)
-    file = folder / "example.yaml"
-    file.write_text(text)
-    return file
+# How each script of the document is played, in its order: robot, options, and what a shell does beside it.
+HOLDS = f"{sys.executable} {pathlib.Path(__file__).parent / 'holds_pose.py'}"
+EXAMPLES = {
+    "remote.press": ("g1", (), "sleep 60"),
+    "lowcmd arrives": ("g1", ("--released",), HOLDS),
+    "StandUp": ("go2", (), "sleep 60"),
+    "the program prints": ("g1", (), "sleep 1; echo the policy loaded; echo policy loaded; sleep 60"),
+}
 
 
-def test_the_documents_example_is_sound_and_runs_to_its_end(play, understudy, tmp_path):
-    file = example(tmp_path)
+def examples():
+    return re.findall(r"```yaml\n(.*?)```", DOCS.read_text(), re.DOTALL)
+
+
+def test_there_is_a_way_to_play_each_script_of_the_document():
+    assert [[word for word in EXAMPLES if word in text][:1] for text in examples()] == [[w] for w in EXAMPLES]
+
+
+@pytest.mark.parametrize("number", range(len(EXAMPLES)))
+def test_each_script_of_the_document_is_sound_and_runs_to_its_end(understudy, tmp_path, number):
+    file = tmp_path / "example.yaml"
+    file.write_text(examples()[number])
+    events = len(re.findall(r"^  - ", file.read_text(), re.MULTILINE))
     checked = understudy("check", file)
-    assert checked.returncode == 0
-    assert "9 events" in checked.stdout
+    assert checked.returncode == 0, checked.stderr
+    assert f"{events} events" in checked.stdout
 
-    robot = play("g1", "--script", file, "--speed", "4")
-    status = robot.becomes(lambda now: now["script"]["done"] == 9)
-    assert status["script"]["refused"] == 0
+    robot, options, beside = list(EXAMPLES.values())[number]
+    # Ends as soon as the script is over.
+    shell = f"""{beside} & program=$!
+for i in $(seq 600); do
+  status=$({os.environ['UNDERSTUDY']} ctl status --json)
+  case "$status" in *'"script":{{"done":{events},"refused":0,'*) kill $program; exit 0;; esac
+  sleep 0.1
+done
+echo "$status" >&2; kill $program; exit 1"""
+    done = understudy("exec", robot, "--script", file, *options, "--", "sh", "-c", shell, timeout=120)
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_what_a_script_waits_for_is_in_the_status_and_in_the_log(play, tmp_path):
+    file = tmp_path / "waits.yaml"
+    file.write_text("script:\n"
+                    "  - {when: crane happens, push: {force: [1, 0, 0]}}\n"
+                    "  - {after: previous, when: base.height > 5, within: 0.5, clamp: on}\n"
+                    "  - {after: previous, when: lowcmd arrives, clamp: on}\n")
+    robot = play("go2", "--script", file, "--speed", "2")
+    status = robot.becomes(lambda now: now["script"]["waiting"] == 1)
+    assert status["script"]["waits_for"] == "crane happens"
+    assert status["script"]["where"].endswith("waits.yaml:2")
+    assert "waits.yaml:2: crane happens" in robot.ctl("status")
+    robot.ctl("crane", "attach")
+    robot.heard("script: 'crane happens' came after")
+    robot.heard("waits.yaml:3: waited 0.5 s in vain", "warning")
+    status = robot.becomes(lambda now: now["script"]["waits_for"] == "lowcmd arrives")
+    assert (status["script"]["done"], status["script"]["refused"]) == (2, 1)
+    robot.send(signal.SIGINT)
+    robot.exit_code()
+    assert "waits.yaml:4: 'lowcmd arrives' has not come" in robot.said()
+
+
+def test_a_script_names_the_joints_of_its_robot(understudy, tmp_path):
+    file = tmp_path / "joint.yaml"
+    file.write_text("script:\n  - {when: q(left_knee) > 1, reset: }\n")
+    assert understudy("check", file).returncode == 0
+    done = understudy("run", "go2", "--script", file)
+    assert done.returncode == 3
+    assert "joint.yaml:2: when: no joint 'left_knee'" in done.stderr
+    file.write_text('script:\n  - {when: the program prints "x", reset: }\n')
+    done = understudy("run", "go2", "--script", file)
+    assert done.returncode == 3
+    assert "no program runs beside this robot" in done.stderr
 
 
 def test_a_mistake_ends_the_program_before_it_starts(understudy, tmp_path):

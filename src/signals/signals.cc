@@ -1,4 +1,4 @@
-#include "rehearse/signals.h"
+#include "signals/signals.h"
 
 #include <algorithm>
 #include <charconv>
@@ -8,22 +8,19 @@
 
 #include <Eigen/Geometry>
 
-#include "base/errors.h"
 #include "base/nearest_word.h"
 #include "emulator/event_table.h"
+#include "emulator/robot.h"
 #include "idl/type_table.h"
 #include "judge/margin.h"
-#include "record/cdr_field.h"
-#include "record/ros2msg.h"
 #include "wire/imu_codec.h"
 #include "wire/topics.h"
 
-namespace understudy::rehearse {
+namespace understudy::signals {
 namespace {
 
 using emulator::EventField;
 using emulator::EventRow;
-using record::Truth;
 
 // The free joint of the robot comes first in qpos: position and attitude (w, x, y, z); in qvel the
 // velocity of the base in the world and its angular velocity in its own axes.
@@ -35,13 +32,20 @@ Eigen::Vector2d Level(const Truth& t) {
   const double yaw = Angle(t, 2);
   return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.qvel[0], t.qvel[1]);
 }
-double At(const std::vector<double>& values, std::size_t index) {
+double At(std::span<const double> values, std::size_t index) {
   return index < values.size() ? values[index] : judge::kUnknown;
 }
-double Sum(const std::vector<double>& values) {
+double Sum(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value;
   return sum;
+}
+
+// As the message has it, in single precision.
+double InLowState(const robot::RobotState& sample, std::size_t joint,
+                  double robot::MotorReading::*value) {
+  if (joint >= sample.motors.size()) return judge::kUnknown;
+  return static_cast<float>(sample.motors[joint].*value);
 }
 
 constexpr SignalRow kRows[] = {
@@ -79,9 +83,18 @@ constexpr SignalRow kRows[] = {
      [](const Truth& t, std::size_t) { return Sum(t.foot_force); }},
     {"crane.tension", "", "N", Origin::kTruth, "Pull of the tether, 0 off the crane",
      [](const Truth& t, std::size_t) { return t.crane_tension; }},
-    {"q", "JOINT", "rad", Origin::kMessages, "Angle of a joint in rt/lowstate", nullptr},
-    {"dq", "JOINT", "rad/s", Origin::kMessages, "likewise its rate", nullptr},
-    {"tau_est", "JOINT", "N·m", Origin::kMessages, "likewise its torque", nullptr},
+    {"q", "JOINT", "rad", Origin::kMessages, "Angle of a joint in rt/lowstate", nullptr,
+     [](const robot::RobotState& s, std::size_t joint) {
+       return InLowState(s, joint, &robot::MotorReading::q);
+     }},
+    {"dq", "JOINT", "rad/s", Origin::kMessages, "likewise its rate", nullptr,
+     [](const robot::RobotState& s, std::size_t joint) {
+       return InLowState(s, joint, &robot::MotorReading::dq);
+     }},
+    {"tau_est", "JOINT", "N·m", Origin::kMessages, "likewise its torque", nullptr,
+     [](const robot::RobotState& s, std::size_t joint) {
+       return InLowState(s, joint, &robot::MotorReading::tau);
+     }},
     {"gap", "TOPIC", "s", Origin::kMessages,
      "Time since the last message of a topic; unknown before "
      "the first one",
@@ -152,14 +165,16 @@ std::string OnWire(const std::string& topic) {
 
 Result<std::string> FindTopic(const std::string& written, const Names& names) {
   const std::string topic = OnWire(written);
+  if (names.topics.contains(topic)) return topic;
   // Programs may have topics of their own.
-  if (names.topics.contains(topic) || written.starts_with("rt/")) return topic;
+  if (names.wrong_field != nullptr && written.starts_with("rt/")) return topic;
   std::vector<std::string> topics;
   for (const auto& [name, type] : names.topics) topics.push_back(name);
-  return Unknown("topic", topic, topics);
+  return Unknown(names.wrong_field == nullptr ? "topic of commands" : "topic", topic, topics);
 }
 
 Result<std::size_t> FindJoint(const std::string& joint, const Names& names) {
+  if (names.any_robot) return std::size_t{0};
   auto found = std::ranges::find(names.joints, joint);
   if (found == names.joints.end()) found = std::ranges::find(names.joints, joint + "_joint");
   if (found == names.joints.end()) {
@@ -173,6 +188,7 @@ Result<std::size_t> FindJoint(const std::string& joint, const Names& names) {
 }
 
 Result<std::size_t> FindFoot(const std::string& foot, const Names& names) {
+  if (names.any_robot) return std::size_t{0};
   const auto found = std::ranges::find(names.feet, foot);
   if (found == names.feet.end()) return Unknown("foot", foot, names.feet);
   return static_cast<std::size_t>(found - names.feet.begin());
@@ -204,6 +220,10 @@ Result<Signal> EventNumber(Signal signal, Signal::Source source, const std::stri
 
 Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::string& field,
                        const Names& names) {
+  if (names.wrong_field == nullptr) {
+    return Error{"a running robot is asked for q, dq and tau_est of a joint, not for '" +
+                 signal.name + "'"};
+  }
   const auto found = FindTopic(topic, names);
   if (!found) return found.error();
   signal.source = Signal::Source::kField;
@@ -211,17 +231,14 @@ Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::strin
   signal.field = field;
   const auto type = names.topics.find(*found);
   if (type == names.topics.end()) return signal;
-  try {
-    record::FindField(type->second, field);
-  } catch (const RecordError& error) {
-    return Error{error.what()};
+  if (const std::string wrong = names.wrong_field(type->second, field); !wrong.empty()) {
+    return Error{wrong};
   }
   return signal;
 }
 
-std::string RosTypeOf(const dds_topic_descriptor* descriptor) {
-  const auto type = std::ranges::find(MessageTypes(), descriptor, &MessageType::descriptor);
-  return record::RosTypeName(type->name);
+std::string TypeOf(const dds_topic_descriptor* descriptor) {
+  return std::string(std::ranges::find(MessageTypes(), descriptor, &MessageType::descriptor)->name);
 }
 
 // "word(argument)" in two; the argument is "" if there is none.
@@ -245,12 +262,15 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
     if (!joint) return joint.error();
     signal.index = *joint;
     if (row.origin != Origin::kMessages) return signal;
+    signal.source = Signal::Source::kField;
+    signal.topic = "rt/lowstate";
+    signal.of_sample = row.of_sample;
+    if (names.any_robot) return signal;
     if (*joint >= names.slots.size()) {
       return Error{"rt/lowstate does not tell of " + names.joints[*joint]};
     }
-    return FieldOf(
-        std::move(signal), "rt/lowstate",
-        "motor_state[" + std::to_string(names.slots[*joint]) + "]." + std::string(row.word), names);
+    signal.field =
+        "motor_state[" + std::to_string(names.slots[*joint]) + "]." + std::string(row.word);
   }
   if (row.word == "gap") {
     const auto topic = FindTopic(argument, names);
@@ -272,13 +292,32 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
 
 std::span<const SignalRow> SignalRows() { return kRows; }
 
-Names NamesOf(const robot::RobotSpec& spec) {
+Names RunningNames(const robot::RobotSpec& spec) {
   Names names;
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) names.joints.push_back(motor->joint);
   for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
   for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
+  for (const std::string& topic : emulator::CommandTopics(spec)) {
+    if (!topic.empty()) names.topics.emplace(topic, "");
+  }
+  return names;
+}
+
+Names RunningNames() {
+  Names names{.any_robot = true};
+  for (const std::string_view topic : robot::kCommandTopicNames) names.topics.emplace(topic, "");
+  for (const char* hand : {"left", "right"}) {
+    names.topics.emplace("rt/dex3/" + std::string(hand) + "/cmd", "");
+  }
+  return names;
+}
+
+Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field) {
+  Names names = RunningNames(spec);
+  names.wrong_field = wrong_field;
+  names.topics.clear();
   const auto add = [&names](const auto&... topics) {
-    (names.topics.emplace(topics.name, RosTypeOf(topics.descriptor)), ...);
+    (names.topics.emplace(topics.name, TypeOf(topics.descriptor)), ...);
   };
   using namespace wire;  // NOLINT(google-build-using-namespace): the names of topics
   add(kWirelessController, kArmActionState);
@@ -302,6 +341,7 @@ Origin Signal::origin() const {
       return Origin::kMessages;
     case Source::kEventField:
     case Source::kEvent:
+    case Source::kPrint:
     case Source::kEventCount:
       break;
   }
@@ -320,6 +360,15 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
     signal.source = Signal::Source::kArrival;
     signal.topic = *topic;
     return signal;
+  }
+  if (comparison.relation == judge::Relation::kPrints) {
+    if (!names.program)
+      return Error{"no program runs beside this robot; exec and rehearse have one"};
+    return Signal{.name = judge::Text(comparison),
+                  .source = Signal::Source::kPrint,
+                  .topic = "program_prints",
+                  .field = "text",
+                  .printed = comparison.word};
   }
   const auto [word, argument] = Split(subject);
   const auto row = std::ranges::find_if(kRows, [&word = word, &argument = argument](const auto& r) {
@@ -354,6 +403,15 @@ Result<double> ScaleTo(const std::string& unit, const std::string& from) {
   return Error{"no unit '" + unit + "'" + DidYouMean(unit, units)};
 }
 
+std::vector<std::string> PrintedTexts(std::span<const Signal> signals) {
+  std::vector<std::string> texts;
+  for (const Signal& signal : signals) {
+    if (signal.source != Signal::Source::kPrint) continue;
+    if (std::ranges::find(texts, signal.printed) == texts.end()) texts.push_back(signal.printed);
+  }
+  return texts;
+}
+
 std::string SignalsReference() {
   constexpr std::string_view kOrigins[] = {"truth", "messages", "events"};
   std::string text = "| signal | unit | from | is |\n|---|---|---|---|\n";
@@ -367,4 +425,4 @@ std::string SignalsReference() {
   return text;
 }
 
-}  // namespace understudy::rehearse
+}  // namespace understudy::signals

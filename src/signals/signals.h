@@ -1,0 +1,109 @@
+// The signals that conditions speak of: what each is, and where it comes from.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/result.h"
+#include "judge/condition.h"
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+
+namespace understudy::signals {
+
+// The simulation's truth at an instant, as a recording has it (record/truth.h).
+struct Truth {
+  std::span<const double> qpos, qvel;  // the robot's free joint first
+  std::span<const double> tau;         // N·m at the joints, in motor order
+  std::span<const double> foot_force;  // N, in the order of robot.feet
+  double crane_tension = 0;            // N
+};
+
+// What a recording must have for a signal to be known.
+enum class Origin : std::uint8_t { kTruth, kMessages, kEvents };
+
+// A word of conditions.
+struct SignalRow {
+  std::string_view word;      // "base.height"; of one with an argument what stands before it
+  std::string_view argument;  // "", JOINT, FOOT, TOPIC or EVENT
+  std::string_view unit;
+  Origin origin;
+  std::string_view says;
+  // For Origin::kTruth: its value; `index` is that of the joint or foot.
+  double (*of)(const Truth& truth, std::size_t index);
+  // For Origin::kMessages: its value in the sample of which the message is made; null if it is not
+  // there.
+  double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
+};
+
+// All words, in the order of the documentation. TOPIC:FIELD and EVENT.FIELD are no rows: there are
+// as many as messages and events have fields.
+std::span<const SignalRow> SignalRows();
+
+// What a robot has, of whose run or recording conditions speak.
+struct Names {
+  // Returns what is wrong with the field of a message of a type, by its name on the wire; "" if
+  // nothing is.
+  using WrongField = std::string (*)(const std::string& type, const std::string& field);
+
+  std::vector<std::string> joints{};  // in motor order
+  std::vector<int> slots{};           // of those joints that have one
+  std::vector<std::string> feet{};
+  std::map<std::string, std::string> topics{};  // type on the wire by name, as far as known
+  // Null: of a running robot, which knows messages as it has them itself: those that it hears by
+  // their arrival, its LowState by what it samples.
+  WrongField wrong_field = nullptr;
+  bool program = true;     // a program runs beside it, whose lines are heard
+  bool any_robot = false;  // it is not known which: any joint and any foot will do
+};
+
+// Of a running robot. Its topics are those of commands.
+Names RunningNames(const robot::RobotSpec& spec);
+// The same where nobody knows yet which robot it will be.
+Names RunningNames();
+// Of a recording, with the topics of the robot's publications.
+Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field);
+
+// A signal that a condition names.
+struct Signal {
+  enum class Source : std::uint8_t {
+    kTruth,
+    kField,       // of a message
+    kGap,         // between the messages of a topic
+    kArrival,     // of a message: their number at this instant
+    kEventField,  // of the last event of a kind; a word is its number (judge::WordNumber)
+    kEvent,       // their number at this instant
+    kPrint,       // the same of those whose field is a word
+    kEventCount,  // their number so far
+  };
+
+  std::string name;  // as the condition has it
+  std::string unit{};
+  Source source = Source::kTruth;
+  double (*of)(const Truth& truth, std::size_t index) = nullptr;                      // kTruth
+  double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;  // kField
+  std::size_t index = 0;
+  std::string topic{}, field{};  // of messages, on the wire; of events kind and field
+  std::string printed{};         // kPrint
+
+  Origin origin() const;
+};
+
+// Finds what a comparison is about. An Error has the nearest word.
+Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& names);
+
+// Returns the factor from the unit of a signal to another: 57.3 from rad to deg. An Error lists the
+// units that there are.
+Result<double> ScaleTo(const std::string& unit, const std::string& from);
+
+// Returns the texts for which conditions look in what the program prints, each once.
+std::vector<std::string> PrintedTexts(std::span<const Signal> signals);
+
+// Returns all words as Markdown.
+std::string SignalsReference();
+
+}  // namespace understudy::signals

@@ -1,0 +1,76 @@
+#include "signals/bound_condition.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace understudy::signals {
+namespace {
+
+// Of a running robot with two joints.
+Names TinyNames() {
+  return {.joints = {"hip_joint", "knee_joint", "finger_joint"},
+          .slots = {3, 4},
+          .feet = {"left", "right"},
+          .topics = {{"rt/lowcmd", ""}, {"rt/arm_sdk", ""}}};
+}
+
+std::string WhyNot(const std::string& text, const Names& names = TinyNames()) {
+  std::vector<Signal> signals;
+  return BindCondition(text, names, &signals).why();
+}
+
+TEST(BoundConditionTest, SharesASignalBetweenComparisons) {
+  std::vector<Signal> signals;
+  const auto bound = BindCondition(
+      "base.height > 0.3 and not (base.height > 50 cm or lowcmd arrives)", TinyNames(), &signals);
+  ASSERT_TRUE(bound) << bound.why();
+  ASSERT_EQ(signals.size(), 2U);
+  EXPECT_EQ(signals[0].source, Signal::Source::kTruth);
+  EXPECT_EQ(signals[1].topic, "rt/lowcmd");
+  ASSERT_EQ(bound->leaves.size(), 3U);
+  EXPECT_EQ(bound->leaves[1].unit, "cm");
+  EXPECT_EQ(bound->leaves[1].signal, 0U);
+}
+
+TEST(BoundConditionTest, ARunningRobotKnowsTheCommandsItHearsAndWhatItSamples) {
+  EXPECT_EQ(WhyNot("lowcmd arrives"), "");
+  EXPECT_EQ(WhyNot("gap(arm_sdk) > 0.1"), "");
+  EXPECT_EQ(WhyNot("q(knee) > 0.1 and dq(hip) < 1 and tau_est(hip) < 1"), "");
+  EXPECT_EQ(WhyNot("lowstate arrives"),
+            "no topic of commands 'rt/lowstate'; valid: rt/arm_sdk, rt/lowcmd");
+  EXPECT_THAT(WhyNot("rt/mine arrives"), testing::HasSubstr("no topic of commands 'rt/mine'"));
+  EXPECT_THAT(WhyNot("lowstate:tick > 5"), testing::HasSubstr("q, dq and tau_est of a joint"));
+  EXPECT_EQ(WhyNot("q(finger) > 1"), "rt/lowstate does not tell of finger_joint");
+}
+
+TEST(BoundConditionTest, NamesTheNearestWord) {
+  EXPECT_EQ(WhyNot("base.hight > 1"), "no signal 'base.hight'; did you mean 'base.height'?");
+  EXPECT_THAT(WhyNot("q(kne) > 1"), testing::HasSubstr("did you mean 'knee'?"));
+  EXPECT_THAT(WhyNot("refusd happens"), testing::HasSubstr("did you mean 'refused'?"));
+  EXPECT_THAT(WhyNot("base.height < 3 kg"), testing::HasSubstr("base.height: no unit 'kg'"));
+}
+
+TEST(BoundConditionTest, ForAnyRobotEachJointAndFootWillDoAndNoTopicThatNoneHears) {
+  EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1", RunningNames()), "");
+  EXPECT_EQ(WhyNot("dex3/left/cmd arrives", RunningNames()), "");
+  EXPECT_THAT(WhyNot("lowcmt arrives", RunningNames()), testing::HasSubstr("'rt/lowcmd'"));
+}
+
+TEST(BoundConditionTest, AProgramPrintsOnlyWhereThereIsOne) {
+  Names names = TinyNames();
+  EXPECT_EQ(WhyNot("the program prints \"ready\"", names), "");
+  names.program = false;
+  EXPECT_THAT(WhyNot("the program prints \"ready\"", names), testing::HasSubstr("no program"));
+}
+
+TEST(BoundConditionTest, TheTextsToLookForAreListedOnce) {
+  std::vector<Signal> signals;
+  for (const char* text :
+       {"the program prints \"a b\" or the program prints \"c\"", "the program prints \"a b\""}) {
+    ASSERT_TRUE(BindCondition(text, TinyNames(), &signals));
+  }
+  EXPECT_EQ(PrintedTexts(signals), (std::vector<std::string>{"a b", "c"}));
+}
+
+}  // namespace
+}  // namespace understudy::signals

@@ -1,0 +1,170 @@
+#include "signals/watch.h"
+
+#include "config/yaml_document.h"
+#include "script/script.h"
+#include "tests/emulator/emulator_test.h"
+#include "tests/emulator/state_bytes.h"
+
+namespace understudy::signals {
+namespace {
+
+using emulator::EventKind;
+
+class WatchTest : public emulator::EmulatorTest {
+ protected:
+  void Play(const std::string& events) { PlayIn(world_.get(), events); }
+  void PlayIn(emulator::World* world, const std::string& events) const {
+    script::Play(script::ReadEvents(config::ParseYaml(events, "s"), RunningNames(config_.robot)),
+                 world);
+  }
+  // The step in which each event that was waited for came.
+  std::vector<std::int64_t> Came(const emulator::World& world) const {
+    std::vector<std::int64_t> steps;
+    emulator::EventRing::Reader reader(&world.events());
+    for (emulator::Event event; reader.Next(&event);) {
+      if (event.kind == EventKind::kScriptWait && event.numbers[2] != 0) {
+        steps.push_back(event.step);
+      }
+    }
+    return steps;
+  }
+  // When a condition is met that is waited for from the start; -1 if it is not, in some steps.
+  std::int64_t When(const std::string& condition, int steps = 50) {
+    Play("[{when: '" + condition + "', clamp: on}]");
+    Tick(steps);
+    const auto came = Came(*world_);
+    return came.empty() ? -1 : came.front();
+  }
+};
+
+TEST_F(WatchTest, SeesACommandInTheTickAfterTheOneThatTookIt) {
+  StartAs("standing");
+  Play("[{when: lowcmd arrives, clamp: on}]");
+  Tick(5);
+  port_.Send(Torque(0));
+  Tick(1);
+  EXPECT_FALSE(world_->status().clamped);
+  Tick(1);
+  EXPECT_EQ(Came(*world_), (std::vector<std::int64_t>{6}));
+  EXPECT_TRUE(world_->status().clamped);
+}
+
+TEST_F(WatchTest, SeesARefusedCommandArriveToo) {
+  StartAs("standing");
+  port_.Send(Torque(0), robot::Refusal::kCrc);
+  EXPECT_EQ(When("lowcmd arrives"), 1);
+}
+
+TEST_F(WatchTest, KnowsHowLongTheCommandsHaveBeenAway) {
+  StartAs("standing");
+  Play("[{when: gap(lowcmd) > 9.5 ms, clamp: on}]");
+  Tick(30);
+  EXPECT_TRUE(Came(*world_).empty());  // none has come yet
+  port_.Send(Torque(0));
+  Tick(20);
+  EXPECT_EQ(Came(*world_), (std::vector<std::int64_t>{41}));  // seen at 31
+}
+
+TEST_F(WatchTest, KnowsTheTruthOfTheInstant) {
+  StartAs("hanging");
+  Ask("crane.release");
+  Tick(1);
+  const double height = Height();
+  Play("[{when: base.height < " + std::to_string(height - 0.05) + ", clamp: on}]");
+  Tick(300);
+  ASSERT_EQ(Came(*world_).size(), 1U);
+  // Half of g times t squared is 5 cm at 0.101 s.
+  EXPECT_NEAR(static_cast<double>(Came(*world_)[0]) * config_.physics.timestep, 0.101, 0.01);
+}
+
+TEST_F(WatchTest, KnowsTheCraneTheFeetAndTheJoints) {
+  StartAs("hanging");
+  EXPECT_GE(When("crane.tension > 1"), 0);
+  StartAs("standing");
+  EXPECT_GE(When("feet.force > 1"), 0);
+  StartAs("hanging");
+  EXPECT_EQ(When("feet.force > 1"), -1);
+  StartAs("standing");
+  const std::string joint = config_.robot.motors[0].joint;
+  EXPECT_GE(When("q(" + joint + ") between -7 and 7 and torque(" + joint + ") > -1000"), 0);
+  StartAs("standing");
+  EXPECT_EQ(When("q(" + joint + ") > 7"), -1);
+}
+
+TEST_F(WatchTest, FollowsWhatEventsSay) {
+  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  StartAs("clamped");
+  EXPECT_EQ(When("service is ai"), 0);
+  StartAs("standing");
+  EXPECT_EQ(When("gate is closed or service is mcf"), -1);
+  StartAs("standing");
+  Play(
+      "[{when: crane happens, clamp: on}, {when: crane.attached is true, clamp: on},"
+      " {when: remote.keys is L2+B, clamp: on}, {when: count(remote) >= 2, clamp: on}]");
+  Tick(3);
+  EXPECT_TRUE(Came(*world_).empty());
+  Ask("crane.attach");
+  Tick(3);
+  EXPECT_EQ(Came(*world_), (std::vector<std::int64_t>{4, 4}));
+  Ask("remote.hold", "L2+B");
+  Tick(3);
+  EXPECT_EQ(Came(*world_).size(), 3U);
+  Ask("remote.release", "B");
+  Tick(3);
+  EXPECT_EQ(Came(*world_).size(), 4U);
+}
+
+TEST_F(WatchTest, AnEventHappensOnceAndNotBeforeTheWait) {
+  StartAs("standing");
+  Play("[{at: 0.02, when: push happens, clamp: on}]");
+  Tick(5);
+  Ask("push", {{"force", {1, 0, 0}}});
+  Tick(40);
+  EXPECT_TRUE(Came(*world_).empty());
+  Ask("push", {{"force", {1, 0, 0}}});
+  Tick(2);
+  EXPECT_EQ(Came(*world_).size(), 1U);
+}
+
+TEST_F(WatchTest, HearsWhatTheProgramPrints) {
+  StartAs("standing");
+  Play("[{when: the program prints \"one two\", clamp: on}]");
+  Tick(2);
+  world_->events().Add(EventKind::kProgramPrints, 0, {}, "one");
+  Tick(2);
+  EXPECT_TRUE(Came(*world_).empty());
+  world_->events().Add(EventKind::kProgramPrints, 0, {}, "one two");
+  Tick(2);
+  EXPECT_EQ(Came(*world_).size(), 1U);
+}
+
+TEST_F(WatchTest, EqualRunsWaitEquallyLongBitForBit) {
+  config_.start.pose = "hanging";
+  config_.sensors = {.quantise = true, .noise = true, .seed = 3};
+  config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
+  const std::string joint = config_.robot.motors[0].joint;
+  const auto play = [&] {
+    test::FakePort port;
+    emulator::Inbox inbox;
+    const auto world = Make(&port, &inbox);
+    PlayIn(world.get(),
+           "[{at: 0.1, crane.release: },"
+           " {after: previous, when: feet.force > 5, within: 5, push: {force: [10, 0, 0]}},"
+           " {after: previous, at: 0.05, when: dq(" +
+               joint +
+               ") > 0.1 or base.tilt > 3 deg,"
+               "  within: 1, push: {force: [0, 10, 0]}}]");
+    for (int step = 0; step < 1500; ++step) world->Tick({});
+    std::vector<std::string> told;
+    for (const std::int64_t step : Came(*world)) told.push_back(std::to_string(step));
+    EXPECT_EQ(told.size(), 2U);
+    for (const test::FakePort::Sample& sample : port.samples()) {
+      told.push_back(emulator::Bytes(sample.state));
+    }
+    return told;
+  };
+  EXPECT_EQ(play(), play());
+}
+
+}  // namespace
+}  // namespace understudy::signals
