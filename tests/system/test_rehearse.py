@@ -144,7 +144,7 @@ scenario: A program says when it is ready
 robot: go2
 program:
 script:
-  - {when: the program prints "policy loaded", within: 10, fault: {motor: FR_calf_joint, fault: limp}}
+  - {when: the program prints "policy loaded", within: 10, fault: {component: FR_calf_joint, fault: limp}}
   - {after: previous, when: the program prints "never", within: 0.2, reset: }
 expect:
   - {eventually: fault happens, from: the program prints "policy loaded", within: 0.1, name: in time}
