@@ -45,6 +45,13 @@ double Overhang(const QuadrupedReading& sensed, const Vector3d& point) {
   return most;
 }
 
+bool MustStep(const QuadrupedReading& sensed, const Vector3d& v, double omega) {
+  constexpr double kToppling = 0.6;  // of the way out to an edge of the feet; assumed
+  constexpr double kShoved = 0.25;   // m/s, assumed
+  return v.head<2>().norm() > kShoved &&
+         Overhang(sensed, CapturePoint(sensed, v, omega)) > kToppling;
+}
+
 bool NearerToFrontRight(const QuadrupedReading& sensed, const Vector3d& point) {
   const PerLeg feet = FeetInT(sensed);
   return std::abs(LeftOf(feet[0], feet[3], point)) < std::abs(LeftOf(feet[1], feet[2], point));

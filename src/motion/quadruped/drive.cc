@@ -16,6 +16,15 @@ constexpr double kRest = 0.05;          // m/s and rad/s
 
 }  // namespace
 
+Vector3d RollingVelocity(const QuadrupedReading& sensed, double radius) {
+  Vector3d v(0, 0, 0);
+  for (const Vector3d& turn : sensed.turn) {
+    const Vector3d w_W = sensed.R_WB * (sensed.w_WB_B + turn);
+    v += w_W.cross(radius * Vector3d::UnitZ()) / 4;
+  }
+  return v;
+}
+
 void Drive::Begin() {
   wish_.Begin();
   missing_.setZero();

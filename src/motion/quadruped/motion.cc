@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "motion/quadruped/capture.h"
+#include "motion/quadruped/goal_facts.h"
 #include "motion/quadruped/rotations.h"
 #include "robot/firmware.h"
 
@@ -20,16 +20,12 @@ constexpr double kUprightCosine = 0.85;  // from which the legs alone can lift o
 constexpr double kExtended = 0.6;        // of the standing height: higher is standing
 constexpr double kCrouch = 0.25;         // feet under the hips, of the leg's length
 constexpr double kBalanceTime = 1.0;     // s to a balanced stand
-constexpr double kOneStep = 0.01;        // s, at least one of the service
 constexpr double kSitTime = 1.8;         // s
 constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
 constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
 constexpr double kStepsOn = 2.0;         // s it steps on where it could roll
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
 constexpr double kLyingRest = 5.0;  // s from lying down to damping: "after some seconds" on a B2
-constexpr double kMostShift = 0.2;  // of the leg's length, of the body over its feet
-constexpr double kToppling = 0.6;   // of the way out to an edge of the feet, of the capture point
-constexpr double kShoved = 0.25;    // m/s
 constexpr double kLed = 1.2;        // s in which a stand has followed to where it was led
 
 // Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
@@ -37,45 +33,6 @@ authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
   const bool before_ids = !spec.state_id_since.empty() && !robot::TellsStateId(spec);
   return before_ids ? authority::goal::GaitName::kTrot : authority::goal::GaitName::kFree;
 }
-
-// Whether a robot that is low on charge refuses it: all but what makes it safe, and settings.
-bool NeedsCharge(const authority::MotionGoal& goal) {
-  return !std::holds_alternative<goal::Damp>(goal) &&
-         !std::holds_alternative<goal::StopMove>(goal) &&
-         !std::holds_alternative<goal::RecoveryStand>(goal) &&
-         !std::holds_alternative<goal::AutoRecovery>(goal) &&
-         !std::holds_alternative<goal::SpeedLevel>(goal) &&
-         !std::holds_alternative<goal::KeepStepping>(goal) &&
-         !std::holds_alternative<goal::LastingMoves>(goal) &&
-         !std::holds_alternative<goal::ResetEstimator>(goal);
-}
-
-bool IsGesture(const authority::MotionGoal& goal) {
-  return std::holds_alternative<goal::Gesture>(goal) || std::holds_alternative<goal::Sit>(goal) ||
-         std::holds_alternative<goal::Pose>(goal);
-}
-
-bool AreFinite(std::initializer_list<double> numbers) {
-  return std::ranges::all_of(numbers, [](double x) { return std::isfinite(x); });
-}
-
-// Whether it says what can be done.
-struct IsSound {
-  bool operator()(const goal::Euler& g) const { return AreFinite({g.roll, g.pitch, g.yaw}); }
-  bool operator()(const goal::Move& g) const { return AreFinite({g.vx, g.vy, g.yaw_rate}); }
-  bool operator()(const goal::BodyHeight& g) const { return std::isfinite(g.height); }
-  bool operator()(const goal::BodyPosition& g) const { return AreFinite({g.x, g.y, g.z, g.yaw}); }
-  bool operator()(const goal::GoTo& g) const { return AreFinite({g.x, g.y, g.yaw}); }
-  bool operator()(const goal::Gait& g) const { return g.name != goal::GaitName::kNone; }
-  bool operator()(const goal::FollowPath& g) const {
-    double last = 0;
-    const auto sound = [&](const goal::PathPoint& p) {
-      return AreFinite({p.t, p.x, p.y, p.yaw}) && p.t >= std::exchange(last, p.t);
-    };
-    return g.points != nullptr && std::ranges::all_of(*g.points, sound);
-  }
-  bool operator()(const auto&) const { return true; }
-};
 
 }  // namespace
 
@@ -89,7 +46,8 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
       gesture_(&stance_, body_.leg_length(), figures_.stand_height),
       recovery_(body_),
       trot_(body_, estimator_, figures_),
-      drive_(body_, estimator_, &stance_, figures_) {
+      drive_(body_, estimator_, &stance_, figures_),
+      wheels_(figures_) {
   Use(RowOf(DefaultGait(spec)), 0);
 }
 
@@ -98,7 +56,8 @@ void QuadrupedMotion::Start(const authority::MotionInput& input) {
   soc_ = input.soc;
   estimator_.Begin(reading_);
   Use(RowOf(DefaultGait(spec_)), 0);
-  stepping_ = lasting_ = false;
+  stepping_ = false;
+  asked_.Last(false);
   wanted_ = Default();
   Enter(kDamped);
   if (!upright()) return;
@@ -118,7 +77,7 @@ void QuadrupedMotion::Use(const GaitRow& gait, int level) {
 authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
   const auto rows = QuadrupedTransitions();
   const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
-  if (!known || !std::visit(IsSound{}, goal)) return authority::MotionVerdict::kUnknown;
+  if (!known || !IsSound(goal)) return authority::MotionVerdict::kUnknown;
   if (soc_ < figures_.least_soc && NeedsCharge(goal)) return authority::MotionVerdict::kNotNow;
   const auto holds = [this](QuadrupedWhen when) { return Holds(when); };
   const QuadrupedTransition* row = Find(rows, goal.index(), state_, holds);
@@ -127,7 +86,7 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
     row = Find(rows, goal.index(), kStanding, holds);
     if (row != nullptr && row->verdict == authority::MotionVerdict::kTaken) {
       then_ = goal;
-      Take({});
+      asked_.End();
       return row->verdict;
     }
   }
@@ -167,7 +126,7 @@ void QuadrupedMotion::Enter(State state) {
   const Vector3d rolling = reading_.R_TB * (reading_.R_WB.transpose() * Rolling());
   const State from = std::exchange(state_, state);
   since_ = 0;
-  if (!kStands.Has(state) && !kMovingStates.Has(state)) Take({});
+  if (!kStands.Has(state) && !kMovingStates.Has(state)) asked_.End();
   switch (state) {
     case kDamped:
       fallen_for_ = 0;
@@ -248,7 +207,7 @@ void QuadrupedMotion::Enter(State state) {
     case kWalking:
       if (!topples) stand_ = kStanding;
       rolls_for_ = 0;
-      wheel_angles_.fill(robot::kNoPosition);
+      wheels_.LetGo();
       if (const PerLeg rest = Under(figures_.stand_height - body_.radius()); topples) {
         trot_.BeginToppling(reading_, rest, rolling);
       } else {
@@ -266,34 +225,21 @@ void QuadrupedMotion::Enter(State state) {
 }
 
 Vector3d QuadrupedMotion::Rolling() const {
-  Vector3d v(0, 0, 0);
-  if (state_ != kDriving) return v;
-  for (const Vector3d& turn : reading_.turn) {
-    const Vector3d w_W = reading_.R_WB * (reading_.w_WB_B + turn);
-    v += w_W.cross(body_.radius() * Vector3d::UnitZ()) / 4;
-  }
-  return v;
+  return state_ == kDriving ? RollingVelocity(reading_, body_.radius()) : Vector3d(0, 0, 0);
 }
 
 bool QuadrupedMotion::Topples() const {
-  const Vector3d v = estimator_.v_WB_W() - Rolling();
-  const double omega = std::sqrt(body_.gravity() / figures_.stand_height);
   const bool at_rest = kStands.Has(state_) && led_ > kLed;
-  return (at_rest || state_ == kDriving) && v.head<2>().norm() > kShoved &&
-         Overhang(reading_, CapturePoint(reading_, v, omega)) > kToppling;
+  return (at_rest || state_ == kDriving) &&
+         MustStep(reading_, estimator_.v_WB_W() - Rolling(),
+                  std::sqrt(body_.gravity() / figures_.stand_height));
 }
 
 // Wheels roll ahead and through wide bends. What goes sideways or turns on the spot, where tyres
 // would have to slip, is stepped with the wheels braked, and what follows for a while: to change
 // between the two it has to stop.
 void QuadrupedMotion::Move(double dt) {
-  move_for_ -= dt;
-  if (move_for_ <= 0) move_.setZero();
-  if (!path_.over()) {
-    move_ = path_.Step(dt, Here());
-    move_for_ = kOneStep;
-  }
-  const Vector3d taken = trot_.Taken(move_);
+  const Vector3d taken = trot_.Taken(asked_.Step(dt, Here()));
   const bool stepping = stepping_ && !then_;
   const bool rolls = wheeled() && !stepping && std::abs(taken.y()) <= figures_.walk.dead_band.y() &&
                      std::abs(taken.z()) <= kSharpest * std::abs(taken.x());
@@ -320,7 +266,7 @@ void QuadrupedMotion::Stand(State from) {
   stance_.Begin(reading_);
   if (from != kWalking) wanted_ = Default();
   stance_.MoveTo(stance_.Feasible(wanted_), kBalanceTime);
-  wheel_angles_.fill(robot::kNoPosition);
+  wheels_.LetGo();
 }
 
 void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
@@ -331,53 +277,15 @@ void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
   }
   if (const auto* speed = std::get_if<goal::SpeedLevel>(&goal)) Use(*gait_, speed->level);
   if (const auto* stepping = std::get_if<goal::KeepStepping>(&goal)) stepping_ = stepping->on;
-  if (const auto* lasting = std::get_if<goal::LastingMoves>(&goal)) lasting_ = lasting->on;
+  if (const auto* lasting = std::get_if<goal::LastingMoves>(&goal)) asked_.Last(lasting->on);
   if (std::holds_alternative<goal::ResetEstimator>(goal)) estimator_.Begin(reading_);
   if (std::holds_alternative<goal::StopMove>(goal)) {
     stepping_ = false;
-    Take({});
+    asked_.End();
   }
-  if (kStands.Has(state_) || kMovingStates.Has(state_)) {
-    if (const auto* move = std::get_if<goal::Move>(&goal)) {
-      Take(*move);
-      then_.reset();
-    } else if (const auto* path = std::get_if<goal::FollowPath>(&goal)) {
-      path_.Begin(*path->points, Here());
-      then_.reset();
-    } else if (const auto* place = std::get_if<goal::GoTo>(&goal)) {
-      const double turned = place->from_here ? Here().z() : 0;
-      const Vector3d way =
-          Eigen::AngleAxisd(turned, Vector3d::UnitZ()) * Vector3d(place->x, place->y, place->yaw);
-      path_.GoTo(place->from_here ? Vector3d(Here() + way) : way, Here());
-      then_.reset();
-    }
-  }
-  StancePose wanted = wanted_;
-  if (const auto* euler = std::get_if<goal::Euler>(&goal)) {
-    const auto& most = figures_.euler_range;
-    wanted.rpy = {std::clamp(euler->roll, -most[0], most[0]),
-                  std::clamp(euler->pitch, -most[1], most[1]),
-                  std::clamp(euler->yaw, -most[2], most[2])};
-    Follow(wanted);
-  } else if (const auto* body = std::get_if<goal::BodyHeight>(&goal)) {
-    wanted.place.z() = figures_.stand_height +
-                       std::clamp(body->height, figures_.height_range[0], figures_.height_range[1]);
-    Follow(wanted);
-  } else if (const auto* shift = std::get_if<goal::BodyPosition>(&goal)) {
-    const double most = kMostShift * body_.leg_length();
-    wanted.place = {std::clamp(shift->x, -most, most), std::clamp(shift->y, -most, most),
-                    figures_.stand_height +
-                        std::clamp(shift->z, figures_.height_range[0], figures_.height_range[1])};
-    wanted.rpy.z() = std::clamp(shift->yaw, -figures_.euler_range[2], figures_.euler_range[2]);
-    Follow(wanted);
-  }
-}
-
-// Ends a path. What says nothing stops the robot.
-void QuadrupedMotion::Take(const goal::Move& move) {
-  path_.End();
-  move_ = (move.by_sticks ? ScaleOf(level_).sticks : 1) * Vector3d(move.vx, move.vy, move.yaw_rate);
-  move_for_ = lasting_ && !move.by_sticks ? std::numeric_limits<double>::infinity() : move.hold;
+  const bool moves = kStands.Has(state_) || kMovingStates.Has(state_);
+  if (moves && asked_.Take(goal, ScaleOf(level_).sticks, Here())) then_.reset();
+  if (const auto pose = PoseOf(goal, wanted_, figures_, body_.leg_length())) Follow(*pose);
 }
 
 void QuadrupedMotion::Follow(const StancePose& pose) {
@@ -430,7 +338,7 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   } else if (state_ == kLying && wheeled()) {
     Brake(0, command);  // the vendor's Go2-W page: motors idle after StandDown
   } else {
-    Legs(command);
+    CommandLegs(legs_, figures_.kp, figures_.kd, command);
     Wheels(input, command);
   }
   const State next = RowOf(state_).next;
@@ -449,46 +357,22 @@ void QuadrupedMotion::WatchForFalls(double dt) {
   }
 }
 
-// All is said by q alone, with dq and tau 0: so a real Go2 does while it stands. The motor law
-// makes the same torque of it.
-void QuadrupedMotion::Legs(robot::RobotCommand* command) const {
-  const double kp = figures_.kp, kd = figures_.kd;
-  for (std::size_t i = 0; i < 12; ++i) {
-    const std::size_t leg = i / 3;
-    const auto at = static_cast<Eigen::Index>(i % 3);
-    const double q = legs_.q[leg][at] + (legs_.tau[leg][at] + kd * legs_.dq[leg][at]) / kp;
-    command->motors[i] = {.enabled = true, .q = q, .dq = 0, .tau = 0, .kp = kp, .kd = kd};
-  }
-}
-
 void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCommand* command) {
   for (std::size_t i = 12; i < command->motors.size(); ++i) {
-    robot::MotorCommand& wheel = command->motors[i];
-    wheel = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = figures_.wheel_kd};
     const std::size_t leg = i - 12;
-    if (leg >= wheel_angles_.size()) continue;
-    if (state_ == kDriving) {
+    robot::MotorCommand& wheel = command->motors[i];
+    const bool stays = kStanceStates.Has(state_) || state_ == kWalking;
+    if (leg >= legs_.q.size() || !stays) {
+      wheel = wheels_.Free();
+    } else if (state_ == kDriving) {
       const double carried = stance_.held_rate().y() + legs_.dq[leg][1] + legs_.dq[leg][2];
-      wheel.dq = drive_.rates()[leg] - carried;
-      wheel_angles_[leg] = robot::kNoPosition;
-      continue;
+      wheel = wheels_.Run(leg, drive_.rates()[leg] - carried);
+    } else {
+      // That of a leg that steps keeps its place on the calf.
+      const double carried =
+          state_ == kWalking ? 0 : stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
+      wheel = wheels_.Stay(leg, input.motors[i].q, carried);
     }
-    if (!kStanceStates.Has(state_) && state_ != kWalking) continue;
-    // A wheel stays in place when it turns back by what pitch, thigh and calf turn it forwards.
-    // That of a leg that steps keeps its place on the calf.
-    const double carried =
-        state_ == kWalking ? 0 : stance_.held().rpy.y() + legs_.q[leg][1] + legs_.q[leg][2];
-    if (wheel_angles_[leg] == robot::kNoPosition) {
-      wheel_angles_[leg] = input.motors[i].q + carried;
-    }
-    wheel.q = wheel_angles_[leg] - carried;
-    wheel.kp = figures_.wheel_kp;
-  }
-}
-
-void QuadrupedMotion::Brake(double kd, robot::RobotCommand* command) {
-  for (robot::MotorCommand& motor : command->motors) {
-    motor = {.enabled = true, .q = 0, .dq = 0, .tau = 0, .kp = 0, .kd = kd};
   }
 }
 

@@ -6,13 +6,14 @@
 #include <optional>
 
 #include "authority/motion.h"
+#include "motion/quadruped/asked_way.h"
 #include "motion/quadruped/body.h"
 #include "motion/quadruped/drive.h"
 #include "motion/quadruped/estimator.h"
 #include "motion/quadruped/gaits.h"
 #include "motion/quadruped/gestures.h"
+#include "motion/quadruped/motor_commands.h"
 #include "motion/quadruped/moves.h"
-#include "motion/quadruped/path.h"
 #include "motion/quadruped/recovery.h"
 #include "motion/quadruped/stance.h"
 #include "motion/quadruped/states.h"
@@ -48,7 +49,6 @@ class QuadrupedMotion : public authority::Motion {
   void Enter(State state);  // begins what the legs do in it
   void Stand(State from);
   void Keep(const authority::MotionGoal& goal);  // what a goal sets beside the state
-  void Take(const authority::goal::Move& move);
   void Follow(const StancePose& pose);
   void Use(const GaitRow& gait, int level);
 
@@ -59,9 +59,7 @@ class QuadrupedMotion : public authority::Motion {
   void Move(double dt);  // begins to walk or drive, and ends what was not renewed
   // Of a step: falls and what comes of them; what the motors are told.
   void WatchForFalls(double dt);
-  void Legs(robot::RobotCommand* command) const;
   void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
-  static void Brake(double kd, robot::RobotCommand* command);
 
   PerLeg Under(double depth) const;  // feet that far below the hips [m], in the base
   StancePose Default() const;        // of a balanced stand
@@ -82,6 +80,7 @@ class QuadrupedMotion : public authority::Motion {
   QuadrupedRecovery recovery_;
   Trot trot_;
   Drive drive_;
+  WheelCommands wheels_;
 
   State state_ = State::kDamped;
   State stand_ = State::kStanding;  // the one that gestures and poses end in
@@ -92,19 +91,15 @@ class QuadrupedMotion : public authority::Motion {
   const GaitRow* gait_ = nullptr;
   int level_ = 0;          // of speed
   bool stepping_ = false;  // on the spot where it would stand
-  bool lasting_ = false;   // moves end only when told to
   authority::goal::GestureName gesture_name_{};
-  PathFollower path_;
-  Eigen::Vector3d move_{0, 0, 0};  // of the last Move or the path: m/s, rad/s
-  double move_for_ = 0;            // s that it still counts
-  double led_ = kLongAgo;          // s ago that a goal led the body of a stand elsewhere
-  double rolls_for_ = 0;  // s since when wheels could do what is asked for, or it began to step
+  AskedWay asked_;
+  double led_ = kLongAgo;  // s ago that a goal led the body of a stand elsewhere
+  double rolls_for_ = 0;   // s since when wheels could do what is asked for, or it began to step
   std::optional<authority::MotionGoal> then_;  // what it stops walking for
   double fallen_for_ = 0;  // s in kDamped because of a fall; 0 when damped by a goal
   QuadrupedReading reading_;
-  StancePose wanted_;                     // by Euler and body height
-  LegCommand legs_;                       // as of the last step
-  std::array<double, 4> wheel_angles_{};  // rad against the world, while balancing
+  StancePose wanted_;  // by Euler and body height
+  LegCommand legs_;    // as of the last step
 };
 
 // The motion service of that robot. `spec` must outlive it. Throws ModelError when the model's legs

@@ -1,0 +1,26 @@
+// What the goals of a quadruped say, whatever state it is in.
+#pragma once
+
+#include <optional>
+
+#include "authority/goals.h"
+#include "motion/quadruped/stance.h"
+#include "robot/robot_spec.h"
+
+namespace understudy::motion {
+
+// Whether its numbers are finite, its gait has a name and the times of its path ascend.
+bool IsSound(const authority::MotionGoal& goal);
+
+// Whether a robot that is low on charge refuses it: all but what makes it safe, and settings.
+bool NeedsCharge(const authority::MotionGoal& goal);
+
+// A gesture, Sit or Pose.
+bool IsGesture(const authority::MotionGoal& goal);
+
+// The pose that Euler, BodyHeight or BodyPosition makes of `wanted`, cut to the ranges of
+// `figures`; none for other goals. `leg_length` in m.
+std::optional<StancePose> PoseOf(const authority::MotionGoal& goal, const StancePose& wanted,
+                                 const robot::QuadrupedMotionSpec& figures, double leg_length);
+
+}  // namespace understudy::motion
