@@ -24,14 +24,16 @@ void AddStrip(const Stretch& s, double x0, double x1, double top, TerrainPieces*
   pieces->AddGround(x0, x1, -s.width / 2, s.width / 2, top, s.friction);
 }
 
-// Adds a plank whose top goes from (x0, z0) to (x1, z1).
+// Adds a block whose top goes from (x0, z0) to (x1, z1). It is as thick as it is long: MuJoCo looks
+// for the contact of a box and a cylinder along the line between their middles, which would leave a
+// thin plank by its end, so that wheels met a wall where it begins.
 void AddRamp(const Stretch& s, double x0, double z0, double x1, double z1, TerrainPieces* pieces) {
-  constexpr double kThickness = 0.2;  // m, assumed
+  const double length = std::hypot(x1 - x0, z1 - z0);
   pieces->Add({.x = (x0 + x1) / 2,
                .top = (z0 + z1) / 2,
-               .half_x = std::hypot(x1 - x0, z1 - z0) / 2,
+               .half_x = length / 2,
                .half_y = s.width / 2,
-               .thickness = kThickness,
+               .thickness = length,
                .pitch = std::atan2(z0 - z1, x1 - x0),
                .friction = s.friction});
 }

@@ -127,6 +127,32 @@ TEST_F(TerrainTest, SlopesHaveTheGradeOfTheirDifficulty) {
   EXPECT_NEAR(Height(8.5, 0), 0.2, 1e-4);
 }
 
+TEST_F(TerrainTest, AWheelFeelsASlopeAsItLiesFromItsFootOn) {
+  spec_.difficulty = 0.5;
+  constexpr double kGrade = 0.2, kRadius = 0.113, kDeep = 0.002;  // m: a B2-W's
+  const auto scene = Write("slopes") / "scene.xml";
+  model_ = physics::LoadModelFile(folder_.Write(
+      "wheel.xml", "<mujoco><include file='" + scene.string() +
+                       "'/><worldbody><body><freejoint/><geom type='cylinder' size='0.113 0.025' "
+                       "mass='1' quat='1 1 0 0'/></body></worldbody></mujoco>"));
+  data_.reset(mj_makeData(model_.get()));
+  const double c = 1 / std::hypot(1, kGrade), s = kGrade * c;
+  int met = 0;
+  for (double way = 0.02; way < 3; way += 0.02) {
+    data_->qpos[0] = 1.5 + c * way - s * (kRadius - kDeep);
+    data_->qpos[2] = s * way + c * (kRadius - kDeep);
+    mj_forward(model_.get(), data_.get());
+    for (int i = 0; i < data_->ncon; ++i) {
+      const mjContact& contact = data_->contact[i];
+      const bool level = data_->geom_xmat[9 * contact.geom1 + 8] > 0.999;
+      if (level) continue;
+      ++met;
+      EXPECT_GT(std::abs(c * contact.frame[2] - s * contact.frame[0]), 0.999) << way;
+    }
+  }
+  EXPECT_GE(met, 149);
+}
+
 TEST_F(TerrainTest, RoughGroundReachesTheHeightOfItsDifficulty) {
   spec_.difficulty = 0.5;
   WriteTerrain("rough", spec_, folder_.path());
