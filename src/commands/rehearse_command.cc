@@ -125,7 +125,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
     if (!printed.empty()) output.emplace(printed);
     program.emplace(scenario.program->command,
                     exec::ChildProcess::Environment{{"UNDERSTUDY_CONTROL", control}}, -1,
-                      output ? output->descriptor() : -1, network.program_rights());
+                    output ? output->descriptor() : -1, network.program_rights());
   }
   network.Settle();
   if (output) output->Start();

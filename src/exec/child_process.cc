@@ -94,9 +94,8 @@ bool ReadFully(int fd, void* buffer, std::size_t size) {
 // Runs the child from fork to exec. Never returns, throws or allocates. It starts with all signals
 // blocked and restores `mask`.
 [[noreturn]] void WaitAndExec(int gate, pid_t parent, const sigset_t& mask, int standard_error,
-                              int standard_output, const Capabilities* rights,
-                              const char* program, char* const* arguments,
-                              char* const* environment) {
+                              int standard_output, const Capabilities* rights, const char* program,
+                              char* const* arguments, char* const* environment) {
   ResetHandlers();
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   // Before prctl: a change of rights may clear what that sets.
@@ -146,8 +145,7 @@ ChildProcess::ChildProcess(const std::vector<std::string>& arguments, const Envi
   if (pid_ == 0) {
     gate_.reset();  // else the child would not see our end close
     WaitAndExec(child_gate.get(), parent, mask, standard_error, standard_output, rights,
-                program_.c_str(),
-                argument_pointers.data(), environment_pointers.data());
+                program_.c_str(), argument_pointers.data(), environment_pointers.data());
   }
   ::sigprocmask(SIG_SETMASK, &mask, nullptr);
   if (pid_ < 0) RefuseProcess(error);

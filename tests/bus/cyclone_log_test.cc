@@ -28,11 +28,14 @@ TEST(CycloneNoticeTest, IsMadeOfBytesThatAreNoMessageWhichAreCountedAndNotPrinte
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   TakeCycloneNotices();
   testing::internal::CaptureStderr();
+  std::uint64_t sent = 0;
   const auto garbage_came = [&] {
     garbage.Send();
+    ++sent;
     return reader.undecoded() >= 2;
   };
   EXPECT_TRUE(test::Eventually(garbage_came));
+  EXPECT_TRUE(test::Eventually([&] { return reader.undecoded() == sent; }));  // none is under way
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_THAT(TakeCycloneNotices(),
               ElementsAre(AllOf(Field(&CycloneNotice::line, HasSubstr("rt/hello")),

@@ -382,7 +382,7 @@ TEST_P(PrivateNetworkTest, GivesACommandOnACableItsRightsAndADeathWithUs) {
     pipe.in.reset();
     CabledNetwork network({.interface = "eth0", .address = "192.168.123.99"});
     ChildProcess child(
-        {"sh", "-c", "trap '' TERM; grep CapEff /proc/self/status >&9; exec sleep 60"}, {}, -1,
+        {"sh", "-c", "trap '' TERM; grep CapEff /proc/self/status >&9; exec sleep 60"}, {}, -1, -1,
         &network.rights());
     network.MoveToRobot();
     ::close(9);
