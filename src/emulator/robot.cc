@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iterator>
 #include <string>
+#include <utility>
 
 #include "motion/make_motion.h"
 
@@ -57,7 +58,9 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
               motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
       delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
              router_.command()),
-      faults_(spec_, Links(topics_, *port_), parts.settings.sensors.seed),
+      faults_(spec_, Links(topics_, *port_),
+              services_ == nullptr ? std::vector<std::string>() : services_->names(),
+              parts.settings.sensors.seed),
       encoders_(faults_.effects().encoders.size(), parts.settings.sensors.seed),
       motors_(spec_),
       battery_(spec_.battery),
@@ -70,6 +73,7 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       service_rate_(spec_.rates.service_hz, physics_->timestep()),
       command_(&router_.command()),
       offered_(*command_),
+      held_(topics_.size(), {.command = *command_}),
       braked_(faults_.effects().motors) {
   Reset(start_pose_);
   noted_ = {.gate = router_.gate().state(),
@@ -179,14 +183,25 @@ bool Robot::TakeCommand(std::size_t topic, double t) {
   robot::Refusal form = robot::Refusal::kNone;
   if (!port_->Take(topic, &offered_, &form)) return false;
   const robot::LinkEffects& link = faults_.effects().links[topic];
-  if (link.drops) return true;
+  const bool damaged = link.damages && topic >= robot::kFirstHandTopic;  // these have no crc
+  if (link.drops || damaged) return true;
+  if (link.damages) form = robot::Refusal::kCrc;
   ++heard_[topic];
-  for (int times = link.doubles ? 2 : 1; times > 0; --times) {
-    const robot::Refusal refusal = router_.Offer(topic, offered_, form, t);
-    NoteCommand(topic, form, refusal, router_.counts(topic));
+  Held& held = held_[topic];
+  if (link.reorders && !held.there) {
+    held = {offered_, form, true};
+    return true;
   }
+  for (int times = link.doubles ? 2 : 1; times > 0; --times) OfferCommand(topic, offered_, form, t);
+  if (std::exchange(held.there, false)) OfferCommand(topic, held.command, held.form, t);
   NoteChanges(t);
   return true;
+}
+
+void Robot::OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
+                         double t) {
+  const robot::Refusal refusal = router_.Offer(topic, command, form, t);
+  NoteCommand(topic, form, refusal, router_.counts(topic));
 }
 
 void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {
@@ -228,7 +243,7 @@ Result<> Robot::SetFault(std::string_view component, std::string_view kind, cons
   const auto cleared = faults_.Clear(component);
   if (!cleared) return cleared.error();
   for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
-  BrakeJoints();
+  Suffer();
   return {};
 }
 
@@ -242,10 +257,12 @@ void Robot::StepFaults(double t) {
   if (!faults_.any()) return;
   faults_.Step(t);
   for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
-  BrakeJoints();
+  Suffer();
 }
 
-void Robot::BrakeJoints() {
+// Tells those parts of what is wrong with them that do not read it themselves.
+void Robot::Suffer() {
+  if (services_ != nullptr) services_->Suffer(faults_.effects().services);
   for (std::size_t i = 0; i < braked_.size(); ++i) {
     const robot::MotorEffects& now = faults_.effects().motors[i];
     if (now.jammed == braked_[i].jammed && now.drag == braked_[i].drag) continue;

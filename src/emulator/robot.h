@@ -148,7 +148,9 @@ class Robot {
   }
   physics::Crane::Hooks hooks() const;
   void StepFaults(double t);
-  void BrakeJoints();
+  void Suffer();
+  void OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
+                    double t);
   void NoteFault(const robot::Fault& fault, bool on);
   robot::RemoteReading ReadRemote(double t);
   void TakeCommands(double t);
@@ -190,7 +192,15 @@ class Robot {
   robot::Rate service_rate_;
 
   const robot::RobotCommand* command_;
+  // A command that goes after the next one of its topic.
+  struct Held {
+    robot::RobotCommand command;
+    robot::Refusal form = robot::Refusal::kNone;
+    bool there = false;
+  };
+
   robot::RobotCommand offered_;
+  std::vector<Held> held_;  // by topic
   authority::MotionInput input_;
   robot::RobotState state_;
   std::vector<robot::MotorEffects> braked_;  // as the joints are braked now

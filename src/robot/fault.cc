@@ -21,6 +21,9 @@ FootEffects& Foot(const ActingFault& fault, Effects* effects) {
 LinkEffects& Link(const ActingFault& fault, Effects* effects) {
   return effects->links[fault.element];
 }
+ServiceEffects& ServiceOf(const ActingFault& fault, Effects* effects) {
+  return effects->services[fault.element];
+}
 // What is left of a share that goes down to `by`.
 double Left(const ActingFault& fault) { return 1 - fault.grown * (1 - fault.by); }
 
@@ -205,6 +208,32 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .high = 1,
      .otherwise = 0.1,
      .act = [](F f, E e) { Link(f, e).doubles |= f.chance < f.by * f.grown; }},
+    {.of = Component::kTopic,
+     .name = "damaged",
+     .does = "That share of its messages comes with a wrong crc; of a topic without one it is lost",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { Link(f, e).damages |= f.chance < f.by * f.grown; }},
+    {.of = Component::kTopic,
+     .name = "reordered",
+     .does = "That share of its messages comes after the one that follows it",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act = [](F f, E e) { Link(f, e).reorders |= f.chance < f.by * f.grown; }},
+    {.of = Component::kService,
+     .name = "off",
+     .does = "It neither acts nor answers, as a program that has died; calls time out",
+     .act = [](F f, E e) { ServiceOf(f, e).off = true; }},
+    {.of = Component::kService,
+     .name = "slow",
+     .does = "It acts at once and answers that much later, of wall time",
+     .unit = "s",
+     .low = 0,
+     .high = 60,
+     .otherwise = 1,
+     .act = [](F f, E e) { ServiceOf(f, e).delay += f.by * f.grown; }},
 });
 
 struct ComponentNames {
@@ -219,6 +248,7 @@ constexpr std::array<ComponentNames, kComponents> kComponentNames{{
     {"battery", "`battery`"},
     {"remote controller", "`remote`"},
     {"topic", "itself: `rt/lowstate`"},
+    {"service", "its name: `service.sport`"},
 }};
 
 }  // namespace

@@ -13,9 +13,18 @@
 namespace understudy::robot {
 
 // The parts that can have faults.
-enum class Component : std::uint8_t { kMotor, kEncoder, kImu, kFoot, kBattery, kRemote, kTopic };
+enum class Component : std::uint8_t {
+  kMotor,
+  kEncoder,
+  kImu,
+  kFoot,
+  kBattery,
+  kRemote,
+  kTopic,
+  kService,
+};
 
-inline constexpr std::size_t kComponents = 7;
+inline constexpr std::size_t kComponents = 8;
 
 // What is wrong with each part now, as its model reads it. Default values: nothing.
 
@@ -61,8 +70,15 @@ struct BatteryEffects {
 };
 
 struct LinkEffects {
-  bool drops = false;    // nothing goes through in this tick
-  bool doubles = false;  // all of it twice
+  bool drops = false;     // nothing goes through in this tick
+  bool doubles = false;   // all of it twice
+  bool damages = false;   // with a wrong crc, or not at all where there is none
+  bool reorders = false;  // it goes after what comes next
+};
+
+struct ServiceEffects {
+  bool off = false;  // it neither acts nor answers
+  double delay = 0;  // s of wall time that its answers are late by
 };
 
 struct Effects {
@@ -73,6 +89,7 @@ struct Effects {
   BatteryEffects battery{};
   bool remote_off = false;
   std::vector<LinkEffects> links{};  // those of commands, then those of states
+  std::vector<ServiceEffects> services{};
 };
 
 // A fault as it acts in a tick.

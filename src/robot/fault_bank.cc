@@ -30,7 +30,8 @@ std::string Number(double number) {
 
 }  // namespace
 
-FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links, int seed)
+FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
+                     const std::vector<std::string>& services, int seed)
     : seed_(static_cast<std::uint64_t>(seed)) {
   const auto motors = AllMotors(spec);
   for (std::size_t i = 0; i < motors.size(); ++i) {
@@ -47,12 +48,16 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   for (std::size_t i = 0; i < links.size(); ++i) {
     if (!links[i].empty()) Add(Component::kTopic, i, links[i]);
   }
+  for (std::size_t i = 0; i < services.size(); ++i) {
+    Add(Component::kService, i, "service." + services[i]);
+  }
   faults_.reserve(kMost);
   over_.reserve(kMost);
   nothing_.motors.resize(motors.size());
   nothing_.encoders.resize(motors.size());
   nothing_.feet.resize(spec.feet.size());
   nothing_.links.resize(links.size());
+  nothing_.services.resize(services.size());
   effects_ = nothing_;
 }
 
@@ -67,7 +72,7 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   const std::string nearest = NearestWord(component, names_);
   return Error{"the robot has no '" + std::string(component) + "'" +
                (nearest.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
-                                  "remote or a topic"
+                                  "remote, a topic or service.NAME"
                                 : "; did you mean '" + nearest + "'?")};
 }
 

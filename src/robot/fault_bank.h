@@ -35,9 +35,10 @@ class FaultBank {
  public:
   static constexpr std::size_t kMost = 64;
 
-  // `links` are the topics of commands and of states, in the order of Effects::links; those that
-  // are "" cannot have faults.
-  FaultBank(const RobotSpec& spec, const std::vector<std::string>& links, int seed);
+  // `links` are the topics of commands and of states, in the order of Effects::links, and
+  // `services` those of Effects::services; those that are "" cannot have faults.
+  FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
+            const std::vector<std::string>& services, int seed);
 
   // Begins a fault at t [s], in place of one of the same kind of the component. `by`: null for what
   // the kind has. The Error names what was expected and the nearest word.

@@ -59,6 +59,22 @@ ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<Servic
     }
   }
   texts_.emplace(participant, status_texts, services_);
+  faults_.resize(services_.size());
+}
+
+std::vector<std::string> ServiceHost::names() const {
+  std::vector<std::string> names;
+  for (const auto& service : services_) names.emplace_back(service->table().name);
+  return names;
+}
+
+void ServiceHost::Suffer(std::span<const robot::ServiceEffects> faults) noexcept {
+  std::ranges::copy(faults, faults_.begin());
+}
+
+const robot::ServiceEffects& ServiceHost::FaultOf(const Service& service) const {
+  const auto found = std::ranges::find(services_, &service, &std::unique_ptr<Service>::get);
+  return faults_[static_cast<std::size_t>(found - services_.begin())];
 }
 
 void ServiceHost::Tell(const authority::MotorOwner& owner, double t) noexcept {
@@ -131,7 +147,9 @@ std::optional<Call> ServiceHost::Answer(std::string_view service, std::int64_t a
                                         WallTime now) noexcept {
   const auto found = std::ranges::find_if(
       services_, [&](const std::unique_ptr<Service>& one) { return one->table().name == service; });
-  if (found == services_.end() || !(*found)->IsServed(*owner)) return std::nullopt;
+  if (found == services_.end() || !(*found)->IsServed(*owner) || FaultOf(**found).off) {
+    return std::nullopt;
+  }
   try {
     const ServiceRequest request{
         .api_id = api_id, .parameter = parameter, .parameter_bytes = parameter.size()};
@@ -183,7 +201,8 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
   Call call{.service = channel->name,
             .api_id = view.api_id,
             .name = channel->is_lease ? std::string_view() : service.NameOf(view.api_id)};
-  if (!service.IsServed(*owner)) {
+  const robot::ServiceEffects& fault = FaultOf(service);
+  if (!service.IsServed(*owner) || fault.off) {
     call.code = Call::kNoCode;
     call.refusal = CallRefusal::kNotServed;
     return Tell(call);
@@ -205,11 +224,14 @@ void ServiceHost::Serve(Channel* channel, const Request& request, authority::Mot
   header.identity.id = view.id;
   header.identity.api_id = view.api_id;
   header.status.code = reply.code;
+  const WallTime not_before =
+      now + std::chrono::duration_cast<WallTime>(std::chrono::duration<double>(fault.delay));
   Pending pending{.client = *request.client,
                   .header = header,
                   .data = std::move(reply.data),
                   .once = reply.once,
-                  .give_up = now + reply.patience};
+                  .not_before = not_before,
+                  .give_up = not_before + reply.patience};
   *work -= WorkOfReply(*channel);
   if (Settle(channel, &pending, owner->state(), now)) return;
   if (channel->pending.size() >= kMostPending) {
@@ -251,6 +273,7 @@ void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& own
 // Sends the reply, or gives it up; false if it has to wait.
 bool ServiceHost::Settle(Channel* channel, Pending* pending, const robot::MotionState& state,
                          WallTime now) {
+  if (now < pending->not_before) return false;
   const bool over = now >= pending->give_up;
   if (pending->once != nullptr && !pending->once(state) && !over) return false;
   const bool reaches = channel->writer.ReachesParticipant(pending->client);

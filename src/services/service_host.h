@@ -82,6 +82,8 @@ class ServiceHost final : public ServicePort {
                              WallTime now) noexcept override;
   void Tell(const authority::MotorOwner& owner, double t) noexcept override;
   void CountUnmatched() override { ++Refused(CallRefusal::kUnmatched); }
+  std::vector<std::string> names() const override;
+  void Suffer(std::span<const robot::ServiceEffects> faults) noexcept override;
 
   ServiceCounts counts() const override { return counts_; }
 
@@ -103,6 +105,7 @@ class ServiceHost final : public ServicePort {
     unitree_api_msg_dds__ResponseHeader_ header;
     std::string data;
     bool (*once)(const robot::MotionState& state);  // null: no condition
+    WallTime not_before;
     WallTime give_up;
   };
   struct Channel {
@@ -137,7 +140,10 @@ class ServiceHost final : public ServicePort {
   bool Settle(Channel* channel, Pending* pending, const robot::MotionState& state, WallTime now);
   void Say(const Service& service, std::int64_t api_id, const std::string& notice, WallTime now);
 
+  const robot::ServiceEffects& FaultOf(const Service& service) const;
+
   std::vector<std::unique_ptr<Service>> services_;
+  std::vector<robot::ServiceEffects> faults_;  // by services_
   std::vector<std::unique_ptr<Channel>> channels_;
   std::optional<SwitchTopics> switches_;  // for robots that have them
   std::optional<bus::Writer<unitree_go_msg_dds__ConfigChangeStatus_>> config_changes_;

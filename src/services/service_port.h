@@ -5,9 +5,12 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "authority/motor_owner.h"
+#include "robot/fault.h"
 #include "services/call_refusal.h"
 
 namespace understudy::services {
@@ -58,6 +61,11 @@ class ServicePort {
   // Publishes what the robot's programs tell by themselves at the simulated time t [s], which must
   // not go back.
   virtual void Tell(const authority::MotorOwner& owner, double t) noexcept = 0;
+
+  // Returns the names of the services.
+  virtual std::vector<std::string> names() const = 0;
+  // What is wrong with them from now on, in the order of names(). Allocates nothing.
+  virtual void Suffer(std::span<const robot::ServiceEffects> faults) noexcept = 0;
 
   virtual ServiceCounts counts() const = 0;
 };

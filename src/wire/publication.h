@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -71,9 +72,16 @@ class MessagePublication final : public Publication {
       if (!outlet.rate.Due(step) || !outlet.writer.has_readers() || link.drops) continue;
       if (!made && !encode_(state, &message_)) break;
       made = true;
-      for (int times = link.doubles ? 2 : 1; times > 0; --times) {
-        if (!outlet.writer.Write(message_)) ++failures;
+      if (link.damages && !kHasCrc) continue;
+      if (link.reorders && !outlet.held) {
+        outlet.held = message_;
+        continue;
       }
+      for (int times = link.doubles ? 2 : 1; times > 0; --times) {
+        failures += Write(&outlet, &message_, link.damages);
+      }
+      if (outlet.held) failures += Write(&outlet, &*outlet.held, false);
+      outlet.held.reset();
     }
     return failures;
   }
@@ -81,10 +89,24 @@ class MessagePublication final : public Publication {
   const std::vector<std::string>& topics() const override { return topics_; }
 
  private:
+  static constexpr bool kHasCrc = requires(Msg message) { message.crc; };
+
   struct Outlet {
     bus::Writer<Msg> writer;
     robot::Rate rate;
+    std::optional<Msg> held{};  // goes after the next one; what it points to is as new as that
   };
+
+  // Returns how many failed: 0 or 1. `damaged`: with a wrong crc.
+  static std::uint64_t Write(Outlet* outlet, Msg* message, bool damaged) {
+    const auto flip = [&] {
+      if constexpr (kHasCrc) message->crc ^= damaged ? 1U : 0U;
+    };
+    flip();
+    const bool written = outlet->writer.Write(*message);
+    flip();
+    return written ? 0 : 1;
+  }
 
   std::vector<Outlet> outlets_;
   std::vector<std::string> topics_;  // of outlets_

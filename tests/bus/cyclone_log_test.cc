@@ -1,5 +1,8 @@
 #include "bus/cyclone_log.h"
 
+#include <chrono>
+#include <thread>
+
 #include <gmock/gmock.h>
 
 #include "bus/reader.h"
@@ -28,14 +31,12 @@ TEST(CycloneNoticeTest, IsMadeOfBytesThatAreNoMessageWhichAreCountedAndNotPrinte
   ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
   TakeCycloneNotices();
   testing::internal::CaptureStderr();
-  std::uint64_t sent = 0;
   const auto garbage_came = [&] {
     garbage.Send();
-    ++sent;
     return reader.undecoded() >= 2;
   };
   EXPECT_TRUE(test::Eventually(garbage_came));
-  EXPECT_TRUE(test::Eventually([&] { return reader.undecoded() == sent; }));  // none is under way
+  std::this_thread::sleep_for(std::chrono::milliseconds(500));  // what was sent may be under way
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
   EXPECT_THAT(TakeCycloneNotices(),
               ElementsAre(AllOf(Field(&CycloneNotice::line, HasSubstr("rt/hello")),

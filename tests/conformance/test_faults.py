@@ -76,6 +76,10 @@ SHOWS = {
     ("rt/lowstate", "off"): lambda now, sound: len(now) == 0,
     ("rt/lowstate", "lost"): lambda now, sound: any(
         b["tick"] - a["tick"] > 3 for a, b in zip(now, now[1:])),
+    ("rt/lowstate", "damaged"): lambda now, sound: 0 < sum(not s["crc"] for s in now) < len(now) / 2,
+    ("rt/lowstate", "reordered"): lambda now, sound: any(b["tick"] < a["tick"] for a, b in zip(now, now[1:])),
+    ("service.motion_switcher", "off"): lambda now, sound: now[0]["code"] == 3104,  # the SDK's time-out
+    ("service.motion_switcher", "slow"): lambda now, sound: now[0]["code"] == 0 and 0.9 < now[0]["seconds"] < 2,
     ("rt/lowstate", "doubled"): lambda now, sound: any(a["tick"] == b["tick"] for a, b in zip(now, now[1:])),
 }
 
@@ -94,9 +98,13 @@ def test_every_fault_is_gone_once_it_is_taken_away(shown):
             continue
         after = told["after"]
         assert after, row
+        if row[0].startswith("service."):
+            assert after[0]["code"] == 0 and after[0]["seconds"] < 0.9, row
+            continue
         last = after[-1]
         assert last["errors"] == 0 and last["bits"] & 0x80 == 0, row
         assert spread(after, "q") > 0.1, row
         assert last["acceleration"][2] > 8, row
         assert last["remote"] == [0x55, 0x51], row
+        assert all(values(after, "crc")), row
         assert not any(a["tick"] == b["tick"] for a, b in zip(after, after[1:])), row

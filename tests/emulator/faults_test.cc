@@ -153,8 +153,23 @@ const std::map<std::pair<Component, std::string_view>, Shows> kShown = {
      [](const RobotState& faulty, const RobotState& fine) {
        return faulty.tick_ms < fine.tick_ms;
      }},
+};
+
+// The same of what no state shows, but port and services are told.
+using Tells = bool (*)(const robot::LinkEffects& link, const robot::ServiceEffects& service);
+const std::map<std::pair<Component, std::string_view>, Tells> kTold = {
     {{Component::kTopic, "doubled"},
-     [](const RobotState&, const RobotState&) { return true; }},  // tests/wire/port_test.cc
+     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.doubles; }},
+    {{Component::kTopic, "damaged"},
+     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.damages; }},
+    {{Component::kTopic, "reordered"},
+     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.reorders; }},
+    {{Component::kService, "off"},
+     [](const robot::LinkEffects&, const robot::ServiceEffects& service) { return service.off; }},
+    {{Component::kService, "slow"},
+     [](const robot::LinkEffects&, const robot::ServiceEffects& service) {
+       return service.delay == 1;
+     }},
 };
 
 // Two clamped robots that get the same commands; the second has the fault.
@@ -204,6 +219,8 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
         return "remote";
       case Component::kTopic:
         return "rt/lowstate";
+      case Component::kService:
+        return "service.fake";
     }
     return "";
   }
@@ -215,19 +232,27 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
 
 TEST_P(FaultsTest, IsSeenInWhatIsPublishedAndGoneOnceItIsTakenAway) {
   const auto shown = kShown.find({GetParam().of, GetParam().name});
-  ASSERT_NE(shown, kShown.end()) << "say how one sees it: kShown";
+  const auto told = kTold.find({GetParam().of, GetParam().name});
+  ASSERT_TRUE(shown != kShown.end() || told != kTold.end()) << "say how one sees it: kShown";
   nlohmann::json fault{{"component", ComponentName()}, {"fault", GetParam().name}};
   // All messages, so that the last one tells.
   if (GetParam().of == Component::kTopic && GetParam().has_magnitude()) fault["by"] = 1;
   Ask("fault", fault);
   TickBoth(kTicks);
-  EXPECT_TRUE(shown->second(port_.last().state, fine_port_.last().state));
+  if (shown != kShown.end()) {
+    EXPECT_TRUE(shown->second(port_.last().state, fine_port_.last().state));
+  } else {
+    EXPECT_TRUE(told->second(port_.link(), services_.suffers()));
+  }
 
   Ask("fault", {{"component", ComponentName()}, {"fault", "none"}});
   AskBoth("reset");
   TickBoth(kTicks);
   EXPECT_TRUE(ShowsNothing(port_.last().state, fine_port_.last().state));
   EXPECT_EQ(port_.last().state.tick_ms, fine_port_.last().state.tick_ms);
+  if (told != kTold.end()) {
+    EXPECT_FALSE(told->second(port_.link(), services_.suffers()));
+  }
 }
 
 TEST_P(FaultsTest, IsToldAsItComesAndGoes) {
@@ -268,6 +293,28 @@ TEST_F(FaultedCommandsTest, ArriveTwiceWhereTheirTopicDoubles) {
   Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "doubled"}, {"by", 1}});
   Tick(5);
   EXPECT_EQ(world_->status().commands.accepted, 10U);
+}
+
+TEST_F(FaultedCommandsTest, AreRefusedForTheirCrcWhereTheirTopicDamagesThem) {
+  StartAs("clamped");
+  port_.SendEveryTick(Torque(1));
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "damaged"}, {"by", 1}});
+  Tick(5);
+  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  EXPECT_EQ(world_->status().commands.refused[static_cast<std::size_t>(robot::Refusal::kCrc)], 5U);
+}
+
+TEST_F(FaultedCommandsTest, ComeAfterTheNextWhereTheirTopicReordersThem) {
+  StartAs("clamped");
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "reordered"}, {"by", 1}});
+  Tick();
+  port_.Send(Torque(1));
+  Tick();
+  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(world_->status().commands.accepted, 2U);
+  EXPECT_EQ(robot().torque()[0], 1);  // of the first, which came last
 }
 
 // A drive closes its loop over its own encoder.

@@ -24,7 +24,7 @@ class FaultBankTest : public testing::Test {
   const EncoderEffects& encoder() const { return bank_.effects().encoders[1]; }
 
   RobotSpec spec_ = test::FixtureRobot();
-  FaultBank bank_{spec_, {"rt/lowcmd", "", "rt/lowstate"}, 1};
+  FaultBank bank_{spec_, {"rt/lowcmd", "", "rt/lowstate"}, {"sport"}, 1};
   std::string joint_ = spec_.motors[1].joint;
 };
 
@@ -122,7 +122,7 @@ TEST_F(FaultBankTest, LosesThatShareOfMessagesTickByTick) {
 
 TEST_F(FaultBankTest, DrawsTheSameForEqualSeedsAndOtherwiseForOthers) {
   const auto drawn = [this](int seed) {
-    FaultBank bank(spec_, {"rt/lowcmd"}, seed);
+    FaultBank bank(spec_, {"rt/lowcmd"}, {}, seed);
     EXPECT_TRUE(bank.Begin("rt/lowcmd", "lost", nullptr, {}, 0).ok());
     std::string drops;
     for (int ms = 0; ms < 200; ++ms) {
@@ -139,7 +139,7 @@ TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
   EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
   EXPECT_EQ(Begin("flux capacitor", "off"),
             "the robot has no 'flux capacitor'; expected a joint, JOINT.encoder, imu, foot.NAME, "
-            "battery, remote or a topic");
+            "battery, remote, a topic or service.NAME");
   EXPECT_NE(bank_.Clear("imv").why(), "");
 }
 

@@ -136,6 +136,39 @@ TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
   EXPECT_EQ(codes_[43], 3203);
 }
 
+TEST_F(ServiceHostTest, NeitherActsNorAnswersWhileItIsOffAndCountsWhatCame) {
+  Listen();
+  EXPECT_EQ(host_.names(), std::vector<std::string>{"echo"});
+  host_.Suffer(std::vector<robot::ServiceEffects>{{.off = true}});
+  SendText(1, "x");
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return Refused(CallRefusal::kNotServed) == 1;
+  }));
+  EXPECT_EQ(carried_out(), 0U);
+  EXPECT_FALSE(host_.Answer("echo", 7, R"({"a": "x"})", &robot_.owner, now_));
+  host_.Suffer(std::vector<robot::ServiceEffects>{{}});
+  SendText(2, "y");
+  ASSERT_TRUE(Answered(2));
+  EXPECT_FALSE(codes_.contains(1));
+}
+
+TEST_F(ServiceHostTest, ActsAtOnceAndAnswersLaterWhileItIsSlow) {
+  Listen();
+  host_.Suffer(std::vector<robot::ServiceEffects>{{.delay = 2}});
+  SendText(1, "x");
+  ASSERT_TRUE(test::Eventually([&] {
+    Poll();
+    return carried_out() == 1;
+  }));
+  now_ += std::chrono::milliseconds(1999);
+  Poll();
+  Collect();
+  EXPECT_FALSE(codes_.contains(1));
+  now_ += std::chrono::milliseconds(2);
+  EXPECT_TRUE(Answered(1));
+}
+
 TEST_F(ServiceHostTest, TellsWhatEachPollCarriedOut) {
   SendText(1, "");
   Send(2, 9999, "");

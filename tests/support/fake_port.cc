@@ -19,7 +19,8 @@ bool FakePort::Take(std::size_t topic, robot::RobotCommand* command, robot::Refu
 
 void FakePort::Publish(const robot::RobotState& state, std::int64_t,
                        std::span<const robot::LinkEffects> links) {
-  if (!links.empty() && links.front().drops) return;
+  if (!links.empty()) link_ = links.front();
+  if (link_.drops) return;
   ++published_;
   if (keep_all_ || samples_.empty()) {
     samples_.push_back({state});

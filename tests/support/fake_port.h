@@ -23,6 +23,8 @@ class FakePort final : public wire::RobotPort {
     robot::RobotState state;
   };
 
+  // What was wrong with rt/lowstate when a state was last due.
+  const robot::LinkEffects& link() const { return link_; }
   // Queues a command with a fault of form.
   void Send(const robot::RobotCommand& command, robot::Refusal form = robot::Refusal::kNone) {
     SendTo(robot::kLowCmdTopic, command, form);
@@ -94,6 +96,7 @@ class FakePort final : public wire::RobotPort {
 
   std::array<Topic, robot::kMostCommandTopics> topics_;
   std::int64_t every_ = 2;  // 500 Hz in steps of 1 ms
+  robot::LinkEffects link_;
   robot::PortNews news_;
   bool keep_all_ = true;
   int rests_ = 0;

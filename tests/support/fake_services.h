@@ -43,6 +43,11 @@ class FakeServices final : public services::ServicePort {
   void CountUnmatched() override {
     ++counts_.refused[static_cast<std::size_t>(services::CallRefusal::kUnmatched)];
   }
+  std::vector<std::string> names() const override { return {"fake"}; }
+  void Suffer(std::span<const robot::ServiceEffects> faults) noexcept override {
+    suffers_ = faults[0];
+  }
+  const robot::ServiceEffects& suffers() const { return suffers_; }
   // The next poll returns it.
   void Bring(const services::Call& call) { brought_.push_back(call); }
   services::ServiceCounts counts() const override { return counts_; }
@@ -51,6 +56,7 @@ class FakeServices final : public services::ServicePort {
   std::vector<Effect> waiting_;
   std::vector<services::Call> calls_, brought_;
   services::ServiceCounts counts_;
+  robot::ServiceEffects suffers_;
 };
 
 }  // namespace understudy::test

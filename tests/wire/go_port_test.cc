@@ -80,6 +80,45 @@ TEST(GoPortTest, TellsOnceOfSeveralWriters) {
   EXPECT_EQ(port.TakeNews().writers, 0);
 }
 
+// The ticks that come for three messages of ticks 1, 2 and 3, of which the second goes out over a
+// link with that fault.
+std::vector<std::uint32_t> TicksOver(const robot::LinkEffects& fault, bool* wrong_crc = nullptr) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Reader<unitree_go_msg_dds__LowState_> reader(participant, kGoLowState);
+  EXPECT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  robot::RobotState state = StateOf(spec);
+  for (const std::int64_t tick : {1, 2, 3}) {
+    std::vector<robot::LinkEffects> links(port.topics().size());
+    if (tick == 2) links[0] = fault;  // rt/lowstate
+    state.tick_ms = tick;
+    port.Publish(state, kLowStateStep, links);
+  }
+  std::vector<std::uint32_t> ticks;
+  while (const auto message = Next(&reader)) {
+    if (message->crc != MessageCrc(*message) && wrong_crc != nullptr) {
+      *wrong_crc = message->tick == 2;
+    }
+    ticks.push_back(message->tick);
+    if (message->tick == 3 && !fault.reorders) break;
+    if (message->tick == 2 && fault.reorders) break;
+  }
+  return ticks;
+}
+
+TEST(GoPortTest, SendsOverAFaultyLinkWhatItLeaves) {
+  using testing::ElementsAre;
+  EXPECT_EQ(std::string(kGoLowState.name), "rt/lowstate");
+  EXPECT_THAT(TicksOver({}), ElementsAre(1, 2, 3));
+  EXPECT_THAT(TicksOver({.drops = true}), ElementsAre(1, 3));
+  EXPECT_THAT(TicksOver({.doubles = true}), ElementsAre(1, 2, 2, 3));
+  EXPECT_THAT(TicksOver({.reorders = true}), ElementsAre(1, 3, 2));
+  bool wrong_crc = false;
+  EXPECT_THAT(TicksOver({.damages = true}, &wrong_crc), ElementsAre(1, 2, 3));
+  EXPECT_TRUE(wrong_crc);
+}
+
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = GoRobot();

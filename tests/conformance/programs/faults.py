@@ -10,15 +10,19 @@ import subprocess
 import time
 
 from sdk_session import Commander, LowStateFeed, arguments, release_motion_services
+from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
+from unitree_sdk2py.utils.crc import CRC
 from unitree_sdk2py.utils.thread import RecurrentThread
 
 JOINT, SLOT = "FR_calf_joint", 2
 STAND = [0.0, 0.67, -1.3] * 4  # the vendor's example
 SWING = 0.25  # rad, of the calf
+CRC_OF = CRC()
 LOOK = 0.4  # s, of one swing
 NAMES = {
     "Motor": JOINT, "Encoder": f"{JOINT}.encoder", "Inertial unit": "imu", "Foot's sensor": "foot.FL",
     "Battery": "battery", "Remote controller": "remote", "Topic": "rt/lowstate",
+    "Service": "service.motion_switcher",
 }
 
 
@@ -37,18 +41,29 @@ def rows():
 
 
 def facts(state):
+    crc = state.crc
     motor, imu = state.motor_state[SLOT], state.imu_state
     return {
         "tick": state.tick, "q": motor.q, "tau": motor.tau_est, "temperature": motor.temperature,
         "lost": motor.lost, "errors": motor.reserve[0], "bits": state.bit_flag,
         "rate": list(imu.gyroscope), "acceleration": list(imu.accelerometer),
         "quaternion": list(imu.quaternion), "foot": state.foot_force[1], "soc": state.bms_state.soc,
-        "volts": state.power_v, "remote": list(state.wireless_remote[:2]),
+        "crc": CRC_OF.Crc(state) == crc, "volts": state.power_v, "remote": list(state.wireless_remote[:2]),
     }
+
+
+def call(client):
+    """What the service answers now, and how long that took."""
+    began = time.monotonic()
+    code, _ = client.CheckMode()
+    return {"code": code, "seconds": time.monotonic() - began}
 
 
 def main():
     arguments(__doc__)
+    client = MotionSwitcherClient()
+    client.SetTimeout(2.0)
+    client.Init()
     seen = []
     feed = LowStateFeed("go2", lambda state: seen.append(facts(state)))
     release_motion_services()
@@ -77,10 +92,12 @@ def main():
     for component, fault in rows():
         more = ["--by", "0.1"] if fault == "drifting" else []  # so fast that it is seen at once
         understudy("ctl", "fault", component, fault, *more)
-        during = looked()
+        is_service = component.startswith("service.")
+        during = [call(client)] if is_service else looked()
         understudy("ctl", "fault", component, "none")
         time.sleep(0.2)
-        report.append({"component": component, "fault": fault, "during": during, "after": looked()})
+        after = [call(client)] if is_service else looked()
+        report.append({"component": component, "fault": fault, "during": during, "after": after})
     thread.Wait()
     print(json.dumps({"rows": report}))
 
