@@ -13,14 +13,14 @@ namespace {
 
 class DamageSheetTest : public testing::Test {
  protected:
-  DamageSheetTest() {
-    spec_.motors.resize(2);
-    spec_.hands.clear();
-    for (MotorSpec& motor : spec_.motors) {
+  static RobotSpec WithTwoMotors() {
+    RobotSpec spec = test::FixtureRobot();
+    spec.motors.resize(2);
+    for (MotorSpec& motor : spec.motors) {
       motor.torque_limit = 10;
       motor.no_load_speed = 20;
     }
-    command_.motors.resize(2);
+    return spec;
   }
 
   void Step(double seconds = 1) {
@@ -38,8 +38,8 @@ class DamageSheetTest : public testing::Test {
   const MotorDamage& motor() const { return sheet_.damage().motors[0]; }
   const MotorDamage& other() const { return sheet_.damage().motors[1]; }
 
-  RobotSpec spec_ = test::FixtureRobot();
-  RobotCommand command_;
+  RobotSpec spec_ = WithTwoMotors();
+  RobotCommand command_{.motors = std::vector<MotorCommand>(2)};
   std::vector<double> q_{0, 0}, dq_{0, 0}, torque_{0, 0}, winding_c_{30, 30};
   BatteryReading battery_{.voltage = 50, .current = -2};
   Eigen::Vector3d f_{0, 0, 9.81};
