@@ -54,8 +54,8 @@ SHOWS = {
     (ENCODER, "garbage"): lambda now, sound: spread(now, "q") > 6 and now[-1]["errors"] == 0x20,
     # The drive follows its encoder: what it reads is nearly where it was told to be, and the torque
     # against the ground tells that the leg is elsewhere.
-    (ENCODER, "offset"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 1,
-    (ENCODER, "drifting"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 0.5,
+    (ENCODER, "offset"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 2,
+    (ENCODER, "drifting"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 2,
     (ENCODER, "noisy"): lambda now, sound: spread(now, "tau") > spread(sound, "tau") + 0.2,
     ("imu", "off"): lambda now, sound: now[-1]["acceleration"] == [0, 0, 0] and sound[-1]["acceleration"] != [0, 0, 0],
     ("imu", "stuck"): lambda now, sound: all(s["acceleration"] == now[0]["acceleration"] for s in now),
