@@ -317,7 +317,7 @@ const std::vector<RequestRow>& RequestRows() {
           {Needed(Bare({.key = "component",
                         .kind = kName,
                         .does = "A joint for its motor, JOINT.encoder, imu, foot.FR, battery, "
-                                "remote, a topic; with none also all"})),
+                                "remote, a topic, service.sport; with none also all"})),
            Needed(Bare({.key = "fault",
                         .kind = kWord,
                         .does = "What is wrong with it; none takes its faults away",

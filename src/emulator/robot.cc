@@ -11,6 +11,10 @@
 namespace understudy::emulator {
 namespace {
 
+// s after which a command that was overtaken is lost: an old one would make the robot jump.
+// *assumed*
+constexpr double kLongestHeld = 0.1;
+
 // The command that holds `q` against gravity with the gains of the robot's description.
 robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
   robot::RobotCommand command;
@@ -189,11 +193,13 @@ bool Robot::TakeCommand(std::size_t topic, double t) {
   ++heard_[topic];
   Held& held = held_[topic];
   if (link.reorders && !held.there) {
-    held = {offered_, form, true};
+    held = {offered_, form, true, t};
     return true;
   }
   for (int times = link.doubles ? 2 : 1; times > 0; --times) OfferCommand(topic, offered_, form, t);
-  if (std::exchange(held.there, false)) OfferCommand(topic, held.command, held.form, t);
+  if (std::exchange(held.there, false) && t - held.since < kLongestHeld) {
+    OfferCommand(topic, held.command, held.form, t);
+  }
   NoteChanges(t);
   return true;
 }

@@ -130,6 +130,14 @@ class Robot {
     bool clamped = false;
   };
 
+  // A command that goes after the next one of its topic.
+  struct Held {
+    robot::RobotCommand command;
+    robot::Refusal form = robot::Refusal::kNone;
+    bool there = false;
+    double since = 0;  // s
+  };
+
   static constexpr std::int64_t kNever = -2;  // before any step's sample
   // The values that the last events reported.
   struct Noted {
@@ -192,13 +200,6 @@ class Robot {
   robot::Rate service_rate_;
 
   const robot::RobotCommand* command_;
-  // A command that goes after the next one of its topic.
-  struct Held {
-    robot::RobotCommand command;
-    robot::Refusal form = robot::Refusal::kNone;
-    bool there = false;
-  };
-
   robot::RobotCommand offered_;
   std::vector<Held> held_;  // by topic
   authority::MotionInput input_;

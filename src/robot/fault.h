@@ -43,7 +43,6 @@ struct EncoderEffects {
   double offset = 0;     // rad
   double noise = 0;      // rad, standard deviation
 
-  bool fine() const { return !dead && !stuck && !garbage && offset == 0 && noise == 0; }
   bool tells() const { return dead || garbage; }  // the motor's board knows of it; *assumed*
 };
 

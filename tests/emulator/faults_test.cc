@@ -317,6 +317,18 @@ TEST_F(FaultedCommandsTest, ComeAfterTheNextWhereTheirTopicReordersThem) {
   EXPECT_EQ(robot().torque()[0], 1);  // of the first, which came last
 }
 
+TEST_F(FaultedCommandsTest, AreLostWhereTheyAreOvertakenTooLate) {
+  StartAs("clamped");
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "reordered"}, {"by", 1}});
+  Tick();
+  port_.Send(Torque(1));
+  Tick(200);
+  port_.Send(Torque(2));
+  Tick();
+  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_EQ(robot().torque()[0], 2);
+}
+
 // A drive closes its loop over its own encoder.
 TEST_F(FaultedCommandsTest, MoveTheJointByTheOffsetOfItsEncoder) {
   config_.sensors.noise = false;

@@ -32,7 +32,7 @@ TEST_F(FaultBankTest, HasNoEffectsBeforeTheFirstFault) {
   bank_.Step(1);
   EXPECT_FALSE(bank_.any());
   EXPECT_EQ(motor().torque_share, 1);
-  EXPECT_TRUE(encoder().fine());
+  EXPECT_EQ(encoder().offset, 0);
 }
 
 TEST_F(FaultBankTest, ActsOnThatComponentAndNoOther) {
@@ -40,7 +40,7 @@ TEST_F(FaultBankTest, ActsOnThatComponentAndNoOther) {
   bank_.Step(0);
   EXPECT_EQ(motor().torque_share, 0);
   EXPECT_EQ(bank_.effects().motors[0].torque_share, 1);
-  EXPECT_TRUE(encoder().fine());
+  EXPECT_EQ(encoder().offset, 0);
 }
 
 TEST_F(FaultBankTest, AddsUpDifferentFaultsOfAComponent) {
