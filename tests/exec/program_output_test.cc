@@ -74,7 +74,7 @@ TEST(ProgramOutputTest, FindsATextOnceInALine) {
 
 TEST(ProgramOutputTest, FindsATextInALineWithoutEndWhileTheProgramGoesOn) {
   ProgramOutput output({"ready>"});
-  ChildProcess child({"sh", "-c", "printf 'rea'; printf 'dy> '; sleep 60"}, {}, -1,
+  ChildProcess child({"sh", "-c", "printf 'rea'; printf 'dy> '; exec sleep 60"}, {}, -1,
                      output.descriptor());
   output.Start();
   child.Release();
