@@ -31,8 +31,7 @@ class GarbageWriter {
                               StrangerQos{}.Make().get(), nullptr),
             "create the stranger's writer") {}
 
-  void Send() const {
-    std::string text = "garbage";
+  void Send(std::string text = "garbage") const {
     const std_msgs_msg_dds__String_ message{.data = text.data()};
     dds_write(writer_.handle(), &message);
   }
