@@ -23,6 +23,7 @@ constexpr std::int64_t kFlushEvery = 1'000'000'000;  // ns
 // Room for 8 s of moments at 1000 Hz and as many marks; *assumed*.
 constexpr std::size_t kMoments = 8192;
 constexpr std::size_t kMarks = 1 << 16;
+constexpr std::size_t kSheets = 4;  // *assumed*
 
 // RELIABLE, VOLATILE, KEEP_LAST 1 in the notation of rosbag2.
 constexpr char kQos[] =
@@ -53,6 +54,7 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
       events_(events),
       moments_(kMoments, moment),
+      sheets_(kSheets, {.damage = head.damage}),
       marks_(kMarks),
       last_take_(SinceEpoch()),
       last_flush_(Monotonic()) {
@@ -83,6 +85,15 @@ Moment* Recorder::Claim() {
 }
 
 void Recorder::Commit() { moments_.Commit(); }
+
+DamageMoment* Recorder::ClaimDamage() {
+  if (failed_.load(std::memory_order_relaxed)) return nullptr;
+  DamageMoment* moment = sheets_.Claim();
+  if (moment != nullptr) moment->wall = Monotonic();
+  return moment;
+}
+
+void Recorder::CommitDamage() { sheets_.Commit(); }
 
 bool Recorder::behind() const {
   return !failed_.load(std::memory_order_relaxed) &&
@@ -122,6 +133,7 @@ void Recorder::Begin(const RecordingHead& head) {
   };
   truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText);
   event_channel_ = channel(kEventTopic, kEventType, kEventText);
+  damage_channel_ = channel(kDamageTopic, kDamageType, kDamageText);
   writer_.Flush();
   bytes_ = writer_.bytes();
 }
@@ -218,6 +230,7 @@ void Recorder::Merge(Nanoseconds now, bool all) {
   for (const StepMark* mark = marks_.Front(); mark != nullptr && mark->wall <= now;
        mark = marks_.Front()) {
     WriteMoments(mark->step, now);
+    WriteSheets(mark->step, now);
     WriteEvents(mark->step);
     for (; next != waiting_.end() && next->when <= mark->epoch; ++next) {
       WriteSample(*next, mark->step);
@@ -226,6 +239,7 @@ void Recorder::Merge(Nanoseconds now, bool all) {
     marks_.Pop();
   }
   WriteMoments(std::numeric_limits<std::int64_t>::max(), now);
+  WriteSheets(std::numeric_limits<std::int64_t>::max(), now);
   WriteEvents(marked_ + 1);
   for (; next != waiting_.end() && (all || now - next->taken > kPatience); ++next) {
     WriteSample(*next, marked_ + 1);
@@ -245,6 +259,17 @@ void Recorder::WriteMoments(std::int64_t up_to_step, Nanoseconds up_to) {
 void Recorder::WriteTruth(const Truth& truth) {
   EncodeTruth(truth, &message_);
   Write(truth_channel_, LogTime(truth.step), LogTime(truth.step), message_.span());
+}
+
+void Recorder::WriteSheets(std::int64_t up_to_step, Nanoseconds up_to) {
+  for (const DamageMoment* moment = sheets_.Front();
+       moment != nullptr && moment->damage.step <= up_to_step && moment->wall <= up_to;
+       moment = sheets_.Front()) {
+    EncodeDamage(moment->damage, &message_);
+    Write(damage_channel_, LogTime(moment->damage.step), LogTime(moment->damage.step),
+          message_.span());
+    sheets_.Pop();
+  }
 }
 
 void Recorder::WriteEvents(std::int64_t up_to_step) {

@@ -1,4 +1,4 @@
-// Records a run: all topics of the bus, the simulation's truth and the events.
+// Records a run: all topics of the bus, the simulation's truth, the events and the damage sheet.
 #pragma once
 
 #include <array>
@@ -34,12 +34,19 @@ struct RecordingHead {
   StringMap about;     // metadata "understudy"
   std::string config;  // attachment config.yaml
   std::string model;   // attachment model.mjb
+  Damage damage{};     // joints and limits of the damage sheet, and as many motors
 };
 
 // The truth between two steps, offered by the loop.
 struct Moment {
   std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC, of the offer
   Truth truth;
+};
+
+// The damage sheet, offered likewise.
+struct DamageMoment {
+  std::int64_t wall = 0;  // ns, CLOCK_MONOTONIC
+  Damage damage;
 };
 
 // In a burst of events each cause is recorded once in this simulated time [s]; *assumed*.
@@ -76,6 +83,10 @@ class Recorder {
   // dropped, if its thread is far behind.
   Moment* Claim();
   void Commit();
+  // The same for the damage sheet, of which joints and limits stand in it. Now and then: a sheet
+  // for which there is no room yet is left out, since the next has all that stands in it.
+  DamageMoment* ClaimDamage();
+  void CommitDamage();
   // Returns whether the thread is so far behind that a loop without deadlines should wait for it.
   bool behind() const;
   // Waits until all that was marked and committed is written, or the recording has failed.
@@ -113,6 +124,7 @@ class Recorder {
   void Merge(Nanoseconds now, bool all);
   void WriteMoments(std::int64_t up_to_step, Nanoseconds up_to);
   void WriteTruth(const Truth& truth);
+  void WriteSheets(std::int64_t up_to_step, Nanoseconds up_to);
   void WriteEvents(std::int64_t up_to_step);
   void WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step);
   void WriteEvent(const emulator::ToldEvent& told);
@@ -140,13 +152,14 @@ class Recorder {
   };
   std::map<std::uint16_t, Told> told_channels_;
   McapWriter writer_;
-  std::uint16_t truth_channel_ = 0, event_channel_ = 0;
+  std::uint16_t truth_channel_ = 0, event_channel_ = 0, damage_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
   emulator::EventRing::Reader events_;
   emulator::EventDigest digest_{kEventEvery - 1e-6};  // rounding: 0.3 - 0.2 < 0.1
   emulator::Event event_;                             // the next event, if has_event_
   bool has_event_ = false;
   SpscRing<Moment> moments_;
+  SpscRing<DamageMoment> sheets_;
   SpscRing<StepMark> marks_;
   std::vector<Waiting> waiting_;
   BytesOut message_;

@@ -112,4 +112,76 @@ Event DecodeEvent(ByteSpan bytes) {
   return event;
 }
 
+namespace {
+
+// The figures of a motor, in the order of the message between its limits.
+using Figure = double robot::MotorDamage::*;
+
+void PutFigures(const Damage& damage, Figure figure, BytesOut* out) {
+  PutNumber(static_cast<std::uint32_t>(damage.sheet.motors.size()), out);
+  for (const robot::MotorDamage& motor : damage.sheet.motors) PutNumber(motor.*figure, out);
+}
+
+void CheckCount(std::size_t count, const Damage& damage) {
+  if (count != damage.sheet.motors.size()) throw RecordError("expected as many figures as joints");
+}
+
+void TakeFigures(BytesIn* in, Figure figure, Damage* damage) {
+  const std::vector<double> numbers = TakeNumbers(in);
+  CheckCount(numbers.size(), *damage);
+  for (std::size_t i = 0; i < numbers.size(); ++i) damage->sheet.motors[i].*figure = numbers[i];
+}
+
+}  // namespace
+
+void EncodeDamage(const Damage& damage, BytesOut* out) {
+  using robot::MotorDamage;
+  Begin(out);
+  PutNumber(damage.step, out);
+  for (const double number : {damage.sheet.time, damage.sheet.energy, damage.sheet.peak_current,
+                              damage.sheet.shock, damage.sheet.worst_tilt}) {
+    PutNumber(number, out);
+  }
+  PutNumber(std::int64_t{damage.sheet.falls}, out);
+  PutNumber(damage.trip_c, out);
+  PutNumber(static_cast<std::uint32_t>(damage.joints.size()), out);
+  for (const std::string& joint : damage.joints) PutText(joint, out);
+  PutNumbers(damage.torque_limit, out);
+  PutFigures(damage, &MotorDamage::at_torque_limit, out);
+  PutNumbers(damage.speed_limit, out);
+  for (const Figure figure :
+       {&MotorDamage::at_speed_limit, &MotorDamage::hottest_c, &MotorDamage::tripped,
+        &MotorDamage::hardest_stop, &MotorDamage::largest_jump}) {
+    PutFigures(damage, figure, out);
+  }
+}
+
+Damage DecodeDamage(ByteSpan bytes) {
+  using robot::MotorDamage;
+  BytesIn in = Begin(bytes);
+  Damage damage;
+  damage.step = TakeNumber<std::int64_t>(&in);
+  for (double* number : {&damage.sheet.time, &damage.sheet.energy, &damage.sheet.peak_current,
+                         &damage.sheet.shock, &damage.sheet.worst_tilt}) {
+    *number = TakeNumber<double>(&in);
+  }
+  damage.sheet.falls = static_cast<int>(TakeNumber<std::int64_t>(&in));
+  damage.trip_c = TakeNumber<double>(&in);
+  for (auto left = TakeNumber<std::uint32_t>(&in); left > 0; --left) {
+    damage.joints.push_back(TakeText(&in));
+  }
+  damage.sheet.motors.resize(damage.joints.size());
+  damage.torque_limit = TakeNumbers(&in);
+  TakeFigures(&in, &MotorDamage::at_torque_limit, &damage);
+  damage.speed_limit = TakeNumbers(&in);
+  CheckCount(damage.torque_limit.size(), damage);
+  CheckCount(damage.speed_limit.size(), damage);
+  for (const Figure figure :
+       {&MotorDamage::at_speed_limit, &MotorDamage::hottest_c, &MotorDamage::tripped,
+        &MotorDamage::hardest_stop, &MotorDamage::largest_jump}) {
+    TakeFigures(&in, figure, &damage);
+  }
+  return damage;
+}
+
 }  // namespace understudy::record

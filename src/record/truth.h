@@ -1,4 +1,4 @@
-// The messages for the simulation's truth and for events.
+// The messages for the simulation's truth, for events and for the damage sheet.
 #pragma once
 
 #include <cstdint>
@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "record/bytes.h"
+#include "robot/damage.h"
 
 namespace understudy::record {
 
@@ -49,11 +50,46 @@ struct Event {
   std::string detail{};  // a JSON object for programs
 };
 
+inline constexpr char kDamageTopic[] = "understudy/damage";
+inline constexpr char kDamageType[] = "understudy_msgs/msg/Damage";
+inline constexpr char kDamageText[] =
+    "int64 step\n"
+    "float64 time\n"
+    "float64 energy\n"
+    "float64 peak_current\n"
+    "float64 shock\n"
+    "float64 worst_tilt\n"
+    "int64 falls\n"
+    "float64 trip_c\n"
+    "string[] joints\n"
+    "float64[] torque_limit\n"
+    "float64[] at_torque_limit\n"
+    "float64[] speed_limit\n"
+    "float64[] at_speed_limit\n"
+    "float64[] hottest_c\n"
+    "float64[] tripped\n"
+    "float64[] hardest_stop\n"
+    "float64[] largest_jump\n";
+
+// What the run would have done to the robot, from its start to `time`, with the limits by which it
+// is measured. Vectors are in motor order.
+struct Damage {
+  std::int64_t step = 0;
+  robot::Damage sheet{};               // its time is the message's
+  double trip_c = 0;                   // °C
+  std::vector<std::string> joints{};   // never change, nor do the limits
+  std::vector<double> torque_limit{};  // N·m
+  std::vector<double> speed_limit{};   // rad/s; 0 = not known
+};
+
 // Encode to and decode from little-endian XCDR1 with the four bytes of the encoding. Encoding
 // overwrites `out`; decoding throws RecordError for anything else.
 void EncodeTruth(const Truth& truth, BytesOut* out);
 Truth DecodeTruth(ByteSpan bytes);
 void EncodeEvent(const Event& event, BytesOut* out);
 Event DecodeEvent(ByteSpan bytes);
+// The vectors must be as long as sheet.motors; decoding throws if they are not.
+void EncodeDamage(const Damage& damage, BytesOut* out);
+Damage DecodeDamage(ByteSpan bytes);
 
 }  // namespace understudy::record

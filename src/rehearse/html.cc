@@ -196,6 +196,40 @@ std::string Summary(const Expectations& expectations, const Judged& judged) {
   return html + "</table>\n";
 }
 
+// The most that it would have done to the robot, and to each motor; a figure that is none is left
+// out.
+std::string DamageTable(const record::Damage& damage) {
+  const auto number = [](double value, const std::string& unit) {
+    return value == 0 ? std::string() : NumberText(value) + " " + unit;
+  };
+  const auto seconds = [&](double at_limit, double limit, const std::string& unit) {
+    if (at_limit == 0) return std::string();
+    return "<b>" + number(at_limit, "s") + "</b> at " + NumberText(limit) + " " + unit;
+  };
+  const robot::Damage& sheet = damage.sheet;
+  std::string html = "<p>" + std::to_string(sheet.falls) + (sheet.falls == 1 ? " fall" : " falls") +
+                     " · tilted by " + NumberText(sheet.worst_tilt) + " rad at most · shock " +
+                     NumberText(sheet.shock) + " m/s² · " + NumberText(sheet.energy) +
+                     " J from the pack, " + NumberText(sheet.peak_current) +
+                     " A at most · windings trip at " + NumberText(damage.trip_c) + " °C</p>\n" +
+                     "<table><tr><th>Joint</th><th>At its torque limit</th><th>At its speed limit"
+                     "</th><th>Hottest winding</th><th>Tripped</th><th>Hardest stop</th>"
+                     "<th>Largest jump of a command</th></tr>\n";
+  for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
+    const robot::MotorDamage& motor = sheet.motors[i];
+    html += "<tr><td><code>" + Escaped(damage.joints[i]) + "</code></td>";
+    for (const std::string& cell :
+         {seconds(motor.at_torque_limit, damage.torque_limit[i], "N·m"),
+          seconds(motor.at_speed_limit, damage.speed_limit[i], "rad/s"),
+          number(motor.hottest_c, "°C"), number(motor.tripped, "s"),
+          number(motor.hardest_stop, "rad/s"), number(motor.largest_jump, "rad")}) {
+      html += "<td class=\"number\">" + cell + "</td>";
+    }
+    html += "</tr>\n";
+  }
+  return html + "</table>\n";
+}
+
 std::string EventTable(const Occasion& occasion, const Judged& judged) {
   constexpr std::size_t kMost = 400;  // rows; *assumed*
   std::string html = "<table><tr><th>Time</th><th>Kind</th><th>What happened</th></tr>\n";
@@ -261,6 +295,9 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
   html += "<h2>Evidence</h2>\n";
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     html += ClaimHtml(i, occasion, expectations, judged);
+  }
+  if (judged.damage) {
+    html += "<h2>What it would have done to the robot</h2>\n" + DamageTable(*judged.damage);
   }
   html += "<h2>Events</h2>\n" + EventTable(occasion, judged);
   html += "<h2>How to repeat it</h2>\n" + Facts(occasion, judged);

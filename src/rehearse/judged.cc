@@ -178,13 +178,16 @@ Judged JudgeRecording(const record::McapReader& reader, const Expectations& expe
   const record::McapContents& contents = reader.contents();
   Jury jury(expectations);
   jury.Begin(StartOf(contents));
+  std::optional<record::Damage> damage;
   reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
     jury.Hear(channel, TypeOf(reader, channel), message);
+    if (channel.topic == record::kDamageTopic) damage = record::DecodeDamage(message.data);
     return true;
   });
   jury.Finish();
 
   Judged judged{.events = jury.evidence().events(),
+                .damage = std::move(damage),
                 .end = SecondsOf(jury.end()),
                 .cut_short = contents.cut_short};
   if (const auto about = contents.metadata.find("understudy"); about != contents.metadata.end()) {

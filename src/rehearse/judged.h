@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "record/audience.h"
 #include "record/mcap_reader.h"
 #include "record/plot.h"
+#include "record/truth.h"
 #include "rehearse/evidence.h"
 #include "rehearse/expectations.h"
 
@@ -65,6 +67,7 @@ struct Judged {
   std::vector<Evidence::Told> events{};
   std::vector<record::TracePoints> whole{};      // by signal: s and value, thinned
   std::vector<std::vector<Closeup>> closeups{};  // by expectation, in the order of its signals
+  std::optional<record::Damage> damage{};        // the last damage sheet
   double end = 0;                                // s
   record::StringMap about{};                     // of the recording, "" for another's
   std::string cut_short{};                       // as McapContents has it

@@ -62,6 +62,32 @@ ordered_json Told(const Expectation& expectation, const Ruling& ruling) {
   return told;
 }
 
+// As GET /snapshot?parts=damage has it.
+ordered_json Told(const record::Damage& damage) {
+  const robot::Damage& sheet = damage.sheet;
+  ordered_json motors = ordered_json::array();
+  for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
+    const robot::MotorDamage& motor = sheet.motors[i];
+    motors.push_back({{"joint", damage.joints[i]},
+                      {"at_torque_limit", motor.at_torque_limit},
+                      {"torque_limit", damage.torque_limit[i]},
+                      {"at_speed_limit", motor.at_speed_limit},
+                      {"speed_limit", damage.speed_limit[i]},
+                      {"tripped", motor.tripped},
+                      {"hottest", motor.hottest_c},
+                      {"hardest_stop", motor.hardest_stop},
+                      {"largest_jump", motor.largest_jump}});
+  }
+  return {{"time", sheet.time},
+          {"energy", sheet.energy},
+          {"peak_current", sheet.peak_current},
+          {"shock", sheet.shock},
+          {"worst_tilt", sheet.worst_tilt},
+          {"falls", sheet.falls},
+          {"trip", damage.trip_c},
+          {"motors", motors}};
+}
+
 }  // namespace
 
 std::string TellLines(const Occasion& occasion, const Expectations& expectations,
@@ -91,6 +117,8 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     verdicts.push_back(Told(expectations.list[i], judged.rulings[i]));
   }
+  ordered_json damage = nullptr;
+  if (judged.damage) damage = Told(*judged.damage);
   const ordered_json told = {{"title", occasion.title},
                              {"scenario", occasion.source},
                              {"robot", occasion.robot},
@@ -102,6 +130,7 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
                              {"seconds", judged.end},
                              {"stopped", occasion.stopped},
                              {"about", judged.about},
+                             {"damage", damage},
                              {"verdicts", verdicts}};
   return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

@@ -35,7 +35,22 @@ std::string DrawnText(const robot::Draws& draws) {
   return drawn.dump();
 }
 
-record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws) {
+// Simulated s from one damage sheet to the next; *assumed*.
+constexpr double kSheetEvery = 1;
+
+record::Damage SheetOf(const emulator::World& world) {
+  const emulator::Snapshot snapshot = world.MakeSnapshot();
+  record::Damage damage{
+      .sheet = snapshot.damage, .trip_c = snapshot.trip_c, .joints = snapshot.motor_names};
+  for (const emulator::SnapshotLimits& limits : snapshot.limits) {
+    damage.torque_limit.push_back(limits.torque);
+    damage.speed_limit.push_back(limits.speed);
+  }
+  return damage;
+}
+
+record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& draws,
+                             const emulator::World& world) {
   std::string motors, slots;
   for (const robot::MotorSpec& motor : config.robot.motors) {
     const char* space = motors.empty() ? "" : " ";
@@ -56,6 +71,7 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
                 {"draws", DrawnText(draws)}};
   head.config = config::PrintConfig(config, false);
   head.model = mjcf::ModelBytes(*MakeSightModel(config));
+  head.damage = SheetOf(world);
   return head;
 }
 
@@ -88,29 +104,44 @@ void Log(const std::string& line, bool error) {
 Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
                      const config::Config& config, const robot::Draws& draws,
                      const emulator::World& world)
-    : every_(std::max<std::int64_t>(
+    : world_(world),
+      every_(std::max<std::int64_t>(
           1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))),
+      sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))),
       heard_(options.audience != nullptr) {
   if (options.file.empty()) return;
   recorder_ = std::make_unique<record::Recorder>(
-      participant, record::OutputFile(options.file, options.overwrite), HeadOf(config, draws),
-      &world.events(), Prototype(config, world),
+      participant, record::OutputFile(options.file, options.overwrite),
+      HeadOf(config, draws, world), &world.events(), Prototype(config, world),
       std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log,
       options.audience);
   spdlog::info("recording to {}", options.file.string());
 }
 
-void Recording::Offer(const emulator::World& world, const time::Pacer& pacer) {
+Recording::~Recording() {
+  if (recorder_ != nullptr && world_.step() % sheet_every_ != 0) OfferDamage();
+}
+
+void Recording::OfferDamage() {
+  record::DamageMoment* moment = recorder_->ClaimDamage();
+  if (moment == nullptr) return;
+  moment->damage.step = world_.step();
+  moment->damage.sheet = world_.robot().damage();
+  recorder_->CommitDamage();
+}
+
+void Recording::Offer(const time::Pacer& pacer) {
   if (recorder_ == nullptr) return;
-  recorder_->Mark(world.step() - 1);
-  if (world.step() % every_ == 0) {
+  recorder_->Mark(world_.step() - 1);
+  if (world_.step() % every_ == 0) {
     if (record::Moment* moment = recorder_->Claim(); moment != nullptr) {
-      Fill(world, &moment->truth);
+      Fill(world_, &moment->truth);
       recorder_->Commit();
     }
   }
+  if (world_.step() % sheet_every_ == 0) OfferDamage();
   if (pacer.speed() != 0) return;
-  if (heard_ && world.step() % kHeardEvery == 0) recorder_->CatchUp();
+  if (heard_ && world_.step() % kHeardEvery == 0) recorder_->CatchUp();
   while (recorder_->behind()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }

@@ -30,16 +30,24 @@ class Recording {
   // has made no step yet and must outlive the recording. Throws RecordError and BusError.
   Recording(const RecordingOptions& options, const bus::Participant& participant,
             const config::Config& config, const robot::Draws& draws, const emulator::World& world);
+  // Offers the damage sheet once more, and takes what is left. The loop has ended.
+  ~Recording();
+  Recording(const Recording&) = delete;
+  Recording& operator=(const Recording&) = delete;
 
   // Offers the state after a tick. Never waits or allocates, except that a run as fast as possible
   // waits for the recorder.
-  void Offer(const emulator::World& world, const time::Pacer& pacer);
+  void Offer(const time::Pacer& pacer);
 
   emulator::RecordingStatus status() const;
 
  private:
-  std::int64_t every_;  // steps from one LowState to the next
-  bool heard_;          // by an audience
+  void OfferDamage();
+
+  const emulator::World& world_;
+  std::int64_t every_;        // steps from one LowState to the next
+  std::int64_t sheet_every_;  // steps from one damage sheet to the next
+  bool heard_;                // by an audience
   std::unique_ptr<record::Recorder> recorder_;
 };
 

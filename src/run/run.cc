@@ -257,7 +257,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       world.Attend(clock.Now());
     }
     ShowSnapshot(world, &snapshots);
-    if (wait.due) recording.Offer(world, pacer);
+    if (wait.due) recording.Offer(pacer);
 
     if (!ready) {
       ready = true;

@@ -46,6 +46,54 @@ TEST(TruthTest, RefusesEveryPartOfIt) {
   }
 }
 
+Damage SomeDamage() {
+  robot::Damage sheet{.motors = {{.at_torque_limit = 1, .hottest_c = 2}, {.largest_jump = 3}},
+                      .time = 4,
+                      .energy = 5,
+                      .worst_tilt = 6,
+                      .falls = 7};
+  return {.step = 8,
+          .sheet = sheet,
+          .trip_c = 9,
+          .joints = {"hip", "knee"},
+          .torque_limit = {10, 11},
+          .speed_limit = {12, 13}};
+}
+
+TEST(DamageTest, IsReadAsItWasWritten) {
+  BytesOut out;
+  EncodeDamage(SomeDamage(), &out);
+  const Damage damage = DecodeDamage(out.span());
+  EXPECT_EQ(damage.step, 8);
+  EXPECT_EQ(damage.sheet.time, 4);
+  EXPECT_EQ(damage.sheet.energy, 5);
+  EXPECT_EQ(damage.sheet.worst_tilt, 6);
+  EXPECT_EQ(damage.sheet.falls, 7);
+  EXPECT_EQ(damage.sheet.motors[0].at_torque_limit, 1);
+  EXPECT_EQ(damage.sheet.motors[0].hottest_c, 2);
+  EXPECT_EQ(damage.sheet.motors[1].largest_jump, 3);
+  EXPECT_EQ(damage.trip_c, 9);
+  EXPECT_THAT(damage.joints, ElementsAre("hip", "knee"));
+  EXPECT_THAT(damage.torque_limit, ElementsAre(10, 11));
+  EXPECT_THAT(damage.speed_limit, ElementsAre(12, 13));
+}
+
+TEST(DamageTest, RefusesEveryPartOfIt) {
+  BytesOut out;
+  EncodeDamage(SomeDamage(), &out);
+  for (std::size_t size = 0; size < out.size(); ++size) {
+    EXPECT_THROW(DecodeDamage(out.span().first(size)), RecordError) << size;
+  }
+}
+
+TEST(DamageTest, RefusesFewerLimitsThanJoints) {
+  Damage damage = SomeDamage();
+  damage.speed_limit.pop_back();
+  BytesOut out;
+  EncodeDamage(damage, &out);
+  EXPECT_THROW(DecodeDamage(out.span()), RecordError);
+}
+
 TEST(EventTest, IsReadAsItWasWritten) {
   BytesOut out;
   EncodeEvent({.step = 3, .time = 0.003, .kind = "refused", .text = "no", .detail = "{}"}, &out);

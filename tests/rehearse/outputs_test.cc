@@ -61,6 +61,23 @@ TEST_F(OutputsTest, JsonHasNumbersAndNullWhereThereIsNone) {
   EXPECT_EQ(told["verdicts"][2]["outcome"], "not judged");
 }
 
+TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
+  EXPECT_THAT(TellJson(occasion_, expect_, judged_), HasSubstr("\"damage\": null"));
+  EXPECT_THAT(TellHtml(occasion_, expect_, judged_), Not(HasSubstr("done to the robot")));
+  judged_.damage = {.sheet = {.motors = {{.at_torque_limit = 0.25}}, .falls = 2},
+                    .joints = {"<hip>"},
+                    .torque_limit = {23.7},
+                    .speed_limit = {30}};
+  const auto damage = nlohmann::json::parse(TellJson(occasion_, expect_, judged_))["damage"];
+  EXPECT_EQ(damage["falls"], 2);
+  EXPECT_EQ(damage["motors"][0]["joint"], "<hip>");
+  EXPECT_EQ(damage["motors"][0]["torque_limit"], 23.7);
+  const std::string html = TellHtml(occasion_, expect_, judged_);
+  EXPECT_THAT(html, HasSubstr("2 falls"));
+  EXPECT_THAT(html, HasSubstr("<code>&lt;hip&gt;</code>"));
+  EXPECT_THAT(html, HasSubstr("<b>0.25 s</b> at 23.7 N·m"));
+}
+
 TEST_F(OutputsTest, JunitHasAFailureForWhatFailedAndASkipForWhatIsNotJudged) {
   const std::string xml = TellJunit(occasion_, expect_, judged_);
   EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\""));
