@@ -81,6 +81,7 @@ int Main(int argc, char** argv) {
 
   commands::AddPlayCommand(&app, &chosen);
   commands::AddPlotCommand(&app, &chosen);
+  commands::AddCompareCommand(&app, &chosen);
   commands::AddRecordingCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);

@@ -18,6 +18,7 @@ void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's grou
 void AddRehearseCommands(CLI::App* app, Chosen* chosen);  // rehearse, judge
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
+void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
 void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording
 // robots, check, version, services, requests. They need no running robot and print aligned text or
 // one JSON document to standard output.

@@ -53,6 +53,7 @@ svg text { fill: var(--dim); font: 11px system-ui, "DejaVu Sans", sans-serif; }
 .ylabel { text-anchor: end; } .xlabel, .axis { text-anchor: middle; }
 .grid { stroke: var(--line); stroke-width: 1; } .window { fill: var(--signal); opacity: .07; }
 .signal { fill: none; stroke: var(--signal); stroke-width: 1.5; stroke-linejoin: round; }
+.other { fill: none; stroke: var(--bad); stroke-width: 1.2; stroke-linejoin: round; opacity: .8; }
 .limit { stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 5 4; }
 .instant { stroke: var(--bad); stroke-width: 1.5; } .passed .instant { stroke: var(--good); }
 .event { stroke: var(--none); stroke-width: 2; }
@@ -279,12 +280,7 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
   const Outcome all = failed > 0 ? Outcome::kFailed
                       : open > 0 ? Outcome::kNotJudged
                                  : Outcome::kPassed;
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-      "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
-      Escaped(occasion.title) + "</title><style>" + kStyle +
-      "</style></head><body><main>\n<header><h1>" + Badge(all) + " " + Escaped(occasion.title) +
-      "</h1>";
+  std::string html = "<header><h1>" + Badge(all) + " " + Escaped(occasion.title) + "</h1>";
   if (!occasion.about.empty()) html += "<p>" + Escaped(occasion.about) + "</p>";
   html += "<p class=\"dim\">" + Escaped(occasion.robot) + " · " + TimeText(judged.end) +
           " simulated" + (occasion.wall > 0 ? " in " + TimeText(occasion.wall) : "") + " · " +
@@ -304,7 +300,14 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
   if (!occasion.scenario.empty()) {
     html += "<h2>What was asked</h2>\n<pre>" + Escaped(occasion.scenario) + "</pre>\n";
   }
-  return html + "</main></body></html>\n";
+  return HtmlPage(occasion.title, html);
+}
+
+std::string HtmlPage(const std::string& title, const std::string& content) {
+  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+         "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
+         Escaped(title) + "</title><style>" + kStyle + "</style></head><body><main>\n" + content +
+         "</main></body></html>\n";
 }
 
 }  // namespace understudy::rehearse

@@ -40,6 +40,9 @@ std::string TellJunit(const Occasion& occasion, const Expectations& expectations
 std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
                      const Judged& judged);
 
+// A page with that content, in the style of the report.
+std::string HtmlPage(const std::string& title, const std::string& content);
+
 // Returns a text for XML and HTML: with entities, without what XML cannot have.
 std::string Escaped(std::string_view text);
 

@@ -39,6 +39,17 @@ class Frame {
            Pixels(y1) + "\" x2=\"" + Pixels(x2) + "\" y2=\"" + Pixels(y2) + "\"/>";
   }
 
+  // Through the points and on to the right edge; "" without any.
+  std::string Path(const char* kind, const record::TracePoints& points) const {
+    if (points.empty()) return {};
+    std::string path;
+    for (const auto& [at, value] : points) {
+      path += (path.empty() ? "M" : "L") + Pixels(x(at)) + "," + Pixels(y(value));
+    }
+    path += "L" + Pixels(x(plot_.to)) + "," + Pixels(y(points.back().second));
+    return std::string("<path class=\"") + kind + "\" d=\"" + path + "\"/>";
+  }
+
  private:
   const SvgPlot& plot_;
   double low_, high_;
@@ -52,7 +63,9 @@ std::string TextAt(double x, double y, const char* kind, const std::string& text
 // The range of the y axis: all points and limits, with some room.
 std::pair<double, double> RangeOf(const SvgPlot& plot) {
   std::vector<double> values = plot.limits;
-  for (const auto& [at, value] : plot.points) values.push_back(value);
+  for (const auto* points : {&plot.points, &plot.others}) {
+    for (const auto& [at, value] : *points) values.push_back(value);
+  }
   if (values.empty()) values.push_back(0);
   const auto [low, high] = std::ranges::minmax(values);
   const double room = high > low ? 0.08 * (high - low) : std::max(1e-6, 0.1 * std::abs(high));
@@ -111,14 +124,7 @@ std::string DrawSvg(const SvgPlot& plot) {
   for (const double limit : plot.limits) {
     svg += frame.Line("limit", kLeft, frame.y(limit), right, frame.y(limit));
   }
-  std::string path;
-  for (const auto& [at, value] : plot.points) {
-    path += (path.empty() ? "M" : "L") + Pixels(frame.x(at)) + "," + Pixels(frame.y(value));
-  }
-  if (!plot.points.empty()) {
-    path += "L" + Pixels(frame.x(plot.to)) + "," + Pixels(frame.y(plot.points.back().second));
-    svg += "<path class=\"signal\" d=\"" + path + "\"/>";
-  }
+  svg += frame.Path("other", plot.others) + frame.Path("signal", plot.points);
   if (plot.at)
     svg += frame.Line("instant", frame.x(*plot.at), kTop, frame.x(*plot.at), frame.bottom());
   svg += "<text class=\"axis\" transform=\"rotate(-90)\" x=\"" +

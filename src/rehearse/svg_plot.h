@@ -14,6 +14,7 @@ struct SvgPlot {
   std::string label{};           // of the y axis
   double from = 0, to = 1;       // s
   record::TracePoints points{};  // s and value; a step is two points of one time
+  record::TracePoints others{};  // of the signal with which it is compared
   std::vector<double> limits{};  // values that the signal is compared with
   std::optional<std::pair<double, double>> window{};  // s: shaded
   std::optional<double> at{};                         // s: the instant that decided

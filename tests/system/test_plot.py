@@ -1,5 +1,6 @@
-"""`understudy plot`: plots of a recording."""
+"""`understudy plot` and `compare`: plots of a recording, and of two."""
 
+import json
 import os
 import struct
 import xml.etree.ElementTree as ElementTree
@@ -66,3 +67,22 @@ def test_misuse_is_said(file, tmp_path):
     assert refused("--out", tmp_path / "none/a.png")[0] == 9
     assert refused("--size", "10x10")[0] == 2
     assert refused("--from", "30")[0] == 9
+
+
+def test_a_recording_is_compared_with_itself_and_drawn(file, tmp_path):
+    page = tmp_path / "compare.html"
+    done = understudy("compare", file, file, "--out", page, "--json")
+
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert (told["robot"], told["shift"]) == ("go2", 0)
+    assert len(told["motors"]) == 12
+    assert all(motor["q"]["rms"] == 0 for motor in told["motors"])
+    assert "FR_calf [rad]" in page.read_text()
+
+
+def test_a_shift_that_leaves_nothing_in_common_is_refused(file):
+    done = understudy("compare", file, file, "--shift", 60)
+
+    assert done.returncode == 9
+    assert "less than a second in common" in done.stderr

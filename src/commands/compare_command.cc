@@ -1,0 +1,74 @@
+#include <cstdio>
+#include <memory>
+#include <optional>
+
+#include "commands/commands.h"
+#include "ctl/check.h"
+#include "record/output_file.h"
+#include "rehearse/compare.h"
+
+namespace understudy::commands {
+namespace {
+
+// The command line.
+struct CompareArguments {
+  std::string first, second, out;
+  double shift = 0;
+  bool shifted = false, json = false;
+};
+
+constexpr double kLongestShift = 1e9;  // s; longer than any recording
+
+int CompareCommand(const CompareArguments& arguments) {
+  const record::McapReader first(arguments.first), second(arguments.second);
+  for (const record::McapReader* reader : {&first, &second}) {
+    if (reader->contents().cut_short.empty()) continue;
+    std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
+                 reader->contents().cut_short.c_str());
+  }
+  const rehearse::Comparison comparison = rehearse::Compare(
+      first, second, arguments.shifted ? std::optional(arguments.shift) : std::nullopt);
+  std::fputs((arguments.json ? CompareJson(comparison) : CompareText(comparison)).c_str(), stdout);
+  if (arguments.out.empty()) return 0;
+  record::OutputFile(arguments.out, true).Write(record::AsBytes(CompareHtml(comparison)));
+  if (!arguments.json) std::printf("\n%s\n", arguments.out.c_str());
+  return 0;
+}
+
+}  // namespace
+
+void AddCompareCommand(CLI::App* app, Chosen* chosen) {
+  const auto arguments = std::make_shared<CompareArguments>();
+  CLI::App* compare = app->add_subcommand("compare", "Tell where two recordings of a robot differ");
+  compare->add_option("first", arguments->first, "A recording, MCAP: such as of a rehearsal")
+      ->required()
+      ->type_name("FIRST");
+  compare->add_option("second", arguments->second, "Another: such as of the real robot")
+      ->required()
+      ->type_name("SECOND");
+  compare
+      ->add_option("--out", arguments->out,
+                   "Page with plots to write, .html; replaces an existing one [none]")
+      ->type_name("PAGE");
+  CLI::Option* shift =
+      compare
+          ->add_option("--shift", arguments->shift,
+                       "Added to the second's time, s, each counted from its first LowState; "
+                       "negative: earlier [found by the movements of the joints]")
+          ->type_name("S")
+          ->check(ctl::NumberWithin(-kLongestShift, kLongestShift));
+  compare->add_flag("--json", arguments->json, "Print one JSON document");
+  compare->footer(
+      "Aligns the two in time, and compares per joint angle, speed and torque, how closely and\n"
+      "how late each follows its commands (rt/lowcmd), inertial unit and battery.\n"
+      "Examples:\n"
+      "  understudy compare rehearsals/push/recording.mcap real.mcap\n"
+      "  understudy compare sim.mcap real.mcap --out compare.html\n"
+      "  understudy compare sim.mcap real.mcap --json | jq '.motors[] | [.joint, .q.rms]'");
+  compare->callback([=] {
+    arguments->shifted = shift->count() > 0;
+    *chosen = [=] { return CompareCommand(*arguments); };
+  });
+}
+
+}  // namespace understudy::commands
