@@ -15,7 +15,8 @@ namespace {
 // for; the least time in common; from where on an angle moves; the longest lag.
 constexpr double kStep = 0.002;         // s, LowState's period
 constexpr double kMostSteps = 100'000;  // of a recording
-constexpr double kMostCoarse = 3000;    // likewise
+constexpr double kCoarse = 0.02;        // s between shifts at first
+constexpr double kMostCoarse = 3000;    // steps of a recording then
 constexpr double kLeastCommon = 1;      // s
 constexpr double kLeastShare = 0.3;     // of the shorter
 constexpr double kMoves = 0.02;         // rad, standard deviation of a joint
@@ -118,15 +119,15 @@ struct Best {
   }
 };
 
-Best Align(const std::vector<Pair>& angles) {
+Best Align(const std::vector<Pair>& angles, double step) {
   std::size_t length = 0, shorter = ~std::size_t{0};
   for (const auto& [a, b] : angles) {
     length = std::max({length, a->values.size(), b->values.size()});
     shorter = std::min({shorter, a->values.size(), b->values.size()});
   }
   // Coarsely over all that leaves enough in common, then around the best.
-  const auto by =
-      static_cast<std::size_t>(std::max(1.0, std::ceil(static_cast<double>(length) / kMostCoarse)));
+  const auto by = static_cast<std::size_t>(
+      std::max(std::ceil(kCoarse / step), std::ceil(static_cast<double>(length) / kMostCoarse)));
   std::vector<std::vector<float>> kept;
   kept.reserve(2 * angles.size());
   std::vector<std::pair<Values, Values>> coarse, fine;
@@ -234,7 +235,7 @@ Comparison Compare(const record::McapReader& first_reader, const record::McapRea
   for (const auto& [a, b] : angles) all.emplace_back(a->values, b->values);
   if (shift) {
     steps = static_cast<std::ptrdiff_t>(std::llround(*shift / step));
-  } else if (const Best best = Align(angles); best.likeness > 0) {
+  } else if (const Best best = Align(angles, step); best.likeness > 0) {
     steps = best.shift;
     comparison.aligned = true;
   }
