@@ -78,17 +78,22 @@ Chord MakeChord(const robot::ChordSpec& spec, const std::string& where) {
 const Chord* ChordReader::Read(std::uint16_t keys, int state, double t) {
   const bool pressed = (keys & ~down_) != 0;
   down_ = keys;
+  missed_ = nullptr;
   if (!pressed) return nullptr;
   const int clicks = keys == last_ && t - last_at_ <= kDoubleClick ? 2 : 1;
   last_ = clicks == 1 ? keys : 0;
   last_at_ = t;
-  const auto fits = [&](const Chord& chord) {
-    return chord.keys == keys && chord.clicks == clicks &&
-           (chord.from.empty() ||
-            std::find(chord.from.begin(), chord.from.end(), state) != chord.from.end());
-  };
-  const auto chord = std::find_if(chords_.begin(), chords_.end(), fits);
-  return chord == chords_.end() ? nullptr : &*chord;
+  for (const Chord& chord : chords_) {
+    if (chord.keys != keys || chord.clicks != clicks) continue;
+    const bool fits =
+        chord.from.empty() || std::ranges::find(chord.from, state) != chord.from.end();
+    if (fits) {
+      missed_ = nullptr;
+      return &chord;
+    }
+    missed_ = &chord;
+  }
+  return nullptr;
 }
 
 bool ChordReader::knows_debug() const {

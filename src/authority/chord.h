@@ -38,12 +38,15 @@ class ChordReader {
   // Takes the keys that are down at time t [s], which must not go back, and the id of the present
   // state. Returns the chord that occurred, or null.
   const Chord* Read(std::uint16_t keys, int state, double t);
+  // Returns the chord that the last Read would have returned in another state, or null.
+  const Chord* missed() const { return missed_; }
 
   // Returns whether a chord leads to debug mode.
   bool knows_debug() const;
 
  private:
   std::vector<Chord> chords_;
+  const Chord* missed_ = nullptr;
   std::uint16_t down_ = 0;
   std::uint16_t last_ = 0;  // the chord of the last click
   double last_at_ = -kDoubleClick;

@@ -91,18 +91,46 @@ GateCounts CommandRouter::counts(std::size_t topic) const {
 
 void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
   FollowOwner();
+  unheeded_.reset();
+  ObeyKeys(remote, t);
+  ObeySticks(remote);
+}
+
+void CommandRouter::ObeyKeys(const robot::RemoteReading& remote, double t) {
+  using Reason = Unheeded::Reason;
   const bool released = !service_on();
   const int resting = gate_.state() == GateState::kLimp ? 0 : 1;
   const Chord* chord = chords_.Read(remote.keys, released ? resting : owner_.state().id, t);
-  if (chord != nullptr && released && chords_.knows_debug() && chord->goal) {
-    if (std::holds_alternative<goal::ZeroTorque>(*chord->goal)) gate_.Rest(/*limp=*/true);
-    if (std::holds_alternative<goal::Damp>(*chord->goal)) gate_.Rest();
-  } else if (chord != nullptr && !released && chord->goal) {
-    owner_.Ask(*chord->goal);
-  } else if (chord != nullptr && !released) {
-    owner_.Release();
-    FollowOwner();
+  const bool listens = gate_.state() == GateState::kFollowing;  // a program, to keys of its own
+  if (chord == nullptr) {
+    const Chord* const missed = chords_.missed();
+    if (missed == nullptr || !missed->goal || (released && listens)) return;
+    unheeded_ = {.reason = released ? Reason::kNoMotionService : Reason::kState,
+                 .keys = remote.keys};
+    return;
   }
+  if (!chord->goal) {
+    if (!released) owner_.Release();
+    return FollowOwner();
+  }
+  if (!released) {
+    const MotionVerdict verdict = owner_.Ask(*chord->goal);
+    if (verdict == MotionVerdict::kTaken) return;
+    const auto* fsm = std::get_if<goal::SetFsm>(&*chord->goal);
+    unheeded_ = {
+        .reason = verdict == MotionVerdict::kUnable ? Reason::kNotSimulated : Reason::kState,
+        .keys = remote.keys,
+        .wish = fsm == nullptr ? -1 : fsm->id};
+  } else if (chords_.knows_debug() && std::holds_alternative<goal::ZeroTorque>(*chord->goal)) {
+    gate_.Rest(/*limp=*/true);
+  } else if (chords_.knows_debug() && std::holds_alternative<goal::Damp>(*chord->goal)) {
+    gate_.Rest();
+  } else if (!listens) {
+    unheeded_ = {.reason = Reason::kNoMotionService, .keys = remote.keys};
+  }
+}
+
+void CommandRouter::ObeySticks(const robot::RemoteReading& remote) {
   stick_wish_ = {};
   if (owner_.sticks()) {
     const auto felt = [](double stick) { return std::abs(stick) < kStickRest ? 0 : stick; };
@@ -111,8 +139,15 @@ void CommandRouter::Obey(const robot::RemoteReading& remote, double t) {
   }
   const bool moved = std::ranges::any_of(stick_wish_, [](double wish) { return wish != 0; });
   if ((moved || sticks_moved_) && service_on()) {
-    owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold, true});
+    const MotionVerdict verdict =
+        owner_.Ask(goal::Move{stick_wish_[0], stick_wish_[1], stick_wish_[2], kStickHold, true});
+    if (moved && verdict != MotionVerdict::kTaken && !sticks_unheeded_) {
+      sticks_unheeded_ = true;
+      unheeded_ = {.reason = verdict == MotionVerdict::kUnable ? Unheeded::Reason::kNotSimulated
+                                                               : Unheeded::Reason::kState};
+    }
   }
+  if (!moved) sticks_unheeded_ = false;
   sticks_moved_ = moved;
 }
 

@@ -14,6 +14,7 @@
 #include "authority/intake.h"
 #include "authority/motion_config.h"
 #include "authority/motor_owner.h"
+#include "authority/unheeded.h"
 #include "robot/command_topics.h"
 
 namespace understudy::authority {
@@ -43,6 +44,9 @@ class CommandRouter {
   }
   // Follows the keys and sticks of the remote controller at time t [s].
   void Obey(const robot::RemoteReading& remote, double t);
+  // Returns what the last Obey was asked for and the robot does not do: of chords each, of sticks
+  // once until they are at rest again.
+  const std::optional<Unheeded>& unheeded() const { return unheeded_; }
 
   // Returns the command to all motors at input.time. With `service_due` the motion service, if one
   // is on, first makes a step of `dt` seconds. Valid until the next call or Restart.
@@ -70,6 +74,8 @@ class CommandRouter {
   // Assembles followed_ of a command to the body and those of the hands at time t [s].
   void Follow(const robot::RobotCommand& body, double t);
   void FollowOwner();  // opens or closes the gate after a change of owner
+  void ObeyKeys(const robot::RemoteReading& remote, double t);
+  void ObeySticks(const robot::RemoteReading& remote);
 
   bool fight_;
   Eigen::Vector3d stick_speed_;
@@ -88,6 +94,8 @@ class CommandRouter {
   bool fresh_lowcmd_ = false;  // one was taken in this tick
   bool fought_ = false;        // rt/lowcmd is newer than the service's command
   bool sticks_moved_ = false;
+  bool sticks_unheeded_ = false;  // since they moved, and told
+  std::optional<Unheeded> unheeded_;
   std::array<double, 3> stick_wish_{};
 };
 

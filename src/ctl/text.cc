@@ -117,7 +117,19 @@ std::string SpeedText(const ordered_json& speed) {
 
 std::string ServiceText(const ordered_json& motion) {
   const auto service = motion.at("service").get<std::string>();
-  return service.empty() ? "none" : service + ", state " + Count(motion.at("state"));
+  return service.empty() ? "none"
+                         : service + ", " + motion.at("name").get<std::string>() + " (" +
+                               Count(motion.at("state")) + ")";
+}
+
+std::string FollowedText(const ordered_json& commands) {
+  const auto state = commands.at("state").get<std::string>();
+  if (state == "start") return "nobody yet: they hold the start pose or brake";
+  if (state == "following") return "LowCmd";
+  if (state == "damping") return "nobody: they brake until the next LowCmd";
+  if (state == "limp") return "nobody: no torque";
+  if (state == "motion_service") return "the motion service";
+  return state;
 }
 
 std::string ReasonsText(const ordered_json& commands) {
@@ -155,17 +167,17 @@ std::string StatusText(const ordered_json& status) {
       {"speed", Fixed(pace.at("real_time_factor"), 3), "x real time"},
       {"lateness", Fixed(pace.at("lateness"), 3, kMilli), "ms"},
       {"worst lateness", Fixed(pace.at("worst_lateness"), 3, kMilli), "ms"},
-      {"overruns", Count(pace.at("overruns"))},
-      {"not made up for", Fixed(pace.at("shifted"), 3), "s"},
+      {"late steps", Count(pace.at("overruns"))},
+      {"time lost", Fixed(pace.at("shifted"), 3), "s"},
       {"states published", Count(status.at("published"))},
       {"divergences", Count(status.at("divergences"))},
       {"motion service", ServiceText(status.at("motion"))},
-      {"motors follow", commands.at("state").get<std::string>()},
-      {"command writers", Count(commands.at("writers"))},
+      {"motors follow", FollowedText(commands)},
+      {"rt/lowcmd writers", Count(commands.at("writers"))},
       {"commands taken", Count(commands.at("accepted"))},
       {"commands refused", Refused(commands)},
       {"command time-outs", Count(commands.at("timeouts"))},
-      {"unused slots set", Count(commands.at("unused_slots"))},
+      {"unused motors set", Count(commands.at("unused_slots"))},
       {"service calls", Count(status.at("services").at("requests"))},
       {"calls refused", Refused(status.at("services"))},
   };

@@ -15,10 +15,12 @@ using Cells = std::vector<std::string>;
 // Pads each column but the last to its widest cell, with two spaces between columns.
 std::string Aligned(const std::vector<Cells>& rows);
 
-// Format parts of a status: "ready", "1.000", "mcf, state 1002", "crc 2, gain 1".
+// Format parts of a status: "ready", "1.000", "mcf, lying (1004)", "crc 2, gain 1".
 std::string StateText(const nlohmann::ordered_json& status);
 std::string SpeedText(const nlohmann::ordered_json& speed);
 std::string ServiceText(const nlohmann::ordered_json& motion);
+// Says whom the motors follow, from the commands of a status.
+std::string FollowedText(const nlohmann::ordered_json& commands);
 std::string ReasonsText(const nlohmann::ordered_json& commands);
 // "s.yaml:4: lowcmd arrives", "" if no event waits.
 std::string ScriptText(const nlohmann::ordered_json& script);

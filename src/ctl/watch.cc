@@ -61,7 +61,7 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
   text += Aligned({
       {"", "PER SECOND", "TOTAL", ""},
       row("steps", "/steps"),
-      row("overruns", "/pace/overruns",
+      row("late steps", "/pace/overruns",
           "worst " + Number("%.3f", status.at("/pace/worst_lateness"_json_pointer)) + " s late"),
       row("states published", "/published"),
       row("commands taken", "/commands/accepted",
@@ -73,7 +73,7 @@ std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now
   // State.
   std::vector<Cells> state = {
       {"motion service", ServiceText(status.at("motion"))},
-      {"motors follow", commands.at("state").get<std::string>()},
+      {"motors follow", FollowedText(commands)},
       {"base", Number("%.3f", base.at("height")) + " m high, tilted by " +
                    Number("%.3f", base.at("tilt")) + " rad" +
                    (status.at("clamped").get<bool>() ? ", clamped" : "")},

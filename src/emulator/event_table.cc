@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "authority/command_gate.h"
+#include "authority/unheeded.h"
 #include "judge/condition.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
@@ -31,6 +32,9 @@ std::string Text(const char* format, double number) {
 }
 
 std::string What(const Event& event) { return event.text.data(); }
+
+// "lying (1004)": a state of a motion service with the vendor's id.
+std::string StateText(const std::string& name, double id) { return name + Text(" (%.0f)", id); }
 
 bool On(const Event& event) { return event.numbers[0] != 0; }
 
@@ -92,6 +96,35 @@ std::string SayTimeout(const Event& event, std::uint64_t count) {
          Times(count);
 }
 
+std::string SayUnheeded(const Event& event, std::uint64_t) {
+  const auto reason = static_cast<authority::Unheeded::Reason>(event.numbers[0]);
+  const bool sticks = event.numbers[1] == 0;
+  const std::string who = sticks ? "the sticks" : Keys(event.numbers[1]);
+  const double wish = event.numbers[2];
+  std::string text;
+  switch (reason) {
+    case authority::Unheeded::Reason::kNoMotionService:
+      text = who + ": no motion service is on to obey";
+      if (!What(event).empty()) {
+        text += "; `understudy ctl service call motion_switcher 1002 '{\"name\": \"" + What(event) +
+                "\"}'` switches it on";
+      }
+      break;
+    case authority::Unheeded::Reason::kState:
+      text = who + (sticks ? " move nothing in " : " does nothing in ") +
+             StateText(What(event), event.numbers[3]);
+      break;
+    case authority::Unheeded::Reason::kNotSimulated:
+      text = who +
+             (sticks      ? " ask the robot to walk"
+              : wish >= 0 ? " asks for state " + Text("%.0f", wish) + " of the real robot"
+                          : " asks for a motion") +
+             ", which is not modelled: it stays in " + StateText(What(event), event.numbers[3]);
+      break;
+  }
+  return text;
+}
+
 constexpr EventLevel kSilent = EventLevel::kSilent, kInfo = EventLevel::kInfo,
                      kWarning = EventLevel::kWarning, kError = EventLevel::kError;
 
@@ -144,9 +177,19 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "another motion service is on, or none, and at the start"),
     Row(
-        EventKind::kMotion, "motion", kSilent, false, {{{"state", kInteger}, {"mode", kInteger}}},
-        [](const Event& e, std::uint64_t) { return "motion " + Text("%.0f", e.numbers[0]); },
+        EventKind::kMotion, "motion", kSilent, false,
+        {{{"state", kInteger}, {"mode", kInteger}, {"name", kText}}},
+        [](const Event& e, std::uint64_t) { return StateText(What(e), e.numbers[0]); },
         "the motion service changes its state"),
+    Row(EventKind::kUnheeded, "unheeded", kInfo, false,
+        {{{"reason", kWish},
+          {"keys", kKeys},
+          {"wish", kInteger},
+          {"state", kInteger},
+          {"name", kText}}},
+        SayUnheeded,
+        "the remote controller asks for what the robot does not do: `no_motion_service` is on, not "
+        "in this `state`, or `not_simulated`; `wish` is the state that is asked for, or -1"),
     Row(
         EventKind::kRemote, "remote", kSilent, false, {{{"keys", kKeys}}},
         [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys let go"; },
@@ -319,6 +362,8 @@ std::optional<std::string_view> WordOf(const Event& event, EventFieldType type, 
       return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
     case kFault:
       return FaultOf(event).name;
+    case kWish:
+      return authority::Name(static_cast<authority::Unheeded::Reason>(event.numbers[number]));
     case kKeys:
       return robot::WriteRemoteKeyNames(static_cast<std::uint16_t>(event.numbers[number]), room);
     case kBool:

@@ -26,6 +26,7 @@ enum class EventKind : std::uint8_t {
   kGate,
   kMotionService,
   kMotion,
+  kUnheeded,
   kRemote,
   kRequest,
   kCrane,

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "authority/onboard.h"
 #include "motion/make_motion.h"
 
 namespace understudy::emulator {
@@ -50,6 +51,7 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
     : spec_(parts.spec),
       index_(index),
       topics_(CommandTopics(spec_)),
+      first_service_(authority::StartService(spec_, {})),
       heard_(topics_.size()),
       start_pose_(parts.settings.start),
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
@@ -165,6 +167,7 @@ void Robot::Tell(std::int64_t step) {
 void Robot::TakeCommands(double t) {
   NoteChanges(t);
   router_.Obey(ReadRemote(t), t);
+  if (const auto& unheeded = router_.unheeded()) NoteUnheeded(*unheeded);
   // One of each topic in turn, so that none keeps the others waiting.
   int left = authority::Intake::kMostInATick;
   for (int i = 0; i < authority::Intake::kMostAtOnce; ++i) {
@@ -298,6 +301,15 @@ void Robot::NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal r
   }
 }
 
+void Robot::NoteUnheeded(const authority::Unheeded& unheeded) {
+  const robot::MotionState state = router_.owner().state();
+  const bool none = unheeded.reason == authority::Unheeded::Reason::kNoMotionService;
+  Note(EventKind::kUnheeded,
+       {static_cast<double>(unheeded.reason), static_cast<double>(unheeded.keys),
+        static_cast<double>(unheeded.wish), static_cast<double>(state.id)},
+       none ? std::string_view(first_service_) : state.name);
+}
+
 void Robot::NoteNews(const robot::PortNews& news) {
   if (news.write_failures > 0) {
     Note(EventKind::kWriteFailure, {static_cast<double>(news.write_failures)});
@@ -328,9 +340,11 @@ void Robot::NoteChanges(double t) {
   }
   note(EventKind::kGate, &noted_.gate, router_.gate().state());
   const robot::MotionState motion = owner.state();
-  if (motion.id != noted_.motion.id || motion.mode != noted_.motion.mode) {
+  if (motion.id != noted_.motion.id || motion.mode != noted_.motion.mode ||
+      motion.name != noted_.motion.name) {
     noted_.motion = motion;
-    Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)});
+    Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)},
+         motion.name);
   }
   note(EventKind::kRemote, &noted_.keys, ReadRemote(t).keys);
   note(EventKind::kCrane, &noted_.on_crane, crane_.attached());

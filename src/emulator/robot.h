@@ -171,11 +171,13 @@ class Robot {
   void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                    const authority::GateCounts& counts);
   void NoteCall(const services::Call& call);
+  void NoteUnheeded(const authority::Unheeded& unheeded);
   void NoteNews(const robot::PortNews& news);
 
   robot::RobotSpec spec_;
   std::uint8_t index_;
   std::vector<std::string> topics_;   // of commands, by number; "" if there is none
+  std::string first_service_;         // the alias of the motion service after boot; "" for none
   std::vector<std::uint64_t> heard_;  // by topic
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose

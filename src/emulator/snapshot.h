@@ -33,6 +33,7 @@ enum SnapshotPart : std::uint32_t {
   kPartCommand = 1U << 12,
   kPartFaults = 1U << 13,
   kPartDamage = 1U << 14,
+  kPartMotion = 1U << 15,
 };
 using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
@@ -47,8 +48,9 @@ inline constexpr SnapshotPartName kSnapshotParts[] = {
     {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
     {"command", kPartCommand}, {"faults", kPartFaults}, {"damage", kPartDamage},
+    {"motion", kPartMotion},
 };
-inline constexpr SnapshotParts kAllSnapshotParts = (kPartDamage << 1) - 1;
+inline constexpr SnapshotParts kAllSnapshotParts = (kPartMotion << 1) - 1;
 
 struct SnapshotCrane {
   bool attached = false;
@@ -61,6 +63,13 @@ struct SnapshotPush {
   int body = 0;
   std::array<double, 3> at{};     // m, world
   std::array<double, 3> force{};  // N, world
+};
+
+// Of the motion service that is on.
+struct SnapshotMotion {
+  std::array<char, 32> service{};  // its alias; "" if none is on
+  int state = 0;                   // the vendor's id
+  std::string_view name{};         // of that state, as in robot::MotionState
 };
 
 struct SnapshotFault {
@@ -112,6 +121,7 @@ struct Snapshot {
   std::vector<robot::MotorCommand> command;  // followed by the motors
   std::vector<SnapshotFault> faults;         // that there are now
   robot::Damage damage;                      // since the start
+  SnapshotMotion motion;
 };
 
 }  // namespace understudy::emulator

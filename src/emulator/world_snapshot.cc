@@ -91,6 +91,12 @@ void World::Show(Snapshot* snapshot) const {
     }
   }
   if (Has(*snapshot, kPartDamage)) snapshot->damage = robot.damage();
+  if (Has(*snapshot, kPartMotion)) {
+    const robot::MotionState motion = robot.owner().state();
+    CopyText(robot.owner().active(), &snapshot->motion.service);
+    snapshot->motion.state = motion.id;
+    snapshot->motion.name = motion.name;
+  }
 }
 
 }  // namespace understudy::emulator

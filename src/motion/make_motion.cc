@@ -10,9 +10,9 @@ namespace {
 
 // Ids of the vendor: Go2 motion services V2.0, where `mode` is that of firmware before 1.1.6, and
 // the humanoids' loco services. That other quadrupeds have the Go2's is *assumed*.
-const robot::MotionState kQuadrupedDamped{.id = 1001, .mode = 7};
-const robot::MotionState kHumanoidDamped{.id = 1};
-const robot::MotionState kHumanoidLimp{.id = 0};
+const robot::MotionState kQuadrupedDamped{.id = 1001, .name = "damping", .mode = 7};
+const robot::MotionState kHumanoidDamped{.id = 1, .name = "damping"};
+const robot::MotionState kHumanoidLimp{.id = 0, .name = "zero torque"};
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <Eigen/Core>
@@ -85,6 +86,7 @@ struct BaseReading {
 // The state of a motion service.
 struct MotionState {
   int id = 0;  // the vendor's state-machine id: `error_code` of a Go2, `fsm_id` of a humanoid
+  std::string_view name{};  // of the state, in plain words of ours; lives as long as the program
   // Go2 before firmware 1.1.6: SportModeState.mode; humanoids: 0 static, 1 moving, 2 static, but
   // the feet carry nothing.
   int mode = 0;

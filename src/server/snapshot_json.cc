@@ -60,6 +60,7 @@ class Writer {
     PutPart(emulator::kPartCommand, snapshot_.command);
     PutPart(emulator::kPartFaults, snapshot_.faults);
     PutPart(emulator::kPartDamage, snapshot_.damage);
+    PutPart(emulator::kPartMotion, snapshot_.motion);
     Close('}');
     return std::move(text_);
   }
@@ -151,6 +152,10 @@ class Writer {
   }
 
   void Put(std::string_view text) { text_ += JsonText(text); }
+  void Put(const emulator::SnapshotMotion& motion) {
+    PutObject("service", std::string_view(motion.service.data()), "state", motion.state, "name",
+              motion.name);
+  }
   void Put(const emulator::SnapshotFault& fault) {
     PutObject("component", snapshot_.components[fault.component], "fault", fault.kind->name, "by",
               fault.by, "unit", fault.kind->unit, "from", Exact{fault.from});

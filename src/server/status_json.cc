@@ -110,6 +110,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},
+        {"name", status.motion.name},
         {"mode", status.motion.mode},
         {"arm_weight", status.arm_weight}}},
       {"remote",

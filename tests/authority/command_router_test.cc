@@ -12,12 +12,15 @@ constexpr double kService = 7, kLowCmd = 1, kArms = 3, kUser = 5, kStartTorque =
 // Torque 7 on every motor, and a list of what it was asked for.
 class RecordingMotion final : public Motion {
  public:
-  explicit RecordingMotion(std::vector<MotionGoal>* asked) : asked_(asked) {}
+  RecordingMotion(std::vector<MotionGoal>* asked, bool walks) : asked_(asked), walks_(walks) {}
   void Start(const MotionInput&) override { state_ = 0; }
   MotionVerdict Ask(const MotionGoal& goal) override {
     asked_->push_back(goal);
     if (std::holds_alternative<goal::Damp>(goal)) state_ = 1;
-    return MotionVerdict::kTaken;
+    if (std::holds_alternative<goal::SetFsm>(goal)) return MotionVerdict::kUnable;
+    if (std::holds_alternative<goal::Sit>(goal)) return MotionVerdict::kNotNow;
+    const auto* move = std::get_if<goal::Move>(&goal);
+    return move != nullptr && !walks_ ? MotionVerdict::kUnable : MotionVerdict::kTaken;
   }
   void Step(const MotionInput&, double, robot::RobotCommand* command) override {
     for (robot::MotorCommand& motor : command->motors) motor = {.enabled = true, .tau = kService};
@@ -26,6 +29,7 @@ class RecordingMotion final : public Motion {
 
  private:
   std::vector<MotionGoal>* asked_;
+  bool walks_;
   int state_ = 0;
 };
 
@@ -44,7 +48,7 @@ class CommandRouterTest : public ::testing::Test {
   }
   void Make() {
     router_ = std::make_unique<CommandRouter>(spec_, GateConfig{}, config_, Of(kStartTorque),
-                                              std::make_unique<RecordingMotion>(&asked_));
+                                              std::make_unique<RecordingMotion>(&asked_, walks_));
   }
   // Torques of both motors in a tick of the service, or in one between.
   std::pair<double, double> Torques(bool service_due = true) {
@@ -69,6 +73,14 @@ class CommandRouterTest : public ::testing::Test {
     router_->Obey({.there = true, .keys = *RemoteKeysOf(keys)}, input_.time);
     router_->Obey({.there = true}, input_.time);
   }
+  // What the robot does not do of that chord.
+  std::optional<Unheeded> UnheededOf(const char* keys) {
+    router_->Obey({.there = true, .keys = *RemoteKeysOf(keys)}, input_.time);
+    const std::optional<Unheeded> unheeded = router_->unheeded();
+    router_->Obey({.there = true}, input_.time);
+    EXPECT_FALSE(router_->unheeded());
+    return unheeded;
+  }
   static std::optional<std::uint16_t> RemoteKeysOf(const char* keys) {
     return MakeChord({.keys = keys, .does = "damp"}, "").keys;
   }
@@ -78,6 +90,7 @@ class CommandRouterTest : public ::testing::Test {
   MotionConfig config_;
   MotionInput input_;
   std::vector<MotionGoal> asked_;
+  bool walks_ = true;
   std::unique_ptr<CommandRouter> router_;
 };
 
@@ -257,6 +270,51 @@ TEST_F(CommandRouterTest, SticksThatAreSwitchedOffStopWhatTheyBeganAndMoveNothin
   router_->owner().Restart();
   router_->Obey({.there = true, .ly = 1}, 0);
   EXPECT_EQ(asked_.size(), 3U);
+}
+
+TEST_F(CommandRouterTest, TellsWhatOfTheRemoteControllerTheServiceDoesNotDo) {
+  using Reason = Unheeded::Reason;
+  spec_.remote.chords.push_back({.keys = "R2+A", .does = "set_fsm", .value = 801});
+  spec_.remote.chords.push_back({.keys = "L2+X", .does = "sit"});
+  Make();
+  EXPECT_EQ(UnheededOf("L2+Y")->reason, Reason::kState);  // from state 1 alone
+  EXPECT_FALSE(UnheededOf("L2+B"));
+  EXPECT_FALSE(UnheededOf("L2+Y"));
+  EXPECT_EQ(UnheededOf("L2+X")->reason, Reason::kState);
+  const std::optional<Unheeded> run = UnheededOf("R2+A");
+  ASSERT_TRUE(run);
+  EXPECT_EQ(run->reason, Reason::kNotSimulated);
+  EXPECT_EQ(run->keys, *RemoteKeysOf("R2+A"));
+  EXPECT_EQ(run->wish, 801);
+  EXPECT_FALSE(UnheededOf("R1+R2"));  // no chord
+}
+
+TEST_F(CommandRouterTest, TellsOnceOfSticksThatMoveNothing) {
+  walks_ = false;
+  Make();
+  const auto push = [&](double ly) {
+    router_->Obey({.there = true, .ly = ly}, input_.time);
+    return router_->unheeded();
+  };
+  ASSERT_TRUE(push(0.5));
+  EXPECT_FALSE(push(0.6));
+  EXPECT_FALSE(push(0));
+  const std::optional<Unheeded> again = push(1);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->reason, Unheeded::Reason::kNotSimulated);
+  EXPECT_EQ(again->keys, 0);
+}
+
+TEST_F(CommandRouterTest, TellsOfAChordThatNoServiceHearsUnlessAProgramMoves) {
+  spec_.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
+  config_.service = kNoService;
+  Make();
+  EXPECT_EQ(UnheededOf("L2+A")->reason, Unheeded::Reason::kNoMotionService);
+  EXPECT_FALSE(UnheededOf("L2+B"));   // damps without a service, too
+  EXPECT_FALSE(UnheededOf("L2+R2"));  // released it is
+  Offer();
+  Torques();
+  EXPECT_FALSE(UnheededOf("L2+A"));  // may be a key of that program
 }
 
 }  // namespace

@@ -30,17 +30,17 @@ paused             no
 speed              0.000   x real time
 lateness           0.000   ms
 worst lateness     0.250   ms
-overruns           0
-not made up for    0.000   s
+late steps         0
+time lost          0.000   s
 states published   0
 divergences        0
 motion service     none
-motors follow      start
-command writers    0
+motors follow      nobody yet: they hold the start pose or brake
+rt/lowcmd writers  0
 commands taken     0
 commands refused   0
 command time-outs  0
-unused slots set   0
+unused motors set  0
 service calls      0
 calls refused      0
 crane              released
@@ -69,8 +69,21 @@ TEST(CtlTextTest, SaysWhyCallsWereRefused) {
 TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
   emulator::Status status;
   status.motion_service = {'m', 'c', 'f'};
-  status.motion.id = 1002;
-  EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, state 1002\n"));
+  status.motion.id = 1004;
+  status.motion.name = "lying";
+  EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, lying (1004)\n"));
+}
+
+TEST(CtlTextTest, SaysWhomTheMotorsFollow) {
+  emulator::Status status;
+  status.gate = authority::GateState::kFollowing;
+  EXPECT_THAT(TextOf(status), HasSubstr("motors follow      LowCmd\n"));
+  status.gate = authority::GateState::kDamping;
+  EXPECT_THAT(TextOf(status), HasSubstr("nobody: they brake until the next LowCmd\n"));
+  status.gate = authority::GateState::kLimp;
+  EXPECT_THAT(TextOf(status), HasSubstr("nobody: no torque\n"));
+  status.gate = authority::GateState::kClosed;
+  EXPECT_THAT(TextOf(status), HasSubstr("motors follow      the motion service\n"));
 }
 
 TEST(CtlTextTest, SaysFromWhichSeedARobotIsRandomized) {

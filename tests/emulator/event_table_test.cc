@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
+#include "authority/unheeded.h"
 #include "robot/refusal.h"
 #include "tests/support/requests.h"
 
@@ -84,6 +85,9 @@ TEST(EventTableTest, SaysWhatBefellTheRobot) {
   EXPECT_EQ(Said(Made(EventKind::kGate, {1})), "gate: following");
   EXPECT_EQ(Detail(Made(EventKind::kGate, {4})), R"({"state":"motion_service"})");
   EXPECT_EQ(Said(Made(EventKind::kRemote, {0x220})), "L2+B");
+  EXPECT_EQ(Said(Made(EventKind::kMotion, {1004, 5}, "lying")), "lying (1004)");
+  EXPECT_EQ(Detail(Made(EventKind::kMotion, {1004, 5}, "lying")),
+            R"({"mode":5,"name":"lying","state":1004})");
   EXPECT_EQ(Said(Made(EventKind::kTimeout, {}, "rt/lowcmd")),
             "LowCmd stopped: motors are damping until the next one");
   EXPECT_EQ(Said(Made(EventKind::kTimeout, {}, "rt/user_lowcmd")),
@@ -93,6 +97,29 @@ TEST(EventTableTest, SaysWhatBefellTheRobot) {
   EXPECT_EQ(Said(Made(EventKind::kDivergence, {}, "", 1.25)), "the physics diverged at 1.250 s");
   EXPECT_EQ(Said(Made(EventKind::kSpeed, {0})), "speed as fast as possible");
   EXPECT_EQ(Said(Made(EventKind::kSpeed, {2.5})), "speed 2.5");
+}
+
+TEST(EventTableTest, SaysWhyTheRemoteControllerMovesNothing) {
+  constexpr double kR2A = 0x110;
+  const auto unheeded = [](authority::Unheeded::Reason reason, double keys, double wish,
+                           std::string_view name) {
+    return Made(EventKind::kUnheeded, {static_cast<double>(reason), keys, wish, 4}, name);
+  };
+  using enum authority::Unheeded::Reason;
+  EXPECT_EQ(
+      Said(unheeded(kNotSimulated, kR2A, 801, "ready")),
+      "R2+A asks for state 801 of the real robot, which is not modelled: it stays in ready (4)");
+  EXPECT_EQ(Said(unheeded(kNotSimulated, kR2A, -1, "ready")),
+            "R2+A asks for a motion, which is not modelled: it stays in ready (4)");
+  EXPECT_EQ(Said(unheeded(kNotSimulated, 0, -1, "ready")),
+            "the sticks ask the robot to walk, which is not modelled: it stays in ready (4)");
+  EXPECT_EQ(Said(unheeded(kState, kR2A, -1, "ready")), "R2+A does nothing in ready (4)");
+  EXPECT_EQ(Said(unheeded(kState, 0, -1, "ready")), "the sticks move nothing in ready (4)");
+  EXPECT_EQ(Said(unheeded(kNoMotionService, kR2A, -1, "ai")),
+            "R2+A: no motion service is on to obey; `understudy ctl service call motion_switcher "
+            "1002 '{\"name\": \"ai\"}'` switches it on");
+  EXPECT_EQ(Detail(unheeded(kState, kR2A, -1, "ready")),
+            R"({"keys":"R2+A","name":"ready","reason":"state","state":4,"wish":-1})");
 }
 
 TEST(EventTableTest, NamesTopicAndReasonOfARefusal) {

@@ -153,6 +153,43 @@ TEST_F(OwnerTest, DebugByTheRemoteReleasesToLowCmd) {
   EXPECT_EQ(Torque0(), 2);
 }
 
+TEST_F(OwnerTest, StatesAreToldByNameWithTheVendorsNumber) {
+  config_.robot.kind = robot::RobotKind::kHumanoid;
+  Start();
+  Tick(10);
+  EXPECT_EQ(world_->status().motion.name, "damping");
+  EXPECT_EQ(Answered("remote.press", {{"keys", "L2+Y"}}), "");
+  Tick(10);
+  EXPECT_EQ(world_->status().motion.name, "zero torque");
+  EXPECT_EQ(Told(EventKind::kMotion), std::vector<std::string>{"zero torque (0)"});
+}
+
+TEST_F(OwnerTest, AChordThatNoServiceHearsIsToldWithWhatBringsItBack) {
+  config_.robot.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
+  Start();
+  Tick(10);
+  EXPECT_EQ(Answered("remote.press", {{"keys", "L2+R2"}}), "");
+  Tick(200);
+  EXPECT_EQ(Service(), "");
+  EXPECT_THAT(Told(EventKind::kUnheeded), testing::IsEmpty());
+  EXPECT_EQ(Answered("remote.press", {{"keys", "L2+A"}}), "");
+  Tick(200);
+  EXPECT_THAT(Told(EventKind::kUnheeded),
+              testing::ElementsAre(testing::HasSubstr(
+                  "L2+A: no motion service is on to obey; `understudy ctl service call "
+                  "motion_switcher 1002 '{\"name\": \"normal\"}'` switches it on")));
+}
+
+TEST_F(OwnerTest, WhatTheServiceDoesNotDoIsToldWithTheStateItStaysIn) {
+  config_.robot.remote.chords.push_back({.keys = "L2+A", .does = "stand_up"});
+  Start();
+  Tick(10);
+  EXPECT_EQ(Answered("remote.press", {{"keys", "L2+A"}}), "");
+  Tick();
+  ASSERT_EQ(Told(EventKind::kUnheeded).size(), 1u);
+  EXPECT_THAT(Told(EventKind::kUnheeded)[0], testing::HasSubstr("damping (1001)"));
+}
+
 TEST_F(OwnerTest, ArmSdkMovesItsJointsOverTheService) {
   Start();
   Tick(10);

@@ -31,6 +31,7 @@ emulator::Snapshot SomeSnapshot() {
   snapshot.feet = {10, 20};
   snapshot.remote = {.there = true, .keys = 0x0020 | 0x0200, .lx = -1};
   snapshot.wireless_remote[0] = 0x55;
+  snapshot.motion = {.service = {'m', 'c', 'f'}, .state = 1004, .name = "lying"};
   snapshot.command = {{.enabled = true, .q = 1, .dq = 0, .tau = 0.5, .kp = 20, .kd = 1}};
   return snapshot;
 }
@@ -58,6 +59,7 @@ TEST(SnapshotJsonTest, HasEveryPart) {
   EXPECT_EQ(snapshot["wireless_remote"].size(), 40u);
   EXPECT_EQ(snapshot["wireless_remote"][0], 0x55);
   EXPECT_EQ(snapshot["command"][0]["kp"], 20.0);
+  EXPECT_EQ(snapshot["motion"], json({{"service", "mcf"}, {"state", 1004}, {"name", "lying"}}));
   EXPECT_EQ(snapshot.size(), 4 + std::size(emulator::kSnapshotParts));
 }
 

@@ -37,7 +37,7 @@ emulator::Status EveryFieldSet() {
   status.port = {.unused_slots = 6, .unset_heads = 7, .write_failures = 8};
   status.command_writers = 1;
   status.motion_service = {'m', 'c', 'f'};
-  status.motion = {.id = 1001, .mode = 7};
+  status.motion = {.id = 1001, .name = "damping", .mode = 7};
   status.arm_weight = 0.25;
   status.remote = {.there = true, .keys = 0x220, .lx = 1, .ly = 0.5, .rx = -1, .ry = -0.5};
   status.stick_wish = {1, 2, 3};
@@ -86,7 +86,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"goal":0,)"
           R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
-          R"("motion":{"service":"mcf","state":1001,"mode":7,"arm_weight":0.25},)"
+          R"("motion":{"service":"mcf","state":1001,"name":"damping","mode":7,"arm_weight":0.25},)"
           R"("remote":{"there":true,"keys":"L2+B","lx":1.0,"ly":0.5,"rx":-1.0,"ry":-0.5,"wish":[1.0,2.0,3.0]},)"
           R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"

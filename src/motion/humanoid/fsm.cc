@@ -1,6 +1,8 @@
 #include "motion/humanoid/fsm.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace understudy::motion {
 namespace {
@@ -46,6 +48,14 @@ std::span<const HumanoidTransition> HumanoidTransitions() {
 }
 
 }  // namespace
+
+std::string_view Name(HumanoidStance stance) {
+  // In the order of the enum.
+  static constexpr std::array<std::string_view, 9> kNames{
+      "zero torque",  "damping",        "ready",        "squat",  "seat",
+      "main control", "balanced squat", "not modelled", "unknown"};
+  return kNames[static_cast<std::size_t>(stance)];
+}
 
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id) {
   if (id == kZeroTorqueId) return HumanoidStance::kZeroTorque;

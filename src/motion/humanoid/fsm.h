@@ -1,6 +1,8 @@
 // The state machine of a humanoid's motion service.
 #pragma once
 
+#include <string_view>
+
 #include "motion/transitions.h"
 #include "robot/robot_spec.h"
 
@@ -31,6 +33,10 @@ inline constexpr StateSet<HumanoidStance> kBearingStances{
     HumanoidStance::kBalancedSquat};  // whose feet carry the robot
 
 HumanoidStance StanceOf(const robot::HumanoidMotionSpec& spec, int id);
+
+// Returns the name of such a state, for people; a G1's list of states has most of these words
+// (docs/sources.md#g1-states).
+std::string_view Name(HumanoidStance stance);
 
 // Returns whether SetFsm may change one state to another, by the vendor's diagram of the G1
 // (docs/sources.md#g1-states), which is assumed for all humanoids. While `moving` (an action with

@@ -152,6 +152,7 @@ authority::MotionVerdict HumanoidMotion::BeginArmAction(int id) {
 robot::MotionState HumanoidMotion::state() const {
   const ArmActionPlayer& arms = stand_.arms();
   return {.id = id_,
+          .name = Name(StanceOf(ids_, id_)),
           .mode = moving() || id_ == ids_.balanced_squat ? 1
                   : unloaded()                           ? 2
                                                          : 0,

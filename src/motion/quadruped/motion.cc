@@ -302,6 +302,7 @@ robot::MotionState QuadrupedMotion::state() const {
   const QuadrupedStateRow& row = RowOf(state_);
   const bool moves = kMovingStates.Has(state_);
   robot::MotionState state{.id = moves || state_ == kStanding ? gait_->id : row.id,
+                           .name = row.name,
                            .mode = moves                 ? gait_->moving
                                    : kStands.Has(state_) ? gait_->standing
                                                          : row.mode,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "motion/transitions.h"
 
@@ -50,6 +51,7 @@ inline constexpr StateSet<QuadrupedState> kMovingStates{QuadrupedState::kWalking
 // on a B2. Recovering is in neither list: the crouch and recoveryStand are assumed.
 struct QuadrupedStateRow {
   QuadrupedState state;
+  std::string_view name;   // for people
   int id, mode, progress;  // of robot::MotionState
   QuadrupedState next;     // the same: it lasts. kStanding: the stand that it came from
 };

@@ -7,7 +7,7 @@ const MOST = 200; // lines
 export function ownerOf(status) {
   if (status.motion.service) {
     return { word: status.motion.service, level: "",
-             text: `motion service, state ${status.motion.state}` };
+             text: `motion service: ${status.motion.name} (${status.motion.state})` };
   }
   switch (status.commands.state) {
     case "following":
