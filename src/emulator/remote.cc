@@ -28,6 +28,19 @@ void Remote::Set(const robot::RemoteReading& reading, double until) {
   for (std::size_t i = 0; i < sticks_.size(); ++i) Move(i, values[i], until);
 }
 
+void Remote::Renew(const robot::RemoteReading& reading, std::int64_t press, double t,
+                   double until) {
+  unsigned lapsed = 0;
+  for (std::size_t key = 0; press == press_ && key < down_until_.size(); ++key) {
+    if (Has(renewed_, key) && down_until_[key] <= t) lapsed |= 1U << key;
+  }
+  press_ = press;
+  renewed_ = reading.keys;
+  robot::RemoteReading held = reading;
+  held.keys = static_cast<std::uint16_t>(reading.keys & ~lapsed);
+  Set(held, until);
+}
+
 void Remote::Switch(bool on) {
   if (!on) *this = Remote();
   reading_.there = on;

@@ -24,6 +24,9 @@ class Remote {
   // Sets all keys and sticks as in `reading`, and releases them after `until`. Ignores
   // `reading.there`: the remote is on.
   void Set(const robot::RemoteReading& reading, double until);
+  // As Set at time t, for a client that repeats what it holds and numbers its presses: keys that
+  // time has released stay up until `press` is another number.
+  void Renew(const robot::RemoteReading& reading, std::int64_t press, double t, double until);
   // Switches it on or off. Off, keys and sticks are released and nothing is received.
   void Switch(bool on);
 
@@ -38,6 +41,8 @@ class Remote {
 
   std::array<double, 16> down_until_{};  // s, by key
   std::array<Stick, 4> sticks_{};        // lx, ly, rx, ry
+  std::int64_t press_ = -1;              // of the last Renew
+  std::uint16_t renewed_ = 0;            // its keys
   robot::RemoteReading reading_;
 };
 

@@ -115,7 +115,11 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
   }
   // All kinds of single numbers.
   const auto number = Single(field, value);
-  if (!number) return Refused(field, value);
+  if (!number) {
+    Error error = Refused(field, value);
+    if (field.kind == FieldKind::kSpeed && value == 0) error.why += "; to stand still use pause";
+    return error;
+  }
   request->SetNumber(field.key, *number);
   return {};
 }
@@ -216,8 +220,10 @@ ordered_json ValuesOf(const Request& request) {
     ordered_json& value = values[std::string(field.key)];
     switch (field.kind) {
       case FieldKind::kNumber:
-      case FieldKind::kSpeed:
         value = numbers[0];
+        break;
+      case FieldKind::kSpeed:
+        value = numbers[0] == 0 ? ordered_json("max") : ordered_json(numbers[0]);
         break;
       case FieldKind::kWhole:
         value = static_cast<std::int64_t>(numbers[0]);
@@ -259,7 +265,7 @@ std::string Describe(const Request& request) {
     if (value->is_array()) {
       for (const ordered_json& part : *value) text += " " + NumberText(part.get<double>());
     }
-    if (!field.unit.empty()) text += " " + std::string(field.unit);
+    if (!field.unit.empty() && !value->is_string()) text += " " + std::string(field.unit);
   }
   if (request.robot != 0) text += " robot " + std::to_string(request.robot);
   return text;
@@ -278,7 +284,7 @@ std::string Expected(const Field& field) {
     case FieldKind::kSwitch:
       return "true or false";
     case FieldKind::kSpeed:
-      return std::string(time::kSpeedRange) + ", or max";
+      return time::kSpeedRange;
     case FieldKind::kWord: {
       std::string words;
       for (const std::string_view word : field.words) {

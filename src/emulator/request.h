@@ -31,7 +31,7 @@ enum class FieldKind : std::uint8_t {
   kWhole,   // a number without a fraction
   kVector,  // three numbers
   kSwitch,  // true or false; also on and off
-  kSpeed,   // as time::IsSpeed has it; max is 0
+  kSpeed,   // as time::IsSpeed has it, or max, which is stored as 0
   kWord,    // one of the field's words, stored as its index
   kKeys,    // of the remote controller, as in L2+B, stored as bits; "" is valid if `low` is 0
   kBody,    // the name of a body of the model
@@ -71,7 +71,7 @@ struct RequestRow {
   std::string_view (*check)(const Request& request) = nullptr;
 };
 
-inline constexpr std::size_t kMostFields = 6;
+inline constexpr std::size_t kMostFields = 7;
 inline constexpr std::size_t kLongestName = 63;   // bytes
 inline constexpr std::size_t kLongestJson = 255;  // bytes; *assumed*
 

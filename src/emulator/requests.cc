@@ -105,7 +105,14 @@ struct RequestActs {
 
   static Answer Reset(World& world, Robot& robot, Request& request, double) {
     if (!request.has("pose")) request.SetNumber("pose", static_cast<double>(robot.start_pose()));
-    world.Reset(&robot, static_cast<robot::StartPose>(request.number("pose")));
+    const auto pose = static_cast<robot::StartPose>(request.number("pose"));
+    if (pose == robot::StartPose::kStanding && robot.owner().active().empty() &&
+        robot.spec().kind == robot::RobotKind::kHumanoid) {
+      return Error{
+          "a standing humanoid falls while no motion service balances it; reset it hanging "
+          "or clamped"};
+    }
+    world.Reset(&robot, pose);
     return {};
   }
 
@@ -200,12 +207,17 @@ struct RequestActs {
     return {};
   }
   static Answer SetRemote(World&, Robot& robot, Request& request, double t) {
-    robot.remote().Set({.keys = KeysOf(request),
-                        .lx = request.number("lx"),
-                        .ly = request.number("ly"),
-                        .rx = request.number("rx"),
-                        .ry = request.number("ry")},
-                       t + request.number("for"));
+    const robot::RemoteReading held{.keys = KeysOf(request),
+                                    .lx = request.number("lx"),
+                                    .ly = request.number("ly"),
+                                    .rx = request.number("rx"),
+                                    .ry = request.number("ry")};
+    const double until = t + request.number("for");
+    if (request.has("press")) {
+      robot.remote().Renew(held, static_cast<std::int64_t>(request.number("press")), t, until);
+    } else {
+      robot.remote().Set(held, until);
+    }
     return {};
   }
   static Answer SwitchRemoteOn(World&, Robot& robot, Request&, double) {
@@ -250,6 +262,7 @@ const std::vector<RequestRow>& RequestRows() {
   constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
   constexpr double kMostSteps = 1e6;
   constexpr double kMostApi = 1e6;
+  constexpr double kMostPresses = 1e8;
   constexpr double kMostFault = 1e3;  // in any unit; each kind has limits of its own
 
   const Field keys = Needed(Bare({.key = "keys", .kind = kKeys, .low = 1, .does = "Joined by +"}));
@@ -301,13 +314,14 @@ const std::vector<RequestRow>& RequestRows() {
       Row("let_go", "Ends a drag",
           {Bare({.key = "body", .kind = kBody, .does = "Whose; all unless one is named"})},
           Acts::LetGo, "let_go base_link", kNoted),
-      Row("crane.lower", "Pays out tether, at crane.speed", {metres}, Acts::LowerCrane,
+      Row("crane.lower", "Lowers the robot, at crane.speed", {metres}, Acts::LowerCrane,
           "crane lower 0.2", kNoted),
-      Row("crane.raise", "Takes in tether, at crane.speed", {metres}, Acts::RaiseCrane,
+      Row("crane.raise", "Raises the robot, at crane.speed", {metres}, Acts::RaiseCrane,
           "crane raise 0.2", kNoted),
       Row("crane.attach", "Hangs the robot from straight above, where it is", {}, Acts::AttachCrane,
           "crane attach"),
-      Row("crane.release", "Lets the robot off the hook", {}, Acts::ReleaseCrane, "crane release"),
+      Row("crane.release", "Releases the robot, which drops", {}, Acts::ReleaseCrane,
+          "crane release"),
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
@@ -348,7 +362,10 @@ const std::vector<RequestRow>& RequestRows() {
            ly,
            rx,
            ry,
-           Needed(seconds(kLeastTime, kLongest, "Simulated time after which all is let go"))},
+           Needed(seconds(kLeastTime, kLongest, "Simulated time after which all is let go")),
+           {"press", kWhole, "", 0, kMostPresses,
+            "Which press it is: keys that time has let go stay up until it is another, so that a "
+            "late renewal is no second press"}},
           Acts::SetRemote, "remote set --keys A --for 1"),
       Row("remote.on", "Switches the remote controller on; so does using it", {},
           Acts::SwitchRemoteOn, "remote on"),

@@ -63,9 +63,7 @@ class Robot {
     speed_ = std::max({wanted, reached, kSlowest});
   }
 
-  void Set(const robot::RemoteReading& reading, double seconds) {
-    Ask("POST", "/remote/set", ValuesOf(reading, seconds).dump());
-  }
+  void Set(const json& values) { Ask("POST", "/remote/set", values.dump()); }
 
  private:
   static constexpr double kSlowest = 0.01;
@@ -164,8 +162,7 @@ void PlayRemote(const RemoteArguments& arguments) {
     std::fprintf(stderr, "understudy remote: no keyboard: this is no terminal; gamepads only\n");
   }
   Gamepads gamepads({.which = arguments.gamepad, .mapping_file = arguments.mapping});
-  RemoteSender sender(
-      [&](const robot::RemoteReading& held, double seconds) { robot.Set(held, seconds); });
+  RemoteSender sender([&](const json& values) { robot.Set(values); }, FirstPress());
 
   // Loop: read the devices, update the speed, send, draw.
   robot::RemoteReading gamepad;

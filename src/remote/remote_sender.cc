@@ -1,5 +1,7 @@
 #include "remote/remote_sender.h"
 
+#include <unistd.h>
+
 #include "robot/remote_keys.h"
 
 namespace understudy::remote {
@@ -12,6 +14,11 @@ bool Same(const robot::RemoteReading& one, const robot::RemoteReading& other) {
 
 }  // namespace
 
+std::int64_t FirstPress() {
+  constexpr std::int64_t kApart = 20;  // the most pids, 2^22, times this are valid numbers
+  return ::getpid() * kApart;
+}
+
 void RemoteSender::Hold(const robot::RemoteReading& reading, double t) {
   if (told_any_ && t - told_at_ < kLeastPeriod) return;
   const bool renew = !Same(reading, robot::RemoteReading{}) && t - told_at_ >= kRenewEvery;
@@ -23,19 +30,17 @@ void RemoteSender::LetGo(double t) {
 }
 
 void RemoteSender::Tell(const robot::RemoteReading& reading, double t) {
+  if ((reading.keys & ~told_.keys) != 0) ++press_;
   told_ = reading;
   told_at_ = t;
   told_any_ = true;
-  send_(reading, kLetGoAfter * speed_);
-}
-
-nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds) {
-  return {{"keys", robot::RemoteKeyNames(reading.keys)},
-          {"lx", reading.lx},
-          {"ly", reading.ly},
-          {"rx", reading.rx},
-          {"ry", reading.ry},
-          {"for", seconds}};
+  send_({{"keys", robot::RemoteKeyNames(reading.keys)},
+         {"lx", reading.lx},
+         {"ly", reading.ly},
+         {"rx", reading.rx},
+         {"ry", reading.ry},
+         {"for", kLetGoAfter * speed_},
+         {"press", press_}});
 }
 
 }  // namespace understudy::remote

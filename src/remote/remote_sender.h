@@ -1,6 +1,7 @@
 // Decides when to send the held keys and sticks to the robot.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -16,14 +17,20 @@ inline constexpr double kLetGoAfter = 0.5;
 inline constexpr double kRenewEvery = 0.1;    // s; four may be lost
 inline constexpr double kLeastPeriod = 0.01;  // s: changes are sent at 100 Hz at most
 
+// Returns a number for the first press of this process that others will hardly use.
+std::int64_t FirstPress();
+
 // Sends changes, and repeats while keys or sticks are held. Sends nothing otherwise, so that other
 // programs can use the same remote. Times are of any steady clock [s].
 class RemoteSender {
  public:
-  // Sends the held keys and sticks, and the simulated seconds after which the robot releases them.
-  using Send = std::function<void(const robot::RemoteReading&, double seconds)>;
+  // Sends the values of the request remote.set: what is held, until it is released or the robot has
+  // heard nothing for a while.
+  using Send = std::function<void(const nlohmann::json& values)>;
 
-  explicit RemoteSender(Send send) : send_(std::move(send)) {}
+  // Presses are numbered from `press`, best by another number than other programs use.
+  explicit RemoteSender(Send send, std::int64_t press = 0)
+      : send_(std::move(send)), press_(press) {}
 
   // Sets the simulated seconds per second, as requests count simulated time.
   void set_speed(double speed) { speed_ = speed; }
@@ -36,13 +43,11 @@ class RemoteSender {
   void Tell(const robot::RemoteReading& reading, double t);
 
   Send send_;
+  std::int64_t press_;
   double speed_ = 1;
   robot::RemoteReading told_;
   double told_at_ = 0;
   bool told_any_ = false;
 };
-
-// Returns the values of the request remote.set.
-nlohmann::json ValuesOf(const robot::RemoteReading& reading, double seconds);
 
 }  // namespace understudy::remote

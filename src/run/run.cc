@@ -191,9 +191,9 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                                      wire::AnnounceRobot(since));
   if (!participant.multicast()) {
     spdlog::info(
-        "{} has no multicast: about nine programs find each other. `ip link set {} multicast on` "
-        "as "
-        "root, or `understudy exec`, lifts that",
+        "{} has no multicast, so at most about nine programs can share a domain; to fix it: `ip "
+        "link "
+        "set {} multicast on` as root, or `understudy exec`",
         config.network.interface, config.network.interface);
   }
   wire::StrangerWatch watch(participant);

@@ -89,7 +89,6 @@ ordered_json SchemaOf(const Field& field) {
     case FieldKind::kSpeed:
       schema = {{"oneOf",
                  {{{"type", "number"}, {"minimum", 0.001}, {"maximum", 1000}},
-                  {{"type", "number"}, {"enum", {0}}},
                   {{"type", "string"}, {"enum", {"max"}}}}}};
       break;
     case FieldKind::kWord:

@@ -8,10 +8,9 @@ namespace understudy::time {
 // *Assumed*: a lower speed is as good as a pause, and no machine reaches the highest.
 inline constexpr double kLeastSpeed = 0.001;
 inline constexpr double kMostSpeed = 1000;
-inline constexpr char kSpeedRange[] = "0 (as fast as possible) or 0.001 to 1000";
-constexpr bool IsSpeed(double speed) {
-  return speed == 0 || (speed >= kLeastSpeed && speed <= kMostSpeed);
-}
+inline constexpr char kSpeedRange[] = "a number from 0.001 to 1000, or max";
+// Whether a user may ask for that number; for as fast as possible the word is max.
+constexpr bool IsSpeed(double speed) { return speed >= kLeastSpeed && speed <= kMostSpeed; }
 
 // Set by requests; the loop that calls the tick follows it.
 struct Pace {

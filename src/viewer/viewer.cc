@@ -40,9 +40,8 @@ Viewer::Viewer(const std::filesystem::path& socket, const ViewArguments& argumen
       }()),
       show_(arguments.show),
       requests_(socket),
-      remote_sender_([this](const robot::RemoteReading& held, double seconds) {
-        requests_.Send("remote.set", remote::ValuesOf(held, seconds));
-      }),
+      remote_sender_([this](const nlohmann::json& values) { requests_.Send("remote.set", values); },
+                     remote::FirstPress()),
       robot_(socket, kHz, stage_.positions(), [] { Window::Wake(); }) {
   mjr_defaultContext(&context_);
   stage_.visual()->quality.shadowsize = 2048;

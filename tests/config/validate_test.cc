@@ -1,6 +1,8 @@
 #include "config/validate.h"
 
+#include "authority/onboard.h"
 #include "config_fixture.h"
+#include "tests/support/robots.h"
 
 namespace understudy::config {
 namespace {
@@ -191,15 +193,18 @@ TEST_F(ValidateTest, AMotionServiceIsOneOfTheFirmwares) {
 }
 
 TEST(ValidateStartTest, AHumanoidDoesNotStandWithNobodyToBalanceIt) {
-  const auto load = [](const std::string& pose, const std::string& service) {
-    LoadConfig({.robot = "g1", .sets = {"start.pose=" + pose, "motion.service=" + service}},
-               UNDERSTUDY_SOURCE_DIR);
-  };
-  EXPECT_THAT(ErrorOf([&] { load("standing", "none"); }),
-              testing::HasSubstr("start.pose: a standing humanoid falls while no motion service"));
-  load("standing", "ai");
-  load("hanging", "none");
-  load("clamped", "none");
+  for (const std::string& robot : test::Humanoids()) {
+    const auto load = [&](const std::string& pose, const std::string& service) {
+      LoadConfig({.robot = robot, .sets = {"start.pose=" + pose, "motion.service=" + service}},
+                 UNDERSTUDY_SOURCE_DIR);
+    };
+    EXPECT_THAT(ErrorOf([&] { load("standing", "none"); }),
+                testing::HasSubstr("start.pose: a standing humanoid falls while no motion service"))
+        << robot;
+    load("standing", authority::MotionServices(test::ShippedRobot(robot)).front());
+    load("hanging", "none");
+    load("clamped", "none");
+  }
 }
 
 TEST_F(ValidateTest, FirmwareIsNumbersBetweenDots) {

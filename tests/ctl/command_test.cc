@@ -126,7 +126,7 @@ TEST_F(CtlCommandTest, AsksForWhatTheVerbSays) {
   EXPECT_EQ(asked("ctl pause"), "pause");
   EXPECT_EQ(asked("ctl resume"), "resume");
   EXPECT_EQ(asked("ctl speed 0.5"), "speed 0.5 s/s");
-  EXPECT_EQ(asked("ctl speed max"), "speed 0 s/s");
+  EXPECT_EQ(asked("ctl speed max"), "speed max");
   EXPECT_EQ(asked("ctl reset"), "reset");
   EXPECT_EQ(asked("ctl reset hanging"), "reset hanging");
   EXPECT_EQ(asked("ctl step"), "step");

@@ -46,6 +46,30 @@ TEST(RemoteTest, MovesTheSticksThatAreNamed) {
   EXPECT_EQ(remote.Read(1e6).lx, 0.5);
 }
 
+TEST(RemoteTest, TakesNoRenewalThatComesTooLateForASecondPress) {
+  Remote remote;
+  remote.Renew({.keys = kL2 | kB}, 7, 0, 0.5);
+  EXPECT_EQ(remote.Read(0.4).keys, kL2 | kB);
+  remote.Renew({.keys = kL2 | kB}, 7, 0.4, 0.9);
+  EXPECT_EQ(remote.Read(0.8).keys, kL2 | kB);
+  EXPECT_EQ(remote.Read(0.95).keys, 0);
+  remote.Renew({.keys = kL2 | kB, .lx = 1}, 7, 1, 1.5);
+  EXPECT_EQ(remote.Read(1.1).keys, 0);
+  EXPECT_EQ(remote.Read(1.1).lx, 1);  // what is no press is renewed all the same
+  remote.Renew({.keys = kL2 | kB}, 7, 1.2, 1.7);
+  EXPECT_EQ(remote.Read(1.3).keys, 0);
+  remote.Renew({.keys = kL2 | kB}, 8, 1.4, 1.9);
+  EXPECT_EQ(remote.Read(1.5).keys, kL2 | kB);
+}
+
+TEST(RemoteTest, PressesAgainWhatWasReleasedUnderTheSameNumber) {
+  Remote remote;
+  remote.Renew({.keys = kB}, 7, 0, 0.5);
+  remote.Renew({}, 7, 0.1, 0.6);
+  remote.Renew({.keys = kB}, 7, 0.2, 0.7);
+  EXPECT_EQ(remote.Read(0.3).keys, kB);
+}
+
 TEST(RemoteTest, IsAsItWasSetAndNothingElse) {
   Remote remote;
   remote.Hold(kL2);

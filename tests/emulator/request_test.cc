@@ -215,16 +215,21 @@ TEST(RequestTest, RefusesStepsThatAreNoNumberOfSteps) {
 }
 
 TEST(RequestTest, ReadsASpeed) {
-  EXPECT_EQ(RequestOf("speed", {{"speed", 0}}).number("speed"), 0);
   EXPECT_EQ(RequestOf("speed", {{"speed", 0.001}}).number("speed"), 0.001);
   EXPECT_EQ(RequestOf("speed", {{"speed", 1000}}).number("speed"), 1000);
   EXPECT_EQ(RequestOf("speed", {{"speed", "max"}}).number("speed"), 0);
+  EXPECT_EQ(ValuesOf(RequestOf("speed", {{"speed", "max"}})), nlohmann::json({{"speed", "max"}}));
+}
+
+TEST(RequestTest, SpeedZeroIsNotAsFastAsPossible) {
+  EXPECT_EQ(Refusal("speed", R"({"speed": 0})"),
+            "speed: expected a number from 0.001 to 1000, or max, got 0; to stand still use pause");
 }
 
 TEST(RequestTest, RefusesASpeedOutOfRange) {
   for (const char* speed : {"-1", "0.0009", "1001", "true", "null"}) {
     EXPECT_THAT(Refusal("speed", ("{\"speed\": " + std::string(speed) + "}").c_str()),
-                StartsWith("speed: expected 0 (as fast as possible) or 0.001 to 1000, or max, got"))
+                StartsWith("speed: expected a number from 0.001 to 1000, or max, got"))
         << speed;
   }
   EXPECT_NE(Refusal("speed", "{}"), "");
@@ -261,7 +266,7 @@ TEST(RequestTest, TellsWhatIsMissingUnknownOrOutOfRange) {
       {"remote.set", R"({"keys": "L3", "for": 1})",
        R"(keys: expected keys of the remote controller, as in L2+B, got "L3")"},
       {"remote.set", R"({"lz": 0, "for": 1})",
-       R"(unknown key "lz"; did you mean 'lx'? (valid: keys, lx, ly, rx, ry, for))"},
+       R"(unknown key "lz"; did you mean 'lx'? (valid: keys, lx, ly, rx, ry, for, press))"},
       {"remote.set", R"({"lx": 1.5, "for": 1})", "lx: expected a number from -1 to 1, got 1.5"},
       {"reset", R"({"pose": "standin"})",
        "pose: expected one of lying, standing, hanging, clamped, got \"standin\"; did you "

@@ -132,6 +132,20 @@ TEST_F(RequestsTest, ResetToStandingKeepsTheRobotStanding) {
   EXPECT_LT(Height(), 0.1);
 }
 
+TEST_F(RequestsTest, ResetNoHumanoidToStandingWithNobodyToBalanceIt) {
+  config_.robot.kind = robot::RobotKind::kHumanoid;
+  config_.robot.services = {{.name = "ai_sport", .alias = "ai"}};
+  StartAs("clamped");
+  Tick();
+  EXPECT_EQ(Answered("reset", "standing"), "");
+  services_.Call([](authority::MotorOwner* owner) { owner->Release(); });
+  Tick();
+  EXPECT_EQ(Answered("reset", "standing"),
+            "a standing humanoid falls while no motion service balances it; reset it hanging or "
+            "clamped");
+  EXPECT_EQ(Answered("reset", "hanging"), "");
+}
+
 TEST_F(RequestsTest, SetThePaceThatWhoeverTicksKeepsTo) {
   Start();
   EXPECT_FALSE(world_->pace().stands_still());

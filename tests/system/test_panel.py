@@ -109,6 +109,46 @@ def test_keys_of_the_keyboard_reach_wireless_remote(page):
                                for keys, sticks in remote_bytes(program.take())), what="let go")
 
 
+def presses_of(page, keys):
+    """How often those keys have gone down together so far."""
+    events = page.evaluate("fetch('/events').then((reply) => reply.json())")["events"]
+    return sum(event["kind"] == "remote" and event["detail"]["keys"] == keys for event in events)
+
+
+STALL = "(() => { const end = performance.now() + %d; while (performance.now() < end); })()"
+
+
+def test_a_chord_is_one_press_however_slow_the_page_is(page):
+    before = presses_of(page, "L2+A")
+    page.key("keyDown", "KeyW", "w")
+    page.key("keyDown", "KeyA", "a")
+    page.becomes("panel.view.snapshot.remote.keys === 'L2+A'")
+    page.evaluate(STALL % 1500)  # meanwhile the robot lets go
+    page.becomes("panel.view.snapshot.remote.keys === ''")
+    page.evaluate("new Promise((done) => setTimeout(done, 600))")  # and the page renews what is held
+    assert page.evaluate("document.querySelector('[data-key=A]').ariaPressed") == "true"
+    assert presses_of(page, "L2+A") == before + 1
+    page.key("keyUp", "KeyA", "a")
+    page.key("keyDown", "KeyA", "a")
+
+    page.becomes("panel.view.snapshot.remote.keys === 'L2+A'")
+    page.key("keyUp", "KeyA", "a")
+    page.key("keyUp", "KeyW", "w")
+    page.becomes("panel.view.snapshot.remote.keys === ''")
+    assert presses_of(page, "L2+A") == before + 2
+
+
+def test_a_tap_is_heard_however_short_it_is(page):
+    before = presses_of(page, "X")
+    for _ in range(5):
+        page.evaluate("""["keydown", "keyup"].forEach((kind) => window.dispatchEvent(
+            new KeyboardEvent(kind, { code: "KeyX", key: "x" })))""")
+        page.becomes("panel.view.snapshot.remote.keys === 'X'")
+        page.becomes("panel.view.snapshot.remote.keys === ''")
+
+    assert presses_of(page, "X") == before + 5
+
+
 def test_a_gamepad_reaches_wireless_remote(page):
     # As the browser shows one: L2 (button 6) and B (1) pressed, the right stick to the left.
     page.evaluate("""navigator.getGamepads = () => [{ mapping: "standard", id: "pad",
@@ -166,6 +206,16 @@ def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
 
     page.becomes("panel.plots.plots[0].names.includes('battery voltage') &&"
                  "panel.plots.plots[0].dygraph.numRows() > 20")
+
+
+def test_a_part_of_a_signals_name_is_enough_and_one_that_none_has_is_marked(page):
+    page.evaluate("window.typed = (text) => (s => { s.value = text; s.dispatchEvent(new Event('change')); return s; })"
+                  "(document.querySelector('.plot input'))")
+
+    assert page.evaluate("typed('rl_calf POS').validity.valid")
+    assert page.evaluate("panel.plots.plots[0].names.includes('RL_calf position')")
+    assert not page.evaluate("typed('RL_clf').validity.valid")
+    assert page.evaluate("typed('').validity.valid")
 
 
 def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):

@@ -2,6 +2,7 @@
 
 import contextlib
 import fcntl
+import json
 import os
 import pathlib
 import pty
@@ -155,7 +156,7 @@ def test_one_that_is_killed_lets_go(play, hold):
     robot.becomes(lambda now: now["remote"]["keys"] == "" and now["remote"]["ly"] == 0)
 
 
-def test_one_that_hangs_lets_go(play, hold):
+def test_one_that_hangs_lets_go_and_presses_nothing_again_by_itself(play, hold):
     robot = play("go2")
     terminal = hold(robot)
     terminal.type(b" w")
@@ -163,7 +164,12 @@ def test_one_that_hangs_lets_go(play, hold):
     terminal.process.send_signal(signal.SIGSTOP)
     robot.becomes(lambda now: now["remote"]["keys"] == "")
     terminal.process.send_signal(signal.SIGCONT)
-    robot.becomes(lambda now: now["remote"]["keys"] == "L2")
+    time.sleep(1)  # in which it renews what it holds
+    terminal.type(b"q")
+    robot.becomes(lambda now: now["remote"]["keys"] == "L1+L2")
+
+    events = json.loads(robot.ctl("events", "--json"))["events"]
+    assert [event["detail"]["keys"] for event in events if event["kind"] == "remote"] == ["L2", "", "L1+L2"]
 
 
 def test_it_keeps_what_is_held_at_twenty_times_the_speed(play, hold):

@@ -17,7 +17,7 @@ export class Bar {
     this.chosenAt = -Infinity;
     byId("speed").addEventListener("change", () => {
       this.chosenAt = performance.now();
-      request("speed", { speed: Number(byId("speed").value) });
+      request("speed", { speed: Number(byId("speed").value) || "max" });
     });
     byId("reset").addEventListener("click", () => {
       const pose = byId("pose").value;

@@ -7,6 +7,7 @@ import {
 
 const EVERY = 33; // ms between looks at all inputs
 const RENEW = 150; // ms; what is held is told again, or the robot lets go of it
+const TAP = 80; // ms that a key stays down at least, counted from when the robot was told; *assumed*
 
 export class Remote {
   // request(name, values) sends; speed() is how fast simulated time is meant to go, 0 for unbounded.
@@ -18,6 +19,9 @@ export class Remote {
     this.down = new Map(); // of the keyboard: event.code -> what it meant when it went down
     this.half = false; // Shift is down
     this.latched = new Set();
+    this.tapped = new Map(); // keys that went down a moment ago -> when the robot was told, or null
+    this.press = Math.floor(Math.random() * 9e7); // number of the last press
+    this.told = new Set(); // the keys that were sent last
     this.sent = "";
     this.sentAt = 0;
     this.enabled = false;
@@ -42,9 +46,13 @@ export class Remote {
     const key = button.dataset.key;
     this.keys.set(key, button);
     const press = () => {
-      if (!byId("latch").checked) return this.drawn.keys.add(key);
-      if (!this.latched.delete(key)) this.latched.add(key);
-      return undefined;
+      if (byId("latch").checked) {
+        if (!this.latched.delete(key)) this.latched.add(key);
+      } else {
+        this.drawn.keys.add(key);
+        this.tap(key);
+      }
+      this.poll();
     };
     const release = () => this.drawn.keys.delete(key);
     button.addEventListener("pointerdown", (event) => {
@@ -99,6 +107,8 @@ export class Remote {
       if (event.ctrlKey || event.altKey || event.metaKey) return;
       event.preventDefault();
       this.down.set(event.code, key);
+      if (!event.repeat && key in KEYBOARD) this.tap(KEYBOARD[key]);
+      this.poll();
     });
     window.addEventListener("keyup", (event) => {
       this.half = event.shiftKey;
@@ -110,6 +120,13 @@ export class Remote {
   putDown() {
     this.letGo();
     this.latched.clear();
+    this.tapped.clear();
+  }
+
+  // However slow the page is: a key that went down is sent, and only then may it go up again.
+  tap(key) {
+    this.press += 1;
+    this.tapped.set(key, null);
   }
 
   letGo() {
@@ -131,17 +148,23 @@ export class Remote {
   poll() {
     const latched = { ...this.drawn, keys: this.latched };
     const typed = fromKeyboard(this.down.values(), this.half);
-    const wish = together([this.drawn, latched, typed, ...this.gamepads()]);
+    const now = performance.now();
+    for (const [key, at] of this.tapped) if (at !== null && now - at >= TAP) this.tapped.delete(key);
+    const tapped = { ...this.drawn, keys: new Set(this.tapped.keys()) };
+    const wish = together([this.drawn, latched, tapped, typed, ...this.gamepads()]);
     const held = valuesOf(wish);
     const text = JSON.stringify(held);
     const idle = !held.keys && !held.lx && !held.ly && !held.rx && !held.ry;
-    const now = performance.now();
     this.draw(wish);
     if (!this.enabled || (text === this.sent && (idle || now - this.sentAt < RENEW))) return;
     if (idle && !this.sent) return;
     this.sent = idle ? "" : text;
     this.sentAt = now;
-    this.request("remote.set", { ...held, for: lapse(this.speed()) });
+    for (const [key, at] of this.tapped) this.tapped.set(key, at ?? now);
+    // The robot may have let go meanwhile: a renewal, which has the number of its press, is no other.
+    if ([...wish.keys].some((key) => !this.told.has(key))) this.press += 1;
+    this.told = wish.keys;
+    this.request("remote.set", { ...held, for: lapse(this.speed()), press: this.press });
   }
 
   draw(wish) {
