@@ -3,12 +3,15 @@
 #include <iostream>
 #include <sstream>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "base/catch_errors.h"
 #include "base/exit_code.h"
 #include "base/log_line.h"
+#include "commands/command_path.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
 #include "commands/log.h"
@@ -28,7 +31,7 @@ constexpr char kFooter[] =
     "  understudy ctl status --watch           show its state in another terminal\n"
     "  understudy view                         show it in a window\n"
     "  understudy remote                       use its remote controller\n"
-    "`understudy COMMAND --help` has details.\n"
+    "`understudy help COMMAND` has details.\n"
     "Exit codes: 0 done; 1 a bug, a request refused, output not written; 2 command line;\n"
     "3 configuration; 4 model; 5 network; 6 another robot on the network; 7 the physics diverged;\n"
     "8 the robot's name or control socket is in use or unusable; 9 a recording that cannot be\n"
@@ -49,6 +52,23 @@ int Explain(const CLI::App& app, const CLI::Error& error) {
   const int code = app.exit(error, std::cout, wrong);
   if (const std::string text = wrong.str(); !text.empty()) SayErrorText(text);
   return code;
+}
+
+// Carries out `understudy help COMMAND...`; returns the exit code.
+int Help(const CLI::App& app, int argc, const char* const* argv) {
+  const CLI::App* command = &app;
+  std::string parents;
+  for (int i = 2; i < argc && !commands::CommandNames(*command).empty(); ++i) {
+    parents += (parents.empty() ? "" : " ") + command->get_name();
+    command = commands::FindCommand(*command, argv[i]);
+    if (command != nullptr) continue;
+    std::vector<const char*> words(argv, argv + argc);
+    words.erase(words.begin() + 1);  // `help`
+    Explained(commands::MissingCommand(app, argc - 1, words.data()));
+    return static_cast<int>(ExitCode::kUsage);
+  }
+  std::cout << command->help(parents);
+  return 0;
 }
 
 int Main(int argc, char** argv) {
@@ -88,6 +108,7 @@ int Main(int argc, char** argv) {
 
   // Command line.
   try {
+    if (argc > 1 && std::string_view(argv[1]) == "help") return Help(app, argc, argv);
     app.parse(argc, argv);
   } catch (const CLI::RequiredError& error) {
     if (argc == 1) {

@@ -1,108 +1,292 @@
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <filesystem>
+#include <map>
 #include <memory>
-#include <sstream>
+#include <system_error>
 
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "bus/interfaces.h"
+#include "client/client.h"
+#include "client/robot_choice.h"
+#include "commands/command_path.h"
 #include "commands/commands.h"
 #include "config/data_dir.h"
+#include "config/reference.h"
 #include "config/robot_file.h"
 #include "emulator/request.h"
+#include "emulator/snapshot.h"
+#include "robot/remote_keys.h"
+#include "robot/start_pose.h"
+#include "server/request_docs.h"
+#include "terrain/terrain.h"
 
 namespace understudy::commands {
 namespace {
 
-// A subcommand as typed, with the words that may follow.
-struct Branch {
-  std::string path;  // "ctl crane"; "" for the program itself
-  std::vector<std::string> words;
-  bool has_subcommands = false;
+using Words = std::vector<std::string>;
+
+// A command line that is being typed.
+struct Typed {
+  CommandPath path;
+  std::string command;                       // "ctl crane"; "" for the program itself
+  Words places;                              // the words of the last command that are no options
+  std::map<std::string, std::string> given;  // values of options
+  const CLI::Option* option = nullptr;       // whose value the last word is; null for none
+  std::string last;                          // may be ""
+  bool free = false;                         // the words of another program follow
 };
 
-// Adds the valid words of a request's first value, if it takes words.
-void AddValues(const std::string& path, std::vector<std::string>* words) {
-  constexpr std::string_view kCtl = "ctl ";
-  if (!path.starts_with(kCtl)) return;
-  std::string name = path.substr(kCtl.size());
-  std::ranges::replace(name, ' ', '.');
-  const auto row = emulator::FindRequest(name);
-  if (!row || (*row)->fields.empty()) return;
-  const emulator::Field& first = (*row)->fields.front();
-  words->insert(words->end(), first.words.begin(), first.words.end());
-  if (first.kind == emulator::FieldKind::kSwitch) words->insert(words->end(), {"on", "off"});
-}
-
-void Collect(const CLI::App& app, const std::string& path, const std::vector<std::string>& robots,
-             std::vector<Branch>* branches) {
-  Branch branch{.path = path, .words = {}, .has_subcommands = !app.get_subcommands({}).empty()};
-  for (const CLI::App* child : app.get_subcommands({})) branch.words.push_back(child->get_name());
-  for (const CLI::Option* option : app.get_options()) {
-    for (const std::string& name : option->get_lnames()) branch.words.push_back("--" + name);
-    if (option->get_name() == "robot") {
-      branch.words.insert(branch.words.end(), robots.begin(), robots.end());
+// Words that take a value are followed by it. A shell gives "--speed=2" in three words.
+Typed Read(const CLI::App& app, const Words& words) {
+  Typed typed;
+  typed.path = {&app};
+  if (!words.empty()) typed.last = words.back();
+  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
+    const std::string& word = words[i];
+    if (word == "--") typed.free = true;
+    if (typed.free) break;
+    if (word.starts_with('-')) {
+      if (!TakesNext(typed.path, word)) continue;
+      if (words[i + 1] == "=" && i + 2 < words.size()) ++i;
+      if (i + 2 < words.size()) {
+        typed.given[word] = words[++i];
+      } else {
+        typed.option = FindOption(typed.path, word);
+      }
+    } else if (const CLI::App* child = FindCommand(*typed.path.back(), word)) {
+      typed.path.push_back(child);
+      typed.command += (typed.command.empty() ? "" : " ") + word;
+    } else {
+      typed.places.push_back(word);
     }
   }
-  AddValues(path, &branch.words);
-  branches->push_back(branch);
-  for (const CLI::App* child : app.get_subcommands({})) {
-    Collect(*child, path.empty() ? child->get_name() : path + " " + child->get_name(), robots,
-            branches);
-  }
+  return typed;
 }
 
-std::string Join(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
-  return text;
+// ---- the values of options and places
+
+Words Robots(const Typed&) { return config::RobotNames(config::DataDir()); }
+
+Words Revisions(const Typed& typed) {
+  if (typed.places.empty()) return {};
+  return config::ReadRobotFile(typed.places.front(), config::DataDir()).RevisionNames();
 }
 
-// The scripts of all shells find the subcommand by matching the words typed so far.
-std::string Bash(const std::string& name, const std::vector<Branch>& branches) {
-  std::ostringstream out;
-  // Uses neither a variable `path`, which is PATH in zsh, nor `mapfile`, which zsh lacks.
-  out << "_" << name << "() {\n  local typed=\"\" word words\n"
-      << "  for word in \"${COMP_WORDS[@]:1:$((COMP_CWORD - 1))}\"; do\n"
-      << "    [[ $word == -* ]] && continue\n    case \"${typed:+$typed }$word\" in\n";
-  for (const Branch& branch : branches) {
-    if (!branch.path.empty())
-      out << "      '" << branch.path << "') typed='" << branch.path << "' ;;\n";
-  }
-  out << "    esac\n  done\n  case \"$typed\" in\n";
-  for (const Branch& branch : branches) {
-    out << "    '" << branch.path << "') words='" << Join(branch.words) << "' ;;\n";
-  }
-  out << "  esac\n"
-      << "  COMPREPLY=($(compgen -W \"$words\" -- \"${COMP_WORDS[COMP_CWORD]}\"))\n}\n"
-      << "complete -o default -F _" << name << " " << name << "\n";
-  return out.str();
+Words Scenes(const Typed&) {
+  Words scenes = terrain::TerrainKinds();
+  scenes.emplace_back(terrain::kPatchesScene);
+  return scenes;
 }
 
-// zsh runs bash completions through bashcompinit, which needs compinit.
+Words Scenarios(const Typed&) {
+  Words names;
+  std::error_code error;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(config::DataDir() / "config" / "scenarios", error)) {
+    names.push_back(entry.path().stem());
+  }
+  return names;
+}
+
+Words Keys(const Typed&) {
+  Words keys;
+  for (const std::string& key : config::ConfigKeys()) {
+    if (key.find("[]") == std::string::npos) keys.push_back(key + "=");
+  }
+  return keys;
+}
+
+Words Interfaces(const Typed&) {
+  Words names;
+  for (const bus::NetworkInterface& one : bus::ListInterfaces()) names.push_back(one.name);
+  return names;
+}
+
+Words RunningRobots(const Typed& typed) {
+  if (typed.command == "run" || typed.command == "exec") return {};  // theirs is a new name
+  Words names;
+  for (const client::RunningRobot& robot : client::FindRobots()) names.push_back(robot.name);
+  return names;
+}
+
+Words Poses(const Typed&) { return {robot::kStartPoses.begin(), robot::kStartPoses.end()}; }
+
+Words Parts(const Typed&) {
+  Words parts;
+  for (const emulator::SnapshotPartName& part : emulator::kSnapshotParts) {
+    parts.emplace_back(part.name);
+  }
+  return parts;
+}
+
+// Those of the running robot that the words choose; none if it does not answer soon.
+Words Bodies(const Typed& typed) {
+  constexpr std::chrono::milliseconds kPatience(500);
+  const auto value = [&](const char* option) {
+    const auto given = typed.given.find(option);
+    return given == typed.given.end() ? std::string() : given->second;
+  };
+  const client::RobotChoice choice{.name = value("--name"), .socket = value("--socket")};
+  if (choice.name.empty() && choice.socket.empty() && client::FindRobots().size() != 1) return {};
+  const std::filesystem::path socket = client::ChosenSocket(choice);
+  const auto scene = nlohmann::json::parse(
+      client::Call(socket, "GET", "/scene", "", kPatience).body, nullptr, false);
+  Words names;
+  for (const auto& body : scene.value("bodies", nlohmann::json::array())) {
+    names.push_back(body.value("name", ""));
+  }
+  if (!names.empty()) names.erase(names.begin());  // the world
+  return names;
+}
+
+struct ValueRow {
+  std::string_view name;  // of the option or place
+  Words (*values)(const Typed& typed);
+};
+constexpr ValueRow kValues[] = {
+    {"robot", Robots},
+    {"--robot", Robots},
+    {"--revision", Revisions},
+    {"scene", Scenes},
+    {"--scene", Scenes},
+    {"scenario", Scenarios},
+    {"--set", Keys},
+    {"--interface", Interfaces},
+    {"--name", RunningRobots},
+    {"--start", Poses},
+    {"--parts", Parts},
+    {"--track", Bodies},
+    {"--speed", [](const Typed&) { return Words{"max"}; }},
+    {"--dynamics",
+     [](const Typed&) {
+       return Words{"catalogue", "fitted"};
+     }},
+    {"--log-level",
+     [](const Typed&) {
+       return Words{"debug", "info", "warn", "error"};
+     }},
+    {"shell",
+     [](const Typed&) {
+       return Words{"bash", "zsh", "fish"};
+     }},
+};
+
+// Chords that continue the last word: "L2+A", "L2+B" ...
+Words Chords(const Typed& typed) {
+  const std::string begun = typed.last.substr(0, typed.last.rfind('+') + 1);
+  Words chords;
+  for (const std::string_view key : robot::kRemoteKeys) chords.push_back(begun + std::string(key));
+  return chords;
+}
+
+Words ValuesOf(const emulator::Field& field, const Typed& typed) {
+  switch (field.kind) {
+    case emulator::FieldKind::kSwitch:
+      return {"on", "off"};
+    case emulator::FieldKind::kSpeed:
+      return {"max"};
+    case emulator::FieldKind::kWord:
+      return {field.words.begin(), field.words.end()};
+    case emulator::FieldKind::kKeys:
+      return Chords(typed);
+    case emulator::FieldKind::kBody:
+      return Bodies(typed);
+    case emulator::FieldKind::kNumber:
+    case emulator::FieldKind::kWhole:
+    case emulator::FieldKind::kVector:
+    case emulator::FieldKind::kName:
+    case emulator::FieldKind::kJson:
+      break;
+  }
+  return {};
+}
+
+// Returns the request of that command, "ctl crane lower"; null for another command.
+const emulator::RequestRow* RequestOf(const std::string& command) {
+  constexpr std::string_view kCtl = "ctl ";
+  if (!command.starts_with(kCtl)) return nullptr;
+  std::string name = command.substr(kCtl.size());
+  std::ranges::replace(name, ' ', '.');
+  const auto row = emulator::FindRequest(name);
+  return row ? *row : nullptr;
+}
+
+Words ValuesOf(const CLI::Option& option, const Typed& typed) {
+  const std::string name = option.get_name();
+  if (const emulator::RequestRow* row = RequestOf(typed.command)) {
+    for (const emulator::Field& field : row->fields) {
+      const bool is =
+          name == (field.bare ? server::Capitals(field.key) : "--" + std::string(field.key));
+      if (is) return ValuesOf(field, typed);
+    }
+  }
+  const auto* row = std::ranges::find(kValues, name, &ValueRow::name);
+  return row == std::end(kValues) ? Words() : row->values(typed);
+}
+
+// The place of the last word among those of the last command.
+const CLI::Option* PlaceOf(const Typed& typed) {
+  const auto places = typed.path.back()->get_options(
+      [](const CLI::Option* option) { return option->get_positional(); });
+  std::size_t before = typed.places.size();
+  for (const CLI::Option* place : places) {
+    const auto most = static_cast<std::size_t>(place->get_items_expected_max());
+    if (before < most) return place;
+    before -= most;
+  }
+  return nullptr;
+}
+
+// What may stand in the place of the last word; none where anything may, as a file.
+Words Candidates(const Typed& typed) {
+  if (typed.free) return {};
+  if (typed.option != nullptr) return ValuesOf(*typed.option, typed);
+  if (typed.last.starts_with('-')) return OptionNames(typed.path);
+  if (Words commands = CommandNames(*typed.path.back()); !commands.empty()) return commands;
+  const CLI::Option* const place = PlaceOf(typed);
+  return place == nullptr ? Words() : ValuesOf(*place, typed);
+}
+
+// Prints those that begin as the last word does, one a line. Nobody wants to read of an error.
+int CompleteCommand(const CLI::App& app, const Words& words) {
+  try {
+    const Typed typed = Read(app, words);
+    for (const std::string& word : Candidates(typed)) {
+      if (word.starts_with(typed.last)) std::puts(word.c_str());
+    }
+  } catch (const std::exception&) {
+  }
+  return 0;
+}
+
+// ---- the scripts, which ask the program that is typed
+
+// In bash and zsh, which runs it through bashcompinit. It uses nothing that zsh lacks: no variable
+// `path`, which is PATH there, no `mapfile`, no process substitution.
+constexpr char kBash[] = R"sh(_understudy() {
+  COMPREPLY=($("${COMP_WORDS[0]}" complete -- "${COMP_WORDS[@]:1:$COMP_CWORD}" 2>/dev/null))
+  case "${#COMPREPLY[@]} ${COMPREPLY[0]}" in
+    1\ *=) compopt -o nospace 2>/dev/null ;;
+  esac
+}
+complete -o default -F _understudy understudy
+)sh";
+
 constexpr char kZshPreamble[] =
     "(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
     "autoload -U +X bashcompinit && bashcompinit\n";
 
-std::string Fish(const std::string& name, const std::vector<Branch>& branches) {
-  const std::string path = "__" + name + "_path";
-  std::ostringstream out;
-  out << "function " << path << "\n  set -l typed ''\n"
-      << "  for word in (commandline -opc)[2..-1]\n"
-      << "    switch (string trim \"$typed $word\")\n      case";
-  for (const Branch& branch : branches) {
-    if (!branch.path.empty()) out << " '" << branch.path << "'";
-  }
-  out << "\n        set typed (string trim \"$typed $word\")\n    end\n  end\n  echo $typed\nend\n";
-  for (const Branch& branch : branches) {
-    const std::string begin =
-        "complete -c " + name + " -n 'test (" + path + ") = \"" + branch.path + "\"' ";
-    // No file names where a subcommand must follow.
-    if (branch.has_subcommands) out << begin << "-f\n";
-    for (const std::string& word : branch.words) {
-      const bool option = word.starts_with("--");
-      out << begin << (option ? "-l " + word.substr(2) : "-a " + word) << "\n";
-    }
-  }
-  return out.str();
-}
+constexpr char kFish[] = R"sh(function __understudy_words
+  set -l words (commandline -opc)
+  $words[1] complete -- $words[2..-1] "$(commandline -ct)" 2>/dev/null
+end
+complete -c understudy -n 'count (__understudy_words) >/dev/null' -f
+complete -c understudy -a '(__understudy_words)'
+)sh";
 
 }  // namespace
 
@@ -116,16 +300,21 @@ void AddCompletionsCommand(CLI::App* app, Chosen* chosen) {
       "Examples:\n"
       "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
       "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
-      "  source <(understudy completions zsh)          in ~/.zshrc");
+      "  source <(understudy completions zsh)          in ~/.zshrc\n"
+      "They ask the program: names of robots, scenes, keys of --set, bodies of a running robot.");
   const auto print = [=] {
-    std::vector<Branch> branches;
-    Collect(*app, "", config::RobotNames(config::DataDir()), &branches);
-    const std::string name = app->get_name();
-    const std::string script = *shell == "fish" ? Fish(name, branches) : Bash(name, branches);
-    std::fputs(((*shell == "zsh" ? kZshPreamble : "") + script).c_str(), stdout);
+    const std::string script =
+        *shell == "fish" ? kFish : (*shell == "zsh" ? kZshPreamble : "") + std::string(kBash);
+    std::fputs(script.c_str(), stdout);
     return 0;
   };
   completions->callback([=] { *chosen = print; });
+
+  const auto words = std::make_shared<Words>();
+  CLI::App* complete = app->add_subcommand("complete", "What a shell's completion asks");
+  complete->group("");
+  complete->add_option("words", *words);
+  complete->callback([=] { *chosen = [=] { return CompleteCommand(*app, *words); }; });
 }
 
 }  // namespace understudy::commands

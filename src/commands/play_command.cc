@@ -53,9 +53,9 @@ double SpeedOf(const std::string& text) { return text == "max" ? 0 : std::stod(t
 
 std::string CheckSpeed(const std::string& text) {
   double speed = 0;
-  const bool number = CLI::detail::lexical_cast(text, speed) && speed > 0 && time::IsSpeed(speed);
+  const bool number = CLI::detail::lexical_cast(text, speed) && time::IsSpeed(speed);
   if (text == "max" || number) return {};
-  return "expected a number from 0.001 to 1000 or max, found '" + text + "'";
+  return std::string("expected ") + time::kSpeedRange + ", found '" + text + "'";
 }
 
 // A progress line on a terminal.
@@ -213,7 +213,7 @@ int PlayCommand(const PlayArguments& arguments) {
 void AddPlayCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<PlayArguments>();
   CLI::App* play = app->add_subcommand(
-      "play", "Play the messages of a recording's robot, or those of its clients");
+      "play", "Replay a recording: the robot's messages, or those of its clients");
   play->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
   play->add_flag("--commands", arguments->commands,
                  "Play the clients' commands and requests to a running robot");

@@ -25,6 +25,7 @@
 #include "run/run.h"
 #include "script/script.h"
 #include "server/panel_socket.h"
+#include "time/pace.h"
 #include "viewer/arguments.h"
 
 namespace understudy::commands {
@@ -69,7 +70,16 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "fitted to real robots [the better evidence; with --model catalogue]");
   AddShortOption(app, arguments, "--speed", "time.speed", "X",
                  "Simulated seconds per wall second; max = as fast as possible [1]")
-      ->transform([](const std::string& speed) { return speed == "max" ? "0" : speed; });
+      ->transform(CLI::Validator(
+          [](std::string& speed) -> std::string {
+            double number = 1;
+            if (CLI::detail::lexical_cast(speed, number) && number == 0) {
+              return std::string("expected ") + time::kSpeedRange + ", found '" + speed + "'";
+            }
+            if (speed == "max") speed = "0";
+            return {};
+          },
+          ""));
   AddShortOption(app, arguments, "--duration", "time.duration", "S",
                  "Simulated seconds after which the run ends [never]");
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
@@ -284,7 +294,7 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
                 "Use a gamepad, as with `understudy remote --no-keyboard` beside it");
   run->footer(
       "Examples:\n"
-      "  understudy run go2                        a Go2, lying, on lo and domain 0\n"
+      "  understudy run go2                        a Go2, which stands up, on lo and domain 0\n"
       "  understudy run g1 --start clamped         a G1 whose pelvis is fixed in the air\n"
       "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
       "  understudy run go2 --released             for programs that do not call ReleaseMode\n"

@@ -1,6 +1,7 @@
 """The commands that describe understudy, its robots and the files of users."""
 
 import json
+import os
 import pathlib
 import subprocess
 
@@ -279,6 +280,19 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy ctl lo", []),
     ("understudy ctl crane l", ["lower"]),
     ("understudy ctl clamp o", ["off", "on"]),
+    ("understudy run go2 --scene ro", ["rough", "row"]),
+    ("understudy run go2 --start l", ["lying"]),
+    ("understudy run g1 --revision 1", ["11", "12", "13", "14", "15", "16"]),
+    ("understudy run g1_23dof --revision 1", ["1", "10"]),
+    ("understudy run go2 --dynamics c", ["catalogue"]),
+    ("understudy run go2 --set gate.t", ["gate.timeout="]),
+    ("understudy run go2 --name go", []),
+    ("understudy exec go2 -- ru", []),
+    ("understudy check --robot h", ["h1", "h1_2", "h2"]),
+    ("understudy rehearse sta", ["stand_up"]),
+    ("understudy ctl remote press L2+S", ["L2+SELECT", "L2+START"]),
+    ("understudy ctl speed m", ["max"]),
+    ("understudy com", ["completions"]),
     ("understudy ctl status --w", ["--watch"]),
     ("understudy ctl reset st", ["standing"]),
     ("understudy ctl re", ["remote", "reset", "resume"]),
@@ -290,8 +304,38 @@ def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
     script = COMPLETE[shell].format(file=file, typed=typed, last=len(words) - 1)
     rc = {"bash": ["--norc"], "zsh": ["-f"], "fish": ["--no-config"]}[shell]
     checked = subprocess.run([shell, "-n", file], capture_output=True, text=True, timeout=10)
-    done = subprocess.run([shell, *rc, "-c", script], capture_output=True, text=True, timeout=10)
+    folder = os.path.dirname(os.environ["UNDERSTUDY"])
+    done = subprocess.run([shell, *rc, "-c", script], capture_output=True, text=True, timeout=10,
+                          env={**os.environ, "PATH": f"{folder}:{os.environ['PATH']}"})
 
     assert checked.returncode == 0, checked.stderr
     assert done.stderr == ""
     assert sorted(w for w in done.stdout.split() if w.startswith(words[-1])) == offered
+
+
+def test_completion_knows_the_robots_that_run_and_their_bodies(play, understudy):
+    robot = play("go2", name="left")
+    names = robot.ctl("scene")
+
+    assert understudy("complete", "--", "ctl", "--name", "l").stdout.split() == ["left"]
+    bodies = understudy("complete", "--", "ctl", "push", "").stdout.split()
+    assert "FR_calf" in bodies and "world" not in bodies
+    assert all(f'"{body}"' in names for body in bodies)
+    assert understudy("complete", "--", "ctl", "--name", "left", "drag", "FR_t").stdout.split() == ["FR_thigh"]
+
+
+def test_help_is_a_command_too(understudy):
+    assert understudy("help").stdout == understudy("--help").stdout
+    assert understudy("help", "run").stdout == understudy("run", "--help").stdout
+    assert understudy("help", "ctl", "crane", "lower").stdout == understudy("ctl", "crane", "lower", "--help").stdout
+    assert understudy("help", "run").returncode == 0
+    assert "did you mean 'run'?" in understudy("help", "rum").stderr
+
+
+def test_speed_0_is_refused_for_standing_still_is_pause(understudy):
+    asked = understudy("ctl", "speed", "0")
+    started = understudy("run", "go2", "--speed", "0")
+
+    assert asked.returncode == started.returncode == 2
+    assert "to stand still use pause" in asked.stderr
+    assert "0.001 to 1000, or max" in started.stderr
