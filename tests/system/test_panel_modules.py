@@ -25,8 +25,9 @@ def test_its_modules_do_what_they_say(page):
                       "keys": "B+L2", "lx": 0, "ly": 0.5, "rx": -1, "ry": 0}
     assert module("motor_table", "[84, 71, 60].map((c) => m.temperatureLevel(c + 1, 85))") == [
         "bad", "warn", ""]
-    assert module("motor_table", "[0, 0.01, 0.5, 1].map(m.positionLevel)") == [
-        "bad", "warn", "", "bad"]
+    # At its stop a motor is well unless it pushes into it.
+    assert module("motor_table", "[[0, 0.9], [0, -0.9], [0, -5], [0, 5], [0.5, 9], [1, 5], [1, -5]].map(([share, tau]) =>"
+                  " m.positionLevel(share, tau))") == ["", "", "warn", "", "", "warn", ""]
     # Looks are given up when most pictures are slow, not for the hour that the page was out of sight.
     assert module("quality", """{
         const levels = (spans) => {
@@ -39,6 +40,9 @@ def test_its_modules_do_what_they_say(page):
         return [levels([400, ...steady, 3.6e6, ...steady]), levels(Array(40).fill(40))].map(
           (all) => Math.max(...all));
       }""") == [0, 3]
+    # What hardly moves is not drawn as large as a motion.
+    assert module("plots", "[m.flatRange([[0, 2, NaN], [1, 2.0001, 2]]), m.flatRange([[0, 1], [1, 1.5]])]") == [
+        pytest.approx([1.99905, 2.00105], abs=1e-4), None]
     roll, pitch, yaw = module("signals", "m.rollPitchYaw([0.5, 0.5, 0.5, 0.5])")
     assert (roll, pitch, yaw) == pytest.approx((1.5708, 0, 1.5708), abs=1e-4)
     # A mesh and a height field as they come over the wire: the first row of heights is that of least y.

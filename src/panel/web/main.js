@@ -113,13 +113,12 @@ function plotMotor(index) {
 }
 
 function showReadings(snapshot) {
-  const degrees = (radians) => `${number((radians * 180) / Math.PI, 1)}°`;
-  const [roll, pitch, yaw] = rollPitchYaw(snapshot.imus[0].quaternion).map(degrees);
-  setText(byId("attitude"), `${roll} ${pitch} ${yaw}`);
+  const [roll, pitch, yaw] = rollPitchYaw(snapshot.imus[0].quaternion).map((a) => number(a, 3));
+  setText(byId("attitude"), `${roll} ${pitch} ${yaw} rad`);
   const [x, y, z] = snapshot.bodies[scene.base].map((value) => number(value, 2));
   setText(byId("place"), `${x} ${y} ${z} m`);
   const weight = snapshot.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
-  setText(byId("ground"), `${number(weight, 0)} N in ${snapshot.contacts.length}`);
+  setText(byId("ground"), `${snapshot.contacts.length}, ${number(weight, 0)} N`);
   const pull = snapshot.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
   setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
 }

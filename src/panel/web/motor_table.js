@@ -7,7 +7,7 @@ const HOT = { casing: 85, winding: 120 };
 const WARM = 15; // °C before that; *assumed*
 const HEAVY = 0.8; // of the torque limit; *assumed*
 const FULL = 0.98;
-const EDGE = 0.03; // of the range, at either end; *assumed*
+const PUSHES = 1; // N·m into its stop, from which it is more than rest; *assumed*
 
 export function temperatureLevel(value, hot) {
   if (value >= hot) return "bad";
@@ -20,10 +20,10 @@ export function torqueLevel(tau, limit) {
   return share >= HEAVY ? "warn" : "";
 }
 
-// `share`: 0 at the lower end of the range, 1 at the upper.
-export function positionLevel(share) {
-  if (share <= 0 || share >= 1) return "bad";
-  return share < EDGE || share > 1 - EDGE ? "warn" : "";
+// `share`: 0 at the lower end of the range, 1 at the upper. What rests at its stop, as the joints of a
+// robot that lies, is well.
+export function positionLevel(share, tau) {
+  return (share <= 0 && tau < -PUSHES) || (share >= 1 && tau > PUSHES) ? "warn" : "";
 }
 
 class Row {
@@ -50,7 +50,7 @@ class Row {
     const share = bounded ? (reading.q - motor.range[0]) / (motor.range[1] - motor.range[0]) : 0.5;
     const effort = motor.torque_limit > 0 ? reading.tau / motor.torque_limit : 0;
     const levels = {
-      q: bounded ? positionLevel(share) : "",
+      q: bounded ? positionLevel(share, reading.tau) : "",
       tau: torqueLevel(reading.tau, motor.torque_limit || Infinity),
       casing: temperatureLevel(reading.casing, HOT.casing),
       winding: temperatureLevel(reading.winding, HOT.winding),
@@ -65,22 +65,23 @@ class Row {
     this.effort.style.setProperty("--at", Math.max(-1, Math.min(1, effort)));
     setClass(this.range, levels.q);
     setClass(this.effort, levels.tau);
-    this.showState(reading, levels);
+    this.showState(reading, levels, bounded && (share <= 0 || share >= 1));
   }
 
   // In words too: colour alone is not for everybody.
-  showState(reading, levels) {
+  showState(reading, levels, atStop) {
     const words = [];
     words.push(...reading.errors);
     if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
-    if (levels.q === "bad") words.push("end of range");
     if (levels.tau === "bad") words.push("torque limit");
     const bad = words.length > 0;
     if (!bad && (levels.casing || levels.winding)) words.push("warm");
     if (!bad && levels.tau) words.push("heavy");
+    if (levels.q) words.push("pushes its stop");
     if (!reading.enabled) words.push("off");
-    setText(this.state, words.join(", ") || "on");
     const level = words.length && reading.enabled ? "warn" : "muted";
+    if (atStop && !levels.q) words.push("at stop");
+    setText(this.state, words.join(", ") || "on");
     setClass(this.state, `state ${bad ? "bad" : level}`);
     setClass(this.node, reading.enabled ? "" : "off");
   }

@@ -7,6 +7,8 @@ const KEPT = 7200; // samples: two minutes of 60 a second
 const ROWS = 1200; // drawn at most while it runs
 const EVERY = 66; // ms between pictures
 const MOST_PLOTS = 4;
+const LEAST_SPAN = 1e-3; // of a value axis, in any unit; *assumed*
+const LEAST_SHARE = 1e-3; // of it, of its value; *assumed*
 const MOST_SIGNALS = COLOURS.length;
 
 const { Dygraph } = window; // a classic script
@@ -28,7 +30,8 @@ class Plot {
     this.chart = element("div", { class: "chart" });
     this.node = element("div", { class: "plot" },
       element("div", { class: "plot-head" }, this.chips, close), this.chart);
-    this.search.addEventListener("change", () => this.add(this.search.value));
+    this.search.addEventListener("change", () => this.addFound(this.search.value));
+    this.search.addEventListener("input", () => this.search.setCustomValidity(""));
     close.addEventListener("click", () => plots.remove(this));
     // What is about to be moved by hand must not move by itself.
     this.chart.addEventListener("pointerdown", (event) => {
@@ -39,6 +42,15 @@ class Plot {
 
   get columns() {
     return this.names.map((name) => this.plots.index.get(name));
+  }
+
+  // Adds the first signal that has all the words typed, in any part of its name.
+  addFound(typed) {
+    const words = typed.toLowerCase().split(/\s+/).filter(Boolean);
+    const has = ({ name }) => words.every((word) => name.toLowerCase().includes(word));
+    const found = this.plots.index.has(typed) ? typed : this.plots.signals.find(has)?.name;
+    this.search.setCustomValidity(words.length && !found ? "no signal has such a name" : "");
+    if (words.length && found) this.add(found);
   }
 
   add(name) {
@@ -84,7 +96,7 @@ class Plot {
     if (dateWindow[1] - dateWindow[0] < 0.05) dateWindow[0] = dateWindow[1] - 0.05;
     if (!this.dygraph) this.dygraph = this.newDygraph(rows, dateWindow);
     else if (held) this.dygraph.updateOptions({ file: rows });
-    else this.dygraph.updateOptions({ file: rows, dateWindow, valueRange: null });
+    else this.dygraph.updateOptions({ file: rows, dateWindow, valueRange: flatRange(rows) });
     if (!held) this.showValues(history.end - 1);
   }
 
@@ -118,6 +130,20 @@ class Plot {
     const row = this.plots.history.row(this.columns, sample);
     this.values.forEach(({ value }, i) => setText(value, number(row[i + 1], 3)));
   }
+}
+
+// A range for what hardly moves, so that noise is not drawn as large as a motion; null for the rest.
+export function flatRange(rows) {
+  let [low, high] = [Infinity, -Infinity];
+  for (const [, ...values] of rows) {
+    for (const value of values) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+  }
+  const least = Math.max(LEAST_SPAN, LEAST_SHARE * Math.abs(low + high) / 2);
+  if (!(high - low < least)) return null;
+  return [(low + high - least) / 2, (low + high + least) / 2];
 }
 
 // As many digits as tell the ticks of that axis apart.

@@ -33,7 +33,7 @@ export class Rig {
     this.attached = attached;
     this.clamped = status.clamped;
     setText(byId("crane-state"), attached
-      ? `hangs by ${number(length, 2)} m of tether, ${number(tension, 0)} N` : "off the hook");
+      ? `hangs by ${number(length, 2)} m of tether, ${number(tension, 0)} N` : "not attached");
     setText(byId("crane-hook"), attached ? "Release" : "Attach");
     setText(byId("clamp-state"), status.clamped ? "the base is held" : "the base is free");
     setText(byId("clamp"), status.clamped ? "Let go" : "Clamp");

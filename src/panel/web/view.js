@@ -122,11 +122,18 @@ export class View {
   home() {
     if (!this.snapshot) return;
     const base = this.snapshot.bodies[this.base];
-    const size = Math.max(0.7, this.robotHeight());
+    const size = Math.max(0.7, this.robotHeight()) / (1 - this.covered());
     this.controls.target.set(base[0], base[1], base[2] - 0.08 * size);
     this.camera.position.fromArray(CAMERA).multiplyScalar(size).add(this.controls.target);
     this.controls.update();
     this.invalidate();
+  }
+
+  // The share of the view's height on which something lies, above and below the robot.
+  covered() {
+    const over = [...this.canvas.parentElement.querySelectorAll(".tools, .overlay")];
+    const height = over.reduce((sum, one) => sum + one.offsetHeight, 0);
+    return Math.min(0.5, height / Math.max(1, this.canvas.clientHeight));
   }
 
   robotHeight() {
