@@ -1,8 +1,11 @@
 #include "ctl/command.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
+#include <cstring>
 #include <iostream>
 #include <thread>
 #include <utility>
@@ -11,6 +14,7 @@
 #include <unistd.h>
 
 #include "client/client.h"
+#include "client/listening_socket.h"
 #include "ctl/ask.h"
 #include "ctl/check.h"
 #include "ctl/text.h"
@@ -25,6 +29,8 @@ using std::chrono::milliseconds;
 using std::chrono::steady_clock;
 
 constexpr milliseconds kWaitPoll{50};
+// A recording has to be completed, and a command of exec to end.
+constexpr std::chrono::seconds kEndPatience{30};
 // Timeout between two events with --follow.
 constexpr std::chrono::hours kQuiet{24 * 365};
 // s, a day: longer than any script waits, and far below the range of a duration.
@@ -132,6 +138,9 @@ void CtlCommand::AddReading(CLI::App* ctl) {
   AddAction(ctl, "metrics", "Print its metrics in the format of Prometheus", [this] {
     *out_ << Ask(client::ChosenSocket(robot_), "GET", "/metrics", "");
   })->footer("Example: understudy ctl metrics | grep winding");
+  AddAction(ctl, "stop", "End the robot, as Ctrl-C in its terminal does", [this] {
+    Stop();
+  })->footer("Example: understudy ctl stop --name left");
   AddAction(ctl, "panel", "Print the address of the robot's panel for a browser", [this] {
     Show("/panel", UrlOf);
   })->footer("Example: xdg-open \"$(understudy ctl panel)\"");
@@ -215,6 +224,26 @@ void CtlCommand::AwaitReady() const {
   } while (steady_clock::now() < until);
   throw ControlError("no robot was ready after " + std::to_string(patience.count()) +
                      " ms: " + why);
+}
+
+void CtlCommand::Stop() const {
+  const std::filesystem::path socket = client::ChosenSocket(robot_);
+  const client::SocketProbe probe = client::ProbeSocket(socket);
+  if (probe.pid == 0) {
+    throw ControlError("the robot's process is out of sight: end it where it was started");
+  }
+  if (::kill(probe.pid, SIGTERM) != 0) {
+    throw ControlError("process " + std::to_string(probe.pid) +
+                       " cannot be ended: " + std::strerror(errno));
+  }
+  const auto until = steady_clock::now() + kEndPatience;
+  while (client::ProbeSocket(socket).pid == probe.pid) {
+    if (steady_clock::now() > until) {
+      throw ControlError("process " + std::to_string(probe.pid) +
+                         " was asked to end and still runs");
+    }
+    std::this_thread::sleep_for(kWaitPoll);
+  }
 }
 
 void CtlCommand::ShowRobots() const {

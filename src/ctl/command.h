@@ -22,7 +22,7 @@ namespace understudy::ctl {
 // Adds the subcommand `ctl` to a command line and runs it if parsing has `chosen` it:
 //
 //   status [--watch]   wait   list   snapshot [--watch]   scene   events [--follow]
-//   timings   metrics   panel
+//   timings   metrics   stop   panel
 //
 // and every request of the table (emulator/request.h): pause, crane lower BY, push BODY FORCE ...
 // Each takes --json, and --name NAME or --socket PATH; without these, $UNDERSTUDY_CONTROL (a socket
@@ -58,6 +58,8 @@ class CtlCommand {
   void ShowEvents() const;
   void AwaitReady() const;
   void ShowRobots() const;
+  // Sends SIGTERM to the process of the robot and waits for its end.
+  void Stop() const;
   // Prints the reply to GET `path`: unchanged with --json, else as formatted by `tell`.
   void Show(const std::string& path, Teller tell) const;
 

@@ -30,6 +30,17 @@ def test_a_stop_signal_ends_a_run_in_good_order(play, runtime_dir, number):
     robot.heard("off the network")
 
 
+def test_ctl_stop_ends_the_robot_that_is_named_in_good_order_and_no_other(play, runtime_dir):
+    left, right = play("go2", name="left"), play("go2", "--domain", "1", name="right")
+
+    left.ctl("stop")
+
+    assert left.exit_code(SOON) == 0
+    left.heard("off the network")
+    assert sockets(runtime_dir) == ["right.sock"]
+    assert right.status()["ready"]
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_stop_signal_ends_a_run_that_is_as_fast_as_possible(play, number):
     robot = play("go2", "--speed", "max")
