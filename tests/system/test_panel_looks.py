@@ -35,6 +35,9 @@ def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
         assert page.evaluate(
             f"document.getElementById('{tab}').getBoundingClientRect().right <= innerWidth"), tab
+        # Nothing in it is cut off, nor can it be moved sideways.
+        assert page.evaluate(f"""[...document.querySelectorAll('#{tab}, #{tab} .scroll')].every(
+            (one) => one.scrollWidth <= one.clientWidth)"""), tab
 
     # Two thumbs: a chord that a mouse could not press.
     keys = [page.middle("[data-key=R2]"), page.middle("[data-key=X]")]
@@ -44,6 +47,14 @@ def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
     page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
 
     robot.becomes(lambda now: now["remote"]["keys"] == "")
+
+
+def test_nothing_of_the_table_of_motors_is_cut_off_on_a_small_desk(play, visit):
+    page = visit(url_of(play("g1_29dof_dex3")), width=1024, height=768)
+
+    assert page.evaluate("(t => t.scrollWidth <= t.clientWidth)(document.querySelector('#motors .scroll'))")
+    assert page.evaluate("document.querySelector('#motor-rows .state').scrollWidth") <= page.evaluate(
+        "document.querySelector('#motor-rows .state').clientWidth")
 
 
 CONTRAST = """(() => {

@@ -2,6 +2,7 @@
 import * as THREE from "./vendor/three/build/three.module.js";
 
 const ROUND = 24; // segments of a full turn
+const LOWEST_TINT = 0.5; // of a height field's colour, at its lowest; 1.5 at its highest; *assumed*
 const HALF_PI = Math.PI / 2;
 
 function capsule(radius, half) {
@@ -55,13 +56,17 @@ export function heightFieldGeometry(buffer, size) {
   const heights = new Float32Array(buffer, 8, rows * columns);
   const geometry = new THREE.PlaneBufferGeometry(2 * size[0], 2 * size[1], columns - 1, rows - 1);
   const position = geometry.attributes.position;
+  const tint = new Float32Array(3 * rows * columns); // high is light: else relief is hardly seen
   for (let row = 0; row < rows; ++row) {
     for (let column = 0; column < columns; ++column) {
       // MuJoCo's first row is the one of least y, three.js's that of most.
       const vertex = (rows - 1 - row) * columns + column;
-      position.setZ(vertex, heights[row * columns + column] * size[2]);
+      const height = heights[row * columns + column];
+      position.setZ(vertex, height * size[2]);
+      tint.fill(LOWEST_TINT + height, 3 * vertex, 3 * vertex + 3);
     }
   }
+  geometry.setAttribute("color", new THREE.BufferAttribute(tint, 3));
   geometry.computeVertexNormals();
   return geometry;
 }
@@ -105,13 +110,15 @@ export class GeomFactory {
 
   material(geom, shiny) {
     const flat = geom.type === "mesh" || geom.type === "hfield";
-    const key = `${geom.rgba} ${flat} ${shiny}`;
+    const tinted = geom.type === "hfield";
+    const key = `${geom.rgba} ${flat} ${shiny} ${tinted}`;
     if (!this.materials.has(key)) {
       const [r, g, b, alpha] = geom.rgba;
       const looks = {
         // A scene's colours are meant to be taken times a texture's, which are not known here.
         color: new THREE.Color(r, g, b).convertSRGBToLinear().multiplyScalar(shiny ? 1 : 0.45),
         flatShading: flat,
+        vertexColors: tinted ? THREE.VertexColors : THREE.NoColors,
         transparent: alpha < 1,
         opacity: alpha,
       };

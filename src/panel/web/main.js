@@ -118,7 +118,7 @@ function showReadings(snapshot) {
   const [x, y, z] = snapshot.bodies[scene.base].map((value) => number(value, 2));
   setText(byId("place"), `${x} ${y} ${z} m`);
   const weight = snapshot.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
-  setText(byId("ground"), `${snapshot.contacts.length}, ${number(weight, 0)} N`);
+  setText(byId("ground"), `${snapshot.contacts.length} contacts, ${number(weight, 0)} N`);
   const pull = snapshot.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
   setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
 }

@@ -30,9 +30,11 @@ class Row {
   constructor(motor, index, onPick) {
     this.motor = motor;
     const cell = (name) => element("td", { class: `num ${name}` });
-    const pick = element("button", { type: "button", class: "quiet name", text: shortName(motor),
+    const pick = element("button", { type: "button", class: "quiet name",
                                      title: `${motor.name}, ${motor.hand ? `${motor.hand} hand ` : "slot "}` +
                                             `${motor.slot}: plot it` });
+    // It may break behind an underscore.
+    for (const part of shortName(motor).split(/(?<=_)/)) pick.append(part, element("wbr"));
     pick.addEventListener("click", () => onPick(index));
     this.range = element("i");
     this.effort = element("i");

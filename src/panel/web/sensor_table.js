@@ -47,22 +47,20 @@ export class SensorTable {
 
   setSensors(scene, snapshot) {
     const widest = Math.max(3, snapshot.feet.length);
-    const cell = (last, label, after) => {
+    const cell = (label, after) => {
       const value = element("span", { class: "value" });
       const mark = element("small", { class: "muted", text: label });
       const node = element("td", { class: "num" }, ...(after ? [value, " ", mark] : [mark, " ", value]));
-      if (last) node.colSpan = last;
       return { value, node };
     };
     this.rows = rowsOf(scene, snapshot).map((row) => {
       const pick = element("button", { type: "button", class: "quiet name", text: row.name,
                                        title: `plot ${row.plot.join(", ")}` });
       pick.addEventListener("click", () => this.onPick(row.plot));
-      const count = row.labels.length;
-      const cells = row.labels.map((label, i) =>
-        cell(i + 1 === count ? widest - count + 1 : 0, label, row.unit === ""));
+      const cells = row.labels.map((label) => cell(label, row.unit === ""));
+      const rest = Array.from({ length: widest - cells.length }, () => element("td"));
       const node = element("tr", {}, element("th", { scope: "row" }, pick),
-                           ...cells.map((one) => one.node),
+                           ...cells.map((one) => one.node), ...rest,
                            element("td", { class: "muted", text: row.unit }));
       return { ...row, cells, node };
     });
