@@ -7,6 +7,7 @@
 
 #include "base/errors.h"
 #include "client/client.h"
+#include "viewer/screen_text.h"
 
 namespace understudy::viewer {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::chrono::milliseconds kAnswerPatience{5'000};
-constexpr std::chrono::seconds kServicePeriod{1};
+constexpr std::chrono::seconds kStatusPeriod{1};
 
 }  // namespace
 
@@ -38,9 +39,9 @@ std::string RequestSender::TakeRefusal() {
   return std::exchange(refusal_, {});
 }
 
-std::string RequestSender::service() const {
+std::string RequestSender::motors() const {
   const std::lock_guard lock(mutex_);
-  return service_;
+  return motors_;
 }
 
 void RequestSender::Run(const std::stop_token& stop, const std::filesystem::path& socket) {
@@ -51,7 +52,7 @@ void RequestSender::Run(const std::stop_token& stop, const std::filesystem::path
       std::unique_lock lock(mutex_);
       if (!waiting_.empty()) refusal_ = error.what();
       waiting_.clear();
-      news_.wait_for(lock, stop, kServicePeriod, [] { return false; });  // then once more
+      news_.wait_for(lock, stop, kStatusPeriod, [] { return false; });  // then once more
     }
   }
 }
@@ -78,20 +79,17 @@ void RequestSender::Serve(const std::stop_token& stop, const std::filesystem::pa
       }
     }
     if (std::chrono::steady_clock::now() >= ask_at) {
-      AskService(socket);
-      ask_at = std::chrono::steady_clock::now() + kServicePeriod;
+      AskStatus(socket);
+      ask_at = std::chrono::steady_clock::now() + kStatusPeriod;
     }
   }
 }
 
-void RequestSender::AskService(const std::filesystem::path& socket) {
+void RequestSender::AskStatus(const std::filesystem::path& socket) {
   const json status =
       json::parse(client::Call(socket, "GET", "/status", "", kAnswerPatience).body, nullptr, false);
-  const json motion = status.is_object() ? status.value("motion", json()) : json();
-  const json service = motion.is_object() ? motion.value("service", json()) : json();
-  if (!service.is_string()) return;
   const std::lock_guard lock(mutex_);
-  service_ = service;
+  motors_ = MotorsText(status);
 }
 
 }  // namespace understudy::viewer

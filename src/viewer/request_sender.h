@@ -22,8 +22,8 @@ class RequestSender {
 
   // Returns the last refusal since the last call, "" for none.
   std::string TakeRefusal();
-  // Returns the motion service that is on, as of the last second; "" before it is known.
-  std::string service() const;
+  // Returns who moves the motors, as of the last second; "" before it is known.
+  std::string motors() const;
 
  private:
   struct Request {
@@ -33,13 +33,13 @@ class RequestSender {
 
   void Run(const std::stop_token& stop, const std::filesystem::path& socket);
   void Serve(const std::stop_token& stop, const std::filesystem::path& socket);
-  void AskService(const std::filesystem::path& socket);
+  void AskStatus(const std::filesystem::path& socket);
 
   mutable std::mutex mutex_;
   std::condition_variable_any news_;
   std::deque<Request> waiting_;
   std::string refusal_;
-  std::string service_;
+  std::string motors_;
   std::jthread thread_;  // last: it uses all of the above
 };
 

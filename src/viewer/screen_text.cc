@@ -2,6 +2,8 @@
 
 #include <cstdio>
 
+#include <nlohmann/json.hpp>
+
 namespace understudy::viewer {
 namespace {
 
@@ -36,13 +38,25 @@ double RealTimeFactor::value() const {
   return wall > 0 ? (last_.back().first - last_.front().first) / wall : 0;
 }
 
-TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& service) {
+std::string MotorsText(const nlohmann::json& status) {
+  using Place = nlohmann::json::json_pointer;
+  const Place service("/motion/service"), name("/motion/name"), id("/motion/state");
+  const bool tells = status.contains(service) && status.contains(name) && status.contains(id) &&
+                     status[service].is_string() && status[name].is_string() &&
+                     status[id].is_number_integer();
+  if (!tells) return {};
+  if (status[service] == "") return "free for rt/lowcmd";
+  return status[service].get<std::string>() + ", " + status[name].get<std::string>() + " (" +
+         std::to_string(status[id].get<int>()) + ")";
+}
+
+TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& motors) {
   TextBlock text;
   text.Add("time", Number("%.2f s", state.time) + (state.paused ? "  PAUSED" : ""));
   text.Add("speed",
            (state.speed > 0 ? Number("%.4g", state.speed) : std::string("as fast as possible")) +
                Number("  (%.2f x real time)", real_time_factor));
-  if (!service.empty()) text.Add("motors", service == "none" ? "free for rt/lowcmd" : service);
+  if (!motors.empty()) text.Add("motors", motors);
   if (!state.keys.empty()) text.Add("remote", state.keys);
   return text;
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <utility>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "viewer/scene_state.h"
 
 namespace understudy::viewer {
@@ -25,8 +27,12 @@ class RealTimeFactor {
   std::deque<std::pair<double, double>> last_;  // simulated, wall
 };
 
-// Formats time, speed and the motion service. `service` is "" if unknown.
-TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& service);
+// Says who moves the motors, from a status of the control plane: "mcf, lying (1004)"; "" if it does
+// not tell.
+std::string MotorsText(const nlohmann::json& status);
+
+// Formats time, speed and who moves the motors, "" if unknown.
+TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& motors);
 
 // Lists the functions of keys and mouse.
 TextBlock HelpText();

@@ -231,7 +231,7 @@ void Viewer::DrawGrip() {
 }
 
 void Viewer::DrawText(const mjrRect& whole) {
-  const TextBlock status = StatusText(stage_.state(), real_time_.value(), requests_.service());
+  const TextBlock status = StatusText(stage_.state(), real_time_.value(), requests_.motors());
   mjr_overlay(mjFONT_NORMAL, mjGRID_TOPLEFT, whole, status.left.c_str(), status.right.c_str(),
               &context_);
   if (playing_remote_) {

@@ -10,8 +10,6 @@ from robots import understudy as run
 
 ROOT = pathlib.Path(__file__).parents[2]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").glob("*.md"))]
-COMMANDS = ["run", "exec", "ctl", "terrain", "rehearse", "judge", "view", "picture", "film", "remote", "play", "plot",
-            "recording", "robots", "check", "version", "services", "faults", "requests", "completions"]
 PLACEHOLDER = re.compile(r"\b[A-Z]{3,}\b|…|\.\.\.|[<\[]")
 OPERATORS = {";", "|", "||", "&", "&&", ">", ">>", "<", "(", ")"}
 USAGE = 2  # the exit code for a command line that is none
@@ -32,6 +30,10 @@ def commands_of(line):
         else:
             command.append(word)
     return found
+
+
+def commands():
+    return run("complete", "--", "").stdout.split()
 
 
 def lines_of_page(page):
@@ -56,13 +58,13 @@ def verbs():
         children = [child for child in children if run("ctl", *path[1:], child, "--help").returncode == 0]
         return [path] + [verb for child in children for verb in below(*path, child)]
 
-    return [verb for command in COMMANDS for verb in below(command)]
+    return [verb for command in commands() for verb in below(command)]
 
 
 def check_names(words):
     """The program has the command and each option; gives the words before `--`."""
     ours = words[:words.index("--")] if "--" in words else words
-    assert words[0] in COMMANDS + ["--version", "help"], words
+    assert words[0] in commands() + ["--version", "help"], words
     for i, word in enumerate(ours):
         if word.startswith("--"):
             name = word.split("=")[0]

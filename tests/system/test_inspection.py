@@ -292,7 +292,7 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy rehearse sta", ["stand_up"]),
     ("understudy ctl remote press L2+S", ["L2+SELECT", "L2+START"]),
     ("understudy ctl speed m", ["max"]),
-    ("understudy com", ["completions"]),
+    ("understudy com", ["compare", "completions"]),
     ("understudy ctl status --w", ["--watch"]),
     ("understudy ctl reset st", ["standing"]),
     ("understudy ctl re", ["remote", "reset", "resume"]),

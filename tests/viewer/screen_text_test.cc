@@ -1,5 +1,7 @@
 #include "viewer/screen_text.h"
 
+#include <nlohmann/json.hpp>
+
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 
@@ -16,6 +18,19 @@ TEST(ScreenTextTest, SaysTimeSpeedAndWhoHoldsTheMotors) {
   const TextBlock text = StatusText(state, 0.499, "mcf");
   EXPECT_EQ(text.left, "time\nspeed\nmotors");
   EXPECT_EQ(text.right, "12.35 s\n0.5  (0.50 x real time)\nmcf");
+}
+
+TEST(ScreenTextTest, NamesTheStateOfTheServiceThatMovesTheMotors) {
+  const auto said = [](const char* motion) {
+    return MotorsText(nlohmann::json::parse(motion, nullptr, false));
+  };
+  EXPECT_EQ(said(R"({"motion": {"service": "mcf", "state": 1004, "name": "lying"}})"),
+            "mcf, lying (1004)");
+  EXPECT_EQ(said(R"({"motion": {"service": "", "state": 0, "name": ""}})"), "free for rt/lowcmd");
+  for (const char* untold : {"", "7", "{}", R"({"motion": 7})", R"({"motion": {"service": "mcf"}})",
+                             R"({"motion": {"service": 7, "state": 1004, "name": "lying"}})"}) {
+    EXPECT_EQ(said(untold), "") << untold;
+  }
 }
 
 TEST(ScreenTextTest, SaysThatItIsPaused) {
