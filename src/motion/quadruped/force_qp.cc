@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <utility>
 
@@ -149,18 +150,26 @@ PerLeg ShareForces(const ForceTask& task) {
   Square H = AtS * A;
   H.diagonal().array() += kEffort + kChange;
   DualActiveSet solver(H, AtS * b + kChange * last);
-  std::array<Limit, 24> limits;
+  // The sides of the friction cone, cut to a regular octagon: a square one would be steeper by two
+  // fifths at its edges than on its sides, and feet slip where they are pushed aslant.
+  constexpr double kAslant = std::numbers::sqrt2 / 2;
+  using Sides = std::array<Vector3d, 8>;
+  static const Sides kSides{Vector3d(1, 0, 0),  Vector3d(kAslant, kAslant, 0),
+                            Vector3d(0, 1, 0),  Vector3d(-kAslant, kAslant, 0),
+                            Vector3d(-1, 0, 0), Vector3d(-kAslant, -kAslant, 0),
+                            Vector3d(0, -1, 0), Vector3d(kAslant, -kAslant, 0)};
+  constexpr auto kLimits = static_cast<Eigen::Index>(std::tuple_size_v<Sides>) + 2;
+  std::array<Limit, 4 * kLimits> limits;
   for (Eigen::Index i = 0; i < feet; ++i) {
     const std::size_t leg = legs[static_cast<std::size_t>(i)];
-    Limit* at = &limits[static_cast<std::size_t>(6 * i)];
-    for (const auto& [x, y] :
-         {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)}) {
-      *at++ = {3 * i, Vector3d(x, y, task.friction), 0};
+    Limit* at = &limits[static_cast<std::size_t>(kLimits * i)];
+    for (const Vector3d& side : kSides) {
+      *at++ = {3 * i, side + task.friction * Vector3d::UnitZ(), 0};
     }
     *at++ = {3 * i, Vector3d::UnitZ(), task.least[leg] / task.weight};
     *at = {3 * i, -Vector3d::UnitZ(), -task.most[leg] / task.weight};
   }
-  const Forces x = solver.Solve(std::span(limits).first(static_cast<std::size_t>(6 * feet)));
+  const Forces x = solver.Solve(std::span(limits).first(static_cast<std::size_t>(kLimits * feet)));
   for (Eigen::Index i = 0; i < feet; ++i) {
     forces[legs[static_cast<std::size_t>(i)]] = task.weight * x.segment<3>(3 * i);
   }

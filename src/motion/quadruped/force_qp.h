@@ -22,12 +22,12 @@ struct ForceTask {
   PerLeg last{};                    // the forces of the step before: changes are kept small
 };
 
-// The forces [N] of the feet within their friction pyramids that do the task best, in weighted
-// least squares: orientation before height before the rest, small forces and small changes before
-// large ones. Weights: BalanceCtrl.cpp of github.com/unitreerobotics/unitree_guide (BSD-3), made
-// independent of the robot's size. Solved by the dual active-set method of Goldfarb and Idnani, A
-// numerically stable dual method for solving strictly convex quadratic programs, Mathematical
-// Programming 27 (1983). Allocates nothing.
+// The forces [N] of the feet within their friction cones, cut to octagons, that do the task best,
+// in weighted least squares: orientation before height before the rest, small forces and small
+// changes before large ones. Weights: BalanceCtrl.cpp of github.com/unitreerobotics/unitree_guide
+// (BSD-3), made independent of the robot's size. Solved by the dual active-set method of Goldfarb
+// and Idnani, A numerically stable dual method for solving strictly convex quadratic programs,
+// Mathematical Programming 27 (1983). Allocates nothing.
 PerLeg ShareForces(const ForceTask& task);
 
 }  // namespace understudy::motion

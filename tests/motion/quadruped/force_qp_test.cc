@@ -1,5 +1,6 @@
 #include "motion/quadruped/force_qp.h"
 
+#include <cmath>
 #include <random>
 
 #include <gtest/gtest.h>
@@ -81,8 +82,10 @@ TEST(ShareForcesTest, KeepsWithinFrictionAndLimitsWhateverIsAsked) {
       if (task.most[leg] == 0) continue;
       EXPECT_GE(forces[leg].z(), task.least[leg] - 1e-4);
       EXPECT_LE(forces[leg].z(), task.most[leg] + 1e-4);
-      EXPECT_LE(std::abs(forces[leg].x()), task.friction * forces[leg].z() + 1e-4);
-      EXPECT_LE(std::abs(forces[leg].y()), task.friction * forces[leg].z() + 1e-4);
+      for (int way = 0; way < 8; ++way) {
+        const Vector3d side(std::cos(way * M_PI / 4), std::sin(way * M_PI / 4), 0);
+        EXPECT_LE(side.dot(forces[leg]), task.friction * forces[leg].z() + 1e-4) << way;
+      }
     }
   }
 }
