@@ -247,11 +247,12 @@ void QuadrupedMotion::Move(double dt) {
   const bool steps = !rolls || (state_ == kWalking && rolls_for_ < kStepsOn);
   trot_.KeepStepping(stepping);
   trot_.Ask(steps ? taken : Vector3d::Zero());
+  trot_.Hurry(!steps && !taken.isZero(0));
   drive_.Ask(steps ? Vector3d::Zero() : taken);
   if (state_ == kWalking && !taken.isZero(0)) stand_ = kStanding;
   if (Topples()) {
     Enter(kWalking);
-  } else if (kStands.Has(state_) && stance_.over() && (stepping || !taken.isZero(0))) {
+  } else if (kStands.Has(state_) && (stance_.over() || !steps) && (stepping || !taken.isZero(0))) {
     Enter(steps ? kWalking : kDriving);
   }
 }

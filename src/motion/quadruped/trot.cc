@@ -22,6 +22,7 @@ using Eigen::Vector3d;
 // pendulum, so that robots of any size move alike.
 constexpr double kWait = 0.1;         // s that all feet stand before the first lifts
 constexpr double kIdle = 0.6;         // s it steps on the spot before it stands
+constexpr double kIdleHurried = 0.2;  // s, likewise, when it is to go on on wheels
 constexpr double kIdleSpeed = 0.1;    // m/s, most to stand from
 constexpr double kAhead = 0.1;        // m, most that the wanted way is ahead of the body (MIT)
 constexpr double kYawAhead = 0.2;     // rad, likewise
@@ -133,7 +134,8 @@ void Trot::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
   wish_.Step(dt);
   See(sensed);
   Plan(dt);
-  clock_.Advance(dt, WantedGait(), idle_ > kIdle && Level(v_com_).norm() < kIdleSpeed);
+  const bool idle = idle_ > (hurries_ ? kIdleHurried : kIdle);
+  clock_.Advance(dt, WantedGait(), idle && Level(v_com_).norm() < kIdleSpeed);
   Watch(sensed);
   PerLeg stood;
   for (std::size_t leg = 0; leg < 4; ++leg) stood[leg] = feet_[leg].on;

@@ -38,6 +38,11 @@ class Trot final : public Behaviour {
   Eigen::Vector3d Taken(const Eigen::Vector3d& velocity) const { return wish_.Taken(velocity); }
   // How the body is carried: height of the base over the ground [m], roll and pitch [rad].
   void Carry(double height, const Eigen::Vector3d& rpy);
+  // Whether it is to come to rest soon, to go on on wheels.
+  void Hurry(bool on) {
+    hurries_ = on;
+    wish_.Hurry(on);
+  }
   // Whether it steps on the spot where it would stand.
   void KeepStepping(bool on) { keeps_stepping_ = on; }
 
@@ -91,6 +96,7 @@ class Trot final : public Behaviour {
   double idle_ = 0;      // s without a wish
   bool begins_ = false;  // no foot has lifted yet
   bool keeps_stepping_ = false;
+  bool hurries_ = false;
 };
 
 }  // namespace understudy::motion

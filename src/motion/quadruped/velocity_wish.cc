@@ -28,9 +28,10 @@ void VelocityWish::Step(double dt) {
   delayed_[next_] = wish_;
   const Vector3d& due = delayed_[(next_ + kDelayed - std::min(late, kDelayed - 1)) % kDelayed];
   next_ = (next_ + 1) % kDelayed;
-  acceleration_ =
-      (spec_.gain.cwiseProduct(due) - velocity_).cwiseQuotient(spec_.time_constant.cwiseMax(dt));
-  acceleration_ = acceleration_.cwiseMax(-hurry_).cwiseMin(hurry_);
+  constexpr double kHurried = 0.4;  // of the time constant, assumed
+  const Vector3d lag = (hurries_ ? kHurried : 1) * spec_.time_constant;
+  acceleration_ = (spec_.gain.cwiseProduct(due) - velocity_).cwiseQuotient(lag.cwiseMax(dt));
+  acceleration_ = acceleration_.cwiseMax(-most_).cwiseMin(most_);
   velocity_ += dt * acceleration_;
 }
 

@@ -16,14 +16,16 @@ namespace understudy::motion {
 // rad/s. Allocates nothing.
 class VelocityWish {
  public:
-  // `hurry` is the most acceleration, m/s² and rad/s².
-  explicit VelocityWish(const robot::WalkSpec& spec, double hurry = 1e3)
-      : spec_(spec), hurry_(hurry) {}
+  // `most` is the most acceleration, m/s² and rad/s².
+  explicit VelocityWish(const robot::WalkSpec& spec, double most = 1e3)
+      : spec_(spec), most_(most) {}
 
   // Nothing is asked for, the gait has that velocity.
   void Begin(const Eigen::Vector3d& velocity = {0, 0, 0});
   void Ask(const Eigen::Vector3d& wish) { wish_ = Taken(wish); }
   void Step(double dt);
+  // Whether it follows with less lag.
+  void Hurry(bool on) { hurries_ = on; }
 
   // What the gait would take of that wish; nothing where it is not worth a step.
   Eigen::Vector3d Taken(const Eigen::Vector3d& wish) const;
@@ -37,7 +39,8 @@ class VelocityWish {
   static constexpr std::size_t kDelayed = 256;
 
   const robot::WalkSpec& spec_;
-  double hurry_;
+  double most_;
+  bool hurries_ = false;
   Eigen::Vector3d wish_{0, 0, 0};
   std::array<Eigen::Vector3d, kDelayed> delayed_;  // a ring of wishes, one a step
   std::size_t next_ = 0;

@@ -169,6 +169,14 @@ TEST_F(VelocityWishTest, WhatMovesWhenItBeginsComesToRestFromThere) {
   EXPECT_NEAR(After(4).x(), 0, 1e-3);
 }
 
+TEST_F(VelocityWishTest, ComesToRestSoonerInAHurry) {
+  wish.Begin({1, 0, 0});
+  wish.Hurry(true);
+  EXPECT_NEAR(After(0.4).x(), std::exp(-1 / 0.4), 0.003);
+  wish.Hurry(false);
+  EXPECT_NEAR(After(0.4).x(), std::exp(-1 / 0.4 - 1), 0.003);
+}
+
 TEST_F(VelocityWishTest, DoesNotOvershootInStepsLongerThanItsTimeConstant) {
   wish.Ask({0.5, 0, 0});
   for (int i = 0; i < 5; ++i) {

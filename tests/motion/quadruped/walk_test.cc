@@ -34,14 +34,17 @@ std::filesystem::path SlopeIn(test::TemporaryFolder& folder, double x, double y)
                           " 1'/></worldbody></mujoco>");
 }
 
-class WalkTest : public testing::TestWithParam<std::string> {
+// Legged and wheeled.
+class MoveTest : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override { rig_.BalanceStand(); }
   const robot::WalkSpec& walk() const { return rig_.spec().motion.quadruped.walk; }
   double mass() { return rig_.world().robot().weight() / 9.81; }
 
-  // Within a tenth of what is wanted, or 0.03 of m/s or rad/s.
+  // From rest, two seconds later: within a tenth of what is wanted, or 0.03 of m/s or rad/s.
   void ExpectFollows(const Vector3d& wish) {
+    rig_.Ask(goal::StopMove{});
+    ASSERT_TRUE(rig_.ComesToRest(6));
     rig_.Walk(wish, 2);
     const Vector3d speed = rig_.Speed(wish, 3);
     for (int i = 0; i < 3; ++i) {
@@ -55,7 +58,7 @@ class WalkTest : public testing::TestWithParam<std::string> {
   WalkingRig rig_{GetParam()};
 };
 
-TEST_P(WalkTest, FollowsWhatMoveAsksFor) {
+TEST_P(MoveTest, FollowsWhatMoveAsksFor) {
   for (const Vector3d& wish : {Vector3d(0.3, 0, 0), Vector3d(1, 0, 0), Vector3d(-0.5, 0, 0),
                                Vector3d(0, 0.3, 0), Vector3d(0, -0.3, 0), Vector3d(0, 0, 0.8),
                                Vector3d(0, 0, -0.8), Vector3d(0.5, 0.15, 0.5)}) {
@@ -63,27 +66,14 @@ TEST_P(WalkTest, FollowsWhatMoveAsksFor) {
   }
 }
 
-TEST_P(WalkTest, IsAsFastAsItsFiguresSay) {
+TEST_P(MoveTest, IsAsFastAsItsFiguresSay) {
   for (int axis = 0; axis < 3; ++axis) {
     ExpectFollows(walk().most_speed[axis] * Vector3d::Unit(axis));
     ExpectFollows(walk().least_speed[axis] * Vector3d::Unit(axis));
   }
 }
 
-TEST_P(WalkTest, GoesNoFasterThanItsFiguresSay) {
-  rig_.Walk({100, 0, 0}, 3);
-  EXPECT_LT(rig_.Speed({100, 0, 0}, 1).x(), 1.1 * walk().most_speed.x());
-}
-
-TEST_P(WalkTest, MarchesAMinute) {
-  const Vector3d slow(0.5 * walk().most_speed.x() / 10 + walk().dead_band.x(), 0, 0);
-  rig_.Walk(slow, 60);
-  EXPECT_EQ(rig_.state().id, kWalking);
-  EXPECT_LT(rig_.tilt(), 0.1);
-  EXPECT_LT(std::abs(rig_.world().robot().base().p_WB.y()), 0.5);
-}
-
-TEST_P(WalkTest, StartsAndStopsWithoutATwitch) {
+TEST_P(MoveTest, StartsAndStopsWithoutATwitch) {
   rig_.Run(1);
   const double stand = rig_.height();
   double low = stand, high = stand, tilt = 0;
@@ -101,6 +91,24 @@ TEST_P(WalkTest, StartsAndStopsWithoutATwitch) {
   EXPECT_LT(rig_.fastest(), 0.1) << "an idle robot stands still";
   EXPECT_LT(high - low, 0.04 * stand);
   EXPECT_LT(tilt, 0.08);
+}
+
+INSTANTIATE_TEST_SUITE_P(Robots, MoveTest, testing::ValuesIn(test::Quadrupeds()),
+                         [](const auto& test) { return test.param; });
+
+class WalkTest : public MoveTest {};
+
+TEST_P(WalkTest, GoesNoFasterThanItsFiguresSay) {
+  rig_.Walk({100, 0, 0}, 3);
+  EXPECT_LT(rig_.Speed({100, 0, 0}, 1).x(), 1.1 * walk().most_speed.x());
+}
+
+TEST_P(WalkTest, MarchesAMinute) {
+  const Vector3d slow(0.5 * walk().most_speed.x() / 10 + walk().dead_band.x(), 0, 0);
+  rig_.Walk(slow, 60);
+  EXPECT_EQ(rig_.state().id, kWalking);
+  EXPECT_LT(rig_.tilt(), 0.1);
+  EXPECT_LT(std::abs(rig_.world().robot().base().p_WB.y()), 0.5);
 }
 
 TEST_P(WalkTest, EndsAMoveThatIsNotRenewed) {
@@ -258,11 +266,7 @@ TEST(Go2WalkTest, AnswersAStepAsARealOneDoes) {
   EXPECT_NEAR(dead, 0.065, 0.15 * 0.065);
 }
 
-class DriveTest : public testing::TestWithParam<std::string> {
- protected:
-  void SetUp() override { rig_.BalanceStand(); }
-  WalkingRig rig_{GetParam()};
-};
+class DriveTest : public MoveTest {};
 
 TEST_P(DriveTest, RollsAheadAndBackAndThroughBends) {
   for (const Vector3d& wish :
@@ -295,8 +299,7 @@ TEST_P(DriveTest, StepsWhenItIsPushedAsideAndDrivesOn) {
   for (const double way : {1.0, -1.0}) {
     rig_.Walk({0.8, 0, 0}, 4);
     const double wheels_at = rig_.rpy().z();
-    const double mass = rig_.world().robot().weight() / 9.81;
-    rig_.Push(way * 6 * mass * Vector3d(-std::sin(wheels_at), std::cos(wheels_at), 0), 0.1);
+    rig_.Push(way * 6 * mass() * Vector3d(-std::sin(wheels_at), std::cos(wheels_at), 0), 0.1);
     rig_.Walk({0.8, 0, 0}, 8);
     EXPECT_EQ(rig_.state().id, kWalking);
     EXPECT_LT(rig_.tilt(), 0.1);
@@ -304,11 +307,24 @@ TEST_P(DriveTest, StepsWhenItIsPushedAsideAndDrivesOn) {
   }
 }
 
+TEST_P(DriveTest, RollsAgainFiveSecondsAfterItSteppedAside) {
+  rig_.Walk({0, 0.3, 0}, 3);
+  rig_.Walk({1, 0, 0}, 5);
+  double bent = 0;
+  rig_.watch = [&] {
+    for (std::size_t leg = 0; leg < 4; ++leg) {
+      const double off = rig_.world().robot().q()[3 * leg + 1] - rig_.spec().standing.q[1];
+      bent = std::max(bent, std::abs(off));
+    }
+  };
+  EXPECT_NEAR(rig_.Speed({1, 0, 0}, 2).x(), 1, 0.25);
+  EXPECT_LT(bent, 0.4) << "legs stand, they do not step";
+}
+
 TEST_P(DriveTest, StepsWhenItIsPushedAtRestAndThenStandsAgain) {
   for (int side = 0; side < 8; ++side) {
     const double way = side * M_PI / 4 + rig_.rpy().z();
-    rig_.Push(6 * rig_.world().robot().weight() / 9.81 * Vector3d(std::cos(way), std::sin(way), 0),
-              0.1);
+    rig_.Push(6 * mass() * Vector3d(std::cos(way), std::sin(way), 0), 0.1);
     ASSERT_TRUE(rig_.ComesToRest(6)) << "0.6 N·s/kg from side " << side;
     ASSERT_EQ(rig_.state().id, kBalance) << "0.6 N·s/kg from side " << side;
   }
