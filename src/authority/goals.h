@@ -76,7 +76,8 @@ enum class GestureName : std::uint8_t {
   kDance1,
   kDance2,
   kScrape,
-  kHeart
+  kHeart,
+  kWiggleHips
 };
 struct Gesture {
   GestureName name = GestureName::kHello;
@@ -103,6 +104,11 @@ struct SpeedLevel {
     return {static_cast<int>(std::clamp(x[0], -1.0, 1.0))};
   }
   bool operator==(const SpeedLevel&) const = default;
+};
+struct FootRaise {
+  double over = 0;  // m higher than its gait lifts a swinging foot
+  static FootRaise From(const Numbers& x) { return {x[0]}; }
+  bool operator==(const FootRaise&) const = default;
 };
 struct KeepStepping {
   bool on = false;  // steps on the spot where it would stand
@@ -159,10 +165,10 @@ using MotionGoal =
     std::variant<goal::Damp, goal::ZeroTorque, goal::StandUp, goal::StandDown, goal::BalanceStand,
                  goal::RecoveryStand, goal::Sit, goal::RiseSit, goal::Gesture, goal::Pose,
                  goal::EndPose, goal::Euler, goal::BodyHeight, goal::BodyPosition, goal::StopMove,
-                 goal::AutoRecovery, goal::Move, goal::Gait, goal::SpeedLevel, goal::KeepStepping,
-                 goal::LastingMoves, goal::GoTo, goal::FollowPath, goal::ResetEstimator,
-                 goal::SetFsm, goal::SetBalanceMode, goal::SetStandHeight, goal::ArmAction,
-                 goal::StopArmAction>;
+                 goal::AutoRecovery, goal::Move, goal::Gait, goal::SpeedLevel, goal::FootRaise,
+                 goal::KeepStepping, goal::LastingMoves, goal::GoTo, goal::FollowPath,
+                 goal::ResetEstimator, goal::SetFsm, goal::SetBalanceMode, goal::SetStandHeight,
+                 goal::ArmAction, goal::StopArmAction>;
 
 template <class Goal, class... Goals>
 constexpr std::size_t PlaceIn(const std::variant<Goals...>*) {

@@ -308,6 +308,12 @@ TEST(OldGo2SportTest, HasWhatFirmwareOneOneSixTookAway) {
   EXPECT_EQ(caller.Ask(1013, R"({"data":-9})").code, 0);
   EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::BodyHeight{-0.18}));
   EXPECT_EQ(caller.Ask(1024).data, R"({"data":-0.18})");
+  EXPECT_EQ(caller.Ask(1014, R"({"data":0.5})").code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::FootRaise{0.03}));
+  EXPECT_EQ(caller.Ask(1025).data, R"({"data":0.03})");
+  EXPECT_EQ(caller.Ask(1033).code, 0);
+  EXPECT_EQ(caller.robot.book.goals.back(),
+            MotionGoal(goal::Gesture{goal::GestureName::kWiggleHips}));
   EXPECT_EQ(caller.Ask(1021).code, 4205);
   EXPECT_EQ(caller.Ask(2045).code, 3203) << "FreeWalk came with 1.1.6";
 }

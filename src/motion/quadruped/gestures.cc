@@ -107,12 +107,21 @@ Frames Dance2() {
   return frames;
 }
 
+// Swings its rump from side to side over feet that stay.
+Frames WiggleHips() {
+  Frames frames;
+  for (const double side : {1.0, -1.0, 1.0, -1.0, 1.0, -1.0, 1.0, -1.0}) {
+    frames.push_back(Body(0.4, {0, -0.06 * side, -0.05}, {0.08 * side, 0.1, 0.25 * side}));
+  }
+  return frames;
+}
+
 }  // namespace
 
 std::span<const Keyframe> KeyframesOf(authority::goal::GestureName gesture) {
   // In the order of the enum.
   static const std::array kFrames{Hello(),  Stretch(), Content(), Dance1(),
-                                  Dance2(), Scrape(),  Heart()};
+                                  Dance2(), Scrape(),  Heart(),   WiggleHips()};
   return kFrames[static_cast<std::size_t>(gesture)];
 }
 

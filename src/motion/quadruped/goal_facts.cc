@@ -21,6 +21,7 @@ struct Soundness {
   bool operator()(const goal::Euler& g) const { return AreFinite({g.roll, g.pitch, g.yaw}); }
   bool operator()(const goal::Move& g) const { return AreFinite({g.vx, g.vy, g.yaw_rate}); }
   bool operator()(const goal::BodyHeight& g) const { return std::isfinite(g.height); }
+  bool operator()(const goal::FootRaise& g) const { return std::isfinite(g.over); }
   bool operator()(const goal::BodyPosition& g) const { return AreFinite({g.x, g.y, g.z, g.yaw}); }
   bool operator()(const goal::GoTo& g) const { return AreFinite({g.x, g.y, g.yaw}); }
   bool operator()(const goal::Gait& g) const { return g.name != goal::GaitName::kNone; }
@@ -44,6 +45,7 @@ bool NeedsCharge(const authority::MotionGoal& goal) {
          !std::holds_alternative<goal::RecoveryStand>(goal) &&
          !std::holds_alternative<goal::AutoRecovery>(goal) &&
          !std::holds_alternative<goal::SpeedLevel>(goal) &&
+         !std::holds_alternative<goal::FootRaise>(goal) &&
          !std::holds_alternative<goal::KeepStepping>(goal) &&
          !std::holds_alternative<goal::LastingMoves>(goal) &&
          !std::holds_alternative<goal::ResetEstimator>(goal);

@@ -25,8 +25,9 @@ constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
 constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
 constexpr double kStepsOn = 2.0;         // s it steps on where it could roll
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
-constexpr double kLyingRest = 5.0;  // s from lying down to damping: "after some seconds" on a B2
-constexpr double kLed = 1.2;        // s in which a stand has followed to where it was led
+constexpr double kLyingRest = 5.0;    // s from lying down to damping: "after some seconds" on a B2
+constexpr double kLeastRaise = 0.01;  // m a foot is lifted by, however low it is to be
+constexpr double kLed = 1.2;          // s in which a stand has followed to where it was led
 
 // Before it told its state's id a Go2 trotted; what robots do that never told it is a B2's word.
 authority::goal::GaitName DefaultGait(const robot::RobotSpec& spec) {
@@ -55,6 +56,7 @@ void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
   soc_ = input.soc;
   estimator_.Begin(reading_);
+  foot_raise_ = 0;
   Use(RowOf(DefaultGait(spec_)), 0);
   stepping_ = false;
   asked_.Last(false);
@@ -72,6 +74,7 @@ void QuadrupedMotion::Use(const GaitRow& gait, int level) {
   gait_ = &gait;
   level_ = level;
   figures_.walk = WalkIn(gait, level, spec_.motion.quadruped.walk);
+  figures_.walk.foot_raise = std::max(figures_.walk.foot_raise + foot_raise_, kLeastRaise);
 }
 
 authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal) {
@@ -277,6 +280,10 @@ void QuadrupedMotion::Keep(const authority::MotionGoal& goal) {
     Use(RowOf(back ? DefaultGait(spec_) : gait->name), level_);
   }
   if (const auto* speed = std::get_if<goal::SpeedLevel>(&goal)) Use(*gait_, speed->level);
+  if (const auto* raise = std::get_if<goal::FootRaise>(&goal)) {
+    foot_raise_ = raise->over;
+    Use(*gait_, level_);
+  }
   if (const auto* stepping = std::get_if<goal::KeepStepping>(&goal)) stepping_ = stepping->on;
   if (const auto* lasting = std::get_if<goal::LastingMoves>(&goal)) asked_.Last(lasting->on);
   if (std::holds_alternative<goal::ResetEstimator>(goal)) estimator_.Begin(reading_);

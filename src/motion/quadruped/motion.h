@@ -90,6 +90,7 @@ class QuadrupedMotion : public authority::Motion {
   double soc_ = 1;                  // charge, as of the last reading
   const GaitRow* gait_ = nullptr;
   int level_ = 0;          // of speed
+  double foot_raise_ = 0;  // m over the gait's
   bool stepping_ = false;  // on the spot where it would stand
   authority::goal::GestureName gesture_name_{};
   AskedWay asked_;

@@ -46,6 +46,7 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       {kGoal<goal::Damp>, kAny, kAlways, kTaken, kDamped},
       {kGoal<goal::AutoRecovery>, kAny, kAlways, kTaken},
       {kGoal<goal::SpeedLevel>, kAny, kAlways, kTaken},
+      {kGoal<goal::FootRaise>, kAny, kAlways, kTaken},
       {kGoal<goal::KeepStepping>, kAny, kAlways, kTaken},
       {kGoal<goal::LastingMoves>, kAny, kAlways, kTaken},
 

@@ -25,6 +25,7 @@ using authority::ToIf;
 
 constexpr std::int32_t kActionTimeout = 4201;
 constexpr std::int32_t kNotPlayed = 4205;
+constexpr std::int32_t kPostureUnfit = 4206;
 
 // Of the row SwitchJoystick.
 ServiceReply SwitchSticks(const ServiceCall& call) {
@@ -202,7 +203,6 @@ ServiceTable Go2SportTable(std::string_view title, const MoveLimits& limits) {
   constexpr std::string_view kPosture =
       "[sdk] go2/sport; [docs] 4206 when the posture does not allow it";
   constexpr std::string_view kApp = "[seen] the vendor's app, firmware 1.1.11";
-  constexpr std::int32_t kPostureUnfit = 4206;
   const auto gesture = [&](std::int64_t id, std::string_view name, authority::GoalMaker goal,
                            std::string_view does) {
     return ApiRow{.id = id,
@@ -300,7 +300,9 @@ ServiceTable OldGo2SportTable(const MoveLimits& limits) {
       NotPlayed(1012, "Trigger", kOld),
       Row(1013, "BodyHeight", {Clamped("data", -0.18, 0.03)},
           AskGoal{.goal = To<goal::BodyHeight>, .keep = "body_height"}, "m over 0.33", kRange),
-      NotPlayed(1014, "FootRaiseHeight", kRange, {Clamped("data", -0.06, 0.03)}),
+      Row(1014, "FootRaiseHeight", {Clamped("data", -0.06, 0.03)},
+          AskGoal{.goal = To<goal::FootRaise>, .keep = "foot_raise_height"},
+          "m over what the gait lifts feet by", kRange),
       {.id = 1018,
        .name = "TrajectoryFollow",
        .fields = {Path("", 30)},
@@ -312,9 +314,13 @@ ServiceTable OldGo2SportTable(const MoveLimits& limits) {
           "steps on the spot where it would stand", kOld),
       NotPlayed(1021, "Wallow", kOld),
       Row(1024, "GetBodyHeight", {}, GiveSetting{"body_height", "data"}, "what was set", kOld),
-      Row(1025, "GetFootRaiseHeight", {}, GiveSetting{"foot_raise_height", "data"},
-          "0: it cannot be set here", kOld),
-      NotPlayed(1033, "WiggleHips", kOld),
+      Row(1025, "GetFootRaiseHeight", {}, GiveSetting{"foot_raise_height", "data"}, "what was set",
+          kOld),
+      {.id = 1033,
+       .name = "WiggleHips",
+       .effect = AskGoal{.goal = To<kWiggleHips>, .not_now = kPostureUnfit},
+       .does = "swings its rump from side to side",
+       .source = kOld},
       Row(1034, "GetState", {}, Special{&GiveGo2State, true},
           "state, bodyHeight, speedLevel, gait, continuousGait, economicGait, each as text",
           "[sdk] go2/sport as of 2024; its form is assumed"),

@@ -256,12 +256,37 @@ TEST(GaitRowsTest, StandInTheOrderOfTheirNames) {
   EXPECT_EQ(GaitRows().size(), static_cast<std::size_t>(GaitName::kNone));
 }
 
+// Of the highest of its feet over the ground, m.
+double MostRaised(WalkingRig* rig) {
+  double most = 0;
+  rig->watch = [&] {
+    for (const Vector3d& foot : rig->state().feet) {
+      most = std::max(most, foot.z() + rig->state().body_height);
+    }
+  };
+  rig->Walk({0.3, 0, 0}, 2);
+  rig->watch = {};
+  return most;
+}
+
+TEST(Go2SportTest, LiftsItsFeetAsHighAsItIsTold) {
+  WalkingRig rig("go2");
+  rig.BalanceStand();
+  const double own = MostRaised(&rig);
+  ASSERT_EQ(rig.Ask(goal::FootRaise{0.03}), MotionVerdict::kTaken);
+  EXPECT_NEAR(MostRaised(&rig), own + 0.03, 0.01);
+  ASSERT_EQ(rig.Ask(goal::Gait{GaitName::kFree}), MotionVerdict::kTaken);
+  ASSERT_EQ(rig.Ask(goal::FootRaise{-0.04}), MotionVerdict::kTaken);
+  EXPECT_NEAR(MostRaised(&rig), own - 0.04, 0.01);
+  EXPECT_EQ(rig.Ask(goal::FootRaise{std::nan("")}), MotionVerdict::kUnknown);
+}
+
 class GesturesTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(GesturesTest, AllArePlayedAndEndStanding) {
-  for (const GestureName name :
-       {GestureName::kHello, GestureName::kStretch, GestureName::kContent, GestureName::kDance1,
-        GestureName::kDance2, GestureName::kScrape, GestureName::kHeart}) {
+  for (const GestureName name : {GestureName::kHello, GestureName::kStretch, GestureName::kContent,
+                                 GestureName::kDance1, GestureName::kDance2, GestureName::kScrape,
+                                 GestureName::kHeart, GestureName::kWiggleHips}) {
     const int number = static_cast<int>(name);
     WalkingRig rig(GetParam());
     rig.MotionRig::Start("standing");
