@@ -258,6 +258,7 @@ TEST(GaitRowsTest, StandInTheOrderOfTheirNames) {
 
 // Of the highest of its feet over the ground, m.
 double MostRaised(WalkingRig* rig) {
+  rig->Walk({0.3, 0, 0}, 1);  // the gait is taken over at a touchdown
   double most = 0;
   rig->watch = [&] {
     for (const Vector3d& foot : rig->state().feet) {
