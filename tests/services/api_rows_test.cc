@@ -61,6 +61,9 @@ double Largest(const authority::MotionGoal& goal) {
   if (const auto* body = std::get_if<authority::goal::BodyHeight>(&goal)) {
     return std::abs(body->height);
   }
+  if (const auto* raise = std::get_if<authority::goal::FootRaise>(&goal)) {
+    return std::abs(raise->over);
+  }
   if (const auto* stand = std::get_if<authority::goal::SetStandHeight>(&goal)) {
     return std::abs(stand->height);
   }
