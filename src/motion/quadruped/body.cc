@@ -48,6 +48,9 @@ QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const 
   const double yaw = std::atan2(R_WB(1, 0), R_WB(0, 0));
   reading.R_TB = Eigen::AngleAxisd(-yaw, Vector3d::UnitZ()).toRotationMatrix() * R_WB;
   reading.up = R_WB.row(2).transpose();
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
+    reading.soles[leg] = legs_[leg].Sole(reading.places[leg], reading.up);
+  }
   reading.w_WB_B = R_BI_ * input.imu.w_WI_I;
   reading.f_WI_B = R_BI_ * input.imu.f_WI_I;
   return reading;

@@ -16,13 +16,12 @@ constexpr double kRest = 0.05;          // m/s and rad/s
 
 }  // namespace
 
-Vector3d RollingVelocity(const QuadrupedReading& sensed, double radius) {
+Vector3d RollingVelocity(const QuadrupedReading& sensed) {
   Vector3d v(0, 0, 0);
-  for (const Vector3d& turn : sensed.turn) {
-    const Vector3d w_W = sensed.R_WB * (sensed.w_WB_B + turn);
-    v += w_W.cross(radius * Vector3d::UnitZ()) / 4;
+  for (std::size_t leg = 0; leg < sensed.turn.size(); ++leg) {
+    v += (sensed.w_WB_B + sensed.turn[leg]).cross(-sensed.soles[leg]) / 4;
   }
-  return v;
+  return sensed.R_WB * v;
 }
 
 void Drive::Begin() {

@@ -12,7 +12,7 @@
 namespace understudy::motion {
 
 // How fast the feet roll over the ground, by the rates of the legs and wheels: m/s, world.
-Eigen::Vector3d RollingVelocity(const QuadrupedReading& sensed, double radius);
+Eigen::Vector3d RollingVelocity(const QuadrupedReading& sensed);
 
 // The stance holds the body, the wheels run: straight ahead with the speed that is wanted, in a
 // turn faster on the outer side than on the inner one, as the tyres have to slip; what the

@@ -42,8 +42,7 @@ void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
   for (std::size_t leg = 0; leg < 4; ++leg) {
     const double share = reading.foot_force[leg] / weight;
     trust_[leg] = stands[leg] * std::clamp((share - kUnloaded) / (kLoaded - kUnloaded), 0.0, 1.0);
-    const Vector3d w_W = reading.R_WB * (reading.w_WB_B + reading.turn[leg]);
-    u_[leg] = w_W.cross(body_.radius() * Vector3d::UnitZ());
+    u_[leg] = reading.R_WB * (reading.w_WB_B + reading.turn[leg]).cross(-reading.soles[leg]);
   }
   Predict(reading, dt);
   for (std::size_t leg = 0; leg < 4; ++leg) {
@@ -93,9 +92,10 @@ void QuadrupedEstimator::Tell(const QuadrupedReading& reading, double dt) {
   }
   double depth = 0;
   for (std::size_t leg = 0; leg < 4; ++leg) {
-    depth -= trust_[leg] / trust * x_(static_cast<Eigen::Index>(leg + 1), 2);
+    const double sole = reading.up.dot(reading.soles[leg]);
+    depth -= trust_[leg] / trust * (x_(static_cast<Eigen::Index>(leg + 1), 2) + sole);
   }
-  height_ = depth + body_.radius() - p_BI_W.z();
+  height_ = depth - p_BI_W.z();
 }
 
 }  // namespace understudy::motion

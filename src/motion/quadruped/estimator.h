@@ -18,11 +18,11 @@ namespace understudy::motion {
 //
 //   v' = R f + g     d' = u - v     d = R (foot - unit)     v = u - R (w x (foot - unit) + J dq)
 //
-// u is the velocity of the centre of a foot or wheel that rolls on level ground. Form and order of
-// the noise: Bloesch et al., State Estimation for Legged Robots, Robotics: Science and Systems
-// 2012, and PositionVelocityEstimator.cpp of github.com/mit-biomimetics/Cheetah-Software (MIT
-// licence); ways to the feet in place of places in the world leave nothing that cannot be observed,
-// and no ground has to be flat. Allocates nothing.
+// u is the velocity of the centre of a foot or wheel that rolls on level ground, over its sole.
+// Form and order of the noise: Bloesch et al., State Estimation for Legged Robots, Robotics:
+// Science and Systems 2012, and PositionVelocityEstimator.cpp of
+// github.com/mit-biomimetics/Cheetah-Software (MIT licence); ways to the feet in place of places in
+// the world leave nothing that cannot be observed, and no ground has to be flat. Allocates nothing.
 class QuadrupedEstimator {
  public:
   // `body` must outlive it.

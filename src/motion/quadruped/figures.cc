@@ -162,6 +162,7 @@ LegFigures ReadLeg(const mjModel& model, const robot::RobotSpec& spec, std::size
   figures.foot =
       InAncestor(model, model.geom_bodyid[geom], bodies[2], Vector(model.geom_pos + 3 * geom));
   figures.radius = model.geom_size[3 * geom];
+  if (model.geom_type[geom] == mjGEOM_CYLINDER) figures.half_width = model.geom_size[3 * geom + 1];
   figures.links = {Lump(model, bodies[0], std::array{bodies[1]}),
                    Lump(model, bodies[1], std::array{bodies[2]}),
                    Lump(model, bodies[2], std::array<int, 0>{})};

@@ -38,6 +38,7 @@ struct LegFigures {
   Eigen::Vector3d calf{0, 0, 0};        // the calf's in the thigh
   Eigen::Vector3d foot{0, 0, 0};        // centre of the foot's ball or tyre in the calf
   double radius = 0;                    // m, of that ball or tyre
+  double half_width = 0;                // m, of a tyre, whose axis is the calf's y; a ball's is 0
   std::array<LinkMass, 3> links;        // hip, thigh, calf with all that hangs on it
   std::array<double, 3> low{}, high{};  // rad, range of the joints
   // Of motors and joints: kg·m², N·m·s/rad, N·m.

@@ -127,6 +127,15 @@ Vector3d QuadrupedLeg::HoldingTorque(const LegPlaces& places, const Vector3d& up
           swing.cross(on_calf - calf_mass * places.calf).dot(lift)};
 }
 
+Vector3d QuadrupedLeg::Sole(const LegPlaces& places, const Vector3d& up) const {
+  if (figures_.half_width == 0) return -figures_.radius * up;
+  constexpr double kFlat = 0.03;  // rad within which both edges of a tyre carry load; assumed
+  const Vector3d axis = places.R_hip.col(1);
+  const double lean = axis.dot(up);
+  const Vector3d down = (lean * axis - up).normalized();
+  return figures_.radius * down - figures_.half_width * std::clamp(lean / kFlat, -1.0, 1.0) * axis;
+}
+
 bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
   const Vector3d p = foot - figures_.hip;
   // Seen from the front: the foot is `side_` beside the hip's axis and `down` below it.

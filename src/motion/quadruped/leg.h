@@ -44,6 +44,10 @@ class QuadrupedLeg {
   Eigen::Vector3d HoldingTorque(const LegPlaces& places, const Eigen::Vector3d& up,
                                 double gravity) const;
 
+  // The way [m] from the foot's centre to where it touches ground that lies across `up`, a unit
+  // vector: straight down from a ball, to the edge that it leans on from a tyre.
+  Eigen::Vector3d Sole(const LegPlaces& places, const Eigen::Vector3d& up) const;
+
   // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
   // where it cannot get there, near `foot`. Returns whether it gets there.
   bool Reach(const Eigen::Vector3d& foot, Eigen::Vector3d* q) const;

@@ -228,7 +228,7 @@ void QuadrupedMotion::Enter(State state) {
 }
 
 Vector3d QuadrupedMotion::Rolling() const {
-  return state_ == kDriving ? RollingVelocity(reading_, body_.radius()) : Vector3d(0, 0, 0);
+  return state_ == kDriving ? RollingVelocity(reading_) : Vector3d(0, 0, 0);
 }
 
 bool QuadrupedMotion::Topples() const {

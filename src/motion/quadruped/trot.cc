@@ -223,8 +223,7 @@ void Trot::Push(const QuadrupedReading& sensed, LegCommand* legs) {
   task.moment = sensed.R_TB * body_.Inertia(sensed) * sensed.R_TB.transpose() * TurnRate(sensed);
   PerLeg contacts;  // from the centre of mass, T
   for (std::size_t leg = 0; leg < 4; ++leg) {
-    contacts[leg] =
-        sensed.R_TB * (sensed.feet[leg] - sensed.com) - body_.radius() * Vector3d::UnitZ();
+    contacts[leg] = sensed.R_TB * (sensed.feet[leg] + sensed.soles[leg] - sensed.com);
     task.arms[leg] = contacts[leg];
     task.most[leg] = Load(leg) * kMostForce * weight;
     task.least[leg] = Load(leg) * kLeastForce * weight;

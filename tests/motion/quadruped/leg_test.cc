@@ -1,6 +1,8 @@
 #include "motion/quadruped/leg.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -164,6 +166,33 @@ TEST_P(QuadrupedLegTest, CentreOfMassIsTheModels) {
   const int base = robot_.Body(config_.robot.base_body);
   const Vector3d com(world_.data().subtree_com + 3 * base);
   EXPECT_LT((reading.com + robot_.base().p_WB - com).norm(), 1e-6);
+}
+
+TEST_P(QuadrupedLegTest, TouchesTheGroundWhereItsFootIsLowest) {
+  const mjModel& model = world_.model();
+  const int geom = mj_name2id(&model, mjOBJ_GEOM, config_.robot.feet[0].geoms[0].c_str());
+  const bool tyre = model.geom_type[geom] == mjGEOM_CYLINDER;
+  const double radius = model.geom_size[3 * geom], half_width = model.geom_size[3 * geom + 1];
+  const Vector3d up = Vector3d(0.02, 0, 1).normalized();
+  for (const double hip : {-0.4, -0.1, 0.1, 0.4}) {
+    robot::PoseSpec pose = config_.robot.standing;
+    pose.q[0] = hip;
+    robot_.Reset(pose);
+    const Matrix3d R = Eigen::Map<const Eigen::Matrix<mjtNum, 3, 3, Eigen::RowMajor>>(
+        world_.data().geom_xmat + 9 * geom);
+    double lowest = tyre ? 0 : -radius;
+    for (int degree = 0; tyre && degree < 360; ++degree) {
+      for (const double side : {-half_width, half_width}) {
+        const double angle = degree * M_PI / 180;
+        const Vector3d rim(radius * std::cos(angle), radius * std::sin(angle), side);
+        lowest = std::min(lowest, up.dot(R * rim));
+      }
+    }
+    const QuadrupedLeg leg(figures_.legs[0]);
+    const Vector3d sole = leg.Sole(leg.Place({pose.q[0], pose.q[1], pose.q[2]}), up);
+    EXPECT_NEAR(up.dot(sole), lowest, 1e-4) << hip;
+    EXPECT_NEAR(sole.norm(), tyre ? std::hypot(radius, half_width) : radius, 1e-6) << hip;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, QuadrupedLegTest, testing::ValuesIn(test::Quadrupeds()),
