@@ -41,11 +41,12 @@ constexpr double kTilt = 14, kTiltRateGain = 7;       // of roll and pitch
 constexpr double kYaw = 3, kYawRate = 3;
 constexpr double kMostPushed = 4, kMostLifted = 5;  // m/s²
 constexpr double kMostTurn = 200;                   // rad/s²
-constexpr double kReach = 0.7;           // of the leg's length, most a foothold is off its rest
-constexpr double kBehind = 0.5;          // m a foothold is moved back per m that the body lags
-constexpr double kSink = 0.005;          // m a foot aims under the ground
-constexpr double kFriction = 0.9;        // part of the joints' friction that is given ahead
-constexpr double kMostRate = 20;         // rad/s
+constexpr double kReach = 0.7;     // of the leg's length, most a foothold is off its rest
+constexpr double kBehind = 0.5;    // m a foothold is moved back per m that the body lags
+constexpr double kSink = 0.005;    // m a foot aims under the ground
+constexpr double kBrake = 0.0375;  // s, kd over kp that the joints of standing feet brake with
+constexpr double kFriction = 0.9;  // part of the joints' friction that is given ahead
+constexpr double kMostRate = 20;   // rad/s
 constexpr double kMostRateChange = 500;  // rad/s²
 
 Vector3d Level(const Vector3d& v) { return {v.x(), v.y(), 0}; }
@@ -231,7 +232,11 @@ void Trot::Push(const QuadrupedReading& sensed, LegCommand* legs) {
   forces_ = ShareForces(task);
 
   const Matrix3d R_BT = sensed.R_TB.transpose();
-  Vector3d v = Level(wish_.velocity());
+  // Forces keep a body level that was pushed before they slow it down; the joints brake it at once,
+  // soft ones by being led the faster.
+  const double more = spec_.kd > 0 ? std::max(kBrake * spec_.kp / spec_.kd - 1, 0.0) : 0;
+  const Vector3d missing = Level(wish_.velocity()) - R_WT_.transpose() * Level(v_com_);
+  Vector3d v = Level(wish_.velocity()) + more * missing;
   v.z() = ground_.slope().dot(R_WT_ * v);
   const Vector3d w(0, 0, wish_.velocity().z());
   for (std::size_t leg = 0; leg < 4; ++leg) {
