@@ -1,12 +1,10 @@
 #include "commands/command_path.h"
 
-#include <ranges>
-
 namespace understudy::commands {
 
 const CLI::Option* FindOption(const CommandPath& path, const std::string& name) {
-  for (const CLI::App* app : std::views::reverse(path)) {
-    if (const CLI::Option* option = app->get_option_no_throw(name)) return option;
+  for (auto app = path.rbegin(); app != path.rend(); ++app) {
+    if (const CLI::Option* option = (*app)->get_option_no_throw(name)) return option;
   }
   return nullptr;
 }

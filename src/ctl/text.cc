@@ -123,7 +123,7 @@ std::string ServiceText(const ordered_json& motion) {
 }
 
 std::string FollowedText(const ordered_json& commands) {
-  const auto state = commands.at("state").get<std::string>();
+  auto state = commands.at("state").get<std::string>();
   if (state == "start") return "nobody yet: they hold the start pose or brake";
   if (state == "following") return "LowCmd";
   if (state == "damping") return "nobody: they brake until the next LowCmd";

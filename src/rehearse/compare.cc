@@ -137,7 +137,8 @@ Best Align(const std::vector<Pair>& angles, double step) {
     coarse.emplace_back(kept[kept.size() - 2], kept.back());
     fine.emplace_back(a->values, b->values);
   }
-  const auto least = static_cast<std::ptrdiff_t>(kLeastShare * static_cast<double>(shorter / by));
+  const auto least = static_cast<std::ptrdiff_t>(kLeastShare * static_cast<double>(shorter) /
+                                                 static_cast<double>(by));
   const auto of_first = static_cast<std::ptrdiff_t>(coarse.front().first.size());
   const auto of_second = static_cast<std::ptrdiff_t>(coarse.front().second.size());
   const Best rough(coarse, least - of_second, of_first - least);

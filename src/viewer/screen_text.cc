@@ -45,8 +45,9 @@ std::string MotorsText(const nlohmann::json& status) {
                      status[service].is_string() && status[name].is_string() &&
                      status[id].is_number_integer();
   if (!tells) return {};
-  if (status[service] == "") return "free for rt/lowcmd";
-  return status[service].get<std::string>() + ", " + status[name].get<std::string>() + " (" +
+  const auto alias = status[service].get<std::string>();
+  if (alias.empty()) return "free for rt/lowcmd";
+  return alias + ", " + status[name].get<std::string>() + " (" +
          std::to_string(status[id].get<int>()) + ")";
 }
 

@@ -168,6 +168,19 @@ def test_a_refused_command_is_an_event_with_its_reason(page):
         program.speak_until(lambda: page.evaluate(said), go_command())
 
 
+def test_the_damage_sheet_opens_under_the_motors_and_goes_on(page):
+    page.evaluate("document.getElementById('damage').open = true")
+    page.becomes("document.querySelectorAll('#damage-rows tr').length === 12")
+    note = "document.getElementById('damage-note').textContent"
+    cell = "document.querySelector('#damage-rows tr {}').textContent"
+
+    assert page.evaluate(cell.format("th")) == "FR_hip"
+    assert 20 <= float(page.evaluate(cell.format("td:nth-child(5)"))) <= 60  # °C
+    before = page.evaluate(note)
+    assert "0 falls" in before
+    page.becomes(f"{note} !== {before!r}")  # its energy
+
+
 def test_pause_stops_time_and_a_step_is_one_tick(page):
     page.click("#pause")
     page.becomes("panel.view.snapshot.paused && !document.getElementById('step').disabled")

@@ -1,6 +1,7 @@
 """Nothing stays in the temporary folder after the end of a command, whatever ends it."""
 
 import os
+import pathlib
 import signal
 import subprocess
 import time
@@ -65,21 +66,29 @@ def test_a_command_that_a_signal_ends_while_it_starts_leaves_nothing(play, tmp, 
     assert os.listdir(tmp) == []
 
 
-# In a /tmp and a /run of its own: other robots of this user may be in the machine's.
+# In a /tmp and a /run of its own: other robots of this user may be in the machine's. What is run stays where it is, even
+# in /tmp.
 ALONE = """
 set -e
+mount --rbind "$ROOT" /mnt
 mount -t tmpfs none /tmp
 mount -t tmpfs none /run
+if [[ $ROOT == /tmp/* ]]; then
+  mkdir -p "$ROOT"
+  mount --rbind /mnt "$ROOT"
+fi
 "$UNDERSTUDY" run go2 --duration 0.5 --log-level error &
 "$UNDERSTUDY" run go2 --domain 1 --duration 0.3 --log-level error
 wait $!
-find /tmp -mindepth 1
+find /tmp -mindepth 1 -name 'understudy-*' -not -path "$ROOT*"
 """
+ROOT = str(pathlib.Path(__file__).parents[2])
 
 
 def test_the_control_folder_in_tmp_goes_with_the_last_robot(monkeypatch):
     for name in ("UNDERSTUDY_RUNTIME_DIR", "XDG_RUNTIME_DIR"):
         monkeypatch.delenv(name, raising=False)
+    monkeypatch.setenv("ROOT", ROOT)
     done = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "bash", "-c", ALONE],
                           capture_output=True, text=True, timeout=60, check=False)
 

@@ -1,5 +1,6 @@
 // The panel: brings the robot's news to what shows them, and what a person does to the robot.
 import { Bar } from "./bar.js";
+import { DamageSheet } from "./damage.js";
 import { byId, focusWants, number, setText } from "./dom.js";
 import { DragTool } from "./drag.js";
 import { Events } from "./events.js";
@@ -55,6 +56,7 @@ const speed = () => bar.speed;
 const remote = new Remote(request, speed);
 const events = new Events();
 const table = new MotorTable(plotMotor);
+new DamageSheet(link);
 const sensors = new SensorTable((names) => plots.showFirst(names));
 const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
                           options: byId("signals"), seconds: byId("plots-seconds"),
