@@ -218,7 +218,7 @@ TEST(RequestTest, ReadsASpeed) {
   EXPECT_EQ(RequestOf("speed", {{"speed", 0.001}}).number("speed"), 0.001);
   EXPECT_EQ(RequestOf("speed", {{"speed", 1000}}).number("speed"), 1000);
   EXPECT_EQ(RequestOf("speed", {{"speed", "max"}}).number("speed"), 0);
-  EXPECT_EQ(ValuesOf(RequestOf("speed", {{"speed", "max"}})), nlohmann::json({{"speed", "max"}}));
+  EXPECT_EQ(ValuesOf(RequestOf("speed", {{"speed", "max"}})).dump(), R"({"speed":"max"})");
 }
 
 TEST(RequestTest, SpeedZeroIsNotAsFastAsPossible) {
