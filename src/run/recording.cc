@@ -119,7 +119,9 @@ Recording::Recording(const RecordingOptions& options, const bus::Participant& pa
 }
 
 Recording::~Recording() {
-  if (recorder_ != nullptr && world_.step() % sheet_every_ != 0) OfferDamage();
+  if (recorder_ == nullptr || sheet_step_ == world_.step()) return;
+  recorder_->CatchUp();  // there is room then: the last sheet has all of them in it
+  OfferDamage();
 }
 
 void Recording::OfferDamage() {
@@ -128,6 +130,7 @@ void Recording::OfferDamage() {
   moment->damage.step = world_.step();
   moment->damage.sheet = world_.robot().damage();
   recorder_->CommitDamage();
+  sheet_step_ = world_.step();
 }
 
 void Recording::Offer(const time::Pacer& pacer) {

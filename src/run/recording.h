@@ -45,9 +45,10 @@ class Recording {
   void OfferDamage();
 
   const emulator::World& world_;
-  std::int64_t every_;        // steps from one LowState to the next
-  std::int64_t sheet_every_;  // steps from one damage sheet to the next
-  bool heard_;                // by an audience
+  std::int64_t every_;           // steps from one LowState to the next
+  std::int64_t sheet_every_;     // steps from one damage sheet to the next
+  std::int64_t sheet_step_ = 0;  // of the last one
+  bool heard_;                   // by an audience
   std::unique_ptr<record::Recorder> recorder_;
 };
 

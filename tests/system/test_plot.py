@@ -86,3 +86,13 @@ def test_a_shift_that_leaves_nothing_in_common_is_refused(file):
 
     assert done.returncode == 9
     assert "less than a second in common" in done.stderr
+
+
+def test_the_damage_sheet_is_recorded_once_a_second_and_at_the_end(tmp_path):
+    for seconds, sheets in (("2", 2), ("1.5", 2)):
+        file = tmp_path / f"{seconds}.mcap"
+        assert understudy("run", "go2", "--record", file, "--duration", seconds, "--speed", "max",
+                          "--domain", 9).returncode == 0
+        channels = json.loads(understudy("recording", file, "--json").stdout)["channels"]
+        assert [channel["messages"] for channel in channels
+                if channel["topic"] == "understudy/damage"] == [sheets]
