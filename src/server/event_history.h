@@ -29,9 +29,9 @@ class EventHistory {
     if (events != nullptr) reader_.emplace(events);
   }
 
-  // Reads the events since the last call; `now` is wall time. In a burst each cause appears at most
-  // once a second.
-  void Update(std::chrono::nanoseconds now);
+  // Reads the events since the last call; `now` is wall time of the steady clock. In a burst each
+  // cause appears at most once a second.
+  void Update(std::chrono::nanoseconds now = std::chrono::steady_clock::now().time_since_epoch());
 
   const std::deque<KnownEvent>& newest() const { return newest_; }  // oldest first
   std::uint64_t next() const { return next_; }                      // the number of the next event

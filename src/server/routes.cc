@@ -83,6 +83,7 @@ Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
   return FromSnapshot{
       .parts = kMetricsParts,
       .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts, Plane& plane) {
+        plane.events.Update();
         return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(), snapshot,
                                              plane.events.counts()),
                          .type = kMetricsType};
@@ -116,8 +117,10 @@ Routed GetSnapshots(const HttpRequest& request, std::string_view, Plane&) {
   return WatchSnapshots{.parts = *parts, .hz = *hz};
 }
 
+// What /status already shows must not be missing here, so the answer does not wait for the timer.
 Routed GetEvents(const HttpRequest& request, std::string_view, Plane& plane) {
   if (request.upgrade) return WatchEvents{};
+  plane.events.Update();
   return JsonReply(EventsJson(plane.events));
 }
 

@@ -124,7 +124,7 @@ class ControlServer::Loop {
 
  private:
   void ReadEvents() {
-    shared_.plane.events.Update(std::chrono::steady_clock::now().time_since_epoch());
+    shared_.plane.events.Update();
     events_timer_.expires_after(kEventsEvery);
     events_timer_.async_wait([this](const error_code& error) {
       if (!error) ReadEvents();

@@ -142,6 +142,19 @@ TEST_F(RoutesTest, TellsWhatHappenedOrSendsItAsItComes) {
   EXPECT_TRUE(std::holds_alternative<WatchEvents>(events));
 }
 
+TEST_F(RoutesTest, WhatHappenedIsToldAtOnceAndCounted) {
+  emulator::EventRing ring;
+  plane_.events = EventHistory(&ring);
+  ring.Add(emulator::EventKind::kRemote, 0, {}, "L2");
+  const auto told = nlohmann::json::parse(ReplyTo("GET", "/events").body)["events"];
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0]["kind"], "remote");
+  ring.Add(emulator::EventKind::kRemote, 0, {}, "");
+  const auto metrics = std::get<FromSnapshot>(Dut("GET", "/metrics"));
+  EXPECT_THAT(metrics.reply(emulator::Snapshot{}, metrics.parts, plane_).body,
+              HasSubstr("events_total{kind=\"remote\"} 2\n"));
+}
+
 TEST_F(RoutesTest, TellsTheAddressOfThePanel) {
   plane_.url = "http://127.0.0.1:7707/#token=ab";
   EXPECT_EQ(ReplyTo("GET", "/panel").body, "{\"url\":\"http://127.0.0.1:7707/#token=ab\"}\n");
