@@ -207,7 +207,11 @@ std::vector<YamlValue> ChosenFirmware(const RobotFile& file, const std::vector<Y
 }  // namespace
 
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir) {
-  const RobotFile file = ReadRobotFile(layers.robot, data_dir);
+  return LoadConfig(ReadRobotFile(layers.robot, data_dir), layers, data_dir);
+}
+
+Config LoadConfig(const RobotFile& file, const Layers& layers,
+                  const std::filesystem::path& data_dir) {
   std::vector<YamlValue> trees = file.trees;
   AddTrees(layers, &trees);
   std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/config.h"
+#include "config/robot_file.h"
 #include "config/yaml_document.h"
 #include "emulator/settings.h"
 
@@ -29,6 +30,10 @@ struct Layers {
 // are not validated (`understudy check` does that). A relative `robot.model` beside the YAML file
 // that names it becomes absolute. Throws ConfigError.
 Config LoadConfig(const Layers& layers, const std::filesystem::path& data_dir);
+
+// The same with a robot's file that was read before; ignores layers.robot.
+Config LoadConfig(const RobotFile& file, const Layers& layers,
+                  const std::filesystem::path& data_dir);
 
 // The same without a robot: ignores layers.robot and validates only `scene` and `terrain`. Throws
 // ConfigError.

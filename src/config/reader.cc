@@ -129,16 +129,15 @@ void Reader::Visit(const Row& row, const Slot& slot) {
     return ReadTexts(row, *texts, *value);
   }
   bool read = false;
-  std::string hint;
   if (const auto* flag = std::get_if<bool*>(&slot)) read = ReadBool(*value, *flag);
   if (const auto* whole = std::get_if<int*>(&slot)) read = ReadNumber(row, *value, *whole);
   if (const auto* real = std::get_if<double*>(&slot)) read = ReadNumber(row, *value, *real);
   if (const auto* text = std::get_if<std::string*>(&slot)) read = ReadText(*value, *text);
-  if (const auto* word = std::get_if<WordSlot>(&slot)) {
-    read = ReadWord(*value, *word);
-    if (value->kind == Kind::kScalar) hint = NearestWord(value->text, word->words);
-  }
+  const auto* word = std::get_if<WordSlot>(&slot);
+  if (word != nullptr) read = ReadWord(*value, *word);
   if (read) return;
+  const bool misspelt = word != nullptr && value->kind == Kind::kScalar;
+  const std::string hint = misspelt ? NearestWord(value->text, word->words) : "";
   throw ConfigError(value->where + ": " + Path(row) + ": expected " + Expected(row, slot) +
                     ", got " + Shown(*value) +
                     (hint.empty() ? "" : "; did you mean '" + hint + "'?"));

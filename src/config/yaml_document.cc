@@ -1,6 +1,7 @@
 #include "config/yaml_document.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
@@ -267,10 +268,13 @@ YamlValue ReadYamlFile(const std::filesystem::path& path) {
   if (std::filesystem::is_directory(path)) throw ConfigError(name + ": is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ConfigError(name + ": cannot be read: " + std::strerror(errno));
-  std::string text(kMaxBytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  std::string text;
+  std::array<char, 1U << 14U> piece;
+  do {
+    file.read(piece.data(), piece.size());
+    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
+  } while (file && text.size() <= kMaxBytes);
   if (file.bad()) throw ConfigError(name + ": reading failed: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(file.gcount()));
   if (text.size() > kMaxBytes) throw ConfigError(name + ": larger than 1 MiB, no configuration");
   return ParseYaml(text, name);
 }
