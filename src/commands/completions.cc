@@ -200,6 +200,7 @@ Words ValuesOf(const emulator::Field& field, const Typed& typed) {
     case emulator::FieldKind::kVector:
     case emulator::FieldKind::kName:
     case emulator::FieldKind::kJson:
+    case emulator::FieldKind::kFile:
       break;
   }
   return {};

@@ -1,5 +1,6 @@
 // The verbs of `understudy ctl` that send a request: one per row of the table.
 #include <chrono>
+#include <filesystem>
 #include <iostream>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +31,20 @@ json ValueOf(const Field& field, const std::vector<std::string>& words) {
   const bool text = field.kind == FieldKind::kWord || field.kind == FieldKind::kKeys ||
                     field.kind == FieldKind::kBody || field.kind == FieldKind::kName ||
                     field.kind == FieldKind::kJson;
+  // Seen from here, which need not be where the robot was started.
+  if (field.kind == FieldKind::kFile) return std::filesystem::absolute(words.front()).string();
+  if (field.kind == FieldKind::kSwitch && words.front().empty()) return true;
   return text ? json(words.front()) : emulator::ValueOf(words.front());
+}
+
+// Returns "lower, raise, attach, release": the requests of a group.
+std::string VerbsOf(std::string_view group) {
+  std::string verbs;
+  for (const RequestRow& row : emulator::RequestRows()) {
+    if (!row.name.starts_with(std::string(group) + ".")) continue;
+    verbs += (verbs.empty() ? "" : ", ") + std::string(row.name.substr(group.size() + 1));
+  }
+  return verbs;
 }
 
 // Replaces invalid UTF-8, so that the robot refuses such a word as an unknown name.
@@ -51,7 +65,7 @@ void CtlCommand::AddRequests(CLI::App* ctl) {
       if (!known.empty()) {
         parent = known.front();
       } else {
-        parent = ctl->add_subcommand(group, "Use the " + group);
+        parent = ctl->add_subcommand(group, VerbsOf(group));
         parent->require_subcommand(1)->fallthrough();
       }
     }
@@ -69,8 +83,10 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
         field.bare ? server::Capitals(field.key) : "--" + std::string(field.key);
     std::string help = std::string(field.does) + ": " + emulator::Expected(field);
     if (field.otherwise) help += " [" + emulator::NumberText(*field.otherwise) + "]";
+    const int most = field.kind == FieldKind::kVector ? 3 : 1;
+    const bool alone = field.kind == FieldKind::kSwitch && !field.bare;  // it is true then
     command->add_option(name, words[i], help)
-        ->expected(field.kind == FieldKind::kVector ? 3 : 1)
+        ->expected(alone ? 0 : most, most)
         ->allow_extra_args(false)
         ->type_name("");
   }
@@ -88,8 +104,9 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
 }
 
 void CtlCommand::Request(const RequestRow& row, const json& values) const {
-  const std::chrono::milliseconds patience =
-      row.name == "step" ? std::chrono::milliseconds{kStepPatience} : kCallTimeout;
+  const std::chrono::milliseconds patience = row.name == "step" || row.name == "record.stop"
+                                                 ? std::chrono::milliseconds{kStepPatience}
+                                                 : kCallTimeout;
   const std::string reply =
       Ask(client::ChosenSocket(robot_), "POST", server::RequestPath(row), BodyOf(values), patience);
   if (json_) *out_ << reply;

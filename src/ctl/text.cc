@@ -148,6 +148,15 @@ std::string ScriptText(const ordered_json& script) {
          (waiting > 1 ? ", and " + std::to_string(waiting - 1) + " more" : "");
 }
 
+std::string RecordingText(const ordered_json& recording) {
+  const auto state = recording.at("state").get<std::string>();
+  if (state == "off") return state;
+  constexpr double kMega = 1e-6;
+  const auto file = recording.at("file").get<std::string>();
+  return state == "on" ? file + ", " + Fixed(recording.at("bytes"), 1, kMega) + " MB"
+                       : state + ": " + file;
+}
+
 std::string StatusText(const ordered_json& status) {
   const ordered_json& pace = status.at("pace");
   const ordered_json& commands = status.at("commands");
@@ -197,6 +206,7 @@ std::string StatusText(const ordered_json& status) {
                               {"base clamped", status.at("clamped").get<bool>() ? "yes" : "no"},
                               {"base height", Fixed(base.at("height"), 3), "m"},
                               {"base tilt", Fixed(base.at("tilt"), 3), "rad"},
+                              {"recording", RecordingText(status.at("recording"))},
                               {"randomized", Randomized(status.at("randomization"))},
                           });
   return Aligned(rows);

@@ -334,6 +334,16 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "a line of the program has a text for which a script or an expectation looks"),
     Row(
+        EventKind::kRecording, "recording", kInfo, false, {{{"on", kBool}, {"file", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return (On(e) ? "recording to " : "finished the recording ") + What(e);
+        },
+        "a recording begins or is finished because of a request"),
+    Row(
+        EventKind::kRecordingFailed, "recording_failed", kError, false, {{{"why", kText}}},
+        [](const Event& e, std::uint64_t) { return "recording: " + What(e); },
+        "a recording that was asked for cannot be made"),
+    Row(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
           return Plural(e.numbers[0], "event") + " came too fast to be told";

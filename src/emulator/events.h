@@ -50,6 +50,8 @@ enum class EventKind : std::uint8_t {
   kProgramStart,
   kProgramEnd,
   kProgramPrints,
+  kRecording,
+  kRecordingFailed,
   kLost,
   kCount,
 };

@@ -64,13 +64,14 @@ std::optional<double> Single(const Field& field, const json& value) {
     case FieldKind::kBody:
     case FieldKind::kName:
     case FieldKind::kJson:
+    case FieldKind::kFile:
       break;
   }
   return std::nullopt;
 }
 
 Result<> ReadField(const Field& field, const json& value, Request* request) {
-  // Names and JSON.
+  // Names, JSON and files.
   if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) {
     const bool text = value.is_string() && !value.get_ref<const std::string&>().empty() &&
                       value.get_ref<const std::string&>().size() <= kLongestName;
@@ -78,12 +79,14 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
     request->SetName(field.key, value.get_ref<const std::string&>());
     return {};
   }
-  if (field.kind == FieldKind::kJson) {
+  if (field.kind == FieldKind::kJson || field.kind == FieldKind::kFile) {
     const auto* text = value.get_ptr<const std::string*>();
-    if (text == nullptr || text->size() > kLongestJson || !json::accept(*text)) {
-      return Refused(field, value);
-    }
-    std::ranges::copy(*text, request->json_text.begin());
+    if (text == nullptr || text->size() > kLongestText) return Refused(field, value);
+    const bool fits = field.kind == FieldKind::kJson
+                          ? json::accept(*text)
+                          : !text->empty() && text->find('\0') == std::string::npos;
+    if (!fits) return Refused(field, value);
+    std::ranges::copy(*text, request->long_text.begin());
     request->given[static_cast<std::size_t>(&field - request->row->fields.data())] = true;
     return {};
   }
@@ -155,7 +158,9 @@ std::size_t Request::Index(std::string_view key) const {
   return static_cast<std::size_t>(field - row->fields.begin());
 }
 
-bool Request::waits() const { return row->name == "step" && on("wait"); }
+bool Request::waits() const {
+  return (row->name == "step" && on("wait")) || row->name.starts_with("record.");
+}
 
 void Request::SetNumber(std::string_view key, double value) {
   numbers[Index(key)][0] = value;
@@ -245,7 +250,8 @@ ordered_json ValuesOf(const Request& request) {
         value = request.name();
         break;
       case FieldKind::kJson:
-        value = request.json();
+      case FieldKind::kFile:
+        value = request.long_text.data();
         break;
     }
   }
@@ -299,7 +305,9 @@ std::string Expected(const Field& field) {
     case FieldKind::kName:
       return "a name";
     case FieldKind::kJson:
-      return "JSON as text of at most " + std::to_string(kLongestJson) + " bytes";
+      return "JSON as text of at most " + std::to_string(kLongestText) + " bytes";
+    case FieldKind::kFile:
+      return "a path of at most " + std::to_string(kLongestText) + " bytes";
   }
   return {};
 }

@@ -37,6 +37,7 @@ enum class FieldKind : std::uint8_t {
   kBody,    // the name of a body of the model
   kName,    // another name
   kJson,    // JSON, as text
+  kFile,    // a path on the robot's machine
 };
 
 // One value of a request.
@@ -73,7 +74,7 @@ struct RequestRow {
 
 inline constexpr std::size_t kMostFields = 7;
 inline constexpr std::size_t kLongestName = 63;   // bytes
-inline constexpr std::size_t kLongestJson = 255;  // bytes; *assumed*
+inline constexpr std::size_t kLongestText = 255;  // bytes, of JSON or a path; *assumed*
 
 // One request with the values of its row's fields. Copying it does not allocate.
 struct Request {
@@ -82,7 +83,7 @@ struct Request {
   std::array<std::array<double, 3>, kMostFields> numbers{};
   std::array<bool, kMostFields> given{};
   std::array<char, kLongestName + 1> text{};       // of the name field, "" if not given
-  std::array<char, kLongestJson + 1> json_text{};  // of the JSON field, likewise
+  std::array<char, kLongestText + 1> long_text{};  // of the JSON or file field, likewise
 
   // Look up a field by its key, which the row must have. The value is the default if it was not
   // given.
@@ -93,9 +94,10 @@ struct Request {
     return Eigen::Vector3d(numbers[Index(key)].data());
   }
   std::string_view name() const { return text.data(); }
-  std::string_view json() const { return json_text.data(); }
+  std::string_view json() const { return long_text.data(); }
+  std::string_view file() const { return long_text.data(); }
 
-  // Whether it is answered only when its steps are made.
+  // Whether it is answered only when it is done: its steps are made, its recording is on or over.
   bool waits() const;
 
   void SetNumber(std::string_view key, double value);

@@ -229,6 +229,13 @@ struct RequestActs {
     return {};
   }
 
+  static Answer StartRecording(World& world, Robot&, Request& request, double) {
+    return world.recording_.Start(request.file(), request.on("overwrite"));
+  }
+  static Answer StopRecording(World& world, Robot&, Request&, double) {
+    return world.recording_.Stop();
+  }
+
   static Answer CallService(World& world, Robot& robot, Request& request, double) {
     const auto api = static_cast<std::int64_t>(request.number("api"));
     const auto code = robot.Call(request.name(), api, request.json(), world.now_);
@@ -372,6 +379,17 @@ const std::vector<RequestRow>& RequestRows() {
       Row("remote.off",
           "As if it were not there: keys and sticks are let go and nothing is received", {},
           Acts::SwitchRemoteOff, "remote off"),
+      Row("record.start",
+          "Records from now on: all topics, the simulation's truth, the events: docs/recording.md",
+          {Bare({.key = "file",
+                 .kind = kFile,
+                 .does =
+                     "Its place; where the robot was started, named by robot and time, unless one "
+                     "is given"}),
+           Or(0, {.key = "overwrite", .kind = kSwitch, .does = "Replace a file of that name"})},
+          Acts::StartRecording, "record start walk.mcap --overwrite", kNoted),
+      Row("record.stop", "Ends the recording, whoever started it; its file is then whole", {},
+          Acts::StopRecording, "record stop", kNoted),
       Row("service.call",
           "Calls a service of the robot as a program does over DDS; what it answers but 0 is an "
           "error",

@@ -35,8 +35,9 @@ constexpr std::string_view Name(RecordingState state) {
 struct RecordingStatus {
   RecordingState state = RecordingState::kOff;
   std::uint64_t messages = 0;
-  std::uint64_t bytes = 0;    // in the file
-  std::uint64_t dropped = 0;  // moments lost because the recorder was too slow
+  std::uint64_t bytes = 0;       // in the file
+  std::uint64_t dropped = 0;     // moments lost because the recorder was too slow
+  std::array<char, 256> file{};  // cut to fit; "" if it is off
 };
 
 // The part of the status that the loop around the tick knows.

@@ -11,6 +11,7 @@
 
 #include "emulator/events.h"
 #include "emulator/inbox.h"
+#include "emulator/recording_desk.h"
 #include "emulator/robot.h"
 #include "emulator/script.h"
 #include "emulator/settings.h"
@@ -52,6 +53,10 @@ class World {
 
   // Returns the pace that requests have set. The caller of Tick has to follow it.
   const time::Pace& pace() const { return pace_; }
+
+  // Returns what requests have asked about recordings. The caller of Tick has to open it, if it can
+  // record, and to follow it.
+  RecordingDesk& recording() { return recording_; }
 
   std::int64_t step() const { return step_; }
   double time() const { return static_cast<double>(step_ * step_ns_) * 1e-9; }  // s
@@ -123,6 +128,7 @@ class World {
   std::size_t script_done_ = 0;
   std::size_t script_refused_ = 0;
   time::Pace pace_;
+  RecordingDesk recording_;
   physics::Pushes pushes_;
   physics::Drags drags_;
   std::vector<Stepper> steppers_;

@@ -93,7 +93,11 @@ void World::TakeRequests() {
                       .request = *request});
     }
     if (request->waits()) {
-      steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
+      if (request->row->name == "step") {
+        steppers_.push_back({.step = step_ + pace_.steps_left, .reply = std::move(*reply)});
+      } else {
+        recording_.Keep(std::move(*reply));
+      }
       return std::nullopt;
     }
     return answer;

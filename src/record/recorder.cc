@@ -43,12 +43,13 @@ std::int64_t SinceEpoch() {
 
 Recorder::Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
                    const emulator::EventRing* events, const Moment& moment,
-                   std::chrono::nanoseconds timestep, Say say, Audience* audience)
+                   std::chrono::nanoseconds timestep, std::int64_t first_step, Say say,
+                   Audience* audience)
     : participant_(participant),
       ours_(participant.key()),
       watch_(participant),
       timestep_(timestep.count()),
-      start_(static_cast<std::uint64_t>(SinceEpoch())),
+      start_(static_cast<std::uint64_t>(SinceEpoch() - first_step * timestep.count())),
       say_(std::move(say)),
       audience_(audience),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
@@ -57,7 +58,9 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       sheets_(kSheets, {.damage = head.damage}),
       marks_(kMarks),
       last_take_(SinceEpoch()),
-      last_flush_(Monotonic()) {
+      last_flush_(Monotonic()),
+      marked_(first_step - 1) {
+  while (!has_event_ && events_.Next(&event_)) has_event_ = event_.step >= first_step;
   Begin(head);
   Subscribe();
   thread_ = std::jthread([this](const std::stop_token& stop) { Run(stop); });

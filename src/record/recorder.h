@@ -56,20 +56,22 @@ inline constexpr double kEventEvery = 0.1;
 // they are discovered) and merges them with the moments of the loop into one file, in order of
 // time.
 //
-// The log_time of a message is the wall time of the start plus the simulated time of the tick in
-// which it was sent or could first be taken.
+// The log_time of a message is the wall time of the start, or what it was had the run kept to real
+// time so far, plus the simulated time of the tick in which it was sent or could first be taken.
 class Recorder {
  public:
   // Receives lines for the log; `error` tells warnings from errors.
   using Say = std::function<void(const std::string& line, bool error)>;
 
   // Writes the beginning of the file and starts the thread. Topics that `participant` already has
-  // are recorded from their first message on. `events` must outlive the recorder. The vectors of
+  // are recorded from their first message on. Step `first_step` is the first to come: the events
+  // before it are left out. `events` must outlive the recorder. The vectors of
   // `moment` have the sizes of those to be offered. `audience` may be null; it must outlive the
   // recorder. Throws RecordError and BusError.
   Recorder(const bus::Participant& participant, OutputFile file, const RecordingHead& head,
            const emulator::EventRing* events, const Moment& moment,
-           std::chrono::nanoseconds timestep, Say say, Audience* audience = nullptr);
+           std::chrono::nanoseconds timestep, std::int64_t first_step, Say say,
+           Audience* audience = nullptr);
   // Takes the remaining messages and finishes the file.
   ~Recorder();
   Recorder(const Recorder&) = delete;
@@ -165,7 +167,7 @@ class Recorder {
   BytesOut message_;
   Nanoseconds last_take_ = 0;   // since 1970
   Nanoseconds last_flush_ = 0;  // CLOCK_MONOTONIC
-  std::int64_t marked_ = -1;    // the last step known to be done
+  std::int64_t marked_;         // the last step known to be done
   std::uint64_t told_dropped_ = 0;
 
   std::atomic<std::uint64_t> asked_{0}, answered_{0};  // calls of CatchUp

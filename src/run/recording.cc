@@ -18,12 +18,12 @@
 namespace understudy::run {
 namespace {
 
-std::string Now() {
+std::string Now(const char* format) {
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   gmtime_r(&now, &utc);
   std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  std::strftime(text.data(), text.size(), format, &utc);
   return text.data();
 }
 
@@ -65,12 +65,10 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
                 {"slots", slots},
                 {"version", kVersion},
                 {"mujoco", mjcf::MujocoVersion()},
-                {"started", Now()},
+                {"started", Now("%Y-%m-%dT%H:%M:%SZ")},
                 {"speed", std::to_string(config.time.speed)},
                 {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
                 {"draws", DrawnText(draws)}};
-  head.config = config::PrintConfig(config, false);
-  head.model = mjcf::ModelBytes(*MakeSightModel(config));
   head.damage = SheetOf(world);
   return head;
 }
@@ -103,22 +101,97 @@ void Log(const std::string& line, bool error) {
 
 Recording::Recording(const RecordingOptions& options, const bus::Participant& participant,
                      const config::Config& config, const robot::Draws& draws,
-                     const emulator::World& world)
-    : world_(world),
+                     emulator::World* world)
+    : participant_(participant),
+      config_(config),
+      world_(*world),
+      audience_(options.audience),
+      head_(HeadOf(config, draws, *world)),
+      moment_(Prototype(config, *world)),
       every_(std::max<std::int64_t>(
           1, std::llround(1 / (config.robot.rates.lowstate_hz * config.physics.timestep)))),
-      sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))),
-      heard_(options.audience != nullptr) {
-  if (options.file.empty()) return;
-  recorder_ = std::make_unique<record::Recorder>(
-      participant, record::OutputFile(options.file, options.overwrite),
-      HeadOf(config, draws, world), &world.events(), Prototype(config, world),
-      std::chrono::nanoseconds(std::llround(config.physics.timestep * 1e9)), &Log,
-      options.audience);
-  spdlog::info("recording to {}", options.file.string());
+      sheet_every_(std::max<std::int64_t>(1, std::llround(kSheetEvery / config.physics.timestep))) {
+  if (!options.file.empty()) {
+    recorder_ = Start(options.file, options.overwrite, 0);
+    file_ = options.file;
+    spdlog::info("recording to {}", options.file.string());
+  }
+  if (audience_ != nullptr) return;
+  world_.recording().Open(recorder_ != nullptr);
+  thread_ = std::jthread([this](const std::stop_token& stop) { Work(stop); });
+}
+
+std::unique_ptr<record::Recorder> Recording::Start(std::filesystem::path file, bool overwrite,
+                                                   std::int64_t first_step) const {
+  record::OutputFile output(std::move(file), overwrite);
+  record::RecordingHead head = head_;
+  head.config = config::PrintConfig(config_, false);
+  head.model = mjcf::ModelBytes(*MakeSightModel(config_));
+  return std::make_unique<record::Recorder>(
+      participant_, std::move(output), head, &world_.events(), moment_,
+      std::chrono::nanoseconds(std::llround(config_.physics.timestep * 1e9)), first_step, &Log,
+      audience_);
+}
+
+void Recording::Work(const std::stop_token& stop) {
+  const std::stop_callback stopped(stop, [this] { wake_.release(); });
+  while (true) {
+    wake_.acquire();
+    if (turn_ == Turn::kThreads) {
+      try {
+        const bool finishes = job_.recorder != nullptr;
+        job_.recorder = finishes ? nullptr : Start(job_.file, job_.overwrite, job_.first_step);
+      } catch (const std::exception& error) {
+        job_.why = error.what();
+      }
+      turn_ = Turn::kTicks;
+    }
+    if (stop.stop_requested()) return;
+  }
+}
+
+void Recording::Follow() {
+  if (turn_ == Turn::kThreads) return;
+  if (turn_ == Turn::kTicks) return End();
+  if (const auto* order = world_.recording().order()) Begin(*order);
+}
+
+void Recording::Begin(const emulator::RecordingDesk::Order& order) {
+  if (order.starts) {
+    const std::string own = config_.robot.name + "_" + Now("%Y-%m-%d_%H-%M-%S") + ".mcap";
+    const std::string_view asked = order.file.data();
+    file_ = std::filesystem::absolute(asked.empty() ? std::string_view(own) : asked);
+    job_ = {.file = file_, .overwrite = order.overwrite, .first_step = world_.step()};
+  } else {
+    OfferDamage();
+    const bool failed = recorder_->status().state == emulator::RecordingState::kFailed;
+    job_ = {.recorder = std::move(recorder_),
+            .why = failed
+                       ? "it had failed before; what was written until then is in " + file_.string()
+                       : ""};
+  }
+  turn_ = Turn::kThreads;
+  wake_.release();
+}
+
+void Recording::End() {
+  turn_ = Turn::kNobodys;
+  const std::string file = file_.string();
+  recorder_ = std::move(job_.recorder);
+  if (recorder_ == nullptr) file_.clear();
+  emulator::RecordingDesk& desk = world_.recording();
+  if (!job_.why.empty()) {
+    world_.events().Add(emulator::EventKind::kRecordingFailed, 0, {}, job_.why);
+    return desk.Done(false, Error{job_.why});
+  }
+  const bool on = recorder_ != nullptr;
+  world_.events().Add(emulator::EventKind::kRecording, 0, {on ? 1.0 : 0.0}, file);
+  desk.Done(on, {});
 }
 
 Recording::~Recording() {
+  thread_ = {};
+  if (turn_ == Turn::kTicks) End();
   if (recorder_ == nullptr || sheet_step_ == world_.step()) return;
   recorder_->CatchUp();  // there is room then: the last sheet has all of them in it
   OfferDamage();
@@ -144,14 +217,18 @@ void Recording::Offer(const time::Pacer& pacer) {
   }
   if (world_.step() % sheet_every_ == 0) OfferDamage();
   if (pacer.speed() != 0) return;
-  if (heard_ && world_.step() % kHeardEvery == 0) recorder_->CatchUp();
+  if (audience_ != nullptr && world_.step() % kHeardEvery == 0) recorder_->CatchUp();
   while (recorder_->behind()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
 }
 
 emulator::RecordingStatus Recording::status() const {
-  return recorder_ == nullptr ? emulator::RecordingStatus{} : recorder_->status();
+  emulator::RecordingStatus status;
+  if (recorder_ == nullptr) return status;
+  status = recorder_->status();
+  emulator::CopyText(file_.native(), &status.file);
+  return status;
 }
 
 }  // namespace understudy::run

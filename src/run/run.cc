@@ -216,7 +216,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
                           .services = &host}},
                         &inbox);
   script::Play(options.script, &world);
-  Recording recording(options.recording, participant, config, made.draws, world);
+  Recording recording(options.recording, participant, config, made.draws, &world);
   emulator::SnapshotMailbox snapshots(world.MakeSnapshot());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
   const server::ControlServer control(
@@ -258,6 +258,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     }
     ShowSnapshot(world, &snapshots);
     if (wait.due) recording.Offer(pacer);
+    recording.Follow();
 
     if (!ready) {
       ready = true;

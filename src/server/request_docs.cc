@@ -44,9 +44,9 @@ std::string DefaultOf(const Field& field) {
   return number + " " + number + " " + number;
 }
 
-constexpr std::array<std::string_view, 10> kKinds = {"number", "whole", "vector", "switch", "speed",
-                                                     "word",   "keys",  "body",   "name",   "json"};
-static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kJson) + 1);
+constexpr std::array<std::string_view, 11> kKinds = {
+    "number", "whole", "vector", "switch", "speed", "word", "keys", "body", "name", "json", "file"};
+static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kFile) + 1);
 constexpr std::array<std::string_view, 3> kFrom = {"both", "people", "script"};
 static_assert(kFrom.size() == static_cast<std::size_t>(emulator::From::kScript) + 1);
 
@@ -98,6 +98,7 @@ ordered_json SchemaOf(const Field& field) {
     case FieldKind::kBody:
     case FieldKind::kName:
     case FieldKind::kJson:
+    case FieldKind::kFile:
       schema = {{"type", "string"}};
       break;
   }

@@ -138,6 +138,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
       {"base", {{"height", status.base_height}, {"tilt", status.tilt}}},
       {"recording",
        {{"state", emulator::Name(status.loop.recording.state)},
+        {"file", status.loop.recording.file.data()},
         {"messages", status.loop.recording.messages},
         {"bytes", status.loop.recording.bytes},
         {"dropped", status.loop.recording.dropped}}},

@@ -40,6 +40,8 @@ json Sound(const Field& field) {
       return "trunk";
     case FieldKind::kJson:
       return R"({"a":1})";
+    case FieldKind::kFile:
+      return "/tmp/a.mcap";
   }
   return {};
 }
@@ -60,6 +62,8 @@ json Unsound(const Field& field) {
     case FieldKind::kBody:
     case FieldKind::kName:
       return std::string(99, 'z');
+    case FieldKind::kFile:
+      return "/" + std::string(255, 'z');
   }
   return {};
 }

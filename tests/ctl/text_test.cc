@@ -1,5 +1,6 @@
 #include "ctl/text.h"
 
+#include "emulator/events.h"
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
 #include "server/status_json.h"
@@ -49,8 +50,20 @@ crane tension      340.2   N
 base clamped       no
 base height        0.000   m
 base tilt          0.000   rad
+recording          off
 randomized         no
 )");
+}
+
+TEST(CtlTextTest, TheStatusHasTheFileThatIsRecordedTo) {
+  emulator::Status status;
+  status.loop.recording = {};
+  status.loop.recording.state = emulator::RecordingState::kOn;
+  status.loop.recording.bytes = 1'250'000;
+  emulator::CopyText("/tmp/a.mcap", &status.loop.recording.file);
+  EXPECT_THAT(TextOf(status), HasSubstr("recording          /tmp/a.mcap, 1.2 MB\n"));
+  status.loop.recording.state = emulator::RecordingState::kFailed;
+  EXPECT_THAT(TextOf(status), HasSubstr("recording          failed: /tmp/a.mcap\n"));
 }
 
 TEST(CtlTextTest, SaysWhyCommandsWereRefused) {

@@ -28,11 +28,11 @@ constexpr bus::Topic<bus::Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
 class RecorderTest : public McapFilesTest {
  protected:
   std::unique_ptr<Recorder> Start(const bus::Participant& participant,
-                                  const std::filesystem::path& file) {
+                                  const std::filesystem::path& file, std::int64_t first_step = 0) {
     const RecordingHead head{.about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}};
     const Moment moment{.truth = {.qpos = {0, 0}}};
     return std::make_unique<Recorder>(participant, OutputFile(file, true), head, &ring_, moment,
-                                      std::chrono::milliseconds(1),
+                                      std::chrono::milliseconds(1), first_step,
                                       [this](const std::string& line, bool) {
                                         const std::lock_guard lock(mutex_);
                                         said_.push_back(line);
@@ -117,6 +117,24 @@ TEST_F(RecorderTest, KeepsEveryMessageAtItsStep) {
   EXPECT_EQ(expected, 20'000);
   EXPECT_EQ(Times(reader).at("understudy/truth").size(), 20'000U);
   EXPECT_THAT(said(), IsEmpty());
+}
+
+TEST_F(RecorderTest, ThatBeginsInTheMiddleLeavesOutWhatWasBefore) {
+  const bus::Participant ours("lo", test::NewDomain());
+  bus::Writer<bus::Hello> writer(ours, kHello);
+  Refuse(10);
+  Refuse(1000);
+  auto recorder = Start(ours, File(), 1000);
+  for (std::int64_t step = 1000; step < 1010; ++step) Tick(recorder.get(), &writer, step);
+  recorder.reset();
+  const McapReader reader(File());
+  const auto times = Times(reader);
+  EXPECT_EQ(times.at("/hello").front(), 1000U);
+  EXPECT_EQ(times.at("/hello").size(), 10U);
+  EXPECT_EQ(times.at("understudy/truth").front(), 1001U);
+  const std::vector<Event> events = EventsOf(reader);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].step, 1000);
 }
 
 TEST_F(RecorderTest, IsInOrderOfTime) {

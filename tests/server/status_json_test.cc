@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "emulator/events.h"
 #include "gtest/gtest.h"
 #include "tests/support/requests.h"
 
@@ -57,8 +58,11 @@ emulator::Status EveryFieldSet() {
   status.clamped = true;
   status.base_height = 0.75;
   status.tilt = 0.125;
-  status.loop.recording = {
-      .state = emulator::RecordingState::kFailed, .messages = 31, .bytes = 32, .dropped = 33};
+  status.loop.recording.state = emulator::RecordingState::kFailed;
+  status.loop.recording.messages = 31;
+  status.loop.recording.bytes = 32;
+  status.loop.recording.dropped = 33;
+  emulator::CopyText("/tmp/a.mcap", &status.loop.recording.file);
   return status;
 }
 
@@ -91,7 +95,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("script":{"done":3,"refused":1,"waiting":2,"where":"s.yaml:4","waits_for":"lowcmd arrives"},)"
           R"("published":12499,"write_failures":8,"divergences":4,"crane":{"attached":true,)"
           R"("length":0.625,"tension":340.5},"clamped":true,"base":{"height":0.75,"tilt":0.125},)"
-          R"("recording":{"state":"failed","messages":31,"bytes":32,"dropped":33},"randomization":null})");
+          R"("recording":{"state":"failed","file":"/tmp/a.mcap","messages":31,"bytes":32,"dropped":33},"randomization":null})");
 }
 
 TEST(StatusJsonTest, NamesEveryStateOfTheGate) {

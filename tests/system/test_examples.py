@@ -106,7 +106,8 @@ def test_the_program_takes_every_example_of_its_help(tmp_path):
                 check(words, tmp_path)
 
 
-def test_every_example_of_ctl_works(play):
+def test_every_example_of_ctl_works(play, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)  # where it records to
     robot = play("go2", "--start", "hanging")
     before = {"step": ["pause"], "resume": [], "release": [], "raise": ["crane", "attach"], "attach": []}
     for verb in verbs():

@@ -295,7 +295,7 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy com", ["compare", "completions"]),
     ("understudy ctl status --w", ["--watch"]),
     ("understudy ctl reset st", ["standing"]),
-    ("understudy ctl re", ["remote", "reset", "resume"]),
+    ("understudy ctl re", ["record", "remote", "reset", "resume"]),
 ])
 def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
     file = tmp_path / f"completions.{shell}"

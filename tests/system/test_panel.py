@@ -1,12 +1,13 @@
 """The panel in a browser, as a person uses it: looked at, dragged, pressed, in Debian's Chromium."""
 
+import pathlib
 import struct
 
 import pytest
 
 from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
 from peers import GoLowCmd, go_command, listener, speaker
-from robots import eventually
+from robots import eventually, understudy
 
 # A small copy of what the view shows now: [r, g, b, a, ...] of 48 x 32 points.
 PIXELS = """(() => {
@@ -190,6 +191,19 @@ def test_pause_stops_time_and_a_step_is_one_tick(page):
     page.click("#pause")
 
     page.becomes(f"!panel.view.snapshot.paused && panel.view.snapshot.step > {step + 100}")
+
+
+def test_a_recording_is_started_and_ended_by_one_button(page):
+    pressed = "document.getElementById('record').getAttribute('aria-pressed') === '{}'"
+    page.click("#record")
+    page.becomes(pressed.format("true"))
+    file = pathlib.Path(page.evaluate("document.getElementById('record').title").split(", ")[0])
+    try:
+        page.click("#record")
+        page.becomes(pressed.format("false"))
+        assert understudy("recording", file).stdout.startswith(f"{file}: go2, ")
+    finally:
+        file.unlink()
 
 
 def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):

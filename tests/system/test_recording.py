@@ -118,6 +118,54 @@ def test_requests_are_events(play, folder):
     assert [json.loads(event.detail) for event in recording.events("pause")] == [{"on": True}, {"on": False}]
 
 
+def test_a_part_of_a_run_is_recorded_on_request(play, tmp_path):
+    robot = play("go2")
+    file = tmp_path / "part.mcap"
+
+    def ctl(*words, code=0):
+        done = understudy("ctl", "record", *words, cwd=tmp_path)
+        assert done.returncode == code, done.stderr
+        return done.stderr
+
+    ctl("start", file.name)
+    now = robot.status()
+    assert now["recording"]["state"] == "on"
+    assert now["recording"]["file"] == str(file)
+    assert "record.stop" in ctl("start", "other.mcap", code=1)
+    time.sleep(0.5)
+    ctl("stop")
+    recording = Recording(file)
+    begun = now["time"]
+    ticks = recording.ticks()
+    assert begun * 1000 - 500 < ticks[0] < begun * 1000 + 500
+    assert len(ticks) > 100 and set(b - a for a, b in zip(ticks, ticks[1:])) == {2}
+    assert recording.messages["understudy/damage"]
+    assert "record.start" in ctl("stop", code=1)
+
+    assert "--overwrite" in ctl("start", file.name, code=1)
+    ctl("start", file.name, "--overwrite")
+    stop(robot)  # which finishes it
+    assert Recording(file).ticks()[0] > ticks[-1]
+
+
+def test_a_recording_on_request_names_itself_and_tells_why_it_cannot_be(play, tmp_path):
+    robot = play("go2")
+    done = understudy("ctl", "record", "start", tmp_path / "none" / "x.mcap")
+    assert done.returncode == 1
+    assert "No such file" in done.stderr
+    failed = [event for event in json.loads(robot.ctl("events", "--json"))["events"]
+              if event["kind"] == "recording_failed"]
+    assert "none/x.mcap" in failed[0]["text"]
+    try:
+        assert understudy("ctl", "record", "start").returncode == 0
+        file = pathlib.Path(robot.status()["recording"]["file"])
+        assert file.name.startswith("go2_20")
+        assert understudy("ctl", "record", "stop").returncode == 0
+        assert Recording(file).ticks()
+    finally:
+        file.unlink()
+
+
 def test_what_is_decoded_is_what_was_measured(folder):
     recording = Recording(folder / "all.mcap")
     truth = {truth.step: truth for _, truth in recording.messages["understudy/truth"]}

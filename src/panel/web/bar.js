@@ -14,6 +14,9 @@ export class Bar {
     byId("step").addEventListener("click", (event) => {
       request("step", { steps: event.shiftKey ? 10 : 1, wait: false });
     });
+    byId("record").addEventListener("click", () => {
+      request(byId("record").getAttribute("aria-pressed") === "true" ? "record.stop" : "record.start");
+    });
     this.chosenAt = -Infinity;
     byId("speed").addEventListener("change", () => {
       this.chosenAt = performance.now();
@@ -62,10 +65,20 @@ export class Bar {
     setClass(byId("factor"), `num ${behind ? "warn" : ""}`);
     setText(byId("late"), String(pace.overruns));
     byId("late").title = `worst ${number(1000 * pace.worst_lateness, 2)} ms late`;
+    this.showRecording(status.recording);
     const owner = ownerOf(status);
     setText(byId("owner"), owner.word);
     setClass(byId("owner"), owner.level);
     setText(byId("owner-text"), owner.text);
+  }
+
+  showRecording({ state, file, bytes }) {
+    const on = state !== "off";
+    byId("record").setAttribute("aria-pressed", on);
+    setClass(byId("record"), state === "failed" ? "bad" : "");
+    byId("record").title = on ? `${state === "failed" ? "failed: " : ""}${file}, ` +
+      `${number(bytes / 1e6, 1)} MB; a click ends it` :
+      "Record from now on, to a file where the robot was started";
   }
 
   showBattery({ soc, voltage }) {
