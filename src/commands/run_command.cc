@@ -13,6 +13,7 @@
 #include "client/listening_socket.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
+#include "commands/detach.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
 #include "commands/set_options.h"
@@ -45,6 +46,7 @@ struct RunArguments : SetArguments {
   std::string log_level;
   // run only
   bool gamepad = false;
+  bool detach = false;
   // exec only
   NetworkArguments network;
   std::vector<std::string> command;
@@ -169,13 +171,17 @@ std::deque<CompanionProcess> CompanionsOf(const RunArguments& arguments,
   return companions;
 }
 
+// The name by which `ctl` finds the robot of this process.
+std::string NameOf(const RunArguments& arguments, const config::Config& config) {
+  return arguments.name.empty() ? client::DefaultName(config.robot.name) : arguments.name;
+}
+
 // The folder of the control socket, for as long as the run.
 class ControlPlace {
  public:
   ControlPlace(const RunArguments& arguments, const config::Config& config)
       : folder_(client::ControlFolder()),
-        socket_(client::ControlSocket(
-            arguments.name.empty() ? client::DefaultName(config.robot.name) : arguments.name)) {
+        socket_(client::ControlSocket(NameOf(arguments, config))) {
     client::MakeControlFolder(folder_);
   }
   ~ControlPlace() { client::RemoveControlFolder(folder_); }
@@ -202,6 +208,9 @@ int RunCommand(const RunArguments& arguments) {
   run::RunOptions options;
   options.script = LoadScript(arguments, config);
   options.recording = RecordingOf(arguments);
+  std::optional<Background> background;
+  if (arguments.detach) background.emplace(Detach([&] { return NameOf(arguments, config); }));
+  if (background) options.log = background->log();
   const ControlPlace place(arguments, config);
   options.control_socket = place.socket();
   std::string missing;
@@ -214,8 +223,9 @@ int RunCommand(const RunArguments& arguments) {
             .status_line = options.status_line});
   SayWhatIsMissing(missing);
   CatchStopSignals();
-  options.on_ready = [&companions] {
+  options.on_ready = [&companions, &background] {
     for (CompanionProcess& companion : companions) companion.Release();
+    if (background) background->Ready();
   };
   options.should_stop = [&companions](std::int64_t, emulator::EventRing*) {
     for (CompanionProcess& companion : companions) companion.Watch();
@@ -292,6 +302,8 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
   AddRunOptions(run, run_arguments.get());
   run->add_flag("--gamepad", run_arguments->gamepad,
                 "Use a gamepad, as with `understudy remote --no-keyboard` beside it");
+  run->add_flag("--detach", run_arguments->detach,
+                "Return when the robot is ready; it goes on in the background: ctl log, ctl stop");
   run->footer(
       "Examples:\n"
       "  understudy run go2                        a Go2, which stands up, on lo and domain 0\n"
@@ -299,6 +311,7 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
       "  understudy run g1 --revision 6            the one with a locked waist (mode_machine 6)\n"
       "  understudy run go2 --released             for programs that do not call ReleaseMode\n"
       "  understudy run go2 --speed 0.2            in slow motion\n"
+      "  understudy run go2 --detach               in the background; ctl log --follow, ctl stop\n"
       "  understudy run go2 --view                 with a window to look at it and push it\n"
       "  understudy run go2 --set gate=lenient     take commands whose form is wrong\n"
       "  understudy run go2 --record walk.mcap     all topics, truth and events: "

@@ -1,11 +1,13 @@
 #include "ctl/command.h"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <iostream>
 #include <thread>
 #include <utility>
@@ -132,6 +134,11 @@ void CtlCommand::AddReading(CLI::App* ctl) {
       AddAction(ctl, "events", "Show the events of the robot", [this] { ShowEvents(); });
   events->add_flag("--follow", watch_, "Then show new events until interrupted");
   events->footer("Example: understudy ctl events --follow");
+  CLI::App* log =
+      AddAction(ctl, "log", "Show the log of a robot in the background, of run --detach",
+                [this] { ShowLog(); });
+  log->add_flag("--follow", watch_, "Then show new lines until the robot ends");
+  log->footer("Example: understudy ctl log --follow");
   AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
     Show("/timings", FieldsText);
   })->footer("Example: understudy ctl timings");
@@ -195,6 +202,30 @@ void CtlCommand::ShowEvents() const {
   while (true) {
     const std::string event = events.Next();
     *out_ << (json_ ? event + "\n" : Read(event, EventText)) << std::flush;
+  }
+}
+
+void CtlCommand::ShowLog() const {
+  const std::filesystem::path socket = client::ChosenSocket(robot_);
+  const auto status = ordered_json::parse(Ask(socket, "GET", "/status", ""));
+  const auto path = status.value("log", std::string());
+  if (path.empty()) {
+    throw ControlError(
+        "its log is where it was started; one of `understudy run --detach` has a file");
+  }
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw ControlError(path + ": " + std::strerror(errno));
+  bool runs = true;
+  while (true) {
+    std::array<char, 4096> piece{};
+    while (file.read(piece.data(), piece.size()), file.gcount() > 0) {
+      out_->write(piece.data(), file.gcount());
+    }
+    *out_ << std::flush;
+    if (!watch_ || !runs) return;
+    std::this_thread::sleep_for(kWaitPoll);
+    runs = client::ProbeSocket(socket).pid != 0;  // then the last lines are read
+    file.clear();
   }
 }
 

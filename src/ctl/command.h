@@ -56,6 +56,7 @@ class CtlCommand {
   void WatchStatus(const std::filesystem::path& socket) const;
   void ShowSnapshots() const;
   void ShowEvents() const;
+  void ShowLog() const;
   void AwaitReady() const;
   void ShowRobots() const;
   // Sends SIGTERM to the process of the robot and waits for its end.

@@ -219,17 +219,18 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   Recording recording(options.recording, participant, config, made.draws, &world);
   emulator::SnapshotMailbox snapshots(world.MakeSnapshot());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
-  const server::ControlServer control(
-      options.control_socket,
-      {.identity = {.robot = config.robot.name, .draws = std::move(made.draws)},
-       .board = &board,
-       .inbox = &inbox,
-       .snapshots = &snapshots,
-       .events = server::EventHistory(&world.events()),
-       .scene = server::SceneFiles(&scene, &config.robot),
-       .files = server::StaticFiles(config::PanelDir()),
-       .openapi = config::OpenApiFile()},
-      server::ServerLimits{}, options.panel);
+  const server::ControlServer control(options.control_socket,
+                                      {.identity = {.robot = config.robot.name,
+                                                    .log = options.log.string(),
+                                                    .draws = std::move(made.draws)},
+                                       .board = &board,
+                                       .inbox = &inbox,
+                                       .snapshots = &snapshots,
+                                       .events = server::EventHistory(&world.events()),
+                                       .scene = server::SceneFiles(&scene, &config.robot),
+                                       .files = server::StaticFiles(config::PanelDir()),
+                                       .openapi = config::OpenApiFile()},
+                                      server::ServerLimits{}, options.panel);
   std::vector<const bus::ReaderCore*> readers = port.readers();
   std::ranges::copy(host.readers(), std::back_inserter(readers));
   Housekeeper housekeeper(config, options.status_line, std::move(watch),

@@ -17,6 +17,7 @@ struct RunOptions {
   std::filesystem::path control_socket;  // for `ctl`; in a folder made by MakeControlFolder
   script::Script script;                 // may be empty
   RecordingOptions recording;
+  std::filesystem::path log;                   // the file of the log, "" if it is none's
   const server::PanelSocket* panel = nullptr;  // null: no panel
   bool private_network = false;                // of exec: nothing leads out of it
   bool status_line = false;                    // redraw a line on the terminal

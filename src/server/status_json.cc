@@ -74,6 +74,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
       {"robot", identity.robot},
       {"version", identity.version},
       {"pid", identity.pid},
+      {"log", identity.log},
       {"ready", status.loop.ready},
       {"silenced", status.silenced},
       {"time", status.time},

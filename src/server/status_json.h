@@ -15,6 +15,7 @@ struct RobotIdentity {
   std::string robot{};    // the name of the description, as in `understudy run <robot>`
   std::string version{};  // of this program
   int pid = 0;
+  std::string log{};     // the file of its log, "" if it has none
   robot::Draws draws{};  // the drawn values of randomization
 };
 

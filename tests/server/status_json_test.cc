@@ -9,7 +9,7 @@
 namespace understudy::server {
 namespace {
 
-const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42};
+const RobotIdentity kG1{.robot = "g1", .version = "1.2.3", .pid = 42, .log = "/tmp/a.log"};
 
 emulator::Status EveryFieldSet() {
   emulator::Status status;
@@ -72,7 +72,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
       R"("not_finite":0,"gain":0,"motion_service":0,"no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0})";
   EXPECT_EQ(
       StatusJson(kG1, EveryFieldSet()).dump(),
-      R"({"robot":"g1","version":"1.2.3","pid":42,"ready":true,"silenced":true,"time":12.5,)"
+      R"({"robot":"g1","version":"1.2.3","pid":42,"log":"/tmp/a.log","ready":true,"silenced":true,"time":12.5,)"
       R"("steps":12500,"speed":0.5,"paused":true,"steps_left":9,)"
       R"("pace":{"real_time_factor":0.9375,"overruns":3,)"
       R"("lateness":0.25,"worst_lateness":0.75,"shifts":2,"shifted":1.5},)"

@@ -1,5 +1,7 @@
 """Start and end of a robot, and how `ctl` finds it in between."""
 
+import contextlib
+import json
 import os
 import re
 import signal
@@ -8,7 +10,7 @@ import time
 
 import pytest
 
-from robots import eventually
+from robots import eventually, understudy
 
 SOON = 2.0  # s
 SOCKET = 8
@@ -180,3 +182,65 @@ def test_nothing_that_exec_started_outlives_a_killed_exec(runtime_dir):
 def test_a_run_that_fails_to_start_leaves_no_socket(understudy, runtime_dir):
     assert understudy("run", "go2", "--interface", "none").returncode == 5
     assert sockets(runtime_dir) == []
+
+
+@pytest.fixture
+def behind(monkeypatch, tmp_path):
+    """Runs `understudy run go2 --detach ...`; what is left is ended."""
+    monkeypatch.setenv("XDG_STATE_HOME", str(tmp_path))
+    pids = []
+
+    def run(*options):
+        done = understudy("run", "go2", "--detach", *options)
+        pids.extend(map(int, re.findall(r"process (\d+)", done.stdout)))
+        return done
+
+    yield run
+    for pid in pids:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(pid, signal.SIGKILL)
+
+
+def test_a_run_in_the_background_is_left_when_it_is_ready(behind, runtime_dir, tmp_path):
+    done = behind("--name", "dog")
+    assert done.returncode == 0, done.stderr
+    assert sockets(runtime_dir) == ["dog.sock"]
+    status = json.loads(understudy("ctl", "--name", "dog", "status", "--json").stdout)
+    assert status["ready"]
+    assert status["log"] == str(tmp_path / "understudy" / "dog.log")
+    assert str(status["pid"]) in done.stdout and status["log"] in done.stdout
+    assert os.getsid(status["pid"]) == status["pid"]  # a closed terminal is none of its business
+
+    assert "go2 is on lo" in understudy("ctl", "log").stdout
+    with subprocess.Popen([os.environ["UNDERSTUDY"], "ctl", "log", "--follow"], stdout=subprocess.PIPE,
+                          text=True) as follower:
+        assert understudy("ctl", "stop").returncode == 0
+        said, _ = follower.communicate(timeout=10)
+    assert follower.returncode == 0
+    assert "off the network" in said.splitlines()[-1]
+    assert sockets(runtime_dir) == []
+
+
+def test_a_run_in_the_background_that_cannot_start_says_why(behind):
+    for options, code, why in ((["--set", "network.interface=nosuch0"], 5, "nosuch0"),
+                               (["--set", "gate=nosuch"], 3, "gate.mode"),
+                               (["--name", "../x"], SOCKET, "../x")):
+        done = behind(*options)
+        assert (done.returncode, done.stdout) == (code, ""), done.stderr
+        assert why in done.stderr
+
+
+def test_a_run_in_the_background_leaves_the_log_of_another_of_its_name_alone(behind):
+    behind("--name", "dog")
+    before = understudy("ctl", "log").stdout
+    done = behind("--name", "dog", "--domain", "3")
+    assert done.returncode == SOCKET
+    assert "another --name" in done.stderr
+    assert understudy("ctl", "log").stdout == before
+
+
+def test_a_run_that_keeps_no_log_says_where_it_is(play):
+    play("go2")
+    done = understudy("ctl", "log")
+    assert done.returncode == 1
+    assert "--detach" in done.stderr
