@@ -103,6 +103,7 @@ int Main(int argc, char** argv) {
   commands::AddPlotCommand(&app, &chosen);
   commands::AddCompareCommand(&app, &chosen);
   commands::AddRecordingCommand(&app, &chosen);
+  commands::AddExportCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);
 

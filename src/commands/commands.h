@@ -17,6 +17,7 @@ void AddRunCommands(CLI::App* app, Chosen* chosen);       // run, exec
 void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's ground to files
 void AddRehearseCommands(CLI::App* app, Chosen* chosen);  // rehearse, judge
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
+void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in others' forms
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
 void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording

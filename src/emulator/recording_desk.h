@@ -13,16 +13,16 @@
 
 namespace understudy::emulator {
 
+struct RecordingOrder {
+  bool starts = false;  // else it ends the recording
+  bool overwrite = false;
+  std::array<char, kLongestText + 1> file{};  // "" leaves the name to the one who records
+};
+
 // For the thread of the tick: requests leave an order, which the caller of World::Tick takes,
 // carries out for as long as it needs, and reports as done.
 class RecordingDesk {
  public:
-  struct Order {
-    bool starts = false;  // else it ends the recording
-    bool overwrite = false;
-    std::array<char, kLongestText + 1> file{};  // "" leaves the name to the one who records
-  };
-
   // Orders are taken from now on; before, they are refused. `recording`: whether one is on.
   void Open(bool recording) {
     open_ = true;
@@ -47,7 +47,7 @@ class RecordingDesk {
   void Keep(Reply reply) { reply_.emplace(std::move(reply)); }
 
   // Returns the order that is not done, null if there is none.
-  const Order* order() const { return order_ ? &*order_ : nullptr; }
+  const RecordingOrder* order() const { return order_ ? &*order_ : nullptr; }
   // The order is done, or failed. `recording`: whether one is on now.
   void Done(bool recording, Answer answer) {
     recording_ = recording;
@@ -65,7 +65,7 @@ class RecordingDesk {
 
   bool open_ = false;
   bool recording_ = false;
-  std::optional<Order> order_;
+  std::optional<RecordingOrder> order_;
   std::optional<Reply> reply_;
 };
 

@@ -156,7 +156,7 @@ void Recording::Follow() {
   if (const auto* order = world_.recording().order()) Begin(*order);
 }
 
-void Recording::Begin(const emulator::RecordingDesk::Order& order) {
+void Recording::Begin(const emulator::RecordingOrder& order) {
   if (order.starts) {
     const std::string own = config_.robot.name + "_" + Now("%Y-%m-%d_%H-%M-%S") + ".mcap";
     const std::string_view asked = order.file.data();

@@ -62,7 +62,7 @@ class Recording {
 
   std::unique_ptr<record::Recorder> Start(std::filesystem::path file, bool overwrite,
                                           std::int64_t first_step) const;
-  void Begin(const emulator::RecordingDesk::Order& order);
+  void Begin(const emulator::RecordingOrder& order);
   void End();
   void Work(const std::stop_token& stop);
   void OfferDamage();

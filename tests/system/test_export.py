@@ -1,0 +1,40 @@
+"""`understudy export urdf`, read by what ROS reads it with in Python."""
+
+import pathlib
+
+import pytest
+from urdf_parser_py.urdf import URDF
+
+ROBOTS = ["a2", "b2", "b2w", "g1", "g1_23dof", "g1_29dof_dex3", "go2", "go2w", "h1", "h1_2", "h2", "r1"]
+
+
+@pytest.mark.parametrize("name", ROBOTS)
+def test_ros_reads_every_robot(understudy, capfd, name):
+    done = understudy("export", "urdf", name)
+    assert done.returncode == 0, done.stderr
+    robot = URDF.from_xml_string(done.stdout.encode())
+    assert "Unknown" not in capfd.readouterr().err  # elements and attributes that it does not know
+    assert robot.name == name
+    assert robot.get_root()
+    assert len(robot.links) == len(robot.joints) + 1
+    for joint in robot.joints:
+        if joint.type == "revolute":
+            assert joint.limit.lower < joint.limit.upper
+            assert joint.limit.effort > 0 and joint.limit.velocity > 0
+
+
+def test_a_robot_with_meshes_is_written_with_their_files(understudy, tmp_path):
+    arm = pathlib.Path(__file__).parents[2] / "examples" / "two_joint_arm"
+    model = (arm / "arm.xml").read_text()
+    model = model.replace("<worldbody>", """<asset><mesh name="wedge"
+        vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1"/></asset><worldbody>""")
+    model = model.replace('<site name="imu"', '<geom type="mesh" mesh="wedge" mass="0"/><site name="imu"')
+    (tmp_path / "arm.xml").write_text(model)
+    (tmp_path / "one.yaml").write_text((arm / "arm.yaml").read_text())
+    done = understudy("export", "urdf", tmp_path / "one.yaml", "--out", tmp_path / "one.urdf")
+    assert done.returncode == 0, done.stderr
+    robot = URDF.from_xml_file(str(tmp_path / "one.urdf"))
+    mesh = robot.link_map["column"].visuals[-1].geometry.filename
+    assert (tmp_path / mesh).stat().st_size == 84 + 4 * 50
+    assert robot.joint_map["elbow"].limit.effort == 10
+    assert "--out" in understudy("export", "urdf", tmp_path / "one.yaml").stderr
