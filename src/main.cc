@@ -106,6 +106,7 @@ int Main(int argc, char** argv) {
   commands::AddExportCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);
+  commands::AddManualCommand(&app, &chosen);
 
   // Command line.
   try {

@@ -39,6 +39,7 @@ test_packages=(
   "iproute2:puts two hosts on a virtual cable"
   "zsh:completions are tried in their shells"
   "fish:completions are tried in their shells"
+  "mandoc:checks the manual pages"
   "xvfb:a screen without a monitor for the window"
   "xdotool:hands for the window"
   "libosmesa6:pictures are tried with it, too"

@@ -25,6 +25,8 @@ void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents 
 // one JSON document to standard output.
 void AddInspectCommands(CLI::App* app, Chosen* chosen);
 void AddCompletionsCommand(CLI::App* app, Chosen* chosen);
+// Hidden, for packages: writes the manual pages of the commands that `app` has when it runs.
+void AddManualCommand(CLI::App* app, Chosen* chosen);
 
 // If `app` needs a subcommand and the command line has no valid one, returns an error line with the
 // nearest and all valid words: "no command 'stauts' of `understudy ctl`; did you mean 'status'?

@@ -277,9 +277,14 @@ constexpr char kBash[] = R"sh(_understudy() {
 complete -o default -F _understudy understudy
 )sh";
 
+// Sourced, or a file _understudy in zsh's fpath: its text is then the first call of that function,
+// which it replaces by the one above and calls.
 constexpr char kZshPreamble[] =
+    "#compdef understudy\n"
     "(( $+functions[compdef] )) || { autoload -U +X compinit && compinit }\n"
     "autoload -U +X bashcompinit && bashcompinit\n";
+constexpr char kZshEnd[] =
+    "[[ $funcstack[1] != _understudy ]] || _bash_complete -o default -F _understudy\n";
 
 constexpr char kFish[] = R"sh(function __understudy_words
   set -l words (commandline -opc)
@@ -304,8 +309,9 @@ void AddCompletionsCommand(CLI::App* app, Chosen* chosen) {
       "  source <(understudy completions zsh)          in ~/.zshrc\n"
       "They ask the program: names of robots, scenes, keys of --set, bodies of a running robot.");
   const auto print = [=] {
-    const std::string script =
-        *shell == "fish" ? kFish : (*shell == "zsh" ? kZshPreamble : "") + std::string(kBash);
+    const std::string script = *shell == "fish"  ? kFish
+                               : *shell == "zsh" ? std::string(kZshPreamble) + kBash + kZshEnd
+                                                 : kBash;
     std::fputs(script.c_str(), stdout);
     return 0;
   };

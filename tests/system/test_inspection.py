@@ -3,9 +3,13 @@
 import json
 import os
 import pathlib
+import pty
+import select
 import subprocess
 
 import pytest
+
+from robots import eventually
 
 SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "picture", "film", "robots", "check", "version", "completions"]
 ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
@@ -311,6 +315,32 @@ def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
     assert checked.returncode == 0, checked.stderr
     assert done.stderr == ""
     assert sorted(w for w in done.stdout.split() if w.startswith(words[-1])) == offered
+
+
+def test_zsh_completes_from_a_file_in_its_fpath_the_first_time_and_again(understudy, tmp_path):
+    (tmp_path / "_understudy").write_text(understudy("completions", "zsh").stdout)
+    folder = os.path.dirname(os.environ["UNDERSTUDY"])
+    process, terminal = pty.fork()
+    if process == 0:
+        os.environ.update(PATH=f"{folder}:{os.environ['PATH']}", TERM="dumb", HOME=str(tmp_path))
+        os.execvp("zsh", ["zsh", "-f", "-i"])
+    shown = ""
+
+    def shows(text):
+        nonlocal shown
+        while select.select([terminal], [], [], 0)[0]:
+            shown += os.read(terminal, 4096).decode()
+        return text in shown
+
+    os.write(terminal, f"fpath=({tmp_path} $fpath); autoload -U compinit && compinit -D -u; print la''den\n".encode())
+    eventually(lambda: shows("\nladen"), what="a shell")
+    for typed, completed in (("ctl clamp of", "off"), ("run go2 --start ly", "lying")):
+        os.write(terminal, f"understudy {typed}\t".encode())
+        eventually(lambda: shows(completed), what=f"{typed}: {shown}")
+        os.write(terminal, b"\x15")
+    os.write(terminal, b"exit\n")
+    os.waitpid(process, 0)
+    os.close(terminal)
 
 
 def test_completion_knows_the_robots_that_run_and_their_bodies(play, understudy):
