@@ -47,6 +47,18 @@ test_packages=(
   "chromium:looks at the browser panel"
 )
 
+package_packages=(
+  "dpkg-dev:finds the libraries that the package needs"
+  "file:tells programs from other files"
+)
+
+installation_packages=(
+  "lintian:checks the package"
+  "mmdebstrap:a Debian to install it on"
+  "python3-yaml:reads the recipes of containers"
+  "systemd:checks the units"
+)
+
 # What tests/conformance/other_dds needs (RustDDS 0.15). Debian 12's own cargo is older; cargo-web, which
 # builds its browsers, is not.
 least_cargo=1.88
