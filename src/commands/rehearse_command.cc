@@ -1,9 +1,7 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <optional>
-#include <sstream>
 #include <system_error>
 
 #include <unistd.h>
@@ -12,6 +10,7 @@
 #include "base/nearest_word.h"
 #include "base/signals.h"
 #include "client/control_folder.h"
+#include "commands/campaign.h"
 #include "commands/commands.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
@@ -19,6 +18,7 @@
 #include "config/data_dir.h"
 #include "rehearse/outputs.h"
 #include "rehearse/rehearse.h"
+#include "rehearse/run_campaign.h"
 #include "rehearse/scenario.h"
 
 namespace understudy::commands {
@@ -31,6 +31,7 @@ struct JudgeArguments {
   std::string scenario;
   std::string out;
   std::string recording;  // judge only
+  std::size_t run = 0;    // of a campaign; 0: none was chosen
   bool json = false;
 };
 
@@ -39,6 +40,7 @@ struct RehearseArguments : JudgeArguments, SetArguments {
   std::string log_level = "warn";
   bool to_the_end = false;
   bool words = false;
+  CampaignArguments campaign;
   std::vector<std::string> command;
 };
 
@@ -56,35 +58,34 @@ fs::path FindScenario(const std::string& written) {
   throw ConfigError("no scenario '" + written + "'" + DidYouMean(written, names));
 }
 
-std::string TextOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
+fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t run = 0) {
+  if (!out.empty()) return out;
+  const std::string name = scenario.stem().string();
+  return fs::path("rehearsals") / (run == 0 ? name : name + "-" + std::to_string(run));
 }
 
-void WriteFile(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  if (!stream) throw SetupError(file.string() + ": cannot be written");
-}
-
-fs::path MakeFolder(const std::string& out, const fs::path& scenario) {
-  fs::path folder = out.empty() ? fs::path("rehearsals") / scenario.stem() : fs::path(out);
+fs::path MakeFolder(fs::path folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());
   return folder;
 }
 
+// The options that a run of a campaign has as the campaign has them.
+std::vector<std::string> OptionsOf(const RehearseArguments& arguments) {
+  std::vector<std::string> words = WordsOf(arguments.network);
+  for (const std::string& set : arguments.sets) words.insert(words.end(), {"--set", set});
+  if (arguments.to_the_end) words.emplace_back("--to-the-end");
+  return words;
+}
+
 // Prints the verdicts and writes those for CI, programs and people. Returns the exit code.
 int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expect,
          const rehearse::Judged& judged, const fs::path& folder, bool as_json) {
   const std::string told = rehearse::TellJson(occasion, expect, judged);
-  WriteFile(folder / "verdict.json", told);
-  WriteFile(folder / "junit.xml", rehearse::TellJunit(occasion, expect, judged));
-  WriteFile(folder / "report.html", rehearse::TellHtml(occasion, expect, judged));
+  rehearse::WriteFile(folder / "verdict.json", told);
+  rehearse::WriteFile(folder / "junit.xml", rehearse::TellJunit(occasion, expect, judged));
+  rehearse::WriteFile(folder / "report.html", rehearse::TellHtml(occasion, expect, judged));
   if (as_json) {
     std::fputs(told.c_str(), stdout);
   } else {
@@ -103,14 +104,31 @@ int RehearseCommand(const RehearseArguments& arguments) {
                 rehearse::ExpectationsReference().c_str(), signals::SignalsReference().c_str());
     return 0;
   }
+  if (!arguments.campaign.merge.empty())
+    return MergeCommand(arguments.campaign, arguments.out, arguments.json);
   const fs::path file = FindScenario(arguments.scenario);
-  rehearse::Scenario scenario =
-      rehearse::LoadScenario(file, {.command = arguments.command, .sets = arguments.sets});
+  const rehearse::ScenarioOptions options{
+      .command = arguments.command, .sets = arguments.sets, .run = arguments.run};
+  if (arguments.run == 0) {
+    if (const auto varied = rehearse::LoadVaried(file)) {
+      return CampaignCommand({.file = file,
+                              .written = arguments.scenario,
+                              .varied = *varied,
+                              .options = options,
+                              .words = OptionsOf(arguments),
+                              .out = FolderOf(arguments.out, file),
+                              .host_network = arguments.network.network == "host",
+                              .json = arguments.json},
+                             arguments.campaign);
+    }
+    RequireNone(arguments.campaign, file);
+  }
+  rehearse::Scenario scenario = rehearse::LoadScenario(file, options);
   if (scenario.program && scenario.program->command.empty()) {
     throw ConfigError(file.string() + ": program: this scenario needs one: understudy rehearse " +
                       arguments.scenario + " -- CMD...");
   }
-  const fs::path folder = MakeFolder(arguments.out, file);
+  const fs::path folder = MakeFolder(FolderOf(arguments.out, file, arguments.run));
   client::MakeControlFolder(client::ControlFolder());
   const fs::path control = client::ControlSocket(client::DefaultName(scenario.config.robot.name));
   RunNetwork network(arguments.network, &scenario.config);
@@ -143,14 +161,11 @@ int RehearseCommand(const RehearseArguments& arguments) {
 
   // The line that does the same again has the seed that was drawn.
   std::vector<std::string> words{"understudy", "rehearse", arguments.scenario};
-  for (const std::string& word : WordsOf(arguments.network)) words.push_back(word);
-  for (const std::string& set : arguments.sets) {
-    words.insert(words.end(), {"--set", set});
-  }
+  if (arguments.run > 0) words.insert(words.end(), {"--run", std::to_string(arguments.run)});
+  for (const std::string& word : OptionsOf(arguments)) words.push_back(word);
   const auto seed = rehearsal.judged.about.find("seed");
-  if (seed != rehearsal.judged.about.end() && !seed->second.empty()) {
-    words.insert(words.end(), {"--seed", seed->second});
-  }
+  const bool drawn = seed != rehearsal.judged.about.end() && !seed->second.empty();
+  if (drawn && arguments.run == 0) words.insert(words.end(), {"--seed", seed->second});
   if (!arguments.command.empty()) {
     words.emplace_back("--");
     words.insert(words.end(), arguments.command.begin(), arguments.command.end());
@@ -159,13 +174,21 @@ int RehearseCommand(const RehearseArguments& arguments) {
   for (const emulator::ScriptEvent& event : scenario.script.events) {
     script.push_back(emulator::Describe(event.request));
   }
-  const rehearse::Occasion occasion{.title = scenario.name,
+  const std::string recording = folder / "recording.mcap";
+  std::vector<std::string> again{"understudy", "judge", recording, arguments.scenario};
+  std::string title = scenario.name;
+  if (arguments.run > 0) {
+    again.insert(again.end(), {"--run", std::to_string(arguments.run)});
+    title += ", run " + std::to_string(arguments.run) + ": " + SettingsText(scenario.settings);
+  }
+  const rehearse::Occasion occasion{.title = title,
                                     .about = scenario.about,
                                     .robot = scenario.config.robot.name,
                                     .source = file,
-                                    .recording = folder / "recording.mcap",
+                                    .recording = recording,
+                                    .judge = rehearse::ShellText(again),
                                     .repeat = rehearse::ShellText(words),
-                                    .scenario = TextOf(file),
+                                    .scenario = rehearse::FileText(file),
                                     .script = script,
                                     .stopped = rehearsal.stopped,
                                     .wall = rehearsal.wall};
@@ -180,24 +203,26 @@ int JudgeCommand(const JudgeArguments& arguments) {
   const auto found = reader.contents().metadata.find("understudy");
   if (found != reader.contents().metadata.end()) about = found->second;
   const rehearse::Expectations expect =
-      rehearse::LoadExpectations(file, about["robot"], about["revision"]);
+      rehearse::LoadExpectations(file, about["robot"], about["revision"], arguments.run);
   const rehearse::Judged judged = rehearse::JudgeRecording(reader, expect);
   if (!judged.cut_short.empty()) {
     std::fprintf(stderr, "the recording was cut short: %s\n", judged.cut_short.c_str());
   }
-  const rehearse::Occasion occasion{
-      .title = fs::path(arguments.recording).filename(),
-      .about = {},
-      .robot = about["robot"],
-      .source = file,
-      .recording = arguments.recording,
-      .repeat =
-          rehearse::ShellText({"understudy", "judge", arguments.recording, arguments.scenario}),
-      .scenario = TextOf(file),
-      .script = {},
-      .stopped = {},
-      .wall = 0};
-  return Tell(occasion, expect, judged, MakeFolder(arguments.out, arguments.recording),
+  std::vector<std::string> words{"understudy", "judge", arguments.recording, arguments.scenario};
+  if (arguments.run > 0) words.insert(words.end(), {"--run", std::to_string(arguments.run)});
+  const std::string repeat = rehearse::ShellText(words);
+  const rehearse::Occasion occasion{.title = fs::path(arguments.recording).filename(),
+                                    .about = {},
+                                    .robot = about["robot"],
+                                    .source = file,
+                                    .recording = arguments.recording,
+                                    .judge = repeat,
+                                    .repeat = repeat,
+                                    .scenario = rehearse::FileText(file),
+                                    .script = {},
+                                    .stopped = {},
+                                    .wall = 0};
+  return Tell(occasion, expect, judged, MakeFolder(FolderOf(arguments.out, arguments.recording)),
               arguments.json);
 }
 
@@ -206,6 +231,9 @@ void AddJudgeOptions(CLI::App* app, JudgeArguments* arguments) {
                   "Folder for report.html, junit.xml, verdict.json [rehearsals/NAME]")
       ->type_name("DIR");
   app->add_flag("--json", arguments->json, "Print the verdicts as JSON");
+  app->add_option("--run", arguments->run, "Only this run of a scenario with `vary`, from 1")
+      ->type_name("NUMBER")
+      ->check(CLI::PositiveNumber);
 }
 
 }  // namespace
@@ -234,6 +262,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       ->take_all();
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
+  AddCampaignOptions(rehearse, &arguments->campaign);
   AddNetworkOptions(rehearse, &arguments->network);
   rehearse->add_option("--log-level", arguments->log_level, "debug, info, warn or error [warn]")
       ->check(CLI::IsMember({"debug", "info", "warn", "error"}));
@@ -247,10 +276,17 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       "  understudy rehearse walk.yaml -- python3 walk.py lo\n"
       "  understudy rehearse walk.yaml --interface-name eth0 -- python3 walk.py eth0\n"
       "  understudy rehearse push.yaml --set terrain.friction=0.3 --out results\n"
+      "  understudy rehearse shoves.yaml --jobs 8        # a campaign: it has `vary`\n"
+      "  understudy rehearse shoves.yaml --run 17        # its 17th run, with all evidence\n"
+      "  understudy rehearse shoves.yaml --shard 2/4 --out part2\n"
+      "  understudy rehearse --merge part1 part2 part3 part4 --out all\n"
       "Exits with 0 if all expectations hold, 10 if one failed, 11 if none failed and one could\n"
       "not be judged. docs/rehearsing.md has the words of scenarios.");
   rehearse->callback([=] {
-    if (arguments->scenario.empty() && !arguments->words) throw CLI::RequiredError("SCENARIO");
+    const bool merges = !arguments->campaign.merge.empty();
+    if (arguments->scenario.empty() && !arguments->words && !merges) {
+      throw CLI::RequiredError("SCENARIO");
+    }
     RequireConsistent(arguments->network);
     *chosen = [=] { return RehearseCommand(*arguments); };
   });

@@ -65,11 +65,6 @@ std::string ClassOf(Outcome outcome) {
   return outcome == Outcome::kFailed ? "failed" : "none";
 }
 
-std::string Badge(Outcome outcome) {
-  return "<span class=\"word " + ClassOf(outcome) + "\">" + std::string(judge::Name(outcome)) +
-         "</span>";
-}
-
 std::string TimeText(double seconds) {
   char digits[32];
   std::snprintf(digits, sizeof digits, "%.3f s", seconds);
@@ -256,7 +251,7 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
   };
   row("Repeat it", occasion.repeat);
   row("Evidence", occasion.recording);
-  row("Judge it again", "understudy judge " + occasion.recording + " " + occasion.source);
+  row("Judge it again", occasion.judge);
   row("Scenario", occasion.source);
   row("Robot", occasion.robot);
   row("Judged by", std::string("understudy ") + kVersion);
@@ -272,6 +267,11 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
 }
 
 }  // namespace
+
+std::string Badge(Outcome outcome) {
+  return "<span class=\"word " + ClassOf(outcome) + "\">" + std::string(judge::Name(outcome)) +
+         "</span>";
+}
 
 std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
                      const Judged& judged) {

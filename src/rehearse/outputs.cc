@@ -21,18 +21,6 @@ std::string Fixed(double number) {
   return digits;
 }
 
-// A word of four letters and its colour.
-const char* Word(Outcome outcome, bool colored) {
-  switch (outcome) {
-    case Outcome::kPassed:
-      return colored ? "\033[32mPASS\033[m" : "PASS";
-    case Outcome::kFailed:
-      return colored ? "\033[31mFAIL\033[m" : "FAIL";
-    default:
-      return colored ? "\033[33mNONE\033[m" : "NONE";
-  }
-}
-
 // Infinite margins, of claims without a quantity, are none.
 ordered_json NumberOrNull(double number) {
   return std::isfinite(number) ? ordered_json(number) : ordered_json(nullptr);
@@ -89,6 +77,17 @@ ordered_json Told(const record::Damage& damage) {
 }
 
 }  // namespace
+
+const char* Word(Outcome outcome, bool colored) {
+  switch (outcome) {
+    case Outcome::kPassed:
+      return colored ? "\033[32mPASS\033[m" : "PASS";
+    case Outcome::kFailed:
+      return colored ? "\033[31mFAIL\033[m" : "FAIL";
+    default:
+      return colored ? "\033[33mNONE\033[m" : "NONE";
+  }
+}
 
 std::string TellLines(const Occasion& occasion, const Expectations& expectations,
                       const Judged& judged, bool colored) {

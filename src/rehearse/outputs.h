@@ -17,6 +17,7 @@ struct Occasion {
   std::string robot{};
   std::string source{};               // the scenario's file
   std::string recording{};            // the evidence
+  std::string judge{};                // the command line that judges it again
   std::string repeat{};               // the command line that does the same again
   std::string scenario{};             // text of the file
   std::vector<std::string> script{};  // what its events ask for
@@ -42,6 +43,11 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
 
 // A page with that content, in the style of the report.
 std::string HtmlPage(const std::string& title, const std::string& content);
+
+// Returns an outcome as a word of four letters, `colored` for a terminal, and as a badge of
+// HtmlPage.
+const char* Word(judge::Outcome outcome, bool colored);
+std::string Badge(judge::Outcome outcome);
 
 // Returns a text for XML and HTML: with entities, without what XML cannot have.
 std::string Escaped(std::string_view text);

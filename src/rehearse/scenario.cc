@@ -38,6 +38,7 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"program", "a mapping", "The program under test, see below"},
     {"script", "a list", "What happens when, as in a [script](scripts.md)"},
     {"expect", "a list", "Expectations, see below; needed"},
+    {"vary", "a mapping", "How the runs of a [campaign](#campaigns) differ"},
 };
 constexpr ScenarioKey kProgramKeys[] = {
     {"command", "a list of words", "Program and arguments; `-- CMD...` replaces it"},
@@ -117,12 +118,15 @@ Program ReadProgram(const YamlValue& value) {
   return program;
 }
 
-// The configuration that a scenario describes.
+// The configuration that a scenario describes; `run` as Scenario has it.
 config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& file,
-                        const std::vector<std::string>& sets, bool has_program) {
+                        const std::vector<std::string>& sets, bool has_program, std::size_t run) {
   config::Layers layers{.robot = LineOf(Needed(document, "robot"), "robot", kMostText),
                         .sets = sets};
   const std::string& where = document.where;
+  if (run > 0) {
+    layers.trees.push_back(TreeOf("randomization", "seed", ScalarOf(std::to_string(run), where)));
+  }
   const YamlValue* speed = document.Find("speed");
   const YamlValue pace = speed != nullptr ? *speed : ScalarOf(has_program ? "1" : "max", where);
   layers.trees.push_back(
@@ -153,6 +157,51 @@ YamlValue ReadDocument(const std::filesystem::path& file) {
   return document;
 }
 
+// A run of a campaign, or the scenario itself.
+struct Chosen {
+  YamlValue document;
+  std::optional<Plan> plan{};
+  std::size_t run = 0;
+  std::vector<Setting> settings{};
+  ScenarioOptions options{};
+};
+
+Chosen Choose(const YamlValue& document, const ScenarioOptions& options, bool knows_command) {
+  Chosen chosen{.document = document, .options = options};
+  const YamlValue* vary = document.Find("vary");
+  if (vary == nullptr) {
+    if (options.run == 0) return chosen;
+    throw ConfigError(document.where + ": vary: missing, so there is no run " +
+                      std::to_string(options.run));
+  }
+  chosen.plan.emplace(*vary);
+  chosen.run = std::max<std::size_t>(options.run, 1);
+  if (chosen.run > chosen.plan->size()) {
+    throw ConfigError(vary->where + ": vary: there is no run " + std::to_string(chosen.run) +
+                      "; they are numbered from 1 to " + std::to_string(chosen.plan->size()));
+  }
+  chosen.settings = chosen.plan->Of(chosen.run);
+  chosen.document = WithSettings(document, *chosen.plan, chosen.settings, &chosen.options.sets,
+                                 knows_command ? &chosen.options.command : nullptr);
+  return chosen;
+}
+
+// Reads the configuration; an error of a varied key names the line of `vary`.
+config::Config ConfigOf(const Chosen& chosen, const std::filesystem::path& file, bool has_program) {
+  try {
+    return ConfigOf(chosen.document, file, chosen.options.sets, has_program, chosen.run);
+  } catch (const ConfigError& error) {
+    const std::string what = error.what();
+    for (std::size_t i = 0; i < chosen.settings.size(); ++i) {
+      const auto& [key, text] = chosen.settings[i];
+      const std::string start = "--set " + config::OneLine(key + "=" + text) + ": ";
+      if (!what.starts_with(start)) continue;
+      throw ConfigError(chosen.plan->axes()[i].where + ": vary: " + what.substr(start.size()));
+    }
+    throw;
+  }
+}
+
 }  // namespace
 
 bool IsScenario(const YamlValue& document) {
@@ -160,7 +209,8 @@ bool IsScenario(const YamlValue& document) {
 }
 
 Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& options) {
-  const YamlValue document = ReadDocument(file);
+  Chosen chosen = Choose(ReadDocument(file), options, true);
+  const YamlValue& document = chosen.document;
   Scenario scenario{.file = file};
   scenario.name = LineOf(Needed(document, "scenario"), "scenario", kMostTitle);
   if (const YamlValue* about = document.Find("about"))
@@ -168,11 +218,11 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
   if (const YamlValue* program = document.Find("program")) {
     scenario.program = ReadProgram(*program);
   }
-  if (!options.command.empty()) {
+  if (!chosen.options.command.empty()) {
     if (!scenario.program) scenario.program.emplace();
-    scenario.program->command = options.command;
+    scenario.program->command = chosen.options.command;
   }
-  scenario.config = ConfigOf(document, file, options.sets, scenario.program.has_value());
+  scenario.config = ConfigOf(chosen, file, scenario.program.has_value());
   if (!scenario.program && scenario.config.time.duration <= 0) {
     throw ConfigError(document.where +
                       ": duration: missing; expected seconds, as no program ends the rehearsal");
@@ -185,19 +235,52 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
   Names names = signals::RecordedNames(scenario.config.robot, WrongField);
   names.program = scenario.program.has_value();
   scenario.expect = ReadExpectations(Needed(document, "expect"), names);
+  scenario.plan = std::move(chosen.plan);
+  scenario.run = chosen.run;
+  scenario.settings = std::move(chosen.settings);
   return scenario;
 }
 
-Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
-                              const std::string& revision) {
+std::optional<VariedScenario> LoadVaried(const std::filesystem::path& file) {
   const YamlValue document = ReadDocument(file);
-  const YamlValue& expect = Needed(document, "expect");
-  if (document.Find("robot") != nullptr) {
-    return ReadExpectations(
-        expect, signals::RecordedNames(ConfigOf(document, file, {}, true).robot, WrongField));
+  const YamlValue* vary = document.Find("vary");
+  if (vary == nullptr) return std::nullopt;
+  VariedScenario varied{.name = LineOf(Needed(document, "scenario"), "scenario", kMostTitle),
+                        .plan = Plan(*vary)};
+  if (const YamlValue* about = document.Find("about")) {
+    varied.about = LineOf(*about, "about", kMostText);
+  }
+  return varied;
+}
+
+Plan PlanOf(const std::string& text, const std::string& name) {
+  return Plan(Needed(config::ParseYaml(text, name), "vary"));
+}
+
+void CheckRuns(const std::filesystem::path& file, const Plan& plan,
+               const ScenarioOptions& options) {
+  ScenarioOptions of_run = options;
+  for (const std::size_t run : plan.Samples()) {
+    of_run.run = run;
+    try {
+      LoadScenario(file, of_run);
+    } catch (const ConfigError& error) {
+      throw ConfigError(std::string(error.what()) + " (run " + std::to_string(run) + ": " +
+                        SettingsText(plan.Of(run)) + ")");
+    }
+  }
+}
+
+Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
+                              const std::string& revision, std::size_t run) {
+  const Chosen chosen = Choose(ReadDocument(file), {.run = run}, false);
+  const YamlValue& expect = Needed(chosen.document, "expect");
+  if (chosen.document.Find("robot") != nullptr) {
+    return ReadExpectations(expect,
+                            signals::RecordedNames(ConfigOf(chosen, file, true).robot, WrongField));
   }
   if (robot.empty()) {
-    throw ConfigError(document.where +
+    throw ConfigError(chosen.document.where +
                       ": robot: missing, and the recording does not say which it is of");
   }
   config::Layers layers{.robot = robot};
@@ -214,7 +297,7 @@ std::string ScenarioReference() {
   };
   for (const ScenarioKey& row : kScenarioKeys) add("", row);
   for (const ScenarioKey& row : kProgramKeys) add("program.", row);
-  return text;
+  return text + VaryReference();
 }
 
 }  // namespace understudy::rehearse

@@ -10,6 +10,7 @@
 #include "config/load.h"
 #include "config/yaml_document.h"
 #include "rehearse/expectations.h"
+#include "rehearse/vary.h"
 #include "script/script.h"
 
 namespace understudy::rehearse {
@@ -30,25 +31,48 @@ struct Scenario {
   script::Script script{};
   std::optional<Program> program{};
   Expectations expect{};
+  std::optional<Plan> plan{};       // of a campaign
+  std::size_t run = 0;              // the run of it that this is; 0 without a plan
+  std::vector<Setting> settings{};  // of that run
 };
 
 // What the command line adds.
 struct ScenarioOptions {
   std::vector<std::string> command{};  // of the program under test, in place of the scenario's
   std::vector<std::string> sets{};     // KEY=VALUE
+  std::size_t run = 0;                 // of a campaign; 0: none was chosen
 };
 
 // Returns whether a document is a scenario, or only expectations: a mapping with the key `expect`.
 bool IsScenario(const config::YamlValue& document);
 
-// Reads a scenario. Time is as fast as possible and the network lo of domain 0 unless it says
-// otherwise. Throws ConfigError with file, line, key, what was expected and the nearest word.
+// Reads a scenario; of one with `vary` the run that was chosen, else the first. Such a run has its
+// number as seed unless something gives or varies one. Time is as fast as possible and the network
+// lo of domain 0 unless it says otherwise. Throws ConfigError with file, line, key, what was
+// expected and the nearest word.
 Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& options = {});
 
-// Reads only what is expected, of a scenario or of a file with nothing else. If it names no robot,
-// `robot` with its revision is meant, "" if that is not known either. Throws ConfigError.
+// A scenario as a whole campaign has it: with `$name` as it is written.
+struct VariedScenario {
+  std::string name{}, about{};
+  Plan plan;
+};
+
+// Returns nullopt for a scenario without `vary`. Throws ConfigError.
+std::optional<VariedScenario> LoadVaried(const std::filesystem::path& file);
+
+// The same of a file that was read before, for the results of a campaign: `name` is for errors.
+Plan PlanOf(const std::string& text, const std::string& name);
+
+// Reads every scenario that Plan::Samples() has of a campaign, so that what is wrong is told before
+// it starts. Throws ConfigError with the number of the run.
+void CheckRuns(const std::filesystem::path& file, const Plan& plan, const ScenarioOptions& options);
+
+// Reads only what is expected, of a scenario or of a file with nothing else; of one with `vary` by
+// run `run`, 0 for the first. If it names no robot, `robot` with its revision is meant, "" if that
+// is not known either. Throws ConfigError.
 Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
-                              const std::string& revision);
+                              const std::string& revision, std::size_t run = 0);
 
 // Returns the keys of a scenario as Markdown.
 std::string ScenarioReference();

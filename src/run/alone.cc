@@ -30,8 +30,10 @@ std::vector<bus::Neighbour> Robots(const wire::StrangerWatch& watch,
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
                          bool private_network, time::Clock* clock) {
-  const bool stays_here = private_network || participant.interface() == "lo";
-  const double seconds = stays_here ? guard.listen_loopback : guard.listen_network;
+  // A private network has nobody in it before the robot speaks: the program waits until then.
+  const double seconds = private_network                   ? 0
+                         : participant.interface() == "lo" ? guard.listen_loopback
+                                                           : guard.listen_network;
   const auto listen =
       std::chrono::duration_cast<time::Clock::Time>(std::chrono::duration<double>(seconds));
   const std::string where =

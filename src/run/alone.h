@@ -11,9 +11,8 @@ namespace understudy::run {
 // Returns if no other participant writes rt/lowstate and no other robot of this program began to
 // start before this one (wire/robot_rank.h), or if it has only a silent writer and the
 // configuration allows that. The listening time counts from `since`, when the watch began. A writer
-// that has sent nothing gets the same time again. It is that of the configuration for lo, and also
-// in a `private_network`, out of which nothing leads, whatever its interface is called. Throws
-// NeighbourError.
+// that has sent nothing gets the same time again. It is that of the configuration; in a
+// `private_network`, where nobody is before the robot speaks, there is none. Throws NeighbourError.
 void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
                          const bus::Participant& participant, const config::GuardConfig& guard,
                          bool private_network, time::Clock* clock);

@@ -1,0 +1,498 @@
+#include "rehearse/vary.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <set>
+#include <string_view>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "rehearse/yaml_values.h"
+#include "robot/randomization.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using config::YamlValue;
+using Kind = YamlValue::Kind;
+
+// All *assumed*.
+constexpr std::size_t kMostRuns = 1'000'000;
+constexpr std::size_t kMostValues = 10'000;  // of a key
+constexpr std::size_t kLongestValue = 400;   // letters
+
+struct VaryKey {
+  std::string_view key, takes, says;
+};
+constexpr VaryKey kVaryKeys[] = {
+    {"grid", "a mapping of keys to values", "Every combination; of a range `count` values"},
+    {"list", "a list of mappings", "These runs, all with the same keys"},
+    {"random", "a mapping of keys to values", "Drawn by `seed`, `runs` times, each key on its own"},
+    {"latin", "a mapping of keys to values",
+     "Drawn as a Latin hypercube: each key's range is cut into `runs` parts, and each part is met "
+     "once"},
+    {"runs", "a whole number", "Draws of `random` or `latin`; needed with them"},
+    {"seed", "a whole number", "Of these draws; 1 unless given"},
+};
+constexpr std::string_view kRangeKeys[] = {"from", "to", "count", "whole"};
+
+void RefuseOthers(const YamlValue& map, const std::vector<std::string>& known) {
+  for (const YamlValue& key : map.keys) {
+    if (std::ranges::find(known, key.text) != known.end()) continue;
+    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
+                      DidYouMean(key.text, known));
+  }
+}
+
+std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t most) {
+  const std::optional<double> number = NumberOf(value);
+  if (!number || *number != std::floor(*number) || *number < 1 ||
+      *number > static_cast<double>(most)) {
+    Refuse(value, key, "a whole number from 1 to " + std::to_string(most));
+  }
+  return static_cast<std::size_t>(*number);
+}
+
+// Six digits, so that the line that repeats a run has all of the value.
+std::string Written(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.6g", number);
+  return digits.data();
+}
+std::string Written(double number, bool whole) {
+  if (!whole) return Written(number);
+  return std::to_string(std::llround(number));
+}
+
+// At which of `count` equal steps from low to high.
+std::string PointOf(const Axis& axis, std::size_t i, std::size_t count) {
+  if (count == 1) return Written(axis.low, axis.whole);
+  const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+  return Written(axis.low + share * (axis.high - axis.low), axis.whole);
+}
+
+// The value that a share [0, 1) of an axis stands for.
+std::string ValueAt(const Axis& axis, double share) {
+  if (!axis.is_range()) {
+    const auto place = share * static_cast<double>(axis.values.size());
+    return axis.values[std::min(static_cast<std::size_t>(place), axis.values.size() - 1)];
+  }
+  if (!axis.whole) return Written(axis.low + share * (axis.high - axis.low));
+  const double number = axis.low + std::floor(share * (axis.high - axis.low + 1));
+  return Written(std::min(number, axis.high), true);
+}
+
+bool IsPlaceholder(std::string_view key) {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  return key.size() > 1 && key.front() == '$' && (key[1] < '0' || key[1] > '9') &&
+         key.find_first_not_of(kLetters, 1) == std::string_view::npos;
+}
+
+std::string ValueText(const YamlValue& value, const std::string& key) {
+  std::string text = FlowText(value);
+  if (text.size() > kLongestValue) {
+    Refuse(value, key, "at most " + std::to_string(kLongestValue) + " letters");
+  }
+  return text;
+}
+
+// Reads the values of a key: a list, or a range. `count` gets the steps of a range in a grid.
+Axis AxisOf(const YamlValue& key, const YamlValue& value, std::optional<std::size_t>* count) {
+  Axis axis{.key = key.text, .where = key.where};
+  const bool range = value.kind == Kind::kMap && value.Find("from") != nullptr;
+  if (!range) {
+    if (value.kind != Kind::kSequence || value.items.empty()) {
+      Refuse(value, key.text, "a list of values, or a range, as in {from: 0.3, to: 1}");
+    }
+    if (value.items.size() > kMostValues) {
+      Refuse(value, key.text, "at most " + std::to_string(kMostValues) + " values");
+    }
+    for (const YamlValue& item : value.items) {
+      std::string text = ValueText(item, key.text);
+      if (std::ranges::find(axis.values, text) != axis.values.end()) {
+        throw ConfigError(item.where + ": " + key.text + ": " + text + " is there twice");
+      }
+      axis.values.push_back(std::move(text));
+    }
+    return axis;
+  }
+  RefuseOthers(value, {std::begin(kRangeKeys), std::end(kRangeKeys)});
+  const auto bound = [&](const char* name, double* to) {
+    const YamlValue* given = value.Find(name);
+    if (given == nullptr)
+      throw ConfigError(value.where + ": " + key.text + "." + name + ": missing");
+    const std::optional<double> number = NumberOf(*given);
+    if (!number || !std::isfinite(*number)) Refuse(*given, key.text + "." + name, "a number");
+    *to = *number;
+  };
+  bound("from", &axis.low);
+  bound("to", &axis.high);
+  if (axis.high < axis.low) {
+    throw ConfigError(value.Find("to")->where + ": " + key.text + ".to: is less than from");
+  }
+  axis.whole = key.text == "seed" || key.text.ends_with(".seed");  // no other number is a seed
+  if (const YamlValue* whole = value.Find("whole")) {
+    if (whole->text != "true" && whole->text != "false") {
+      Refuse(*whole, key.text + ".whole", "true or false");
+    }
+    axis.whole = whole->text == "true";
+  }
+  constexpr double kGreatestWhole = 0x1p53;
+  const bool has_whole_bounds =
+      axis.low == std::floor(axis.low) && axis.high == std::floor(axis.high) &&
+      std::abs(axis.low) <= kGreatestWhole && std::abs(axis.high) <= kGreatestWhole;
+  if (axis.whole && !has_whole_bounds) Refuse(value, key.text, "whole numbers from and to");
+  if (const YamlValue* steps = value.Find("count")) {
+    *count = CountOf(*steps, key.text + ".count", kMostValues);
+  }
+  return axis;
+}
+
+// A drawn order of the numbers below `count`, by the axis.
+std::vector<std::size_t> Shuffled(std::size_t count, const std::string& key, int seed) {
+  std::vector<std::pair<double, std::size_t>> places;
+  robot::Dice dice(seed);
+  for (std::size_t i = 0; i < count; ++i) {
+    places.emplace_back(dice.Draw(key, "place " + std::to_string(i), 0, 1), i);
+  }
+  std::ranges::sort(places);
+  std::vector<std::size_t> order;
+  order.reserve(count);
+  for (const auto& [place, number] : places) order.push_back(number);
+  return order;
+}
+
+// Replaces placeholders, and notes which were met.
+class Replacer {
+ public:
+  explicit Replacer(const std::vector<Setting>& settings) {
+    for (const Setting& setting : settings) {
+      if (setting.key.front() == '$') settings_.push_back(&setting);
+    }
+  }
+
+  void Replace(YamlValue* value) {
+    for (YamlValue& item : value->items) Replace(&item);
+    if (value->kind != Kind::kScalar || value->text.find('$') == std::string::npos) return;
+    const Setting* whole = value->quoted ? nullptr : Known(value->text);
+    if (whole == nullptr) {
+      ReplaceIn(&value->text);
+      return;
+    }
+    met_.insert(whole->key);
+    *value = config::ParseYaml(whole->text, value->where, /*numbered=*/false);
+  }
+
+  // Within a text a value stands as its letters, without quotes of YAML.
+  void ReplaceIn(std::string* text) {
+    std::string replaced;
+    for (std::size_t i = 0; i < text->size();) {
+      std::size_t end = i + 1;
+      if ((*text)[i] == '$') {
+        while (end < text->size() && IsPlaceholder(text->substr(i, end + 1 - i))) ++end;
+      }
+      const std::string word = text->substr(i, end - i);
+      const Setting* known = Known(word);
+      if (known != nullptr) {
+        met_.insert(word);
+        const YamlValue value = config::ParseYaml(known->text, word, /*numbered=*/false);
+        replaced += value.kind == Kind::kScalar ? value.text : known->text;
+      } else {
+        if (IsPlaceholder(word)) unknown_.push_back(word);
+        replaced += word;
+      }
+      i = end;
+    }
+    *text = std::move(replaced);
+  }
+
+  void RequireAll(const Plan& plan) const {
+    for (const Axis& axis : plan.axes()) {
+      if (axis.key.front() != '$' || met_.contains(axis.key)) continue;
+      throw ConfigError(axis.where + ": vary: " + axis.key + ": nothing in the scenario says so" +
+                        (unknown_.empty() ? "" : DidYouMean(axis.key, unknown_)));
+    }
+  }
+
+ private:
+  const Setting* Known(const std::string& word) const {
+    const auto found = std::ranges::find_if(
+        settings_, [&word](const Setting* setting) { return setting->key == word; });
+    return found == settings_.end() ? nullptr : *found;
+  }
+
+  std::vector<const Setting*> settings_;
+  std::set<std::string> met_;
+  std::vector<std::string> unknown_;
+};
+
+void SetKey(const std::string& key, YamlValue value, YamlValue* map) {
+  if (YamlValue* old = map->Find(key)) {
+    *old = std::move(value);
+    return;
+  }
+  const YamlValue tree = config::MapOf(key, std::move(value));
+  map->keys.push_back(tree.keys.front());
+  map->items.push_back(tree.items.front());
+}
+
+}  // namespace
+
+std::string SettingsText(const std::vector<Setting>& settings) {
+  std::string text;
+  for (const Setting& one : settings) text += (text.empty() ? "" : " ") + one.key + "=" + one.text;
+  return text;
+}
+
+std::string FlowText(const YamlValue& value) {
+  if (value.kind == Kind::kNull) return "null";
+  if (value.kind == Kind::kScalar) {
+    constexpr std::string_view kPlain =
+        "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./+-";
+    const bool plain = !value.quoted && !value.text.empty() &&
+                       value.text.find_first_not_of(kPlain) == std::string::npos;
+    if (plain) return value.text;
+    std::string text = "'";
+    for (const char c : value.text) text += c == '\'' ? std::string("''") : std::string(1, c);
+    return text + "'";
+  }
+  const bool map = value.kind == Kind::kMap;
+  std::string text;
+  for (std::size_t i = 0; i < value.items.size(); ++i) {
+    if (i > 0) text += ", ";
+    if (map) text += FlowText(value.keys[i]) + ": ";
+    text += FlowText(value.items[i]);
+  }
+  return map ? "{" + text + "}" : "[" + text + "]";
+}
+
+Plan::Plan(const YamlValue& vary) {
+  if (vary.kind != Kind::kMap) {
+    Refuse(vary, "vary", "a mapping, as in {grid: {terrain.friction: [0.3, 0.6, 0.9]}}");
+  }
+  std::vector<std::string> known;
+  for (const VaryKey& row : kVaryKeys) known.emplace_back(row.key);
+  RefuseOthers(vary, known);
+  const YamlValue* random = vary.Find("random");
+  const YamlValue* latin = vary.Find("latin");
+  if (random != nullptr && latin != nullptr) {
+    throw ConfigError(latin->where + ": vary.latin: not beside random; draw all keys in one way");
+  }
+  if (const YamlValue* grid = vary.Find("grid")) ReadGrid(*grid);
+  of_grid_ = axes_.size();
+  if (const YamlValue* list = vary.Find("list")) ReadList(*list);
+  of_list_ = axes_.size() - of_grid_;
+  const YamlValue* drawn = random != nullptr ? random : latin;
+  const YamlValue* runs = vary.Find("runs");
+  const YamlValue* seed = vary.Find("seed");
+  if (drawn == nullptr) {
+    const YamlValue* lone = runs != nullptr ? runs : seed;
+    if (lone != nullptr) {
+      throw ConfigError(lone->where + ": vary." + (runs != nullptr ? "runs" : "seed") +
+                        ": only beside random or latin");
+    }
+  } else {
+    if (runs == nullptr) throw ConfigError(drawn->where + ": vary.runs: missing; how many draws?");
+    constexpr std::size_t kMostSeed = 2147483647;
+    if (seed != nullptr && seed->text != "0") CountOf(*seed, "vary.seed", kMostSeed);
+    ReadDrawn(*drawn, latin != nullptr, CountOf(*runs, "vary.runs", kMostRuns),
+              seed == nullptr ? 1 : static_cast<int>(*NumberOf(*seed)));
+  }
+  if (axes_.empty()) {
+    throw ConfigError(vary.where + ": vary: expected one of grid, list, random, latin");
+  }
+  if (size_ > kMostRuns) {
+    throw ConfigError(vary.where + ": vary: " + std::to_string(size_) + " runs; at most " +
+                      std::to_string(kMostRuns));
+  }
+}
+
+void Plan::Add(Axis axis) {
+  if (axis.key.empty() || (axis.key.front() == '$' && !IsPlaceholder(axis.key))) {
+    throw ConfigError(axis.where +
+                      ": vary: expected a key, or $ and a name of letters, digits and _, got '" +
+                      config::OneLine(axis.key) + "'");
+  }
+  const auto same = std::ranges::find(axes_, axis.key, &Axis::key);
+  if (same != axes_.end()) {
+    throw ConfigError(axis.where + ": vary: " + axis.key + " varies already at " + same->where);
+  }
+  axes_.push_back(std::move(axis));
+}
+
+void Plan::ReadGrid(const YamlValue& map) {
+  if (map.kind != Kind::kMap || map.items.empty()) {
+    Refuse(map, "vary.grid", "a mapping of keys to values");
+  }
+  for (std::size_t i = 0; i < map.items.size(); ++i) {
+    std::optional<std::size_t> count;
+    Axis axis = AxisOf(map.keys[i], map.items[i], &count);
+    std::vector<std::string> points = axis.values;
+    if (axis.is_range()) {
+      const double span = axis.high - axis.low + 1;
+      if (!count && axis.whole && span <= static_cast<double>(kMostValues)) {
+        count = static_cast<std::size_t>(span);
+      }
+      if (!count) {
+        throw ConfigError(map.items[i].where + ": " + axis.key +
+                          ".count: missing; into how many values?");
+      }
+      for (std::size_t j = 0; j < *count; ++j) {
+        std::string point = PointOf(axis, j, *count);
+        if (points.empty() || points.back() != point) points.push_back(std::move(point));
+      }
+    }
+    if (points.size() <= kMostGroups) axis.values = points;
+    size_ = std::min(size_ * points.size(), kMostRuns + 1);
+    Add(std::move(axis));
+    points_.push_back(std::move(points));
+  }
+}
+
+void Plan::ReadList(const YamlValue& list) {
+  if (list.kind != Kind::kSequence || list.items.empty()) {
+    Refuse(list, "vary.list", "a list of mappings, as in [{robot: go2}, {robot: b2}]");
+  }
+  const std::size_t first = axes_.size();
+  for (const YamlValue& row : list.items) {
+    if (row.kind != Kind::kMap || row.items.empty()) {
+      Refuse(row, "vary.list", "a mapping of keys to values, as in {robot: go2}");
+    }
+    if (&row == &list.items.front()) {
+      for (const YamlValue& key : row.keys) Add({.key = key.text, .where = key.where});
+    }
+    std::vector<std::string> known;
+    std::vector<std::string> values;
+    for (std::size_t i = first; i < axes_.size(); ++i) known.push_back(axes_[i].key);
+    RefuseOthers(row, known);
+    for (std::size_t i = first; i < axes_.size(); ++i) {
+      const YamlValue* value = row.Find(axes_[i].key);
+      if (value == nullptr) {
+        throw ConfigError(row.where + ": vary.list: " + axes_[i].key +
+                          ": missing; the rows before have it");
+      }
+      values.push_back(ValueText(*value, axes_[i].key));
+      std::vector<std::string>& all = axes_[i].values;
+      if (std::ranges::find(all, values.back()) == all.end()) all.push_back(values.back());
+    }
+    rows_.push_back(std::move(values));
+  }
+  size_ = std::min(size_ * rows_.size(), kMostRuns + 1);
+}
+
+void Plan::ReadDrawn(const YamlValue& map, bool latin, std::size_t runs, int seed) {
+  if (map.kind != Kind::kMap || map.items.empty()) {
+    Refuse(map, latin ? "vary.latin" : "vary.random", "a mapping of keys to values");
+  }
+  size_ = std::min(size_ * runs, kMostRuns + 1);
+  if (size_ > kMostRuns) return;
+  draws_.resize(runs);
+  for (std::size_t i = 0; i < map.items.size(); ++i) {
+    std::optional<std::size_t> count;
+    Axis axis = AxisOf(map.keys[i], map.items[i], &count);
+    if (count) {
+      throw ConfigError(map.items[i].Find("count")->where + ": " + axis.key +
+                        ".count: only in a grid");
+    }
+    const std::vector<std::size_t> order =
+        latin ? Shuffled(runs, axis.key, seed) : std::vector<std::size_t>();
+    robot::Dice dice(seed);
+    for (std::size_t j = 0; j < runs; ++j) {
+      double share = dice.Draw(axis.key, std::to_string(j), 0, 1);
+      if (latin) share = (static_cast<double>(order[j]) + share) / static_cast<double>(runs);
+      draws_[j].push_back(ValueAt(axis, share));
+    }
+    Add(std::move(axis));
+  }
+}
+
+std::vector<Setting> Plan::Of(std::size_t run) const {
+  std::size_t rest = run - 1;
+  std::vector<Setting> settings(axes_.size());
+  const auto set = [&](std::size_t axis, const std::string& text) {
+    settings[axis] = {.key = axes_[axis].key, .text = text};
+  };
+  const auto take = [&rest](const auto& rows) -> const auto& {
+    const auto& row = rows[rest % rows.size()];
+    rest /= rows.size();
+    return row;
+  };
+  const std::size_t fixed = of_grid_ + of_list_;
+  if (!draws_.empty()) {
+    const std::vector<std::string>& draw = take(draws_);
+    for (std::size_t i = 0; i < draw.size(); ++i) set(fixed + i, draw[i]);
+  }
+  if (!rows_.empty()) {
+    const std::vector<std::string>& row = take(rows_);
+    for (std::size_t i = 0; i < row.size(); ++i) set(of_grid_ + i, row[i]);
+  }
+  for (std::size_t i = of_grid_; i-- > 0;) set(i, take(points_[i]));
+  return settings;
+}
+
+bool Plan::Varies(std::string_view key) const {
+  return std::ranges::find(axes_, key, &Axis::key) != axes_.end();
+}
+
+std::vector<std::size_t> Plan::Samples() const {
+  std::set<std::size_t> samples;
+  std::vector<std::set<std::string>> seen(axes_.size());
+  std::vector<std::pair<std::size_t, double>> least(axes_.size()), most(axes_.size());
+  for (std::size_t run = 1; run <= size_; ++run) {
+    const std::vector<Setting> settings = Of(run);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      if (!axes_[i].is_range()) {
+        if (seen[i].insert(settings[i].text).second) samples.insert(run);
+        continue;
+      }
+      const double value = std::stod(settings[i].text);
+      if (least[i].first == 0 || value < least[i].second) least[i] = {run, value};
+      if (most[i].first == 0 || value > most[i].second) most[i] = {run, value};
+    }
+  }
+  for (std::size_t i = 0; i < axes_.size(); ++i) {
+    if (axes_[i].is_range()) samples.insert({least[i].first, most[i].first});
+  }
+  return {samples.begin(), samples.end()};
+}
+
+YamlValue WithSettings(const YamlValue& document, const Plan& plan,
+                       const std::vector<Setting>& settings, std::vector<std::string>* sets,
+                       std::vector<std::string>* command) {
+  YamlValue varied = document;
+  Replacer replacer(settings);
+  for (std::size_t i = 0; i < varied.items.size(); ++i) {
+    if (varied.keys[i].text != "vary") replacer.Replace(&varied.items[i]);
+  }
+  if (command != nullptr) {
+    for (std::string& word : *command) replacer.ReplaceIn(&word);
+    replacer.RequireAll(plan);
+  }
+  std::vector<std::string> own;
+  for (std::size_t i = 0; i < settings.size(); ++i) {
+    const auto& [key, text] = settings[i];
+    if (key.front() == '$') continue;
+    if (std::ranges::find(kVariedKeys, key) != std::end(kVariedKeys)) {
+      SetKey(key, config::ParseYaml(text, plan.axes()[i].where, /*numbered=*/false), &varied);
+    } else {
+      own.push_back(key + "=" + text);
+    }
+  }
+  sets->insert(sets->begin(), own.begin(), own.end());
+  return varied;
+}
+
+std::string VaryReference() {
+  std::string text;
+  for (const VaryKey& row : kVaryKeys) {
+    text += "| `vary." + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
+            std::string(row.says) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace understudy::rehearse
