@@ -45,6 +45,7 @@ test_packages=(
   "libosmesa6:pictures are tried with it, too"
   "util-linux:private network namespaces for tests"
   "chromium:looks at the browser panel"
+  "slurm-wlm:plays a campaign as an array job"
 )
 
 package_packages=(

@@ -165,6 +165,10 @@ constexpr ValueRow kValues[] = {
      [](const Typed&) {
        return Words{"catalogue", "fitted"};
      }},
+    {"--keep",
+     [](const Typed&) {
+       return Words{"failures", "all", "none"};
+     }},
     {"--log-level",
      [](const Typed&) {
        return Words{"debug", "info", "warn", "error"};

@@ -105,8 +105,15 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   const rehearse::Scenario scenario = rehearse::LoadScenario(file);
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
             nullptr);
-  return "scenario for " + scenario.config.robot.name + ", " +
-         std::to_string(scenario.script.events.size()) + " events, " + count(scenario.expect);
+  std::string text = "scenario for " + scenario.config.robot.name + ", " +
+                     std::to_string(scenario.script.events.size()) + " events, " +
+                     count(scenario.expect);
+  if (scenario.plan) {
+    rehearse::CheckRuns(file, *scenario.plan, {});
+    text += ", campaign of " + std::to_string(scenario.plan->size()) + " runs over";
+    for (const rehearse::Axis& axis : scenario.plan->axes()) text += " " + axis.key;
+  }
+  return text;
 }
 
 // Returns one line about a valid file. Throws SetupError for an invalid one. For a model, sets

@@ -72,7 +72,7 @@ double Chance(const SharedValue& common) {
 
 // What some of the results share; `some` are places in the results.
 std::vector<SharedValue> Shared(const std::vector<AxisSummary>& axes,
-                           const std::vector<std::size_t>& some, std::size_t all) {
+                                const std::vector<std::size_t>& some, std::size_t all) {
   std::vector<SharedValue> shared;
   if (some.empty() || some.size() == all) return shared;
   std::size_t looked_at = 0;
@@ -80,11 +80,11 @@ std::vector<SharedValue> Shared(const std::vector<AxisSummary>& axes,
     for (std::size_t i = 0; i < axis.labels.size(); ++i) {
       const auto has = [&](std::size_t result) { return axis.groups[result] == i; };
       SharedValue common{.key = axis.key,
-                    .label = axis.labels[i],
-                    .there = static_cast<std::size_t>(std::ranges::count_if(some, has)),
-                    .of = some.size(),
-                    .with = static_cast<std::size_t>(std::ranges::count(axis.groups, i)),
-                    .all = all};
+                         .label = axis.labels[i],
+                         .there = static_cast<std::size_t>(std::ranges::count_if(some, has)),
+                         .of = some.size(),
+                         .with = static_cast<std::size_t>(std::ranges::count(axis.groups, i)),
+                         .all = all};
       if (common.with == 0 || common.with == all) continue;
       ++looked_at;
       common.chance = Chance(common);

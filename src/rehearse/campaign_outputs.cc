@@ -218,7 +218,10 @@ std::string CampaignJunit(const Campaign& campaign) {
          attribute("time", seconds(time)) + ">\n  <testsuite" +
          attribute("name", campaign.head.title) + counts +
          attribute("skipped", std::to_string(tally.open)) + attribute("time", seconds(time)) +
-         ">\n" + cases + "  </testsuite>\n</testsuites>\n";
+         ">\n    <properties>\n      <property name=\"scenario\"" +
+         attribute("value", campaign.head.scenario) + "/>\n      <property name=\"rate\"" +
+         attribute("value", RateText(tally)) + "/>\n    </properties>\n" + cases +
+         "  </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace understudy::rehearse

@@ -186,12 +186,16 @@ Chosen Choose(const YamlValue& document, const ScenarioOptions& options, bool kn
   return chosen;
 }
 
-// Reads the configuration; an error of a varied key names the line of `vary`.
+// Reads the configuration; errors of the robot and of a varied key name their lines.
 config::Config ConfigOf(const Chosen& chosen, const std::filesystem::path& file, bool has_program) {
   try {
     return ConfigOf(chosen.document, file, chosen.options.sets, has_program, chosen.run);
   } catch (const ConfigError& error) {
     const std::string what = error.what();
+    const YamlValue* robot = chosen.document.Find("robot");
+    if (robot != nullptr && what.starts_with("robot '")) {
+      throw ConfigError(robot->where + ": " + what);
+    }
     for (std::size_t i = 0; i < chosen.settings.size(); ++i) {
       const auto& [key, text] = chosen.settings[i];
       const std::string start = "--set " + config::OneLine(key + "=" + text) + ": ";

@@ -64,7 +64,7 @@ TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
   const std::pair<std::string, const char*> kRows[] = {
       {"scenari: a\nexpect: []", "s.yaml:1: key 'scenari': unknown; did you mean 'scenario'?"},
       {"scenario: a\nexpect: []", "robot: missing"},
-      {"scenario: a\nrobot: gp2\nduration: 1\nexpect: []", "go2"},
+      {"scenario: a\nrobot: gp2\nduration: 1\nexpect: []", "s.yaml:2: robot 'gp2'"},
       {"scenario: a\nrobot: go2\nduration: 1", "expect: missing"},
       {"scenario: a\nrobot: go2\nduration: 1\nexpect: []",
        "expect: expected a list of expectations"},
