@@ -19,7 +19,7 @@ constexpr char kCampaignStyle[] = R"css(<style>
        border-radius: 3px; overflow: hidden; }
 .bar i { position: absolute; top: 0; bottom: 0; background: var(--good); opacity: .35; }
 .bar b { position: absolute; top: 0; bottom: 0; width: 3px; background: var(--good); }
-table.map { width: auto; } table.map td, table.map th { text-align: center; font-size: 12px;
+section.axis { margin-bottom: 12px; } table.map { width: auto; } table.map td, table.map th { text-align: center; font-size: 12px;
   padding: 5px 8px; } table.map td { color: #10161d; border-left: 1px solid var(--line); }
 .maps { display: flex; flex-wrap: wrap; gap: 22px; } .maps h3 { font-size: 14px; margin: 8px 0; }
 table.runs td { font-size: 13px; } .rate { font-size: 40px; font-weight: 600; }
@@ -154,8 +154,9 @@ std::string RunTable(const Campaign& campaign) {
     const RunResult& result = campaign.results[i];
     const std::string number = std::to_string(result.number);
     std::string named = number;
-    if (result.kept && result.broken.empty()) {
-      named = "<a href=\"" + RunFolder(result.number) + "/report.html\">" + number + "</a>";
+    if (result.kept) {
+      named = "<a href=\"" + RunFolder(result.number) +
+              (result.broken.empty() ? "/report.html" : "/log.txt") + "\">" + number + "</a>";
     }
     html += "<tr id=\"r" + number + "\" title=\"" + Escaped(result.repeat) + "\">" +
             Cell(Badge(result.outcome)) + Cell(named, true);
@@ -202,7 +203,9 @@ std::string CampaignHtml(const Campaign& campaign) {
       "What the " + std::to_string(summary.worst.size()) + " runs with the least margins share",
       summary.of_worst);
   html += "<h2>Success by value</h2>\n";
-  for (const AxisSummary& axis : summary.axes) html += AxisTable(axis);
+  for (const AxisSummary& axis : summary.axes) {
+    html += "<section class=\"axis\">" + AxisTable(axis) + "</section>\n";
+  }
   html += HeatMaps(campaign);
   html += "<h2>Runs, failures first</h2>\n" + RunTable(campaign);
   html += "<h2>How to repeat it</h2>\n<p>A run by its number, as</p><pre>" +

@@ -142,10 +142,10 @@ std::optional<RunResult> ResultIn(const fs::path& folder, std::size_t number, co
 // Takes a folder for this campaign, or throws if it is another's.
 void ClaimFolder(const CampaignHead& head, const CampaignOptions& options) {
   std::error_code error;
-  if (options.again) fs::remove_all(options.out / "runs", error);
-  MakeFolders(options.out / "runs");
   const std::string there = FileText(options.out / kHeadFile);
   const std::string text = HeadText(head);
+  if (options.again && there != text) fs::remove_all(options.out / "runs", error);
+  MakeFolders(options.out / "runs");
   if (there == text) return;
   if (!there.empty() && !options.again) {
     throw ConfigError(options.out.string() +
@@ -210,7 +210,9 @@ Played PlayCampaign(const CampaignHead& head, const Plan& plan, const CampaignOp
   Played played;
   std::vector<std::size_t> to_play;
   for (std::size_t run = options.shard.index; run <= plan.size(); run += options.shard.count) {
-    if (const std::optional<RunResult> result = ResultIn(options.out, run, plan)) {
+    const std::optional<RunResult> result =
+        options.again ? std::nullopt : ResultIn(options.out, run, plan);
+    if (result) {
       played.tally.Count(result->outcome);
       ++played.found;
     } else {

@@ -44,7 +44,7 @@ struct CampaignOptions {
   std::size_t jobs = 1;
   Shard shard{};
   Keep keep = Keep::kFailures;
-  bool again = false;                                  // forget what is there
+  bool again = false;  // the runs of the shard that are there, and all of another campaign
   std::string program = "/proc/self/exe";              // Understudy
   std::function<bool()> interrupted{};                 // true ends it
   std::function<void(const RunResult&)> on_result{};   // of this process, as they come

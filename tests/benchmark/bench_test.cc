@@ -47,6 +47,14 @@ TEST(BenchTest, GivesEachFigureOfEachRobot) {
   }
 }
 
+TEST(BenchTest, GivesTheSpeedOfRehearsalsOnItsOwn) {
+  const auto figures =
+      nlohmann::json::parse(OutputOf(BENCH " --rehearsals --brief --json")).at("figures");
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].at("at_least"), 15);
+  EXPECT_GT(figures[1].at("measured"), 1);
+}
+
 TEST(BenchTest, GivesTheStartOfEveryRobotOnItsOwn) {
   const auto figures =
       nlohmann::json::parse(OutputOf(BENCH " --start --brief --json")).at("figures");

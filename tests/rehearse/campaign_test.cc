@@ -337,6 +337,12 @@ TEST_F(PlayTest, AFolderIsOfOneCampaign) {
               HasSubstr("has results of another campaign"));
   options.again = true;
   EXPECT_EQ(PlayCampaign(other, plan_, options).found, 0U);
+  // Of the same campaign only the shard's own runs are played again.
+  const std::size_t plays = Plays();
+  options.shard = {.index = 2, .count = 3};
+  EXPECT_EQ(PlayCampaign(other, plan_, options).tally.all(), 20U);
+  EXPECT_EQ(Plays(), plays + 20);
+  EXPECT_THAT(ReadCampaign(options.out).results, SizeIs(60));
   EXPECT_THAT(config::ErrorOf([&] { MergeCampaigns({folder_.path()}, folder_.path() / "m"); }),
               HasSubstr("has no campaign.json"));
 }

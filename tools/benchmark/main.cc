@@ -15,6 +15,7 @@
 #include "exec/private_network.h"
 #include "figure.h"
 #include "latency.h"
+#include "rehearsals.h"
 #include "stepping.h"
 #include "walking.h"
 
@@ -28,9 +29,15 @@ struct Effort {
   int starts = 5;
   double memory_after = 5;  // s
   double walk = 8;          // simulated s
+  int rehearsals = 1000;
 };
-constexpr Effort kBrief = {
-    .rounds = 3, .window = 0.1, .samples = 50, .starts = 1, .memory_after = 0.2, .walk = 1};
+constexpr Effort kBrief = {.rounds = 3,
+                           .window = 0.1,
+                           .samples = 50,
+                           .starts = 1,
+                           .memory_after = 0.2,
+                           .walk = 1,
+                           .rehearsals = 4};
 
 // Of the stepping; the other figures are of these robots in their own start.
 constexpr Doing kDoings[] = {
@@ -44,16 +51,19 @@ int Main(int argc, char** argv) {
       "Measures Understudy on this machine, in a private network: the speed of the whole daemon\n"
       "against bare MuJoCo, the way of a command against a bare DDS round trip, memory, start, "
       "how\n"
-      "well a quadruped's motion service knows how it moves and what it takes to walk.\n"
+      "well a quadruped's motion service knows how it moves and what it takes to walk, and how "
+      "fast\n"
+      "rehearsals go.\n"
       "Prints what is wanted beside what was measured; a missed figure is no failure.",
       "bench");
-  bool json = false, brief = false, only_start = false;
+  bool json = false, brief = false, only_start = false, only_rehearsals = false;
   std::string understudy =
       std::filesystem::read_symlink("/proc/self/exe").parent_path() / "understudy";
   std::string helper, helper_robot;
   app.add_flag("--json", json, "Print one JSON object instead of a table");
   app.add_flag("--brief", brief, "A few seconds of each, only to see that it works");
   app.add_flag("--start", only_start, "Only how long each robot takes to its first LowState");
+  app.add_flag("--rehearsals", only_rehearsals, "Only how fast a campaign of rehearsals goes");
   app.add_option("--understudy", understudy, "The program to measure [the one beside this]")
       ->check(CLI::ExistingFile);
   app.add_option("--helper", helper)->group("");  // this program as its own other end
@@ -71,8 +81,9 @@ int Main(int argc, char** argv) {
   const auto add = [&figures](const std::vector<Figure>& more) {
     figures.insert(figures.end(), more.begin(), more.end());
   };
+  if (!only_start) add(MeasureRehearsals(understudy, "go2", effort.rehearsals));
   for (const Doing& one : kDoings) {
-    if (only_start) break;
+    if (only_start || only_rehearsals) break;
     for (const bool listener : {false, true}) {
       add(MeasureStepping(understudy, one, listener, effort.rounds, effort.window));
     }
@@ -81,6 +92,7 @@ int Main(int argc, char** argv) {
     add(MeasureMemory(understudy, one.robot, effort.memory_after));
   }
   for (const std::string& robot : config::RobotNames(config::DataDir())) {
+    if (only_rehearsals) break;
     if (!only_start) {
       add(MeasureEstimate(robot));
       add(MeasureWalking(robot, effort.walk));

@@ -14,6 +14,12 @@ namespace understudy::bench {
 // Seconds of CPU that this thread has had.
 double ThreadCpu();
 
+// Seconds of CPU of the children that have ended, and of theirs.
+double CpuOfChildren();
+
+// Runs a program silently to its end and returns its exit code; -1 if a signal ended it.
+int RunToEnd(const std::vector<std::string>& arguments);
+
 // A child that is silent and ends with this object.
 class Process {
  public:
