@@ -174,6 +174,14 @@ int RehearseCommand(const RehearseArguments& arguments) {
   for (const emulator::ScriptEvent& event : scenario.script.events) {
     script.push_back(emulator::Describe(event.request));
   }
+  std::optional<rehearse::Ladder> ladder;
+  if (!scenario.stages.empty()) {
+    ladder = rehearse::JudgeLadder(record::McapReader(folder / "recording.mcap"), scenario.stages,
+                                   scenario.config, rehearsal.judged);
+    if (!ladder->next_settings.empty()) {
+      rehearse::WriteFile(folder / "next_stage.yaml", ladder->next_settings);
+    }
+  }
   const std::string recording = folder / "recording.mcap";
   std::vector<std::string> again{"understudy", "judge", recording, arguments.scenario};
   std::string title = scenario.name;
@@ -191,6 +199,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
                                     .scenario = rehearse::FileText(file),
                                     .script = script,
                                     .stopped = rehearsal.stopped,
+                                    .ladder = ladder,
                                     .wall = rehearsal.wall};
   const int code = Tell(occasion, scenario.expect, rehearsal.judged, folder, arguments.json);
   return rehearsal.robot == ExitCode::kOk ? code : static_cast<int>(rehearsal.robot);
@@ -221,6 +230,7 @@ int JudgeCommand(const JudgeArguments& arguments) {
                                     .scenario = rehearse::FileText(file),
                                     .script = {},
                                     .stopped = {},
+                                    .ladder = {},
                                     .wall = 0};
   return Tell(occasion, expect, judged, MakeFolder(FolderOf(arguments.out, arguments.recording)),
               arguments.json);

@@ -192,6 +192,26 @@ std::string Summary(const Expectations& expectations, const Judged& judged) {
   return html + "</table>\n";
 }
 
+std::string LadderTable(const Ladder& ladder) {
+  std::string html = "<p>It " + Escaped(LadderText(ladder)) +
+                     ".</p>\n<table><tr><th></th><th>Limit</th><th>What decided</th>"
+                     "<th>Margin</th></tr>\n";
+  for (std::size_t i = 0; i < ladder.rulings.size(); ++i) {
+    const Expectation& one = ladder.expect.list[i];
+    const Ruling& ruling = ladder.rulings[i];
+    html += "<tr><td>" + Badge(ruling.verdict.outcome) + "</td><td>" + Escaped(one.name) +
+            " <span class=\"dim\">" + Escaped(one.asks) + "</span></td><td>" +
+            Escaped(Explain(one, ruling)) + "</td><td class=\"number\">" +
+            Escaped(MarginText(one, ruling.verdict)) + "</td></tr>\n";
+  }
+  html += "</table>\n";
+  if (!ladder.next_settings.empty()) {
+    html += "<p>Settings of the next, for <code>--config</code>:</p><pre>" +
+            Escaped(ladder.next_settings) + "</pre>\n";
+  }
+  return html;
+}
+
 // The most that it would have done to the robot, and to each motor; a figure that is none is left
 // out.
 std::string DamageTable(const record::Damage& damage) {
@@ -288,6 +308,7 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
           " failed, " + std::to_string(open) + " not judged" +
           (occasion.stopped.empty() ? "" : " · " + Escaped(occasion.stopped)) + "</p></header>\n";
   html += "<h2>Verdicts</h2>\n" + Summary(expectations, judged);
+  if (occasion.ladder) html += "<h2>Stages</h2>\n" + LadderTable(*occasion.ladder);
   html += "<h2>Evidence</h2>\n";
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     html += ClaimHtml(i, occasion, expectations, judged);

@@ -50,6 +50,19 @@ ordered_json Told(const Expectation& expectation, const Ruling& ruling) {
   return told;
 }
 
+ordered_json Told(const Ladder& ladder) {
+  ordered_json stages = ordered_json::array();
+  for (std::size_t i = 0; i < ladder.stages.size(); ++i) {
+    ordered_json limits = ordered_json::array();
+    for (std::size_t j = 0; j < ladder.rulings.size(); ++j) {
+      if (ladder.stage_of[j] == i) limits.push_back(Told(ladder.expect.list[j], ladder.rulings[j]));
+    }
+    stages.push_back(
+        {{"name", ladder.stages[i].name}, {"holds", ladder.Holds(i)}, {"limits", limits}});
+  }
+  return {{"held", ladder.held}, {"says", LadderText(ladder)}, {"stages", stages}};
+}
+
 // As GET /snapshot?parts=damage has it.
 ordered_json Told(const record::Damage& damage) {
   const robot::Damage& sheet = damage.sheet;
@@ -107,7 +120,17 @@ std::string TellLines(const Occasion& occasion, const Expectations& expectations
           std::to_string(judged.Count(Outcome::kNotJudged)) + " not judged in " +
           Fixed(judged.end) + " s";
   if (!occasion.stopped.empty()) text += " (" + occasion.stopped + ")";
-  return text + "\n";
+  text += "\n";
+  if (!occasion.ladder) return text;
+  const Ladder& ladder = *occasion.ladder;
+  for (std::size_t i = 0; i < ladder.rulings.size(); ++i) {
+    const Expectation& one = ladder.expect.list[i];
+    const std::string margin = MarginText(one, ladder.rulings[i].verdict);
+    text += std::string("  ") + Word(ladder.rulings[i].verdict.outcome, colored) + "  stage " +
+            one.name + "  " + Explain(one, ladder.rulings[i]) +
+            (margin.empty() ? "" : "; margin " + margin) + "\n";
+  }
+  return text + LadderText(ladder) + "\n";
 }
 
 std::string TellJson(const Occasion& occasion, const Expectations& expectations,
@@ -118,6 +141,8 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
   }
   ordered_json damage = nullptr;
   if (judged.damage) damage = Told(*judged.damage);
+  ordered_json ladder = nullptr;
+  if (occasion.ladder) ladder = Told(*occasion.ladder);
   const ordered_json told = {{"title", occasion.title},
                              {"scenario", occasion.source},
                              {"robot", occasion.robot},
@@ -130,6 +155,7 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
                              {"stopped", occasion.stopped},
                              {"about", judged.about},
                              {"damage", damage},
+                             {"ladder", ladder},
                              {"verdicts", verdicts}};
   return told.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }

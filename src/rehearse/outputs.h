@@ -1,12 +1,14 @@
 // Tells the judgement of a rehearsal: to a terminal, to CI, to programs and to people.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "rehearse/expectations.h"
 #include "rehearse/judged.h"
+#include "rehearse/stages.h"
 
 namespace understudy::rehearse {
 
@@ -22,6 +24,7 @@ struct Occasion {
   std::string scenario{};             // text of the file
   std::vector<std::string> script{};  // what its events ask for
   std::string stopped{};              // why it ended before its time; else ""
+  std::optional<Ladder> ladder{};     // of a scenario with stages
   double wall = 0;                    // s that it took; 0 if it was not run now
 };
 

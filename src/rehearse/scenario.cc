@@ -38,6 +38,7 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"program", "a mapping", "The program under test, see below"},
     {"script", "a list", "What happens when, as in a [script](scripts.md)"},
     {"expect", "a list", "Expectations, see below; needed"},
+    {"stages", "a list", "The [ladder](#stages) to a real robot, each stage with its limits"},
     {"vary", "a mapping", "How the runs of a [campaign](#campaigns) differ"},
 };
 constexpr ScenarioKey kProgramKeys[] = {
@@ -239,6 +240,7 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
   Names names = signals::RecordedNames(scenario.config.robot, WrongField);
   names.program = scenario.program.has_value();
   scenario.expect = ReadExpectations(Needed(document, "expect"), names);
+  if (const YamlValue* stages = document.Find("stages")) scenario.stages = ReadStages(*stages);
   scenario.plan = std::move(chosen.plan);
   scenario.run = chosen.run;
   scenario.settings = std::move(chosen.settings);
@@ -301,7 +303,7 @@ std::string ScenarioReference() {
   };
   for (const ScenarioKey& row : kScenarioKeys) add("", row);
   for (const ScenarioKey& row : kProgramKeys) add("program.", row);
-  return text + VaryReference();
+  return text + StagesReference() + VaryReference();
 }
 
 }  // namespace understudy::rehearse

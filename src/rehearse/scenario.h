@@ -10,6 +10,7 @@
 #include "config/load.h"
 #include "config/yaml_document.h"
 #include "rehearse/expectations.h"
+#include "rehearse/stages.h"
 #include "rehearse/vary.h"
 #include "script/script.h"
 
@@ -31,6 +32,7 @@ struct Scenario {
   script::Script script{};
   std::optional<Program> program{};
   Expectations expect{};
+  std::vector<StageSpec> stages{};  // may be empty
   std::optional<Plan> plan{};       // of a campaign
   std::size_t run = 0;              // the run of it that this is; 0 without a plan
   std::vector<Setting> settings{};  // of that run

@@ -202,6 +202,29 @@ def test_the_documents_first_scenario_holds(rehearse, tmp_path):
     assert done.returncode == 0, done.stdout + done.stderr
 
 
+def test_the_documents_ladder_says_up_to_where_and_gives_the_next_settings(rehearse, understudy, tmp_path):
+    text = (ROOT / "docs" / "rehearsing.md").read_text()
+    file = tmp_path / "ladder.yaml"
+    file.write_text(re.search(r"```yaml\n(scenario:.*?)```", text[text.index("## Stages"):], re.DOTALL).group(1))
+    done = rehearse(file)
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "may go up to stage 'on the mat', 2 of 3; next is 'alone'" in done.stdout
+    ladder = verdicts(tmp_path / "out")["ladder"]
+    assert [one["holds"] for one in ladder["stages"]] == [True, True, False]
+    torque = ladder["stages"][2]["limits"][0]
+    assert torque["outcome"] == "failed" and torque["margin"] < 0 and torque["unit"] == "N·m"
+    assert "torque(" in torque["explanation"]
+    # The next settings are a layer: a robot that is so weak does not stand up, and goes to no stage.
+    layer = tmp_path / "out" / "next_stage.yaml"
+    assert "torque_limit: 2.37" in layer.read_text()
+    assert understudy("check", layer).returncode == 0
+    weak = file.read_text() + "settings:\n" + "".join(
+        f"  {line}\n" for line in layer.read_text().splitlines() if not line.startswith("#"))
+    file.write_text(weak)
+    done = rehearse(file)
+    assert done.returncode == FAILED and "may go up to no stage" in done.stdout, done.stdout + done.stderr
+
+
 def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp_path):
     file = tmp_path / "bad.yaml"
     file.write_text("scenario: x\nrobot: go2\nduration: 1\nexpect:\n  - always: base.hight > 0\n")

@@ -1,0 +1,278 @@
+#include "rehearse/stages.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "physics/scene_reader.h"
+#include "rehearse/yaml_values.h"
+#include "run/make_world.h"
+#include "signals/bound_condition.h"
+
+namespace understudy::rehearse {
+namespace {
+
+using config::YamlValue;
+using Kind = YamlValue::Kind;
+
+// *Assumed*: letters, and the bounds of what a stage may ask for.
+constexpr std::size_t kMostStageName = 80;
+constexpr double kMostMargin = 3;   // rad
+constexpr double kMostRate = 1000;  // Hz
+
+struct StageLimit {
+  std::string_view key;
+  std::optional<double> StageSpec::*value;
+  double most;
+  std::string_view takes, says;
+};
+constexpr StageLimit kStageLimits[] = {
+    {"torque", &StageSpec::torque, 1, "a share, up to 1", "Of each motor's torque_limit"},
+    {"speed", &StageSpec::speed, 1, "a share, up to 1", "Of each motor's no_load_speed"},
+    {"joint_margin", &StageSpec::joint_margin, kMostMargin, "rad",
+     "That each joint keeps from the ends of its range"},
+    {"command_rate", &StageSpec::command_rate, kMostRate, "Hz",
+     "Of `rt/lowcmd` at least, from its first message until the program ends"},
+};
+
+std::string Digits(double number) {
+  std::array<char, 32> digits{};
+  std::snprintf(digits.data(), digits.size(), "%.6g", number);
+  return digits.data();
+}
+
+StageSpec ReadStage(const YamlValue& value) {
+  if (value.kind != Kind::kMap) {
+    Refuse(value, "stages", "a stage, as in {name: crawl, torque: 0.5, speed: 0.3}");
+  }
+  std::vector<std::string> known{"name"};
+  for (const StageLimit& row : kStageLimits) known.emplace_back(row.key);
+  for (const YamlValue& key : value.keys) {
+    if (std::ranges::find(known, key.text) != known.end()) continue;
+    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
+                      DidYouMean(key.text, known));
+  }
+  const YamlValue* name = value.Find("name");
+  if (name == nullptr) throw ConfigError(value.where + ": stages: name: missing");
+  StageSpec stage{.name = LineOf(*name, "name", kMostStageName), .where = value.where};
+  bool any = false;
+  for (const StageLimit& row : kStageLimits) {
+    const YamlValue* given = value.Find(row.key);
+    if (given == nullptr) continue;
+    const std::optional<double> number = NumberOf(*given);
+    if (!number || !(*number > 0) || *number > row.most) {
+      Refuse(*given, std::string(row.key), "a number above 0, up to " + Digits(row.most));
+    }
+    stage.*row.value = number;
+    any = true;
+  }
+  if (!any) {
+    throw ConfigError(value.where + ": stages: '" + stage.name +
+                      "' has no limit; expected torque, speed, joint_margin or command_rate");
+  }
+  return stage;
+}
+
+// A comparison of every joint, all of which have to hold, in one expectation.
+class LimitBuilder {
+ public:
+  LimitBuilder(const signals::Names& names, Ladder* ladder) : names_(names), ladder_(ladder) {}
+
+  void Add(const std::string& condition) {
+    auto bound = signals::BindCondition(condition, names_, &ladder_->expect.signals);
+    if (!bound) throw SetupError("a bug: " + condition + ": " + bound.why());
+    one_.claim.formula.parts.push_back(std::move(bound->formula));
+    for (signals::LeafText& leaf : bound->leaves) {
+      const auto place = std::ranges::lower_bound(one_.signals, leaf.signal);
+      if (place == one_.signals.end() || *place != leaf.signal) {
+        one_.signals.insert(place, leaf.signal);
+      }
+      one_.leaves.push_back(std::move(leaf));
+    }
+  }
+
+  void Finish(std::size_t stage, const StageLimit& limit, std::optional<double> to) {
+    if (one_.leaves.empty()) return;  // no motor has such a limit
+    const StageSpec& of = ladder_->stages[stage];
+    one_.name = of.name + ": " + std::string(limit.key);
+    one_.asks = std::string(limit.key) + " " + Digits(*(of.*limit.value));
+    one_.where = of.where;
+    one_.claim.op = judge::Operator::kAlways;
+    one_.claim.formula.op = judge::Op::kAll;
+    if (to) one_.claim.to.at = static_cast<judge::Time>(std::llround(*to * 1e9));
+    judge::NumberLeaves(&one_.claim.formula);
+    ladder_->expect.list.push_back(std::move(one_));
+    ladder_->stage_of.push_back(stage);
+    one_ = {.name = {}};
+  }
+
+ private:
+  const signals::Names& names_;
+  Ladder* ladder_;
+  Expectation one_{.name = {}};
+};
+
+// Within -bound and bound.
+std::string Within(const std::string& signal, double low, double high) {
+  return signal + " between " + Digits(low) + " and " + Digits(high);
+}
+
+struct JointEnds {
+  std::string joint;
+  double low, high;
+};
+
+// The ranges of the joints that motors move, of those that have one.
+std::vector<JointEnds> EndsOf(const config::Config& config) {
+  physics::SceneReader reader([&config] { return run::MakeSightModel(config); });
+  const physics::Scene scene = reader.Describe();
+  std::vector<JointEnds> ends;
+  for (const robot::MotorSpec& motor : config.robot.motors) {
+    for (const auto& joint : scene.joints) {
+      if (joint.name == motor.joint && joint.limited) {
+        ends.push_back({motor.joint, joint.range[0], joint.range[1]});
+      }
+    }
+  }
+  return ends;
+}
+
+// Until when commands are expected: the end of the program, if it ended.
+std::optional<double> EndOfCommands(const Judged& judged) {
+  for (const Evidence::Told& told : judged.events) {
+    if (told.event.kind == "program_end") return SecondsOf(told.at);
+  }
+  return std::nullopt;
+}
+
+std::string SettingsOf(const StageSpec& stage, const config::Config& config,
+                       const std::vector<JointEnds>& ends) {
+  std::string text = "# The limits of stage '" + stage.name + "' (" + stage.where +
+                     "): understudy run " + config.robot.name + " --config FILE\n";
+  if (stage.torque || stage.speed) {
+    text += "robot:\n  motors:\n";
+    for (const robot::MotorSpec& motor : config.robot.motors) {
+      std::string values;
+      const auto add = [&values](const char* key, double value) {
+        values += std::string(values.empty() ? "" : ", ") + key + ": " + Digits(value);
+      };
+      if (stage.torque) add("torque_limit", *stage.torque * motor.torque_limit);
+      if (stage.speed) {
+        add("knee_speed", *stage.speed * motor.knee_speed);
+        add("no_load_speed", *stage.speed * motor.no_load_speed);
+      }
+      text += "    " + motor.joint + ": {" + values + "}\n";
+    }
+  }
+  if (stage.command_rate) text += "gate: {timeout: " + Digits(1 / *stage.command_rate) + "}\n";
+  if (stage.joint_margin) {
+    text += "# Joints keep within\n";
+    for (const JointEnds& one : ends) {
+      text += "#   " + one.joint + " " + Digits(one.low + *stage.joint_margin) + " to " +
+              Digits(one.high - *stage.joint_margin) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::vector<StageSpec> ReadStages(const YamlValue& list) {
+  if (list.kind != Kind::kSequence || list.items.empty()) {
+    Refuse(list, "stages", "a list of stages, as in [{name: crawl, torque: 0.5, speed: 0.3}]");
+  }
+  std::vector<StageSpec> stages;
+  for (const YamlValue& item : list.items) {
+    StageSpec stage = ReadStage(item);
+    const auto same = std::ranges::find(stages, stage.name, &StageSpec::name);
+    if (same != stages.end()) {
+      throw ConfigError(item.where + ": stages: '" + stage.name + "' is the name of that at " +
+                        same->where);
+    }
+    stages.push_back(std::move(stage));
+  }
+  return stages;
+}
+
+bool Ladder::Holds(std::size_t stage) const {
+  for (std::size_t i = 0; i < rulings.size(); ++i) {
+    if (stage_of[i] == stage && rulings[i].verdict.outcome != judge::Outcome::kPassed) return false;
+  }
+  return true;
+}
+
+Ladder JudgeLadder(const record::McapReader& reader, const std::vector<StageSpec>& stages,
+                   const config::Config& config, const Judged& judged) {
+  Ladder ladder{.stages = stages};
+  const signals::Names names = signals::RecordedNames(config.robot, WrongField);
+  std::vector<JointEnds> ends;
+  if (std::ranges::any_of(stages,
+                          [](const StageSpec& one) { return one.joint_margin.has_value(); })) {
+    ends = EndsOf(config);
+  }
+  LimitBuilder builder(names, &ladder);
+  for (std::size_t i = 0; i < stages.size(); ++i) {
+    for (const StageLimit& limit : kStageLimits) {
+      if (!(stages[i].*limit.value)) continue;
+      const double value = *(stages[i].*limit.value);
+      std::optional<double> to;
+      if (limit.key == "joint_margin") {
+        for (const JointEnds& one : ends) {
+          if (one.low + value >= one.high - value) {
+            throw ConfigError(stages[i].where + ": stages: joint_margin: " + Digits(value) +
+                              " leaves " + one.joint + " no room between " + Digits(one.low) +
+                              " and " + Digits(one.high));
+          }
+          builder.Add(Within("q(" + one.joint + ")", one.low + value, one.high - value));
+        }
+      } else if (limit.key == "command_rate") {
+        to = EndOfCommands(judged);
+        builder.Add("gap(rt/lowcmd) <= " + Digits(1 / value));
+      } else {
+        const bool torque = limit.key == "torque";
+        for (const robot::MotorSpec& motor : config.robot.motors) {
+          const double most = value * (torque ? motor.torque_limit : motor.no_load_speed);
+          if (most <= 0) continue;  // none is known
+          builder.Add(Within((torque ? "torque(" : "dq(") + motor.joint + ")", -most, most));
+        }
+      }
+      builder.Finish(i, limit, to);
+    }
+  }
+  if (!ladder.expect.list.empty()) {
+    ladder.rulings = JudgeRecording(reader, ladder.expect).rulings;
+  }
+  const bool sound = judged.Count(judge::Outcome::kPassed) == judged.rulings.size();
+  while (sound && ladder.held < stages.size() && ladder.Holds(ladder.held)) ++ladder.held;
+  if (ladder.held < stages.size()) {
+    ladder.next_settings = SettingsOf(stages[ladder.held], config, ends);
+  }
+  return ladder;
+}
+
+std::string LadderText(const Ladder& ladder) {
+  const std::size_t of = ladder.stages.size();
+  std::string text = "may go up to no stage";
+  if (ladder.held > 0) {
+    text = "may go up to stage '" + ladder.stages[ladder.held - 1].name + "', " +
+           std::to_string(ladder.held) + " of " + std::to_string(of);
+  }
+  if (ladder.held < of) text += "; next is '" + ladder.stages[ladder.held].name + "'";
+  return text;
+}
+
+std::string StagesReference() {
+  std::string text = "| `stages[].name` | a text | Of the stage; needed |\n";
+  for (const StageLimit& row : kStageLimits) {
+    text += "| `stages[]." + std::string(row.key) + "` | " + std::string(row.takes) + " | " +
+            std::string(row.says) + " |\n";
+  }
+  return text;
+}
+
+}  // namespace understudy::rehearse
