@@ -207,6 +207,7 @@ def slurm_fixture(tmp_path, monkeypatch):
 
 @pytest.mark.usefixtures("slurm")
 def test_slurm_plays_a_campaign_as_an_array(understudy, shoves, tmp_path):
+    (tmp_path / shoves).write_text(SHOVES.replace("runs: 2", "runs: 1"))
     understudy("rehearse", shoves, "--out", "whole")
     # The tasks fail, as runs do; sbatch has the code of the worst.
     done = subprocess.run(["sbatch", "--wait", "--array=1-2", "--cpus-per-task=1", EXAMPLES / "slurm.sh", shoves,
@@ -227,6 +228,7 @@ def test_kubernetes_starts_the_shards_of_a_job_that_is_valid(understudy, shoves,
     assert int(environment["SHARDS"]) == spec["completions"] == spec["parallelism"]
     mounts = {mount["mountPath"] for mount in container["volumeMounts"]}
     assert mounts == {environment["OUT"], str(pathlib.Path(environment["SCENARIO"]).parent)}
+    (tmp_path / shoves).write_text(SHOVES.replace("runs: 2", "runs: 1"))
     understudy("rehearse", shoves, "--out", "whole", "--network", "host")
     for index in range(2):
         environment.update(SHARDS="2", SCENARIO=shoves, OUT="results", JOB_COMPLETION_INDEX=str(index))
