@@ -5,6 +5,7 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <memory>
@@ -60,8 +61,11 @@ std::string LastWords(const fs::path& log) {
   return last.substr(0, kLongestWords);
 }
 
-// Whether the run ended because somebody ended it.
-bool WasInterrupted(const std::string& verdict) {
+// Whether the run ended because somebody ended it; before it could say so, by the signal itself.
+bool WasInterrupted(const std::string& verdict, int exit_code) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    if (verdict.empty() && exit_code == 128 + signal) return true;
+  }
   const auto told = nlohmann::json::parse(verdict, nullptr, false);
   return told.is_object() && told.value("stopped", "") == "interrupted";
 }
@@ -103,7 +107,7 @@ class Running {
   // Its result; nullopt if it was interrupted. Throws CommandError.
   std::optional<RunResult> Result(int exit_code, const std::vector<Setting>& settings) const {
     const std::string verdict = FileText(folder_ / "verdict.json");
-    if (WasInterrupted(verdict)) return std::nullopt;
+    if (WasInterrupted(verdict, exit_code)) return std::nullopt;
     const std::string last_words = LastWords(folder_ / kLogFile);
     if (verdict.empty() && IsOfAll(exit_code)) {
       throw exec::CommandError("run " + std::to_string(number_) + " could not begin: " + last_words,

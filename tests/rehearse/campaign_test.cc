@@ -281,6 +281,11 @@ TEST_F(PlayTest, ARunThatWasInterruptedLeavesNothing) {
       Options("a", "echo '" + VerdictJson(1, 1, "interrupted") + "' > \"$6/verdict.json\"\n");
   EXPECT_EQ(PlayCampaign(head_, plan_, options).missing, 60U);
   EXPECT_THAT(ReadCampaign(options.out).results, IsEmpty());
+  // Also one that had not come so far as to say so.
+  for (const char* signal : {"INT", "TERM", "HUP"}) {
+    const CampaignOptions early = Options(signal, std::string("kill -") + signal + " $$\n");
+    EXPECT_EQ(PlayCampaign(head_, plan_, early).missing, 60U) << signal;
+  }
 }
 
 TEST_F(PlayTest, ShardsMergeToTheSameBytes) {
