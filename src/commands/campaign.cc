@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "base/signals.h"
 #include "rehearse/run_campaign.h"
 #include "version.h"
@@ -172,7 +173,7 @@ int CampaignCommand(const CampaignRequest& request, const CampaignArguments& arg
                                     .options = request.words,
                                     .command = request.options.command,
                                     .version = kVersion,
-                                    .text = rehearse::FileText(request.file)};
+                                    .text = FileText(request.file)};
   PrepareForRuns();
   Teller teller;
   const rehearse::Played played = rehearse::PlayCampaign(

@@ -6,8 +6,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <utility>
 
 #include <fcntl.h>
@@ -17,6 +15,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "base/log_line.h"
 #include "base/signals.h"
 
@@ -27,11 +26,6 @@ constexpr int kGlance = 50;  // ms from one look at a signal to the next
 
 [[noreturn]] void Fail(const std::string& what) {
   throw SetupError(what + ": " + std::strerror(errno));
-}
-
-std::string ContentOf(const std::filesystem::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
 }
 
 // Whether the child has said more than the line with its log.
@@ -73,7 +67,7 @@ std::string Listen(int child, int says) {
   int status = 0;
   while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!log.empty()) SayErrorText(ContentOf(log));
+  if (!log.empty()) SayErrorText(FileText(log));
   std::exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 

@@ -1,9 +1,9 @@
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "commands/commands.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
@@ -19,13 +19,6 @@ struct ExportArguments : SetArguments {
   std::string robot;
   std::string out;
 };
-
-void WriteExport(const std::filesystem::path& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  file << content;
-  file.close();
-  if (!file) throw SetupError(path.string() + ": cannot be written");
-}
 
 int ExportUrdf(const ExportArguments& arguments) {
   config::Config config = config::LoadConfig(
@@ -46,12 +39,12 @@ int ExportUrdf(const ExportArguments& arguments) {
     return 0;
   }
   const std::filesystem::path out = arguments.out;
-  WriteExport(out, urdf.text);
+  WriteFile(out, urdf.text);
   if (urdf.meshes.empty()) return 0;
   std::error_code ignored;  // told by the first file that cannot be written
   std::filesystem::create_directories(out.parent_path() / "meshes", ignored);
   for (const mjcf::UrdfMesh& mesh : urdf.meshes) {
-    WriteExport(out.parent_path() / "meshes" / (mesh.name + ".stl"), mesh.stl);
+    WriteFile(out.parent_path() / "meshes" / (mesh.name + ".stl"), mesh.stl);
   }
   return 0;
 }

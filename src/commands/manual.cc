@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <set>
 #include <sstream>
@@ -14,6 +13,7 @@
 #include <CLI/CLI.hpp>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "commands/command_path.h"
 #include "commands/commands.h"
 #include "version.h"
@@ -294,20 +294,13 @@ std::string Page(const CLI::App& app, const CLI::App& command) {
                 Section("EXAMPLES", footer.examples) + Section("SEE ALSO", see));
 }
 
-void WritePage(const std::filesystem::path& file, const std::string& page) {
-  std::ofstream out(file, std::ios::binary);
-  out << page;
-  out.close();
-  if (!out) throw SetupError("cannot write " + file.string());
-}
-
 int WritePages(const CLI::App& app, const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw SetupError("cannot make " + folder.string() + ": " + error.message());
-  WritePage(folder / (PageName("") + ".1"), Page(app, app));
+  WriteFile(folder / (PageName("") + ".1"), Page(app, app));
   for (const std::string& name : CommandNames(app)) {
-    WritePage(folder / (PageName(name) + ".1"), Page(app, *FindCommand(app, name)));
+    WriteFile(folder / (PageName(name) + ".1"), Page(app, *FindCommand(app, name)));
   }
   return 0;
 }

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "base/nearest_word.h"
 #include "base/signals.h"
 #include "client/control_folder.h"
@@ -83,9 +84,9 @@ std::vector<std::string> OptionsOf(const RehearseArguments& arguments) {
 int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expect,
          const rehearse::Judged& judged, const fs::path& folder, bool as_json) {
   const std::string told = rehearse::TellJson(occasion, expect, judged);
-  rehearse::WriteFile(folder / "verdict.json", told);
-  rehearse::WriteFile(folder / "junit.xml", rehearse::TellJunit(occasion, expect, judged));
-  rehearse::WriteFile(folder / "report.html", rehearse::TellHtml(occasion, expect, judged));
+  WriteFile(folder / "verdict.json", told);
+  WriteFile(folder / "junit.xml", rehearse::TellJunit(occasion, expect, judged));
+  WriteFile(folder / "report.html", rehearse::TellHtml(occasion, expect, judged));
   if (as_json) {
     std::fputs(told.c_str(), stdout);
   } else {
@@ -179,7 +180,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
     ladder = rehearse::JudgeLadder(record::McapReader(folder / "recording.mcap"), scenario.stages,
                                    scenario.config, rehearsal.judged);
     if (!ladder->next_settings.empty()) {
-      rehearse::WriteFile(folder / "next_stage.yaml", ladder->next_settings);
+      WriteFile(folder / "next_stage.yaml", ladder->next_settings);
     }
   }
   const std::string recording = folder / "recording.mcap";
@@ -196,7 +197,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
                                     .recording = recording,
                                     .judge = rehearse::ShellText(again),
                                     .repeat = rehearse::ShellText(words),
-                                    .scenario = rehearse::FileText(file),
+                                    .scenario = FileText(file),
                                     .script = script,
                                     .stopped = rehearsal.stopped,
                                     .ladder = ladder,
@@ -227,7 +228,7 @@ int JudgeCommand(const JudgeArguments& arguments) {
                                     .recording = arguments.recording,
                                     .judge = repeat,
                                     .repeat = repeat,
-                                    .scenario = rehearse::FileText(file),
+                                    .scenario = FileText(file),
                                     .script = {},
                                     .stopped = {},
                                     .ladder = {},

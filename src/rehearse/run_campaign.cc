@@ -19,6 +19,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "base/unique_fd.h"
 #include "exec/child_process.h"
 #include "exec/command.h"
@@ -333,27 +334,6 @@ void WriteReports(const Campaign& campaign, const fs::path& folder) {
   std::string lines;
   for (const RunResult& result : campaign.results) lines += RunLine(result);
   WriteFile(folder / "runs.jsonl", lines);
-}
-
-std::string FileText(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  return text.str();
-}
-
-void WriteFile(const fs::path& file, const std::string& text) {
-  // Beside it, as a rename stays within a file system; by process, as shards may share a folder.
-  const fs::path part = file.string() + ".part" + std::to_string(::getpid());
-  std::ofstream stream(part, std::ios::binary | std::ios::trunc);
-  stream << text;
-  stream.close();
-  std::error_code error;
-  if (stream) fs::rename(part, file, error);
-  if (!stream || error) {
-    fs::remove(part, error);
-    throw SetupError(file.string() + ": cannot be written");
-  }
 }
 
 }  // namespace understudy::rehearse

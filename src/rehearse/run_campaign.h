@@ -75,10 +75,4 @@ void MergeCampaigns(const std::vector<std::filesystem::path>& from,
 // Writes report.html, verdict.json, junit.xml, runs.jsonl and runs.txt. Throws SetupError.
 void WriteReports(const Campaign& campaign, const std::filesystem::path& folder);
 
-// Returns the text of a file, "" if it cannot be read.
-std::string FileText(const std::filesystem::path& file);
-
-// Replaces a file at once, so that nobody finds a part of it. Throws SetupError.
-void WriteFile(const std::filesystem::path& file, const std::string& text);
-
 }  // namespace understudy::rehearse

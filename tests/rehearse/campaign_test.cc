@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "base/files.h"
 #include "rehearse/campaign_outputs.h"
 #include "rehearse/run_campaign.h"
 #include "rehearse/scenario.h"
