@@ -19,6 +19,7 @@ constexpr std::size_t kMostAnnouncements = 64;     // *assumed*, as the figures 
 constexpr std::size_t kLongestAnnouncement = 256;  // bytes
 constexpr std::size_t kLongestText = 128;          // bytes
 constexpr std::size_t kMostSuspects = 64, kMostTold = 32;
+constexpr std::size_t kMostEndpoints = 1024, kMostParticipants = 256;
 constexpr std::chrono::milliseconds kPatience(500);  // several times the duration of discovery
 
 std::string Printable(const char* text) {
@@ -229,6 +230,88 @@ void MismatchWatch::Suspicious(const void* publication, std::chrono::nanoseconds
   writer.type = Printable(endpoint.type_name);
   Introduce(participants_.handle(), &writer);
   suspect.found.why = WhyNot(endpoint, (*reader)->type());
+}
+
+namespace {
+
+bool SpeaksXcdr1(const dds_qos_t* qos) {
+  std::uint32_t count = 0;
+  dds_data_representation_id_t* values = nullptr;
+  if (!dds_qget_data_representation(qos, &count, &values) || count == 0) return true;
+  const bool found = std::count(values, values + count, DDS_DATA_REPRESENTATION_XCDR1) > 0;
+  dds_free(values);
+  return found;
+}
+
+void ReadQos(const dds_qos_t* qos, Endpoint* endpoint) {
+  dds_reliability_kind_t reliability{};
+  dds_duration_t duration = 0;
+  dds_durability_kind_t durability{};
+  dds_ownership_kind_t ownership{};
+  endpoint->reliable =
+      dds_qget_reliability(qos, &reliability, &duration) && reliability == DDS_RELIABILITY_RELIABLE;
+  endpoint->keeps_for_late =
+      dds_qget_durability(qos, &durability) && durability != DDS_DURABILITY_VOLATILE;
+  endpoint->exclusive = dds_qget_ownership(qos, &ownership) && ownership == DDS_OWNERSHIP_EXCLUSIVE;
+  endpoint->has_deadline = dds_qget_deadline(qos, &duration) && duration != DDS_INFINITY;
+  endpoint->xcdr1 = SpeaksXcdr1(qos);
+  endpoint->partitions = Partitions(qos);
+}
+
+}  // namespace
+
+EndpointSurvey::EndpointSurvey(const Participant& participant)
+    : ours_(participant.key()),
+      writers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr,
+                                 nullptr),
+               "watch the writers"),
+      readers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, nullptr,
+                                 nullptr),
+               "watch the readers"),
+      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
+                                      nullptr, nullptr),
+                    "watch the participants") {}
+
+void EndpointSurvey::Poll() {
+  ForEachChange(participants_.handle(), [&](const void* sample, bool there) {
+    const auto& one = *static_cast<const dds_builtintopic_participant_t*>(sample);
+    std::erase_if(others_, [&](const Neighbour& other) {
+      return std::ranges::equal(other.participant, one.key.v);
+    });
+    if (!there || std::ranges::equal(ours_, one.key.v) || others_.size() >= kMostParticipants) {
+      return;
+    }
+    Neighbour& other = others_.emplace_back();
+    other.participant = std::to_array(one.key.v);
+    Introduce(one.qos, &other);
+  });
+  ForEachChange(writers_.handle(),
+                [&](const void* sample, bool there) { Note(sample, there, true); });
+  ForEachChange(readers_.handle(),
+                [&](const void* sample, bool there) { Note(sample, there, false); });
+}
+
+void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
+  const auto& one = *static_cast<const dds_builtintopic_endpoint_t*>(endpoint);
+  std::erase_if(endpoints_, [&](const Endpoint& known) {
+    return std::ranges::equal(known.who.writer, one.key.v);
+  });
+  if (!there || std::ranges::equal(ours_, one.participant_key.v) ||
+      endpoints_.size() >= kMostEndpoints ||
+      std::string_view(one.type_name).starts_with(kBuiltin)) {
+    return;
+  }
+  Endpoint& added = endpoints_.emplace_back();
+  added.topic = Printable(one.topic_name);
+  added.writes = writes;
+  const auto whose = std::ranges::find_if(others_, [&](const Neighbour& other) {
+    return std::ranges::equal(other.participant, one.participant_key.v);
+  });
+  if (whose != others_.end()) added.who = *whose;
+  added.who.writer = std::to_array(one.key.v);
+  added.who.participant = std::to_array(one.participant_key.v);
+  added.who.type = Printable(one.type_name);
+  ReadQos(one.qos, &added);
 }
 
 EndpointWatch::EndpointWatch(const Participant& participant)

@@ -111,6 +111,44 @@ class MismatchWatch {
   std::size_t told_ = 0;
 };
 
+// A reader or writer of another participant, and of its quality of service what decides whether it
+// is matched.
+struct Endpoint {
+  std::string topic{};
+  bool writes = false;  // else it reads
+  bool reliable = false;
+  bool keeps_for_late = false;  // durability is more than VOLATILE
+  bool exclusive = false;       // ownership
+  bool has_deadline = false;
+  bool xcdr1 = true;         // is among its data representations
+  std::string partitions{};  // quoted; "" is the one that everybody is in by default
+  Neighbour who{};           // `writer` is the endpoint's GUID, also of a reader's
+};
+
+// Watches for everything that other participants read and write.
+class EndpointSurvey {
+ public:
+  // Throws BusError if Cyclone refuses.
+  explicit EndpointSurvey(const Participant& participant);
+
+  // Takes note of what has come and gone. Never blocks.
+  void Poll();
+  // As of the last Poll, each in the order of discovery: 1024 endpoints and 256 participants at
+  // most, of which the latter have neither `writer` nor `type`.
+  const std::vector<Endpoint>& endpoints() const { return endpoints_; }
+  const std::vector<Neighbour>& participants() const { return others_; }
+
+ private:
+  void Note(const void* endpoint, bool there, bool writes);
+
+  ParticipantKey ours_;
+  Entity writers_;       // reader of DCPSPublication
+  Entity readers_;       // reader of DCPSSubscription
+  Entity participants_;  // reader of DCPSParticipant
+  std::vector<Endpoint> endpoints_;
+  std::vector<Neighbour> others_;
+};
+
 // A topic and its type, named as on the wire.
 struct TopicOnBus {
   std::string topic;  // "rt/lowstate"

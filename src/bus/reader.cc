@@ -41,7 +41,9 @@ std::string TypeOf(const char* topic, const dds_topic_descriptor& descriptor, st
 
 struct ReaderCore::Listener {
   static void OnArrival(dds_entity_t, void* reports) {
-    static_cast<Reports*>(reports)->arrived.store(true, std::memory_order_release);
+    auto* const to = static_cast<Reports*>(reports);
+    to->arrived.store(true, std::memory_order_release);
+    if (to->bell != nullptr) to->bell->Ring();
   }
   static void OnLost(dds_entity_t, dds_sample_lost_status_t status, void* reports) {
     static_cast<Reports*>(reports)->lost.store(status.total_count, std::memory_order_relaxed);
@@ -72,7 +74,7 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
       type_(TypeOf(topic, descriptor, message_size)),
       undecoded_(&UndecodedSamples(topic)),
       most_bytes_(options.most_bytes),
-      reports_(std::make_unique<Reports>()),
+      reports_(std::make_unique<Reports>(options.bell)),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
       reader_(dds_create_reader(participant.handle(), topic_.handle(),

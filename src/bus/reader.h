@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/bell.h"
 #include "bus/cdr_sample.h"
 #include "bus/participant.h"
 #include "bus/topic.h"
@@ -31,6 +32,7 @@ struct ReaderOptions {
   // Longer samples are dropped unread and count as undecoded: decoding takes as long as they have
   // bytes. Of the serialized message.
   std::size_t most_bytes = 65536;
+  const Bell* bell = nullptr;  // rung when something has arrived; outlives the reader
 };
 
 // The part of Reader that does not depend on the message type: a bounded queue of serialized
@@ -70,8 +72,6 @@ class ReaderCore {
   std::string_view refused_policy() const;
 
  protected:
-  // For those who sleep until something has arrived.
-  std::int32_t handle() const { return reader_.handle(); }
   // Takes the oldest sample; false if none waits. Never blocks; while nothing waits it only loads a
   // flag.
   bool Next(CdrSample* sample);
@@ -82,6 +82,7 @@ class ReaderCore {
  private:
   // What Cyclone's threads report.
   struct Reports {
+    const Bell* bell;
     std::atomic<bool> arrived{false};
     std::atomic<std::uint64_t> lost{0};
     std::atomic<std::uint32_t> policy{0};  // of the last writer that did not match; 0: none

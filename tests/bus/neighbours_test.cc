@@ -188,5 +188,85 @@ TEST(NeighbourTest, IsDescribedByWhatIsKnown) {
             "process 7 (ai_sport) on robot (192.0.2.1)");
 }
 
+TEST(EndpointSurveyTest, TellsWhatOthersReadAndWriteAndWithWhichQuality) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  const Writer<Hello> own(ours, kTopic);
+  EndpointSurvey survey(ours);
+  const Stranger stranger(domain);
+  const Entity writer = stranger.Writes(
+      "rt/lowcmd", {.reliable = false, .representation = DDS_DATA_REPRESENTATION_XCDR2});
+  const Entity reader = stranger.Reads("rt/lowstate");
+  ASSERT_TRUE(test::Eventually([&] {
+    survey.Poll();
+    return survey.endpoints().size() == 2;
+  }));
+  const bool first = survey.endpoints().front().writes;
+  const Endpoint& writes = survey.endpoints()[first ? 0 : 1];
+  const Endpoint& reads = survey.endpoints()[first ? 1 : 0];
+  EXPECT_EQ(writes.topic, "rt/lowcmd");
+  EXPECT_TRUE(writes.writes);
+  EXPECT_FALSE(writes.reliable);
+  EXPECT_FALSE(writes.xcdr1);
+  EXPECT_EQ(reads.topic, "rt/lowstate");
+  EXPECT_FALSE(reads.writes);
+  EXPECT_TRUE(reads.reliable);
+  EXPECT_TRUE(reads.xcdr1);
+  for (const Endpoint& one : survey.endpoints()) {
+    EXPECT_EQ(one.who.type, "HelloWorldData::Msg");
+    EXPECT_EQ(one.who.pid, std::to_string(getpid()));
+    EXPECT_FALSE(one.keeps_for_late || one.exclusive || one.has_deadline);
+    EXPECT_EQ(one.partitions, "");
+  }
+  EXPECT_THAT(survey.participants(), SizeIs(1));
+}
+
+TEST(EndpointSurveyTest, TellsEachPolicyThatKeepsEndpointsApart) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  EndpointSurvey survey(ours);
+  const Stranger stranger(domain);
+  const auto qos = StrangerQos{}.Make();
+  dds_qset_durability(qos.get(), DDS_DURABILITY_TRANSIENT_LOCAL);
+  dds_qset_ownership(qos.get(), DDS_OWNERSHIP_EXCLUSIVE);
+  dds_qset_deadline(qos.get(), DDS_SECS(1));
+  const char* partition = "left";
+  dds_qset_partition(qos.get(), 1, &partition);
+  // A partition is a publisher's.
+  const Entity publisher(dds_create_publisher(stranger.handle(), qos.get(), nullptr), "publish");
+  const Entity topic(
+      dds_create_topic(stranger.handle(), &HelloWorldData_Msg_desc, "rt/lowcmd", nullptr, nullptr),
+      "create a topic");
+  const Entity writer(dds_create_writer(publisher.handle(), topic.handle(), qos.get(), nullptr),
+                      "write");
+  ASSERT_TRUE(test::Eventually([&] {
+    survey.Poll();
+    return survey.endpoints().size() == 1;
+  }));
+  const Endpoint& one = survey.endpoints().front();
+  EXPECT_TRUE(one.keeps_for_late);
+  EXPECT_TRUE(one.exclusive);
+  EXPECT_TRUE(one.has_deadline);
+  EXPECT_EQ(one.partitions, "\"left\"");
+}
+
+TEST(EndpointSurveyTest, ForgetsWhoHasGone) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  EndpointSurvey survey(ours);
+  {
+    const Stranger stranger(domain);
+    const Entity writer = stranger.Writes("rt/lowcmd");
+    ASSERT_TRUE(test::Eventually([&] {
+      survey.Poll();
+      return survey.endpoints().size() == 1;
+    }));
+  }
+  ASSERT_TRUE(test::Eventually([&] {
+    survey.Poll();
+    return survey.endpoints().empty() && survey.participants().empty();
+  }));
+}
+
 }  // namespace
 }  // namespace understudy::bus

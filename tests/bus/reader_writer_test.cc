@@ -62,6 +62,20 @@ TEST(ReaderTest, TakesOldestFirstAndEachOnce) {
   EXPECT_THAT(TakeIds(&reader), IsEmpty());
 }
 
+TEST(ReaderTest, RingsABellForThoseWhoSleep) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  const Bell bell;
+  Reader<Hello> reader(ours, kTopic, {.bell = &bell});
+  const Stranger stranger(domain);
+  const Entity writer = stranger.Writes(kTopic.name);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  EXPECT_FALSE(bell.Answer());
+  ASSERT_TRUE(Send(writer, 1));
+  EXPECT_TRUE(test::Eventually([&] { return bell.Answer(); }));
+  EXPECT_THAT(TakeIds(&reader), ElementsAre(1));
+}
+
 TEST(ReaderTest, KeepsTheNewestOfItsDepth) {
   const int domain = test::NewDomain();
   const Participant ours("lo", domain);
