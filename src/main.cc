@@ -31,12 +31,13 @@ constexpr char kFooter[] =
     "  understudy ctl status --watch           show its state in another terminal\n"
     "  understudy view                         show it in a window\n"
     "  understudy remote                       use its remote controller\n"
+    "  understudy doctor                       say what is wrong with machine and network\n"
     "`understudy help COMMAND` has details.\n"
     "Exit codes: 0 done; 1 a bug, a request refused, output not written; 2 command line;\n"
     "3 configuration; 4 model; 5 network; 6 another robot on the network; 7 the physics diverged;\n"
     "8 the robot's name or control socket is in use or unusable; 9 a recording that cannot be\n"
-    "written or read; 10 an expectation failed; 11 one could not be judged; exec: the command's\n"
-    "code.";
+    "written or read; 10 an expectation failed; 11 one could not be judged; 12 the doctor found\n"
+    "something wrong; exec: the command's code.";
 
 // Prints what is wrong with the command line, if that was found.
 bool Explained(const std::string& why) {
@@ -104,6 +105,7 @@ int Main(int argc, char** argv) {
   commands::AddCompareCommand(&app, &chosen);
   commands::AddRecordingCommand(&app, &chosen);
   commands::AddExportCommand(&app, &chosen);
+  commands::AddDoctorCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);
   commands::AddCompletionsCommand(&app, &chosen);
   commands::AddManualCommand(&app, &chosen);

@@ -16,6 +16,7 @@ enum class ExitCode {
   kRecord = 9,     // a recording cannot be written or read
   kFailed = 10,    // rehearse, judge: an expectation failed
   kOpen = 11,      // rehearse, judge: none failed, and one could not be judged
+  kUnfit = 12,     // doctor: something is wrong
 };
 
 }  // namespace understudy

@@ -20,6 +20,7 @@ void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording
 void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in others' forms
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
+void AddDoctorCommand(CLI::App* app, Chosen* chosen);     // finds what is wrong with the network
 void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording
 // robots, check, version, services, requests. They need no running robot and print aligned text or
 // one JSON document to standard output.

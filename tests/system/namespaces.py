@@ -2,10 +2,12 @@
 
 import contextlib
 import ctypes
+import json
 import os
 import pathlib
 import signal
 import subprocess
+import sys
 
 CLONE_NEWUSER = 0x10000000
 CLONE_NEWNET = 0x40000000
@@ -84,3 +86,33 @@ def host_on_a_cable(ours, theirs):
         keeper.send_signal(signal.SIGKILL)  # its network goes with the last process in it
         keeper.wait()
         keeper.stdout.close()
+
+
+@contextlib.contextmanager
+def host_on_a_bad_cable(ours, theirs, **faults):
+    """As host_on_a_cable, by way of cable_relay.py with these faults."""
+    relay = pathlib.Path(__file__).with_name("cable_relay.py")
+    with contextlib.ExitStack() as stack:
+        def other_network(*command):
+            process = stack.enter_context(
+                subprocess.Popen(["unshare", "--net", "sh", "-c", 'echo; read -r go; exec "$@"', "sh", *command],
+                                 stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True))
+            stack.callback(process.kill)  # its network goes with the last process in it
+            process.stdout.readline()  # from here on it is in its own network
+            return process
+
+        keeper = other_network("sleep", "600")
+        middle = other_network(sys.executable, relay, "left", "right", json.dumps(faults))
+        there = ["nsenter", "--target", str(keeper.pid), "--net", "--"]
+        for name, end, network in ((ours[0], "left", []), (theirs[0], "right", there)):
+            subprocess.run([*network, "ip", "link", "add", name, "type", "veth", "peer", "name", end, "netns",
+                            str(middle.pid)], check=True, timeout=10)
+        stack.callback(ip, "link", "delete", ours[0])
+        middle.stdin.write("go\n")
+        middle.stdin.flush()
+        assert middle.stdout.readline() == "ready\n"
+        for network, name, address in (([], *ours), (there, *theirs)):
+            for arguments in (["link", "set", "lo", "up"], ["address", "add", address, "dev", name],
+                              ["link", "set", name, "up"]):
+                subprocess.run([*network, "ip", *arguments], check=True, timeout=10)
+        yield there

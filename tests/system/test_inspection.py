@@ -11,7 +11,7 @@ import pytest
 
 from robots import eventually
 
-SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "picture", "film", "robots", "check", "version", "completions"]
+SUBCOMMANDS = ["run", "exec", "ctl", "remote", "view", "picture", "film", "robots", "check", "version", "completions", "doctor"]
 ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
 MODELS = pathlib.Path(__file__).parents[2] / "models"
 

@@ -1,0 +1,35 @@
+// The checks of `understudy doctor`: each a law over what was seen.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "doctor/evidence.h"
+
+namespace understudy::doctor {
+
+enum class Verdict { kOk, kWarning, kWrong, kNotSeen };
+
+// Returns "ok", "warning", "wrong" or "not seen".
+std::string_view Word(Verdict verdict);
+
+struct Finding {
+  Verdict verdict = Verdict::kOk;
+  std::string text{};    // what was found, with figures and units
+  std::string remedy{};  // what to do; "" where there is nothing to do
+  std::vector<std::pair<std::string_view, double>> figures{};  // SI, for programs
+};
+
+struct Check {
+  std::string_view name;      // unique
+  std::string_view looks_at;  // one clause, for people
+  Finding (*judge)(const Evidence& evidence);
+};
+
+// All of them, in the order in which they are shown: a cause stands before what follows from it.
+std::span<const Check> Checks();
+
+}  // namespace understudy::doctor
