@@ -161,6 +161,10 @@ constexpr ValueRow kValues[] = {
     {"--parts", Parts},
     {"--track", Bodies},
     {"--speed", [](const Typed&) { return Words{"max"}; }},
+    {"--messages",
+     [](const Typed&) {
+       return Words{"go", "hg"};
+     }},
     {"--dynamics",
      [](const Typed&) {
        return Words{"catalogue", "fitted"};

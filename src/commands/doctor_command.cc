@@ -1,6 +1,4 @@
-#include <cmath>
 #include <cstdio>
-#include <limits>
 #include <memory>
 #include <string>
 
@@ -29,6 +27,14 @@ struct DoctorArguments {
 std::string HostName() {
   char name[256] = "";
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "";
+}
+
+std::string CheckSeconds(const std::string& text) {
+  constexpr double kShortest = 0.1, kLongest = 3600;
+  double seconds = 0;
+  const bool number = CLI::detail::lexical_cast(text, seconds);
+  if (number && seconds >= kShortest && seconds <= kLongest) return {};  // not for NaN
+  return "expected seconds from 0.1 to 3600, found '" + text + "'";
 }
 
 int EchoCommand(const DoctorArguments& arguments) {
@@ -71,7 +77,6 @@ int DoctorCommand(const DoctorArguments& arguments) {
 }  // namespace
 
 void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
-  constexpr double kLongest = 3600;
   const auto arguments = std::make_shared<DoctorArguments>();
   CLI::App* doctor = app->add_subcommand(
       "doctor", "Say what is wrong with machine and network, and what to do about it");
@@ -82,7 +87,7 @@ void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
       ->check(CLI::Range(0, bus::kLastDomain));
   doctor->add_option("--seconds", arguments->question.seconds, "How long to measure [3]")
       ->type_name("S")
-      ->check(CLI::Range(0.1, kLongest));
+      ->check(CheckSeconds);
   CLI::Option* const peer =
       doctor
           ->add_option("--peer", arguments->question.peer,

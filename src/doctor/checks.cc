@@ -266,8 +266,17 @@ std::string_view FamilyHere(const Evidence& seen) {
   return family;
 }
 
+// Whether a participant reads rt/lowstate of that family, too: a robot of this program listens for
+// others of both.
+bool HearsFamily(const Evidence& seen, const bus::ParticipantKey& who, std::string_view family) {
+  return std::ranges::any_of(seen.endpoints, [&](const bus::Endpoint& one) {
+    return one.topic == "rt/lowstate" && !one.writes && one.who.participant == who &&
+           FamilyOf(one.who.type) == family;
+  });
+}
+
 // What is wrong with its topic and type; "" if nothing is.
-std::string WhyNotType(const bus::Endpoint& one, std::string_view family) {
+std::string WhyNotType(const Evidence& seen, const bus::Endpoint& one, std::string_view family) {
   const std::vector<std::string_view> types = TypesOf(one.topic);
   if (types.empty()) {
     const bool low = one.writes && one.who.type.ends_with("::LowCmd_") && !IsEchoTopic(one.topic);
@@ -283,7 +292,9 @@ std::string WhyNotType(const bus::Endpoint& one, std::string_view family) {
     return " " + one.who.type + " instead of " + expected;
   }
   const std::string_view its = FamilyOf(one.who.type);
-  if (TakesCommands(one.topic) && !family.empty() && its != family) {
+  const bool deaf =
+      one.topic == "rt/lowstate" && !one.writes && !HearsFamily(seen, one.who.participant, family);
+  if ((TakesCommands(one.topic) || deaf) && !family.empty() && its != family) {
     return fmt::format(" the {} type, and the robot here is of {}", its, family);
   }
   return "";
@@ -296,7 +307,7 @@ Finding Types(const Evidence& seen) {
   std::size_t known = 0;
   for (const bus::Endpoint& one : seen.endpoints) {
     if (!TypesOf(one.topic).empty()) ++known;
-    if (const std::string why = WhyNotType(one, family); !why.empty()) {
+    if (const std::string why = WhyNotType(seen, one, family); !why.empty()) {
       bad.push_back(Whose(one) + why);
     }
   }

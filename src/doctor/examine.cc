@@ -113,8 +113,8 @@ class Ear {
   void Hear(Time now) {
     if (client_) client_->Receive(now);
     bus::CdrSample sample;
-    while (go_.Next(&sample)) states_.Note(now);
-    while (hg_.Next(&sample)) states_.Note(now);
+    for (int i = 0; i < bus::kMaxTake && go_.Next(&sample); ++i) states_.Note(now);
+    for (int i = 0; i < bus::kMaxTake && hg_.Next(&sample); ++i) states_.Note(now);
   }
 
   // Takes note of who comes and goes.
@@ -218,15 +218,14 @@ class Examination {
     }
   }
 
-  // Takes what arrives until then; returns whether it slept to the end.
+  // Takes what arrives until then.
   void Wait(Time until) {
-    bool slept = false;
     do {
-      std::vector<pollfd> descriptors = {Readable(bell_.fd())};
-      if (probe_)
-        descriptors.insert(descriptors.end(),
-                           {Readable(probe_->own_fd()), Readable(probe_->group_fd())});
-      slept = !SleepUntil(until, descriptors, &clock_);
+      // poll(2) passes over a descriptor of -1.
+      std::array<pollfd, 3> descriptors = {Readable(bell_.fd()),
+                                           Readable(probe_ ? probe_->own_fd() : -1),
+                                           Readable(probe_ ? probe_->group_fd() : -1)};
+      const bool slept = !SleepUntil(until, descriptors, &clock_);
       const Time now = clock_.Now();
       bell_.Answer();
       if (ear_) ear_->Hear(now);

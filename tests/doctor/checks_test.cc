@@ -18,6 +18,7 @@ using enum Verdict;
 
 constexpr char kGoLowCmdType[] = "unitree_go::msg::dds_::LowCmd_";
 constexpr char kHgLowCmdType[] = "unitree_hg::msg::dds_::LowCmd_";
+constexpr char kHgLowStateType[] = "unitree_hg::msg::dds_::LowState_";
 constexpr char kGoLowStateType[] = "unitree_go::msg::dds_::LowState_";
 
 bus::Endpoint Writer(const char* topic, const char* type) {
@@ -191,6 +192,17 @@ TEST(TypesCheckTest, RefuseCommandsOfTheOtherFamilyThanTheRobotsHere) {
   };
   EXPECT_EQ(commanded(kGoLowCmdType), kOk);
   EXPECT_EQ(commanded(kHgLowCmdType), kWrong);
+}
+
+TEST(TypesCheckTest, RefuseAReaderOfTheOtherFamilyUnlessItReadsBoth) {
+  bus::Endpoint go = Reader("rt/lowstate", kGoLowStateType);
+  bus::Endpoint hg = Reader("rt/lowstate", kHgLowStateType);
+  const bus::Endpoint robot = Writer("rt/lowstate", kGoLowStateType);
+  EXPECT_EQ(VerdictOf("types", Among({hg})), kOk);
+  EXPECT_EQ(VerdictOf("types", Among({robot, hg})), kWrong);
+  EXPECT_EQ(VerdictOf("types", Among({robot, hg, go})), kOk);
+  go.who.participant[0] = 1;
+  EXPECT_EQ(VerdictOf("types", Among({robot, hg, go})), kWrong);
 }
 
 TEST(TypesCheckTest, SayWhichTopicAMisspeltOneMayMean) {

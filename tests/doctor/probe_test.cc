@@ -94,12 +94,25 @@ TEST_F(ProbeTest, LearnsTheAddressOfAPeerByItsName) {
 TEST_F(ProbeTest, CountsNoAnswersOfOthers) {
   ProbeClient other("lo", kLoopback, domain_, 8, "near");
   other.Ask();
+  other.Ask();
   client_.Ask();
   ASSERT_TRUE(Works([&] { return client_.multicast().returned == 1; }));
   other.Receive();
   EXPECT_EQ(other.multicast().returned, 0);
-  EXPECT_EQ(other.self_multicast().returned, 1);
+  EXPECT_EQ(other.self_multicast().returned, 2);
   EXPECT_EQ(client_.self_multicast().returned, 1);
+}
+
+TEST_F(ProbeTest, CountsWhatTwoAnswerOnce) {
+  ProbeServer twin("lo", kLoopback, domain_, "far");
+  client_.Ask();
+  client_.Ask();
+  server_.Answer();
+  twin.Answer();
+  ASSERT_TRUE(Works([&] { return client_.multicast().returned == 2; }));
+  client_.Ask();
+  ASSERT_TRUE(Works([&] { return client_.multicast().returned == 3; }));
+  EXPECT_EQ(client_.multicast().sent, 3);
 }
 
 TEST(ProbeClientTest, TellsThatNobodyListens) {
