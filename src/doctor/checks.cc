@@ -595,6 +595,20 @@ Finding ClockSynchronised(const Evidence& seen) {
                  "run chrony or ptp4l with phc2sys, on both machines");
 }
 
+Finding ClockApart(const Evidence& seen) {
+  if (!seen.peer) return NotSeen(kNoPeer);
+  if (!seen.peer->offset) return NotSeen("no message came back from the peer");
+  const ClockOffset& offset = *seen.peer->offset;
+  const std::string text =
+      fmt::format("the peer's is {:+.2f} ms ahead, to {}", offset.ahead * 1e3, Ms(offset.error));
+  const std::vector<std::pair<std::string_view, double>> figures = {{"ahead", offset.ahead},
+                                                                    {"error", offset.error}};
+  if (std::abs(offset.ahead) - offset.error <= kLatePeriod) return With(Ok(text), figures);
+  return With(Warning(text + ": times that the two write down do not compare",
+                      "run chrony or ptp4l with phc2sys, on both machines"),
+              figures);
+}
+
 constexpr Check kChecks[] = {
     {"interface", "is it there, up, and is something at the other end", Interface},
     {"address", "IPv4 addresses: none, two in one network, in the robot's or not", Addresses},
@@ -623,6 +637,7 @@ constexpr Check kChecks[] = {
     {"clock steps", "jumps of the system's clock against the monotonic one, in the test",
      ClockSteps},
     {"clock sync", "does a daemon of NTP or PTP keep the system's clock", ClockSynchronised},
+    {"clock offset", "how far the peer's system clock is ahead of ours", ClockApart},
 };
 
 }  // namespace

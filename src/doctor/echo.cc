@@ -21,6 +21,10 @@ bus::ReaderOptions Deep(const Bell* bell) {
   return {.depth = 256, .reliable = false, .foreign_only = true, .bell = bell};
 }
 
+std::chrono::nanoseconds SystemTime() {
+  return std::chrono::system_clock::now().time_since_epoch();
+}
+
 // Bounded, for what comes faster than it is taken.
 template <class Reader, class Visit>
 void TakeAll(Reader* reader, Visit&& visit) {
@@ -47,7 +51,9 @@ class ClientOf final : public EchoClient {
   void Receive(Time now) override {
     const auto visit = [&](const typename Family::Pong& pong, bus::WriterHandle) {
       const Mark mark = MarkOf(pong);
-      if (mark.session == session_) Note(mark.number, now);
+      if (mark.session == session_) {
+        Note(mark.number, now, SystemTime(), std::chrono::nanoseconds(TimeOf(pong)));
+      }
     };
     TakeAll(&pongs_, visit);
   }
@@ -103,6 +109,7 @@ struct EchoServer::Half {
       const Mark mark = MarkOf(ping);
       if (mark.target != tag) return;
       Put(mark, &pong);
+      PutTime(SystemTime().count(), &pong);
       pongs.Write(pong);
       ++count;
     };
@@ -124,13 +131,24 @@ EchoServer::~EchoServer() = default;
 
 void EchoServer::Answer() { answered_ += go_->Answer(tag_) + hg_->Answer(tag_); }
 
-void EchoClient::Note(std::uint32_t number, Time now) {
+void EchoClient::Note(std::uint32_t number, Time now, std::chrono::nanoseconds ours,
+                      std::chrono::nanoseconds theirs) {
   answered_ = true;
   if (number == 0 || number > sent_at_.size()) return;
   std::optional<Time>& at = sent_at_[number - 1];
   if (!at) return;
-  durations_.push_back(std::chrono::duration<double>(now - *at).count());
+  using Seconds = std::chrono::duration<double>;
+  const double duration = Seconds(now - *at).count();
+  durations_.push_back(duration);
   at.reset();
+  // It was written at some moment of the way there and back, in the middle if both take as long.
+  if (offset_ && duration / 2 >= offset_->error) return;
+  // Unsigned, which a time that is nonsense cannot overflow.
+  const std::uint64_t apart =
+      static_cast<std::uint64_t>(theirs.count()) - static_cast<std::uint64_t>(ours.count());
+  offset_ = ClockOffset{
+      .ahead = static_cast<double>(static_cast<std::int64_t>(apart)) * 1e-9 + duration / 2,
+      .error = duration / 2};
 }
 
 std::unique_ptr<EchoClient> MakeEchoClient(const bus::Participant& participant, const Bell* bell,

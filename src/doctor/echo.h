@@ -12,6 +12,7 @@
 #include "base/bell.h"
 #include "bus/discovery.h"
 #include "bus/participant.h"
+#include "doctor/evidence.h"
 
 namespace understudy::doctor {
 
@@ -62,12 +63,18 @@ class EchoClient {
   bool answered() const { return answered_; }  // of any, also of Try
   int sent() const { return static_cast<int>(sent_at_.size()); }
   const std::vector<double>& durations() const { return durations_; }  // there and back, s
+  // By the quickest answer; nullopt before one.
+  const std::optional<ClockOffset>& offset() const { return offset_; }
 
  protected:
-  void Note(std::uint32_t number, Time now);
+  // Takes an answer that arrived `now`, at `ours` of the system's clock, and was written at
+  // `theirs` of the other's.
+  void Note(std::uint32_t number, Time now, std::chrono::nanoseconds ours,
+            std::chrono::nanoseconds theirs);
 
   std::vector<std::optional<Time>> sent_at_;  // nullopt: answered
   std::vector<double> durations_;
+  std::optional<ClockOffset> offset_;
   bool answered_ = false;
 };
 

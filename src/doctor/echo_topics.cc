@@ -27,7 +27,26 @@ Mark ByReserve(const Message& message) {
   return {.session = message.reserve[0], .target = message.reserve[1], .number = message.crc};
 }
 
+constexpr unsigned kWord = 32;
+
+template <class Message>
+void PutVersion(std::int64_t time, Message* message) {
+  const auto bits = static_cast<std::uint64_t>(time);
+  message->version[0] = static_cast<std::uint32_t>(bits);
+  message->version[1] = static_cast<std::uint32_t>(bits >> kWord);
+}
+
+template <class Message>
+std::int64_t ByVersion(const Message& message) {
+  return static_cast<std::int64_t>(std::uint64_t{message.version[1]} << kWord | message.version[0]);
+}
+
 }  // namespace
+
+void PutTime(std::int64_t time, GoEcho::Pong* message) { PutVersion(time, message); }
+void PutTime(std::int64_t time, HgEcho::Pong* message) { PutVersion(time, message); }
+std::int64_t TimeOf(const GoEcho::Pong& message) { return ByVersion(message); }
+std::int64_t TimeOf(const HgEcho::Pong& message) { return ByVersion(message); }
 
 // FNV-1a.
 std::uint32_t TagOf(const bus::ParticipantKey& participant) {

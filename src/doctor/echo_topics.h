@@ -43,6 +43,12 @@ struct Mark {
   friend bool operator==(const Mark&, const Mark&) = default;
 };
 
+// When an answer was written, ns since 1970 by the clock of who answers.
+void PutTime(std::int64_t time, GoEcho::Pong* message);
+void PutTime(std::int64_t time, HgEcho::Pong* message);
+std::int64_t TimeOf(const GoEcho::Pong& message);
+std::int64_t TimeOf(const HgEcho::Pong& message);
+
 // Returns a number for a participant, which another has with a chance of 2^-32.
 std::uint32_t TagOf(const bus::ParticipantKey& participant);
 

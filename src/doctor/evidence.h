@@ -96,6 +96,12 @@ struct States {
   double longest_pause = 0;  // s
 };
 
+// Of the system's clock of the peer against ours.
+struct ClockOffset {
+  double ahead = 0;  // s, of the peer's
+  double error = 0;  // s: it is within ahead - error and ahead + error
+};
+
 // The peer that was named.
 struct Peer {
   bool found = false;                       // by discovery
@@ -107,6 +113,7 @@ struct Peer {
   int sent = 0;                             // messages of the round trip
   int returned = 0;
   Spread there_and_back{};
+  std::optional<ClockOffset> offset{};
 };
 
 struct Evidence {

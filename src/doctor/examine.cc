@@ -302,6 +302,7 @@ class Examination {
     peer.sent = ear_->client()->sent();
     peer.returned = static_cast<int>(ear_->client()->durations().size());
     peer.there_and_back = SpreadOf(ear_->client()->durations());
+    peer.offset = ear_->client()->offset();
   }
 
   std::uint32_t session_;

@@ -332,6 +332,19 @@ TEST(ClockCheckTest, IsWrongIfTheClockJumpsAndNeedsNoDaemonOnOneMachine) {
             kOk);
 }
 
+TEST(ClockCheckTest, WarnsOfAPeersClockThatIsAPeriodApartBeyondTheError) {
+  const auto apart = [](double ahead, double error) {
+    return VerdictOf("clock offset", But([&](Evidence& seen) {
+                       seen.peer->offset = ClockOffset{.ahead = ahead, .error = error};
+                     }));
+  };
+  EXPECT_EQ(apart(2e-3, 0), kOk);
+  EXPECT_EQ(apart(-3e-3, 0), kWarning);
+  EXPECT_EQ(apart(3e-3, 1.1e-3), kOk);
+  EXPECT_EQ(VerdictOf("clock offset", But([](Evidence& seen) { seen.peer->offset.reset(); })),
+            kNotSeen);
+}
+
 TEST(VendorTopicsTest, HaveTypesThatTheVendorHas) {
   for (const std::string& topic : VendorTopics()) {
     EXPECT_FALSE(TypesOf(topic).empty()) << topic;

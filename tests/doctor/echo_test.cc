@@ -48,14 +48,16 @@ class Counting : public EchoClient {
   using EchoClient::Note;
 };
 
+constexpr std::chrono::nanoseconds kArrived = std::chrono::hours(500000);
+
 TEST(EchoClientTest, CountsEachAnswerOnceAndNoneToWhatItDidNotSend) {
   Counting client;
   client.Send(1, milliseconds(0));
   client.Send(1, milliseconds(2));
-  client.Note(2, milliseconds(5));
-  client.Note(2, milliseconds(6));
-  client.Note(3, milliseconds(6));
-  client.Note(0xFFFFFFFF, milliseconds(6));
+  client.Note(2, milliseconds(5), kArrived, kArrived);
+  client.Note(2, milliseconds(6), kArrived, kArrived);
+  client.Note(3, milliseconds(6), kArrived, kArrived);
+  client.Note(0xFFFFFFFF, milliseconds(6), kArrived, kArrived);
   EXPECT_EQ(client.sent(), 2);
   ASSERT_EQ(client.durations().size(), 1u);
   EXPECT_DOUBLE_EQ(client.durations().front(), 3e-3);
@@ -64,9 +66,45 @@ TEST(EchoClientTest, CountsEachAnswerOnceAndNoneToWhatItDidNotSend) {
 TEST(EchoClientTest, HearsAnAnswerToATryAndCountsNone) {
   Counting client;
   EXPECT_FALSE(client.answered());
-  client.Note(0, milliseconds(1));
+  client.Note(0, milliseconds(1), kArrived, kArrived);
   EXPECT_TRUE(client.answered());
   EXPECT_TRUE(client.durations().empty());
+}
+
+TEST(EchoClientTest, TellsThePeersClockByTheQuickestAnswer) {
+  Counting client;
+  for (int i = 0; i < 3; ++i) client.Send(1, milliseconds(0));
+  EXPECT_FALSE(client.offset());
+  // The peer's clock is 5 s ahead; the second answer was quickest, the others lay about somewhere.
+  const auto ahead = kArrived + std::chrono::seconds(5);
+  client.Note(1, milliseconds(8), kArrived, ahead - milliseconds(1));
+  client.Note(2, milliseconds(2), kArrived, ahead - milliseconds(1));
+  client.Note(3, milliseconds(9), kArrived, ahead - milliseconds(8));
+  ASSERT_TRUE(client.offset());
+  EXPECT_NEAR(client.offset()->ahead, 5, 1e-9);
+  EXPECT_NEAR(client.offset()->error, 1e-3, 1e-12);
+}
+
+TEST(EchoClientTest, BearsATimeThatIsNonsense) {
+  Counting client;
+  client.Send(1, milliseconds(0));
+  client.Note(1, milliseconds(2), kArrived, std::chrono::nanoseconds::min());
+  EXPECT_TRUE(client.offset());
+}
+
+template <class Message>
+class TimeTest : public ::testing::Test {};
+using Pongs = ::testing::Types<GoEcho::Pong, HgEcho::Pong>;
+TYPED_TEST_SUITE(TimeTest, Pongs);
+
+TYPED_TEST(TimeTest, IsReadAsItWasPutBesideTheMark) {
+  for (const std::int64_t time : {std::int64_t{1800000000123456789}, std::int64_t{-1}}) {
+    TypeParam message{};
+    PutTime(time, &message);
+    Put(kMark, &message);
+    EXPECT_EQ(TimeOf(message), time);
+    EXPECT_EQ(MarkOf(message), kMark);
+  }
 }
 
 }  // namespace

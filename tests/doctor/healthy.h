@@ -41,7 +41,8 @@ inline Evidence Healthy() {
                    .from_peer = all,
                    .sent = 1000,
                    .returned = 1000,
-                   .there_and_back = {.count = 1000, .p50 = 2e-4, .p99 = 5e-4, .worst = 2e-3}};
+                   .there_and_back = {.count = 1000, .p50 = 2e-4, .p99 = 5e-4, .worst = 2e-3},
+                   .offset = ClockOffset{.ahead = -1e-3, .error = 1e-4}};
   return seen;
 }
 

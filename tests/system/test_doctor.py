@@ -93,6 +93,8 @@ def test_a_peer_on_a_good_cable_answers_each_way(peer, messages):
     assert figures["lost"] < figures["sent"] / 10
     assert 0 < figures["p50"] <= figures["p99"] <= figures["worst"]
     assert messages in rows["round trip"]["finding"]
+    offset = rows["clock offset"]["figures"]  # both have one clock
+    assert abs(offset["ahead"]) <= offset["error"] + 1e-3
 
 
 def test_a_delay_is_measured():
