@@ -32,6 +32,10 @@
 namespace understudy::doctor {
 namespace {
 
+// IFF_LOWER_UP of <linux/if.h>, which cannot be included beside <net/if.h>: the carrier as it is
+// now. IFF_RUNNING follows it up to a second late.
+constexpr unsigned kLowerUp = 1U << 16U;
+
 // Calls visit(const ifaddrs&) for each address of each interface. They are those of this network;
 // /sys/class/net would show the machine's in a private one.
 template <class Visit>
@@ -74,7 +78,7 @@ std::optional<Link> ReadLink(const std::string& interface) {
     if (link || interface != one.ifa_name) return;
     const auto has = [&](unsigned flag) { return (one.ifa_flags & flag) != 0; };
     link = Link{.up = has(IFF_UP),
-                .running = has(IFF_RUNNING),
+                .running = has(kLowerUp),
                 .multicast = has(IFF_MULTICAST),
                 .loopback = has(IFF_LOOPBACK)};
   });

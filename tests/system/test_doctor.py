@@ -87,7 +87,8 @@ def test_a_peer_on_a_good_cable_answers_each_way(peer, messages):
     with host_on_a_cable(HERE, THERE) as there, echo(there):
         rows = examine("--interface", "veth0", "--peer", peer, "--messages", messages)
 
-    assert verdicts(rows, "address", "peer", "peer unicast", "peer multicast", "from peer", "firewall") == ["ok"] * 6
+    assert verdicts(rows, "interface", "address", "peer", "peer unicast", "peer multicast", "from peer",
+                    "firewall") == ["ok"] * 7
     figures = rows["round trip"]["figures"]
     assert figures["sent"] > 10
     assert figures["lost"] < figures["sent"] / 10
@@ -106,12 +107,12 @@ def test_a_delay_is_measured():
 
 
 def test_a_loss_is_measured_in_what_is_as_large_as_commands():
-    with host_on_a_bad_cable(HERE, THERE, loss=0.2) as there, echo(there):
+    with host_on_a_bad_cable(HERE, THERE, loss=0.1) as there, echo(there):
         rows = examine("--interface", "veth0", "--peer", "far", seconds=1)
 
     assert verdicts(rows, "peer unicast", "peer multicast", "round trip") == ["ok", "ok", "wrong"]
     figures = rows["round trip"]["figures"]
-    assert 0.1 < figures["lost"] / figures["sent"] < 0.7  # 0.36 of there and back
+    assert 0.1 < figures["lost"] / figures["sent"] < 0.7  # 0.19 there and back, and more: docs/doctor.md
 
 
 def test_a_network_without_multicast_is_told_from_a_firewall_and_from_a_peer_that_is_not_there():
