@@ -1,14 +1,15 @@
 // The other end of the bus: clients of the daemon and of each other.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <string>
-#include <thread>
+#include <utility>
 #include <vector>
 
-#include <dds/dds.h>
+#include <poll.h>
 
-#include "bus/entity.h"
+#include "base/bell.h"
 #include "bus/reader.h"
 #include "wire/topics.h"
 
@@ -30,26 +31,29 @@ struct HgFamily {
 
 // A reader that sleeps until something has come, as the vendor's clients do.
 template <typename Msg>
-class WaitingReader : public bus::Reader<Msg> {
+class WaitingReader {
  public:
   WaitingReader(const bus::Participant& participant, const bus::Topic<Msg>& topic)
-      : bus::Reader<Msg>(participant, topic),
-        condition_(dds_create_readcondition(this->handle(), DDS_ANY_STATE), "wait for a message"),
-        waitset_(dds_create_waitset(participant.handle()), "wait for a message") {
-    dds_waitset_attach(waitset_.handle(), condition_.handle(), 0);
-  }
+      : reader_(participant, topic, {.bell = &bell_}) {}
 
   // False when nothing came in time.
   bool Wait(std::chrono::nanoseconds patience) const {
-    const bool woken = dds_waitset_wait(waitset_.handle(), nullptr, 0, patience.count()) > 0;
-    // Cyclone wakes us before it calls the listener that tells the reader of the message. To ask
-    // again and again meanwhile keeps it from that for a millisecond; a nap does not.
-    if (woken) std::this_thread::sleep_for(std::chrono::microseconds(5));
-    return woken;
+    const auto left = std::chrono::ceil<std::chrono::milliseconds>(patience).count();
+    pollfd rung{.fd = bell_.fd(), .events = POLLIN, .revents = 0};
+    return ::poll(&rung, 1, static_cast<int>(std::max<decltype(left)>(left, 0))) > 0 &&
+           bell_.Answer();
   }
 
+  // As bus::Reader::Take does.
+  template <typename Visit>
+  int Take(Visit&& visit) {
+    return reader_.Take(std::forward<Visit>(visit));
+  }
+  int matched_writers() const { return reader_.matched_writers(); }
+
  private:
-  bus::Entity condition_, waitset_;
+  Bell bell_;
+  bus::Reader<Msg> reader_;
 };
 
 // The command line that starts this program as a helper of itself: "echo" or "listen".
