@@ -85,6 +85,17 @@ void LeaveOutLocked(robot::RobotSpec* robot, std::set<std::string>* left_out) {
   }
 }
 
+// Gives motors the limits of their types where they have none of their own.
+void TakeLimitsOfTypes(robot::RobotSpec* robot) {
+  for (robot::MotorSpec* motor : robot::AllMotors(*robot)) {
+    const robot::MotorTypeSpec* type = robot::FindMotorType(*robot, motor->type);
+    if (type == nullptr) continue;
+    if (motor->torque_limit == 0) motor->torque_limit = type->torque_limit * motor->gear;
+    if (motor->knee_speed == 0) motor->knee_speed = type->knee_speed / motor->gear;
+    if (motor->no_load_speed == 0) motor->no_load_speed = type->no_load_speed / motor->gear;
+  }
+}
+
 void CheckLocked(const robot::RobotSpec& robot, const std::set<std::string>& left_out,
                  const Places& places) {
   std::vector<std::string> joints(left_out.begin(), left_out.end());
@@ -224,6 +235,7 @@ Config LoadConfig(const RobotFile& file, const Layers& layers,
   if (LeavesJointsToAnotherModel(trees, own)) {
     config.robot.dynamics.use = robot::DynamicsSource::kCatalogue;
   }
+  TakeLimitsOfTypes(&config.robot);
   Validate(config, places);
   return config;
 }

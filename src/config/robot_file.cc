@@ -172,6 +172,9 @@ YamlValue ReadLayer(const path& file) {
 RobotFile ReadRobotFile(const std::string& robot, const path& data_dir) {
   RobotFile file;
   std::vector<path> seen;
+  std::error_code error;
+  const path motors = data_dir / "config" / "motors.yaml";
+  if (std::filesystem::exists(motors, error)) file.trees.push_back(ReadYamlFile(motors));
   AddFile(IsFile(robot) ? path(robot) : NamedFile(robot, "", data_dir), data_dir, &seen, &file);
   return file;
 }

@@ -33,7 +33,8 @@ struct RobotVariant {
 };
 
 struct RobotFile {
-  std::vector<YamlValue> trees;         // weakest first: what it extends, then the file itself
+  // Weakest first: data_dir/config/motors.yaml, what it extends, then the file itself.
+  std::vector<YamlValue> trees;
   std::vector<RobotVariant> revisions;  // in the order of the files
   std::vector<RobotVariant> firmwares;  // likewise, each named by its first version
 

@@ -6,14 +6,49 @@
 namespace understudy::config {
 namespace {
 
-// Keys that motors of the body and of hands share.
-void DescribeDrive(Archive& a, robot::MotorSpec& m) {
-  a.Key(UNDERSTUDY_NVP(m.torque_limit), {"N·m", kNotNegative, "Most torque at the joint"});
-  a.Key(UNDERSTUDY_NVP(m.knee_speed),
+void DescribeMotorType(Archive& a, robot::MotorTypeSpec& t) {
+  constexpr Range kTime{0.1, 1e6};
+  a.Key(UNDERSTUDY_NVP(t.name), {"Its name, to which robot.motors[].type refers"});
+  a.Key(UNDERSTUDY_NVP(t.torque_limit),
+        {"N·m", kNotNegative, "Most torque at its own output, by its limit of current"});
+  a.Key(UNDERSTUDY_NVP(t.knee_speed),
         {"rad/s", kNotNegative,
          "Speed up to which torque_limit is available; 0 makes torque independent of speed"});
-  a.Key(UNDERSTUDY_NVP(m.no_load_speed),
+  a.Key(UNDERSTUDY_NVP(t.no_load_speed),
         {"rad/s", kNotNegative, "Speed at which the available driving torque is 0"});
+  a.Key(UNDERSTUDY_NVP(t.rated_v),
+        {"V",
+         {0, 1000},
+         "Voltage of the bus from which on these speeds hold; below it they go down with it; 0 "
+         "makes them independent of voltage"});
+  a.Key(UNDERSTUDY_NVP(t.watt_per_nm2),
+        {"W/(N·m)²", kNotNegative,
+         "Loss of the winding at 25 °C per square of its own torque; grows with temperature"});
+  a.Key(
+      UNDERSTUDY_NVP(t.winding_c_per_w),
+      {"°C/W", kNotNegative, "Rise of the winding over the casing; 0 is a motor that stays cool"});
+  a.Key(UNDERSTUDY_NVP(t.casing_c_per_w),
+        {"°C/W", kNotNegative, "Rise of the casing over the air; 0 likewise"});
+  a.Key(UNDERSTUDY_NVP(t.winding_time),
+        {"s", kTime, "Time constant of the winding towards the casing"});
+  a.Key(UNDERSTUDY_NVP(t.casing_time), {"s", kTime, "Time constant of the casing towards the air"});
+}
+
+// Keys that motors of the body and of hands share.
+void DescribeDrive(Archive& a, robot::MotorSpec& m) {
+  a.Key(UNDERSTUDY_NVP(m.torque_limit),
+        {"N·m", kNotNegative, "Most torque at the joint; 0 is that of its type through gear"});
+  a.Key(UNDERSTUDY_NVP(m.knee_speed),
+        {"rad/s", kNotNegative,
+         "Speed up to which torque_limit is available; 0 is that of its type, and without one "
+         "makes torque independent of speed"});
+  a.Key(UNDERSTUDY_NVP(m.no_load_speed),
+        {"rad/s", kNotNegative,
+         "Speed at which the available driving torque is 0; 0 is that of its type"});
+  a.Key(UNDERSTUDY_NVP(m.type),
+        {"Its make, one of robot.motor_types; \"\" is one without losses at any voltage"});
+  a.Key(UNDERSTUDY_NVP(m.gear),
+        {"", {0.01, 100}, "Further reduction from the motor's own output to the joint"});
   a.Key(UNDERSTUDY_NVP(m.q_step),
         {"rad", kNotNegative, "Lattice of the reported angle; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.dq_step),
@@ -27,9 +62,6 @@ void DescribeDrive(Archive& a, robot::MotorSpec& m) {
         {"", {0, 100}, "Actual over intended torque; scales the limit too"});
   a.Key(UNDERSTUDY_NVP(m.kp_scale), {"", {0, 100}, "Effective over commanded kp"});
   a.Key(UNDERSTUDY_NVP(m.kd_scale), {"", {0, 100}, "Effective over commanded kd"});
-  a.Key(UNDERSTUDY_NVP(m.rise_per_nm2_c),
-        {"°C/(N·m)²", kNotNegative,
-         "Steady rise of temperature per square of torque; 0 uses that of robot.thermal"});
 }
 
 void DescribeMotor(Archive& a, robot::MotorSpec& m) {
@@ -215,21 +247,37 @@ void DescribeBattery(Archive& a, robot::BatterySpec& b) {
   a.Key(UNDERSTUDY_NVP(b.cells), {"", {0, 40}, "Cells in series"});
   a.Key(UNDERSTUDY_NVP(b.capacity_ah), {"A·h", kNotNegative, "Capacity"});
   a.Key(UNDERSTUDY_NVP(b.start_soc), {"", {0, 1}, "State of charge at the start, 1 is full"});
-  a.Key(UNDERSTUDY_NVP(b.cell_full_v), {"V", {0, 5}, "Voltage of an unloaded full cell"});
-  a.Key(UNDERSTUDY_NVP(b.cell_empty_v), {"V", {0, 5}, "Voltage of an unloaded empty cell"});
+  a.Key(UNDERSTUDY_NVP(b.cell_v),
+        {"V", {0.5, 5}, "Voltage of an unloaded cell at charges of 0, 0.1 ... 1, rising"});
   a.Key(UNDERSTUDY_NVP(b.internal_ohm), {"ohm", kNotNegative, "Resistance of the pack"});
   a.Key(UNDERSTUDY_NVP(b.idle_a), {"A", kNotNegative, "Current with all motors passive"});
-  a.Key(UNDERSTUDY_NVP(b.watt_per_nm2),
-        {"W/(N·m)²", kNotNegative, "Heat per square of joint torque"});
+  a.Key(UNDERSTUDY_NVP(b.most_a),
+        {"A", kNotNegative, "Most that it gives: beyond it all motors give less; 0 is any"});
+  a.Key(UNDERSTUDY_NVP(b.cutoff_a),
+        {"A", kNotNegative, "Mean over cutoff_time beyond which it cuts off; 0 is never"});
+  a.Key(UNDERSTUDY_NVP(b.cutoff_v),
+        {"V", {0, 5}, "The same, below which its weakest cell cuts it off; 0 is never"});
+  a.Key(UNDERSTUDY_NVP(b.cutoff_time), {"s", {0.001, 3600}, "Time constant of these means"});
+  a.Key(UNDERSTUDY_NVP(b.low_soc), {"", {0, 1}, "Charge below which it is told to be low"});
+  a.Key(UNDERSTUDY_NVP(b.cell_spread),
+        {"V",
+         {0, 0.1},
+         "Standard deviation of the cells, by sensors.seed; unless it is 0, the end cells are 3 to "
+         "13 mV lower besides"});
+  a.Key(UNDERSTUDY_NVP(b.rise_per_w_c),
+        {"°C/W", kNotNegative, "Steady rise over the air per loss in its resistance"});
+  a.Key(UNDERSTUDY_NVP(b.time_constant), {"s", {1, 1e6}, "Time constant of that rise"});
 }
 
 void DescribeThermal(Archive& a, robot::ThermalSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.ambient_c), {"°C", {-50, 80}, "Air temperature"});
   a.Key(UNDERSTUDY_NVP(t.rest_rise_c),
         {"°C", kNotNegative, "Temperature of an idle motor above ambient"});
-  a.Key(UNDERSTUDY_NVP(t.rise_per_nm2_c),
-        {"°C/(N·m)²", kNotNegative, "Steady rise of temperature per square of torque"});
-  a.Key(UNDERSTUDY_NVP(t.time_constant), {"s", {1, 1e6}, "Time constant of the rise"});
+  a.Key(UNDERSTUDY_NVP(t.derate_c),
+        {"°C",
+         {0, 300},
+         "Temperature of a winding from which on its motor gives less torque, down to half at "
+         "trip_c"});
   a.Key(UNDERSTUDY_NVP(t.trip_c),
         {"°C", {0, 300}, "Temperature of a winding at which its motor gives no torque"});
 }
@@ -340,6 +388,8 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          &robot::BodySpec::name);
   a.List(UNDERSTUDY_NVP(r.sites), {"Sites that differ from the model file"}, DescribeSite,
          &robot::SiteSpec::name);
+  a.List(UNDERSTUDY_NVP(r.motor_types), {"Makes of motor; config/motors.yaml has the first list"},
+         DescribeMotorType, &robot::MotorTypeSpec::name);
   a.List(UNDERSTUDY_NVP(r.motors), {"Motors of the body in motor order, which is ascending slot"},
          DescribeMotor, &robot::MotorSpec::joint);
   a.List(UNDERSTUDY_NVP(r.parallel), {"Pairs of joints that two parallel motors drive together"},
@@ -368,7 +418,7 @@ void Describe(Archive& a, robot::RobotSpec& r) {
         {"Whether the motion service can hand the motors to rt/user_lowcmd"});
   a.Section(UNDERSTUDY_NVP(r.remote), {"The remote controller"}, DescribeRemote);
   a.Section(UNDERSTUDY_NVP(r.battery), {"The battery"}, DescribeBattery);
-  a.Section(UNDERSTUDY_NVP(r.thermal), {"How warm motors get"}, DescribeThermal);
+  a.Section(UNDERSTUDY_NVP(r.thermal), {"How warm motors may get"}, DescribeThermal);
   a.Section(UNDERSTUDY_NVP(r.lying), {"Pose on the ground, passive"}, DescribePose);
   a.Section(UNDERSTUDY_NVP(r.standing), {"Pose of standing"}, DescribePose);
   a.Section(UNDERSTUDY_NVP(r.hanging), {"Pose on the crane or clamped"}, DescribePose);

@@ -24,19 +24,44 @@ constexpr int kGoSlots = 20;
 constexpr int kHgSlots = 35;
 constexpr std::size_t kHandMotors = 16;  // ids of the mode byte of a hand
 
+void CheckCurve(double knee_speed, double no_load_speed, const std::string& key,
+                const Checker& checker) {
+  checker.Check(knee_speed == 0 || knee_speed < no_load_speed, key + "knee_speed",
+                "expected less than no_load_speed " + NumberText(no_load_speed) + " rad/s, got " +
+                    NumberText(knee_speed));
+}
+
+void CheckMotorTypes(const std::vector<robot::MotorTypeSpec>& types, const Checker& checker) {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < types.size(); ++i) {
+    const robot::MotorTypeSpec& type = types[i];
+    const std::string key = "robot.motor_types." + std::to_string(i) + ".";
+    checker.Check(!type.name.empty(), key + "name", "expected a name");
+    checker.Check(names.insert(type.name).second, key + "name",
+                  "there is a '" + type.name + "' already");
+    CheckCurve(type.knee_speed, type.no_load_speed, key, checker);
+    checker.Check((type.winding_c_per_w > 0) == (type.casing_c_per_w > 0), key + "casing_c_per_w",
+                  "expected winding_c_per_w and this both 0, or neither");
+  }
+}
+
 // `list` is the key of the motors, `joints` the joints that already have a motor.
-void CheckMotors(const std::vector<robot::MotorSpec>& motors, const std::string& list,
+void CheckMotors(const std::vector<robot::MotorSpec>& motors,
+                 const std::vector<robot::MotorTypeSpec>& types, const std::string& list,
                  std::set<std::string>* joints, const Checker& checker) {
+  std::vector<std::string> names;
+  for (const robot::MotorTypeSpec& type : types) names.push_back(type.name);
   for (std::size_t i = 0; i < motors.size(); ++i) {
     const robot::MotorSpec& m = motors[i];
     const std::string key = list + "." + std::to_string(i) + ".";
     checker.Check(!m.joint.empty(), key + "joint", "expected the name of a joint");
     checker.Check(joints->insert(m.joint).second, key + "joint",
                   "'" + m.joint + "' has a motor already");
+    const bool known = m.type.empty() || std::ranges::find(names, m.type) != names.end();
+    checker.Check(known, key + "type",
+                  known ? "" : "no motor type '" + m.type + "'" + DidYouMean(m.type, names));
     checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
-    checker.Check(m.knee_speed == 0 || m.knee_speed < m.no_load_speed, key + "knee_speed",
-                  "expected less than no_load_speed " + NumberText(m.no_load_speed) +
-                      " rad/s, got " + NumberText(m.knee_speed));
+    CheckCurve(m.knee_speed, m.no_load_speed, key, checker);
   }
 }
 
@@ -66,8 +91,8 @@ bool IsTopic(const std::string& topic) {
          topic.find("//") == std::string::npos && std::all_of(topic.begin(), topic.end(), fits);
 }
 
-void CheckHand(const robot::HandSpec& hand, const std::string& key, std::set<std::string>* joints,
-               const Checker& checker) {
+void CheckHand(const robot::HandSpec& hand, const std::vector<robot::MotorTypeSpec>& types,
+               const std::string& key, std::set<std::string>* joints, const Checker& checker) {
   checker.Check(!hand.name.empty(), key + "name", "expected a name");
   checker.Check(IsTopic(hand.topic), key + "topic",
                 "expected words of letters, digits and _ between slashes, as in dex3/left, got '" +
@@ -75,7 +100,7 @@ void CheckHand(const robot::HandSpec& hand, const std::string& key, std::set<std
   checker.Check(!hand.motors.empty() && hand.motors.size() <= kHandMotors, key + "motors",
                 "expected 1 to " + std::to_string(kHandMotors) + ", got " +
                     std::to_string(hand.motors.size()));
-  CheckMotors(hand.motors, key + "motors", joints, checker);
+  CheckMotors(hand.motors, types, key + "motors", joints, checker);
 }
 
 void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
@@ -89,7 +114,7 @@ void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
   for (std::size_t i = 0; i < robot.hands.size(); ++i) {
     const robot::HandSpec& hand = robot.hands[i];
     const std::string key = "robot.hands." + std::to_string(i) + ".";
-    CheckHand(hand, key, joints, checker);
+    CheckHand(hand, robot.motor_types, key, joints, checker);
     checker.Check(topics.insert(hand.topic).second, key + "topic",
                   "another hand has '" + hand.topic + "' already");
   }
@@ -243,10 +268,19 @@ void CheckRemote(const robot::RobotSpec& robot, const Checker& checker) {
 }
 
 void CheckBattery(const robot::BatterySpec& battery, const Checker& checker) {
-  checker.Check(battery.cell_empty_v < battery.cell_full_v, "robot.battery.cell_empty_v",
-                "expected less than cell_full_v");
+  for (std::size_t i = 1; i < battery.cell_v.size(); ++i) {
+    checker.Check(battery.cell_v[i] > battery.cell_v[i - 1], "robot.battery.cell_v",
+                  "expected rising voltages, got " + NumberText(battery.cell_v[i]) + " after " +
+                      NumberText(battery.cell_v[i - 1]));
+  }
   checker.Check(battery.cells > 0, "robot.battery.cells", "expected at least one cell");
   checker.Check(battery.capacity_ah > 0, "robot.battery.capacity_ah", "expected more than 0 A·h");
+  checker.Check(battery.most_a == 0 || battery.most_a > battery.idle_a, "robot.battery.most_a",
+                "expected more than idle_a " + NumberText(battery.idle_a) + " A, got " +
+                    NumberText(battery.most_a));
+  checker.Check(battery.cutoff_v < battery.cell_v[1], "robot.battery.cutoff_v",
+                "expected less than a cell at a tenth of its charge has, " +
+                    NumberText(battery.cell_v[1]) + " V, got " + NumberText(battery.cutoff_v));
 }
 
 }  // namespace
@@ -267,7 +301,8 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
                 "expected 0 to 255");
   std::set<std::string> joints;
   CheckSlots(robot, checker);
-  CheckMotors(robot.motors, "robot.motors", &joints, checker);
+  CheckMotorTypes(robot.motor_types, checker);
+  CheckMotors(robot.motors, robot.motor_types, "robot.motors", &joints, checker);
   CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckDynamics(robot, checker);

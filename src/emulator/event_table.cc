@@ -222,6 +222,33 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "something is wrong with a component of the robot, or no longer"),
     Row(
+        EventKind::kMotorHeat, "motor_heat", kWarning, false,
+        {{{"state", kInteger}, {"winding", kNumber}, {"joint", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return What(e) + ": the winding is at " + Text("%.0f °C", e.numbers[1]) +
+                 (e.numbers[0] == 2   ? ", and the motor gives no torque until it has cooled"
+                  : e.numbers[0] == 1 ? ", and the motor gives less torque"
+                                      : ", and the motor gives all of its torque again");
+        },
+        "a motor becomes so hot that it gives less torque (1) or none (2), or cool again (0)"),
+    Row(
+        EventKind::kCutOff, "cut_off", kError, false, {{{"reason", kInteger}}},
+        [](const Event& e, std::uint64_t) -> std::string {
+          constexpr std::array<std::string_view, 4> kReasons = {
+              "is on again", "has cut off after too much current; a reset switches it on",
+              "has cut off, as a cell had too little voltage; a reset switches it on",
+              "is empty and has cut off"};
+          return "the battery " + std::string(kReasons[static_cast<std::size_t>(e.numbers[0])]);
+        },
+        "the battery cuts off its bus for current (1), voltage (2) or being empty (3), or is on "
+        "again (0)"),
+    Row(
+        EventKind::kLowBattery, "low_battery", kWarning, false, {{{"charge", kNumber}}},
+        [](const Event& e, std::uint64_t) {
+          return "the battery is down to " + Text("%.0f %%", 100 * e.numbers[0]) + " of its charge";
+        },
+        "the charge falls below robot.battery.low_soc, the first time"),
+    Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
           return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";

@@ -16,6 +16,9 @@ namespace {
 // *assumed*
 constexpr double kLongestHeld = 0.1;
 
+// °C below derate_c at which a motor is told to be cool again. *assumed*
+constexpr double kCoolAgain = 5;
+
 // The command that holds `q` against gravity with the gains of the robot's description.
 robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
   robot::RobotCommand command;
@@ -68,8 +71,8 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
               services_ == nullptr ? std::vector<std::string>() : services_->names(),
               parts.settings.sensors.seed),
       encoders_(faults_.effects().encoders.size(), parts.settings.sensors.seed),
-      motors_(spec_),
-      battery_(spec_.battery),
+      motors_(spec_, physics_->timestep()),
+      battery_(spec_.battery, spec_.thermal.ambient_c, parts.settings.sensors.seed),
       damage_(spec_, body_->ranges()),
       sensors_(parts.settings.sensors, spec_),
       crane_(parts.settings.crane),
@@ -80,11 +83,13 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       command_(&router_.command()),
       offered_(*command_),
       held_(topics_.size(), {.command = *command_}),
-      braked_(faults_.effects().motors) {
+      braked_(faults_.effects().motors),
+      friction_w_(braked_.size()) {
   Reset(start_pose_);
   noted_ = {.gate = router_.gate().state(),
             .service = router_.owner().active(),
-            .motion = router_.owner().state()};
+            .motion = router_.owner().state(),
+            .heat = std::vector(braked_.size(), MotorHeat::kFine)};
   Note(EventKind::kMotionService, {}, noted_.service);
   Note(EventKind::kGate, {static_cast<double>(noted_.gate)});
   NoteChanges(0);
@@ -132,9 +137,18 @@ void Robot::Act() {
   const double dt = physics_->timestep();
   const robot::Effects& faults = faults_.effects();
   encoders_.Step(body_->q(), body_->dq(), faults.encoders);
-  motors_.Step(*command_, encoders_.q(), encoders_.dq(), dt, faults.motors);
+  body_->FrictionPower(friction_w_);
+  motors_.Step({.command = *command_,
+                .q = encoders_.q(),
+                .dq = encoders_.dq(),
+                .rate = body_->dq(),
+                .friction_w = friction_w_,
+                .supply = battery_.supply(),
+                .faults = faults.motors});
   body_->Drive(motors_.torque());
-  battery_.Step(motors_.torque(), body_->dq(), dt, faults.battery);
+  battery_.Step(motors_.power(), dt, faults.battery);
+  if (motors_.heated()) NoteHeat();
+  NoteBattery();
   if (crane_.attached()) {
     const physics::Crane::Hooks at = hooks();
     const physics::Crane::Pulls pulls = crane_.Step(at, dt);
@@ -260,6 +274,32 @@ void Robot::NoteFault(const robot::Fault& fault, bool on) {
   Note(EventKind::kFault,
        {static_cast<double>(fault.kind - robot::FaultKinds().data()), on ? 1.0 : 0.0, fault.by},
        faults_.components()[fault.component]);
+}
+
+void Robot::NoteHeat() {
+  for (std::size_t i = 0; i < noted_.heat.size(); ++i) {
+    const MotorHeat now = motors_.tripped(i)   ? MotorHeat::kTripped
+                          : motors_.derated(i) ? MotorHeat::kDerated
+                                               : MotorHeat::kFine;
+    const double winding_c = motors_.winding_c()[i];
+    if (now == noted_.heat[i]) continue;
+    // A motor that works about the limit is not told of at every stride.
+    if (now == MotorHeat::kFine && winding_c > spec_.thermal.derate_c - kCoolAgain) continue;
+    noted_.heat[i] = now;
+    Note(EventKind::kMotorHeat, {static_cast<double>(now), winding_c}, motors_.joint(i));
+  }
+}
+
+void Robot::NoteBattery() {
+  const robot::CutOff cut_off = battery_.cut_off();
+  if (cut_off != noted_.cut_off) {
+    noted_.cut_off = cut_off;
+    Note(EventKind::kCutOff, {static_cast<double>(cut_off)});
+  }
+  // Told once on the way down: charge that comes back in a brake is not worth a line.
+  if (!battery_.low() || noted_.low_battery) return;
+  noted_.low_battery = true;
+  Note(EventKind::kLowBattery, {battery_.reading().soc});
 }
 
 void Robot::StepFaults(double t) {
@@ -397,6 +437,7 @@ void Robot::Reset(robot::StartPose pose) {
   body_->Clamp(begin.clamped);
   encoders_.Step(body_->q(), body_->dq(), faults_.effects().encoders);
   damage_.Restart();
+  battery_.Restart();
   sampled_ = kNever;
 }
 

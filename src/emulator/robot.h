@@ -139,6 +139,7 @@ class Robot {
   };
 
   static constexpr std::int64_t kNever = -2;  // before any step's sample
+  enum class MotorHeat : std::uint8_t { kFine, kDerated, kTripped };
   // The values that the last events reported.
   struct Noted {
     authority::GateState gate = authority::GateState::kStart;
@@ -148,6 +149,9 @@ class Robot {
     bool on_crane = false;
     bool clamped = false;
     std::array<std::uint64_t, robot::kMostCommandTopics> timeouts{};
+    std::vector<MotorHeat> heat{};  // motor order
+    robot::CutOff cut_off = robot::CutOff::kNone;
+    bool low_battery = false;
   };
 
   static std::vector<Start> StartsOf(const robot::RobotSpec& spec, double damping_kd);
@@ -160,6 +164,8 @@ class Robot {
   void OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                     double t);
   void NoteFault(const robot::Fault& fault, bool on);
+  void NoteHeat();
+  void NoteBattery();
   robot::RemoteReading ReadRemote(double t);
   void TakeCommands(double t);
   bool TakeCommand(std::size_t topic, double t);
@@ -207,6 +213,7 @@ class Robot {
   authority::MotionInput input_;
   robot::RobotState state_;
   std::vector<robot::MotorEffects> braked_;  // as the joints are braked now
+  std::vector<double> friction_w_;           // W, of the joints
   std::int64_t sampled_ = kNever;            // the step of state_
   bool silenced_ = false;
   Noted noted_;

@@ -135,6 +135,15 @@ void RobotBody::Brake(std::size_t motor, double drag, bool jammed) {
   std::ranges::copy(friction.impedance, model_->dof_solimp + mjNIMP * dof);
 }
 
+void RobotBody::FrictionPower(std::span<double> power) const {
+  for (std::size_t i = 0; i < dq_address_.size(); ++i) {
+    const int dof = dq_address_[i];
+    const double dry = model_->dof_frictionloss[dof];
+    const double rate = std::abs(dq_[i]);
+    power[i] = dry >= kJammed.torque ? 0 : (dry + model_->dof_damping[dof] * rate) * rate;
+  }
+}
+
 std::vector<std::array<double, 2>> RobotBody::ranges() const {
   constexpr double kNone = std::numeric_limits<double>::infinity();
   std::vector<std::array<double, 2>> ranges;

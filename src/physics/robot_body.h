@@ -66,6 +66,9 @@ class RobotBody {
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
   double weight() const;  // N
+  // Computes the power [W] that dry friction and damping take in each joint at its rate, in motor
+  // order; none in a jammed one, which does not turn.
+  void FrictionPower(std::span<double> power) const;
   // Returns the ranges of the joints [rad], in motor order; infinite where there is none.
   std::vector<std::array<double, 2>> ranges() const;
 

@@ -46,7 +46,7 @@ constexpr auto kKinds = std::to_array<FaultKind>({
          }},
     {.of = Component::kMotor,
      .name = "weak",
-     .does = "It gives only that share of its torque",
+     .does = "It gives only that share of its torque, for the current and the heat of all of it",
      .low = 0,
      .high = 1,
      .otherwise = 0.5,

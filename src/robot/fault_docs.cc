@@ -34,11 +34,14 @@ constexpr std::string_view kPreface =
     "A reset of the robot takes none away. Each that comes or goes is a line of the log and an "
     "event; what is not in these tables is refused with what is.\n\n"
     "That motors and boards behave so is *assumed*, and so are magnitudes unless given. The error "
-    "words are the vendor's: LowState `motor_state[].reserve[0]` of a Go2 has 0x10 for a winding "
-    "that is too hot, 0x20 for an encoder, 0x100 for a motor that does not answer, which also "
-    "counts in `lost` and sets 0x80 of `bit_flag`; `motorstate` of a G1 has 0x200, 0x400 and "
-    "0x80000000 ([sources.md](sources.md#developer-pages)). A winding at `robot.thermal.trip_c` "
-    "trips its motor, whatever made it hot.\n";
+    "words are the vendor's: LowState `motor_state[].reserve[0]` of a Go2 has 0x08 for a bus with too "
+    "little voltage, 0x10 for a winding that is too hot, 0x20 for an encoder, 0x100 for a motor that "
+    "does not answer, which also counts in `lost` and sets 0x80 of `bit_flag`; `motorstate` of a G1 "
+    "has 0x8, 0x200, 0x400 and 0x80000000 ([sources.md](sources.md#developer-pages)). A winding at "
+    "`robot.thermal.derate_c` leaves its motor less torque and at `robot.thermal.trip_c` none, "
+    "whatever made it hot; a bus whose voltage falls takes speed and then torque from all motors; "
+    "a battery that is overloaded or empty cuts off ([fidelity.md](fidelity.md#physics)). Of a "
+    "parallel pair the joint of pitch stands for motor B, that of roll for A.\n";
 
 std::string Short(double number) {
   std::array<char, 32> text{};

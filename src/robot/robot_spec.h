@@ -25,25 +25,41 @@ constexpr bool IsQuadruped(RobotKind kind) {
   return kind == RobotKind::kQuadruped || kind == RobotKind::kWheeled;
 }
 
+// A make of motor, which robots share (config/motors.yaml). Torques and rates are those of its own
+// output.
+struct MotorTypeSpec {
+  std::string name{};
+  double torque_limit = 0;     // N·m, by its limit of current
+  double knee_speed = 0;       // rad/s up to which torque_limit is available
+  double no_load_speed = 0;    // rad/s at which the driving torque is 0
+  double rated_v = 0;          // V of the bus from which on these speeds hold; 0 = any
+  double watt_per_nm2 = 0;     // W/(N·m)², loss of its winding at 25 °C
+  double winding_c_per_w = 0;  // °C/W from winding to casing
+  double casing_c_per_w = 0;   // °C/W from casing to air
+  double winding_time = 20;    // s, time constant of the winding towards the casing
+  double casing_time = 600;    // s, of the casing towards the air
+};
+
 // A motor of the body or of a hand. Only the body's have slot and hold gains, only a hand's have
 // lock_kd.
 struct MotorSpec {
-  std::string joint;          // MJCF joint
-  int slot = 0;               // index in LowCmd.motor_cmd and LowState.motor_state
-  double torque_limit = 0;    // N·m at the joint
-  double knee_speed = 0;      // rad/s up to which torque_limit is available
-  double no_load_speed = 0;   // rad/s at which the driving torque is 0
-  double q_step = 0;          // rad, encoder lattice; 0 = none
-  double dq_step = 0;         // rad/s
-  double tau_step = 0;        // N·m
-  double hold_kp = 0;         // N·m/rad, gains that hold a start pose
-  double hold_kd = 0;         // N·m·s/rad
-  double armature = 0;        // kg·m², in place of the model's; 0 = the model's
-  double strength = 1;        // actual over intended torque, also of the limit
-  double kp_scale = 1;        // effective over commanded kp
-  double kd_scale = 1;        // effective over commanded kd
-  double rise_per_nm2_c = 0;  // °C/(N·m)²; 0 = that of ThermalSpec
-  double lock_kd = 0;         // N·m·s/rad, damping while not enabled
+  std::string joint;         // MJCF joint
+  int slot = 0;              // index in LowCmd.motor_cmd and LowState.motor_state
+  double torque_limit = 0;   // N·m at the joint
+  double knee_speed = 0;     // rad/s up to which torque_limit is available
+  double no_load_speed = 0;  // rad/s at which the driving torque is 0
+  std::string type{};        // of MotorTypeSpec; "" = one without losses
+  double gear = 1;           // reduction from the motor's own output to the joint
+  double q_step = 0;         // rad, encoder lattice; 0 = none
+  double dq_step = 0;        // rad/s
+  double tau_step = 0;       // N·m
+  double hold_kp = 0;        // N·m/rad, gains that hold a start pose
+  double hold_kd = 0;        // N·m·s/rad
+  double armature = 0;       // kg·m², in place of the model's; 0 = the model's
+  double strength = 1;       // actual over intended torque, also of the limit
+  double kp_scale = 1;       // effective over commanded kp
+  double kd_scale = 1;       // effective over commanded kd
+  double lock_kd = 0;        // N·m·s/rad, damping while not enabled
 };
 
 // Values of a body that differ from the model file; empty or 0 keeps the file's.
@@ -187,19 +203,29 @@ struct BatterySpec {
   int cells = 0;
   double capacity_ah = 0;
   double start_soc = 0.9;  // 0..1
-  double cell_full_v = 4.2;
-  double cell_empty_v = 3.2;
-  double internal_ohm = 0;  // of the pack
-  double idle_a = 0;        // drawn with all motors passive
-  double watt_per_nm2 = 0;  // heat per square of joint torque, over all motors
+  // V of an unloaded cell at charges of 0, 0.1 ... 1, straight between. Derived: 4.084 V at 93 %
+  // and 0.939 A, 3.837 V at 63 % and 3.627 A of two Go2, 3.66 V at 41 % and 2.1 A of a G1, whose
+  // charger ends at 54 V for 13 cells (docs/sources.md#go2-captures, #notes-on-real-robots), with
+  // 10 mohm per cell. *Assumed* below 40 % and between, as cells of that chemistry (NMC) go.
+  std::array<double, 11> cell_v = {3.0,  3.42,  3.53,  3.6,   3.67, 3.76,
+                                   3.85, 3.925, 3.995, 4.068, 4.154};
+  double internal_ohm = 0;      // of the pack
+  double idle_a = 0;            // drawn with all motors passive
+  double most_a = 0;            // A that it gives at most, as the drives share it; 0 = any
+  double cutoff_a = 0;          // A, mean over cutoff_time, beyond which it cuts off; 0 = never
+  double cutoff_v = 0;          // V, likewise of its weakest cell; 0 = never
+  double cutoff_time = 5;       // s
+  double low_soc = 0.2;         // charge below which it is told to be low
+  double cell_spread = 0.001;   // V, standard deviation of cells; 0 = all alike
+  double rise_per_w_c = 0;      // °C/W, steady rise over the air per W of loss in the pack
+  double time_constant = 1800;  // s, of that rise
 };
 
 struct ThermalSpec {
   double ambient_c = 25;
-  double rest_rise_c = 0;      // of an idle motor above ambient
-  double rise_per_nm2_c = 0;   // steady rise per (N·m)² of that motor
-  double time_constant = 600;  // s
-  double trip_c = 120;         // of a winding at which its motor gives no torque
+  double rest_rise_c = 0;  // of an idle motor above ambient
+  double derate_c = 105;   // of a winding from which on its motor gives less torque
+  double trip_c = 120;     // of a winding at which its motor gives no torque
 };
 
 // The states of a humanoid's motion service, by the vendor's ids; -1 or empty if the robot has no
@@ -277,6 +303,7 @@ struct RobotSpec {
   std::vector<std::string> locked_joints;  // have no motor and cannot move
   std::vector<BodySpec> bodies;            // that differ from the model file
   std::vector<SiteSpec> sites;             // that differ from the model file
+  std::vector<MotorTypeSpec> motor_types;  // all makes, whichever it has
   std::vector<MotorSpec> motors;           // the body's, in ascending slot
   std::vector<ParallelSpec> parallel;
   DynamicsSpec dynamics;
@@ -305,6 +332,14 @@ struct RobotSpec {
   Eigen::Vector3d crane_point{0, 0, 0};  // m, hook in that body's frame
   std::string default_start;             // lying | standing | hanging | clamped
 };
+
+// Returns the type of that name, null if there is none.
+inline const MotorTypeSpec* FindMotorType(const RobotSpec& spec, const std::string& name) {
+  for (const MotorTypeSpec& type : spec.motor_types) {
+    if (type.name == name) return &type;
+  }
+  return nullptr;
+}
 
 // Returns pointers to all motors of `spec`, a RobotSpec that may be const, in motor order: the
 // body's, then those of each hand.

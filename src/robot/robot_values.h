@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string_view>
@@ -57,7 +58,9 @@ struct MotorReading {
   double winding_c = 0;        // degrees Celsius
   std::uint32_t lost = 0;      // samples in which the motor did not answer
   bool silent = false;         // it does not answer now: all but these three is as it was
+  bool warm = false;           // its winding is so hot that it gives less torque
   bool overheated = false;     // its winding is too hot, and it gives no torque
+  bool undervoltage = false;   // its bus has too little voltage
   bool encoder_error = false;  // its encoder is known to read nonsense
 };
 
@@ -70,11 +73,15 @@ struct ImuReading {
   double temperature_c = 0;
 };
 
+inline constexpr std::size_t kMostCells = 40;
+
 struct BatteryReading {
-  double voltage = 0;         // V, sum of the cells
-  double current = 0;         // A, negative while the pack gives
-  double soc = 1;             // 0..1
-  double temperature_c = 25;  // constant, *assumed*
+  double voltage = 0;  // V, sum of the cells
+  double current = 0;  // A, negative while the pack gives
+  double soc = 1;      // 0..1
+  double temperature_c = 25;
+  bool on = true;                               // false: it has cut off, and its bus has no voltage
+  std::array<double, kMostCells> cell_off_v{};  // V, by how much each cell is over their mean
 };
 
 // Pose and velocity of the base, B: the truth of the simulation.

@@ -8,9 +8,6 @@
 namespace understudy::sensors {
 namespace {
 
-// Temperature rise of the casing over that of the winding. *assumed*
-constexpr double kCasingShare = 0.8;
-
 // m/s² of accelerations per rad/s of rates, of a noisy unit. *assumed*
 constexpr double kAccelNoise = 10;
 
@@ -50,9 +47,10 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
     reading.dq = measure(instant.encoders.dq()[i], noise.dq_steps, motor.dq_step);
     reading.tau = measure(instant.motors.torque()[i], noise.tau_steps, motor.tau_step);
     reading.winding_c = instant.motors.winding_c()[i];
-    reading.casing_c =
-        spec_.thermal.ambient_c + kCasingShare * (reading.winding_c - spec_.thermal.ambient_c);
+    reading.casing_c = instant.motors.casing_c()[i];
+    reading.warm = instant.motors.derated(i);
     reading.overheated = instant.motors.tripped(i);
+    reading.undervoltage = instant.motors.undervoltage(i);
     reading.encoder_error = instant.faults.encoders[i].tells();
   }
   Measure(instant.robot.Imu(), instant.faults.imus[0], &state->imu);

@@ -31,6 +31,7 @@ struct ExactList {
 std::vector<std::string_view> ErrorsOf(const robot::MotorReading& motor) {
   std::vector<std::string_view> errors;
   if (motor.overheated) errors.emplace_back("overheated");
+  if (motor.undervoltage) errors.emplace_back("undervoltage");
   if (motor.encoder_error) errors.emplace_back("encoder");
   if (motor.silent) errors.emplace_back("silent");
   return errors;

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <span>
 
+#include "wire/cells.h"
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
 #include "wire/motor_errors.h"
@@ -29,7 +30,8 @@ constexpr std::uint8_t kServoStrong = 0x0A;  // vendor, H1 basic services
 // and 2026-03). That other robots of the family send the same is *assumed*.
 constexpr std::uint32_t kMotorRate = 602;  // seen 523..638, the same for all motors; unit unknown
 constexpr std::uint8_t kBmsVersion[] = {1, 16};
-constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services
+constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services, as the next
+constexpr std::uint8_t kBatteryOff = 0;
 constexpr std::uint16_t kBmsCycles = 17;
 constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
 constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
@@ -46,15 +48,16 @@ void EncodeBattery(const robot::BatteryReading& battery, const robot::BatterySpe
                    unitree_go_msg_dds__BmsState_* message) {
   message->version_high = kBmsVersion[0];
   message->version_low = kBmsVersion[1];
-  message->status = kDischarging;
+  message->status = battery.on ? kDischarging : kBatteryOff;
   message->soc = Rounded<std::uint8_t>(100 * battery.soc, 0, 100);
   message->current = Rounded<std::int32_t>(1000 * battery.current);
   message->cycle = kBmsCycles;
   std::ranges::fill(message->bq_ntc, Rounded<std::uint8_t>(battery.temperature_c, 0, 127));
   std::ranges::fill(message->mcu_ntc,
                     Rounded<std::uint8_t>(battery.temperature_c + kMosWarmer_c, 0, 127));
-  std::ranges::fill(std::span(message->cell_vol).first(static_cast<std::size_t>(spec.cells)),
-                    Rounded<std::uint16_t>(1000 * battery.voltage / spec.cells));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(spec.cells); ++i) {
+    message->cell_vol[i] = CellMillivolt(battery, spec, i);
+  }
 }
 
 }  // namespace
@@ -116,7 +119,8 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
   message->adc_reel = kReel;
   message->temperature_ntc1 = kBoard_c[0];
   message->temperature_ntc2 = kBoard_c[1];
-  message->power_v = static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop));
+  message->power_v =
+      state.battery.on ? static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop)) : 0;
   message->power_a = static_cast<float>(kBoardShare * std::abs(state.battery.current));
   message->crc = MessageCrc(*message);
 }

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "robot/parallel_joint.h"
+#include "wire/cells.h"
 #include "wire/imu_codec.h"
 #include "wire/message_crc.h"
 #include "wire/motor_errors.h"
@@ -78,7 +79,8 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
   message->tick = static_cast<std::uint32_t>(state.tick_ms);
   EncodeImu(state.imu, &message->imu_state);
 
-  const auto vol = static_cast<float>(kVolStep * std::round(state.battery.voltage / kVolStep));
+  const double bus_v = state.battery.on ? state.battery.voltage : 0;
+  const auto vol = static_cast<float>(kVolStep * std::round(bus_v / kVolStep));
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const robot::MotorReading& motor = state.motors[i];
     MotorState& wire = message->motor_state[SlotOf(spec.motors[i])];
@@ -102,9 +104,9 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
 void EncodeBms(const robot::RobotState& state, const robot::RobotSpec& spec,
                unitree_hg_msg_dds__BmsState_* message) {
   const robot::BatteryReading& battery = state.battery;
-  std::ranges::fill(
-      std::span(message->cell_vol).first(static_cast<std::size_t>(spec.battery.cells)),
-      Rounded<std::uint16_t>(1000 * battery.voltage / spec.battery.cells));
+  for (std::size_t i = 0; i < static_cast<std::size_t>(spec.battery.cells); ++i) {
+    message->cell_vol[i] = CellMillivolt(battery, spec.battery, i);
+  }
   message->version_high = kBmsVersionHigh;
   message->version_low = kBmsVersionLow;
   message->fn = kBmsFn;

@@ -38,11 +38,11 @@ TEST(DynamicsTest, ARobotWithoutAFitSaysSo) {
 // N·m s/rad with which a G1's motor brakes a joint that a client commands with kd = 2, in PR mode.
 double EffectiveKd(const robot::RobotSpec& g1, const std::string& joint) {
   const std::size_t count = g1.motors.size();
-  robot::MotorBank bank(g1);
+  robot::MotorBank bank(g1, 0.001);
   robot::RobotCommand command;
   command.motors.assign(count, {.enabled = true, .kd = 2});
   const std::vector<double> q(count, 0.0), dq(count, 1.0);
-  const std::span<const double> torque = bank.Step(command, q, dq, 0.001);
+  const std::span<const double> torque = bank.Step({.command = command, .q = q, .dq = dq});
   for (std::size_t i = 0; i < count; ++i) {
     if (g1.motors[i].joint == joint) return -torque[i];
   }

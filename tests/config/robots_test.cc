@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config_fixture.h"
+#include "robot/battery.h"
 
 namespace understudy::config {
 namespace {
@@ -104,14 +105,67 @@ TEST(RobotsTest, Go2FeetShowTheCountsOfAStandingRobot) {
   EXPECT_LT(sum, 135);
 }
 
-// Two real readings: 4.084 V per cell at 93 % and 0.939 A, 3.837 V at 63 % and 3.627 A.
-TEST(RobotsTest, Go2BatteryGivesTheMeasuredVoltages) {
-  const robot::BatterySpec b = Robot("go2").robot.battery;
-  const auto cell = [&b](double soc, double current) {
-    return b.cell_empty_v + soc * (b.cell_full_v - b.cell_empty_v) - current * b.internal_ohm / 8;
+// Three real readings: 4.084 V per cell at 93 % and 0.939 A, 3.837 V at 63 % and 3.627 A of Go2s,
+// 3.66 V at 41 % and 2.1 A of a G1.
+TEST(RobotsTest, PacksGiveTheMeasuredVoltages) {
+  const auto cell = [](const std::string& name, double soc, double current) {
+    robot::BatterySpec pack = Robot(name).robot.battery;
+    pack.start_soc = soc;
+    pack.idle_a = current;
+    return robot::Battery(pack).reading().voltage / pack.cells;
   };
-  EXPECT_NEAR(cell(0.93, 0.939), 4.084, 0.002);
-  EXPECT_NEAR(cell(0.63, 3.627), 3.837, 0.002);
+  EXPECT_NEAR(cell("go2", 0.93, 0.939), 4.084, 0.002);
+  EXPECT_NEAR(cell("go2", 0.63, 3.627), 3.837, 0.002);
+  EXPECT_NEAR(cell("g1", 0.41, 2.1), 3.66, 0.01);
+}
+
+TEST(RobotsTest, EveryMotorIsOfATypeWhoseFiguresFollowFromEachOther) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    robot::RobotSpec robot = Robot(name).robot;
+    for (const robot::MotorSpec* motor : robot::AllMotors(robot)) {
+      const robot::MotorTypeSpec* type = robot::FindMotorType(robot, motor->type);
+      ASSERT_NE(type, nullptr) << name << " " << motor->joint;
+      // Within a factor of two: that of the torque-speed line, or its knee at 0.45.
+      const double knee = type->knee_speed > 0 ? type->knee_speed : 0.45 * type->no_load_speed;
+      const double loss = (type->no_load_speed - knee) / type->torque_limit;
+      EXPECT_NEAR(std::log2(type->watt_per_nm2 / loss), 0, 1) << type->name;
+    }
+  }
+}
+
+TEST(RobotsTest, AnUnknownMotorTypeNamesTheNearest) {
+  EXPECT_THAT(ErrorOf([] {
+                LoadConfig({.robot = "go2", .sets = {"robot.motors.0.type=Go2VH"}},
+                           std::filesystem::path(UNDERSTUDY_SOURCE_DIR));
+              }),
+              testing::HasSubstr("robot.motors.0.type: no motor type 'Go2VH'; did you mean "
+                                 "'Go2HV'?"));
+}
+
+// A type's limits are at its own output; a motor may have others.
+TEST(RobotsTest, MotorsHaveTheLimitsOfTheirTypesUnlessTheyHaveTheirOwn) {
+  const robot::RobotSpec geared =
+      LoadConfig(
+          {.robot = "go2", .sets = {"robot.motors.0.gear=2", "robot.motors.1.torque_limit=7"}},
+          std::filesystem::path(UNDERSTUDY_SOURCE_DIR))
+          .robot;
+  EXPECT_EQ(geared.motors[0].torque_limit, 2 * 23.7);
+  EXPECT_EQ(geared.motors[0].knee_speed, 13.5 / 2);
+  EXPECT_EQ(geared.motors[0].no_load_speed, 30.1 / 2);
+  EXPECT_EQ(geared.motors[1].torque_limit, 7);
+  EXPECT_EQ(geared.motors[1].knee_speed, 13.5);
+  EXPECT_EQ(geared.motors[3].torque_limit, 23.7);
+}
+
+TEST(RobotsTest, NominalLimitsAreThoseOfTheJointAtAFullBattery) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    const robot::RobotSpec robot = Robot(name).robot;
+    const robot::Battery pack(robot.battery);
+    for (const robot::MotorSpec& motor : robot.motors) {
+      const robot::MotorTypeSpec* type = robot::FindMotorType(robot, motor.type);
+      EXPECT_GE(pack.supply().voltage, type->rated_v) << name << " " << motor.joint;
+    }
+  }
 }
 
 }  // namespace

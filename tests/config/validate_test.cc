@@ -31,8 +31,13 @@ TEST_F(ValidateTest, TellsWhatDoesNotFitAndWhatDoes) {
        "robot.rates.lf_hz: expected a rate that divides lowstate_hz 500, got 30"},
       {"robot.rates.motion_hz=2000",
        "robot.rates.motion_hz: expected at most one message per physics step, 1000 Hz, got 2000"},
-      {"robot.battery.cell_empty_v=4.2",
-       "robot.battery.cell_empty_v: expected less than cell_full_v"},
+      {"robot.motors.1.type=Go2VH", "robot.motors.1.type: no motor type 'Go2VH'; valid: "},
+      {"robot.motors.1.gear=0", "robot.motors.1.gear: expected a number from 0.01 to 100, got '0'"},
+      {"robot.battery.cell_v.10=3.5",
+       "robot.battery.cell_v: expected rising voltages, got 3.5 after 4.068"},
+      {"robot.battery.cutoff_v=3.5",
+       "robot.battery.cutoff_v: expected less than a cell at a tenth of its charge has, 3.42 V, "
+       "got 3.5"},
       {"robot.battery.cells=0", "robot.battery.cells: expected at least one cell"},
   };
   for (const auto& [set, error] : rows) EXPECT_EQ(SetError(set), "--set " + set + ": " + error);

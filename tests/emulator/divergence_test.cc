@@ -7,7 +7,11 @@ namespace {
 class EmulatorDivergenceTest : public EmulatorTest {
  protected:
   EmulatorDivergenceTest() {
-    for (robot::MotorSpec& motor : config_.robot.motors) motor.torque_limit = 1e30;
+    for (robot::MotorSpec& motor : config_.robot.motors) {
+      motor.torque_limit = 1e30;
+      motor.type = "";
+    }
+    config_.robot.battery.internal_ohm = 0;
     port_.TellEvery(1);
     config_.start.pose = "standing";
   }

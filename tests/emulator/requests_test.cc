@@ -266,6 +266,7 @@ TEST_F(RequestsTest, TakeTheTorqueOfALimpMotorAndGiveItBack) {
 }
 
 TEST_F(RequestsTest, KeepAJammedJointFromTurningWhateverPushesIt) {
+  config_.robot.battery.internal_ohm = 0;  // gives what the joints take that turn
   StartAs("clamped");
   port_.SendEveryTick(Torque(10));
   Answered("fault", {{"component", "RR_joint"}, {"fault", "jammed"}});

@@ -63,7 +63,7 @@ TEST(DesiredTorqueTest, PassesNanThrough) {
 }
 
 // 20 N·m up to 10 rad/s, nothing from 30 rad/s.
-const MotorSpec kMotor{.joint = {}, .torque_limit = 20, .knee_speed = 10, .no_load_speed = 30};
+constexpr TorqueCurve kMotor{.limit = 20, .knee = 10, .no_load = 30};
 
 TEST(AvailableTorqueTest, LeavesASmallTorqueAlone) {
   EXPECT_EQ(AvailableTorque(kMotor, 7, 0), 7);
@@ -95,13 +95,34 @@ TEST(AvailableTorqueTest, FollowsTheTorqueSpeedCurve) {
 }
 
 TEST(AvailableTorqueTest, KnowsTheLimitAloneWithoutAKnee) {
-  EXPECT_EQ(AvailableTorque({.joint = {}, .torque_limit = 20}, 100, 1000), 20);
+  EXPECT_EQ(AvailableTorque({.limit = 20}, 100, 1000), 20);
 }
 
 TEST(AvailableTorqueTest, DropsAtOnceWhereKneeAndNoLoadSpeedAreOne) {
-  const MotorSpec motor{.joint = {}, .torque_limit = 20, .knee_speed = 10, .no_load_speed = 10};
+  const TorqueCurve motor{.limit = 20, .knee = 10, .no_load = 10};
   EXPECT_EQ(AvailableTorque(motor, 100, 10), 20);
   EXPECT_EQ(AvailableTorque(motor, 100, 11), 0);
+}
+
+// At half of its voltage it ends at 15 rad/s, and the line passes 20 N·m at -5.
+TEST(AvailableTorqueTest, LosesSpeedAndThenTorqueWithItsVoltage) {
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 0, 0.5), 15);
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 5, 0.5), 10);
+  EXPECT_EQ(AvailableTorque(kMotor, -100, -5, 0.5), -10);
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 15, 0.5), 0);
+  EXPECT_EQ(AvailableTorque(kMotor, 100, -5, 0.5), 20);  // braking
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 0, 2.0 / 3), 20);
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 0, 0), 0);
+}
+
+TEST(AvailableTorqueTest, GoesDownWithItsVoltageAtEverySpeedWithoutAKnee) {
+  EXPECT_EQ(AvailableTorque({.limit = 20}, 100, 1000, 0.5), 10);
+}
+
+TEST(AvailableTorqueTest, IsCutByHeatAtItsLimitAndNotBelow) {
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 0, 1, 0.5), 10);
+  EXPECT_EQ(AvailableTorque(kMotor, 7, 0, 1, 0.5), 7);
+  EXPECT_EQ(AvailableTorque(kMotor, 100, 25, 1, 0.5), 5);  // where its voltage leaves less
 }
 
 TEST(AvailableTorqueTest, PassesNanThrough) {

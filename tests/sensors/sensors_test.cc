@@ -26,8 +26,8 @@ class SensorsTest : public test::MujocoTest {
     world_.robot().Reset({.q = spec_.standing.q, .height = 0.4});
     for (int i = 0; i < 200; ++i) {
       world_.BeginStep();
-      motors_.Step(command_, world_.robot().q(), world_.robot().dq(), world_.timestep());
-      battery_.Step(motors_.torque(), world_.robot().dq(), world_.timestep());
+      motors_.Step({.command = command_, .q = world_.robot().q(), .dq = world_.robot().dq()});
+      battery_.Step(motors_.power(), world_.timestep());
       world_.robot().Drive(motors_.torque());
       EXPECT_EQ(world_.EndStep(), physics::StepHealth::kFine);
     }
@@ -59,7 +59,7 @@ class SensorsTest : public test::MujocoTest {
   robot::RobotSpec spec_ = test::FixtureRobot();
   robot::RobotCommand command_ = Moving();
   physics::World world_ = test::FixtureWorld(spec_);
-  robot::MotorBank motors_{spec_};
+  robot::MotorBank motors_{spec_, 0.001};
   robot::Battery battery_{spec_.battery};
   robot::Encoders encoders_{6, 1};
   robot::Effects faults_{.motors = std::vector<robot::MotorEffects>(6),
@@ -188,12 +188,22 @@ TEST_F(SensorsTest, HaveTheNoiseTheyAreGiven) {
   }
 }
 
-TEST_F(SensorsTest, ShowMostOfTheWindingsRiseAtTheCasing) {
+TEST_F(SensorsTest, ShowTheTemperaturesOfCasingAndWinding) {
   const robot::RobotState state = Sample(kTruth);
-  for (const robot::MotorReading& motor : state.motors) {
-    EXPECT_GT(motor.casing_c, 20);
-    EXPECT_LT(motor.casing_c, motor.winding_c);
+  for (std::size_t i = 0; i < state.motors.size(); ++i) {
+    EXPECT_EQ(state.motors[i].casing_c, motors_.casing_c()[i]);
+    EXPECT_GT(state.motors[i].casing_c, 20);
+    EXPECT_LE(state.motors[i].casing_c, state.motors[i].winding_c);
   }
+}
+
+TEST_F(SensorsTest, TellMotorsWithoutABus) {
+  EXPECT_FALSE(Sample(kTruth).motors[0].undervoltage);
+  motors_.Step({.command = command_,
+                .q = world_.robot().q(),
+                .dq = world_.robot().dq(),
+                .supply = {.voltage = 0, .most_power = 0, .on = false}});
+  EXPECT_TRUE(Sample(kTruth).motors[0].undervoltage);
 }
 
 TEST_F(SensorsTest, ReadHandsWithNoiseAndOnALatticeAsTheBody) {

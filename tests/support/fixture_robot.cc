@@ -12,10 +12,17 @@ robot::RobotSpec FixtureRobot() {
   spec.model = FixtureFile("fixture_robot.xml").string();
   spec.base_body = "base";
   spec.kind = robot::RobotKind::kQuadruped;
+  spec.motor_types = {{.name = "fixture",
+                       .watt_per_nm2 = 0.1,
+                       .winding_c_per_w = 0.2,
+                       .casing_c_per_w = 0.8,
+                       .winding_time = 10,
+                       .casing_time = 100}};
   const auto add = [&spec](const char* joint, int slot) {
     spec.motors.push_back({.joint = joint,
                            .slot = slot,
                            .torque_limit = 50,
+                           .type = "fixture",
                            .q_step = 1.0 / 4096,
                            .dq_step = 1.0 / 64,
                            .tau_step = 1.0 / 32,
@@ -28,6 +35,7 @@ robot::RobotSpec FixtureRobot() {
   add("RL_joint", 4);
   add("neck_pitch_joint", 6);
   add("neck_roll_joint", 7);
+  for (const std::size_t neck : {4U, 5U}) spec.motors[neck].torque_limit = 100;
   spec.parallel = {{.pitch = 4, .roll = 5, .roll_ratio = 2}};
   spec.imu.site = "imu";
   spec.imu.secondary_site = "head_imu";
@@ -39,12 +47,11 @@ robot::RobotSpec FixtureRobot() {
   }
   spec.battery = {.cells = 10,
                   .capacity_ah = 1,
-                  .cell_full_v = 4,
-                  .cell_empty_v = 3,
+                  .cell_v = {3, 3.1, 3.2, 3.3, 3.4, 3.5, 3.6, 3.7, 3.8, 3.9, 4},
                   .internal_ohm = 0.1,
                   .idle_a = 1,
-                  .watt_per_nm2 = 0.1};
-  spec.thermal = {.ambient_c = 20, .rest_rise_c = 5, .rise_per_nm2_c = 0.1, .time_constant = 100};
+                  .cell_spread = 0};
+  spec.thermal = {.ambient_c = 20, .rest_rise_c = 5};
   spec.lying = {.q = {1.5, 1.5, 1.5, 1.5, 0, 0}, .height = 0.06};
   spec.standing = {.q = {0, 0, 0, 0, 0, 0}, .height = 0.3};
   spec.hanging = {.q = {0, 0, 0, 0, 0, 0}, .height = 1};

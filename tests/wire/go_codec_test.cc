@@ -207,6 +207,29 @@ TEST(GoEncodeTest, WritesTheBatteryAsARealGo2Did) {
   EXPECT_NEAR(message.power_a, 2.51, 0.02);
 }
 
+TEST(GoEncodeTest, WritesEachCellWithItsOwnVoltage) {
+  robot::RobotState state = StateOf(GoRobot());
+  state.battery.voltage = 32;
+  state.battery.cell_off_v[0] = -0.007;
+  state.battery.cell_off_v[3] = 0.002;
+  const LowState message = EncodeOnce(state);
+  EXPECT_EQ(message.bms_state.cell_vol[0], 3993);
+  EXPECT_EQ(message.bms_state.cell_vol[1], 4000);
+  EXPECT_EQ(message.bms_state.cell_vol[3], 4002);
+}
+
+// 0: vendor, Go2-W basic services. The cells keep their voltage.
+TEST(GoEncodeTest, TellsABatteryThatHasCutOff) {
+  robot::RobotState state = StateOf(GoRobot());
+  state.battery = {.voltage = 32, .current = 0, .soc = 0.5, .on = false};
+  state.motors[0].undervoltage = true;
+  const LowState message = EncodeOnce(state);
+  EXPECT_EQ(message.bms_state.status, 0);
+  EXPECT_EQ(message.power_v, 0);
+  EXPECT_EQ(message.bms_state.cell_vol[0], 4000);
+  EXPECT_EQ(message.motor_state[GoRobot().motors[0].slot].reserve[0], 0x08U);
+}
+
 TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {
   robot::RobotState state = StateOf(GoRobot());
   EXPECT_EQ(EncodeOnce(state).bit_flag, 0x24);

@@ -180,6 +180,18 @@ TEST(HgEncodeTest, PassesTheRemote) {
   EXPECT_EQ(EncodeOnce(state).wireless_remote[2], 9);
 }
 
+TEST(HgEncodeTest, TellsWarmMotorsAndABusWithoutVoltage) {
+  robot::RobotState state = StateOf(HgRobot());
+  state.battery = {.voltage = 47.8, .on = false};
+  state.motors[3].warm = true;
+  state.motors[2].undervoltage = true;
+  const LowState message = EncodeOnce(state);
+  const robot::RobotSpec spec = HgRobot();
+  EXPECT_EQ(message.motor_state[spec.motors[3].slot].motorstate, 0x10000000U);
+  EXPECT_EQ(message.motor_state[spec.motors[2].slot].motorstate, 0x8U);
+  EXPECT_EQ(message.motor_state[spec.motors[3].slot].vol, 0);
+}
+
 TEST(HgBmsTest, WritesCellsPackAndCharge) {
   robot::RobotState state = StateOf(HgRobot());
   state.battery = {.voltage = 52, .current = -2.1, .soc = 0.805, .temperature_c = 28};

@@ -1,0 +1,134 @@
+// What load does to motors and battery, and what becomes of the robot then.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/emulator/emulator_test.h"
+
+namespace understudy::emulator {
+namespace {
+
+class PowerTest : public EmulatorTest {
+ protected:
+  PowerTest() {
+    port_.TellEvery(1);
+    config_.start.pose = "clamped";
+  }
+
+  const robot::RobotState& state() { return port_.last().state; }
+
+  std::vector<Event> Events(EventKind kind) const {
+    std::vector<Event> events;
+    EventRing::Reader reader(&world_->events());
+    for (Event event; reader.Next(&event);) {
+      if (event.kind == kind) events.push_back(event);
+    }
+    return events;
+  }
+};
+
+TEST_F(PowerTest, AStalledMotorGetsHotAndTripsAndSaysSo) {
+  config_.robot.motors[0].torque_limit = 140;
+  config_.robot.motor_types[0].winding_time = 1;
+  config_.robot.motor_types[0].winding_c_per_w = 0.1;
+  config_.robot.battery.internal_ohm = 0;
+  Start();
+  Ask("fault", {{"component", "FR_joint"}, {"fault", "jammed"}});
+  double warm = -1, hot = -1;
+  bool tripped = false;
+  for (int i = 0; i < 6000; ++i) {
+    if (i % 50 == 0) {
+      robot::RobotCommand command = Torque(0);
+      command.motors[0].tau = 200;
+      port_.Send(command);
+    }
+    Tick();
+    if (warm < 0 && state().motors[0].warm) warm = world_->time();
+    if (tripped) {
+      EXPECT_EQ(state().motors[0].tau, 0);
+    }
+    tripped = state().motors[0].overheated;
+    if (hot < 0 && state().motors[0].overheated) hot = world_->time();
+  }
+  EXPECT_GT(warm, 0.2);
+  EXPECT_GT(hot, warm);
+  EXPECT_LT(hot, 6);
+  EXPECT_FALSE(state().motors[1].warm);
+  const std::vector<Event> told = Events(EventKind::kMotorHeat);
+  ASSERT_GE(told.size(), 2U);
+  EXPECT_EQ(told[0].numbers[0], 1);
+  EXPECT_EQ(told[1].numbers[0], 2);
+  EXPECT_GE(told[1].numbers[1], 120);
+  EXPECT_STREQ(told[1].text.data(), "FR_joint");
+}
+
+TEST_F(PowerTest, ABatteryThatRunsLowIsToldOnceAndOneThatIsEmptyTakesTheTorque) {
+  config_.robot.battery.start_soc = 0.2001;
+  config_.robot.battery.low_soc = 0.2;
+  config_.robot.battery.capacity_ah = 0.001;
+  Start();
+  port_.Send(Torque(5));
+  Tick(3);
+  EXPECT_NEAR(state().motors[0].tau, 5, 1e-9);
+  EXPECT_TRUE(state().battery.on);
+  for (int i = 0; i < 1000; ++i) {
+    if (i % 50 == 0) port_.Send(Torque(5));
+    Tick();
+  }
+  EXPECT_EQ(state().battery.soc, 0);
+  EXPECT_FALSE(state().battery.on);
+  EXPECT_EQ(state().motors[0].tau, 0);
+  EXPECT_TRUE(state().motors[0].undervoltage);
+  ASSERT_EQ(Events(EventKind::kLowBattery).size(), 1U);
+  const std::vector<Event> cut_off = Events(EventKind::kCutOff);
+  ASSERT_EQ(cut_off.size(), 1U);
+  EXPECT_EQ(cut_off[0].numbers[0], static_cast<double>(robot::CutOff::kEmpty));
+}
+
+TEST_F(PowerTest, ABatteryThatHasCutOffIsOnAgainAfterAReset) {
+  config_.robot.battery.cutoff_a = 1.2;
+  config_.robot.battery.cutoff_time = 0.01;
+  Start();
+  port_.Send(Torque(20));
+  Tick(100);
+  EXPECT_FALSE(state().battery.on);
+  EXPECT_EQ(state().battery.current, 0);
+  Ask("reset", {});
+  Tick(2);
+  EXPECT_TRUE(state().battery.on);
+  const std::vector<Event> told = Events(EventKind::kCutOff);
+  ASSERT_EQ(told.size(), 2U);
+  EXPECT_EQ(told[0].numbers[0], static_cast<double>(robot::CutOff::kOvercurrent));
+  EXPECT_EQ(told[1].numbers[0], 0);
+}
+
+TEST_F(PowerTest, AWeakBatteryWeakensTheMotors) {
+  config_.robot.battery.most_a = 0;
+  config_.robot.motor_types[0].rated_v = 35;
+  Start();
+  port_.Send(Torque(1000));
+  Tick(100);
+  const double strong = std::abs(state().motors[0].tau);
+  Ask("fault", {{"component", "battery"}, {"fault", "weak"}, {"by", 50}});
+  Tick(100);
+  EXPECT_LT(std::abs(state().motors[0].tau), 0.8 * strong);
+}
+
+TEST_F(PowerTest, FrictionWarmsACasing) {
+  config_.robot.motor_types[0].casing_time = 0.5;
+  config_.robot.motor_types[0].casing_c_per_w = 50;
+  Start();
+  const double rest = 25;
+  Ask("fault", {{"component", "FR_joint"}, {"fault", "dragging"}, {"by", 2}});
+  for (int i = 0; i < 2000; ++i) {
+    if (i % 50 == 0) port_.Send(Torque(i % 400 < 200 ? 5 : -5));
+    Tick();
+  }
+  EXPECT_GT(state().motors[0].casing_c, rest + 3);
+  EXPECT_LT(state().motors[1].casing_c, rest + 3);
+}
+
+}  // namespace
+}  // namespace understudy::emulator
