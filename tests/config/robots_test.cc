@@ -1,4 +1,6 @@
 // Checks the descriptions of the robots in config/robots.
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 
@@ -6,6 +8,7 @@
 
 #include "config_fixture.h"
 #include "robot/battery.h"
+#include "robot/motor.h"
 
 namespace understudy::config {
 namespace {
@@ -131,6 +134,35 @@ TEST(RobotsTest, EveryMotorIsOfATypeWhoseFiguresFollowFromEachOther) {
       EXPECT_NEAR(std::log2(type->watt_per_nm2 / loss), 0, 1) << type->name;
     }
   }
+}
+
+// s until the first motor whose joint is named gives less torque and none, stalled at its limit.
+std::array<double, 2> StallsFor(const std::string& name, const std::string& joint) {
+  constexpr double kStep = 0.1;
+  const robot::RobotSpec robot = Robot(name).robot;
+  const std::size_t count = robot.motors.size();
+  const auto found = std::ranges::find(robot.motors, joint, &robot::MotorSpec::joint);
+  const auto stalled = static_cast<std::size_t>(found - robot.motors.begin());
+  robot::RobotCommand command{.motors = std::vector<robot::MotorCommand>(count)};
+  command.motors.at(stalled) = {.enabled = true, .tau = 1000};
+  const std::vector<double> still(count);
+  robot::MotorBank bank(robot, kStep);
+  std::array<double, 2> times{};
+  for (int i = 1; i < 36000 && times[1] == 0; ++i) {
+    bank.Step({.command = command, .q = still, .dq = still});
+    if (times[0] == 0 && bank.derated(stalled)) times[0] = i * kStep;
+    if (bank.tripped(stalled)) times[1] = i * kStep;
+  }
+  return times;
+}
+
+TEST(RobotsTest, AStalledMotorGivesLessAfterSecondsAndTripsAfterMinutesAtMost) {
+  const auto [hip_warm, hip_hot] = StallsFor("go2", "FR_hip_joint");
+  EXPECT_NEAR(hip_warm, 13, 3);
+  EXPECT_NEAR(hip_hot, 133, 30);
+  const auto [knee_warm, knee_hot] = StallsFor("g1", "left_knee_joint");
+  EXPECT_NEAR(knee_warm, 9, 3);
+  EXPECT_NEAR(knee_hot, 20, 6);
 }
 
 TEST(RobotsTest, AnUnknownMotorTypeNamesTheNearest) {
