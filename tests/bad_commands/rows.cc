@@ -87,8 +87,9 @@ Play Taken(const Edit& edit, const std::function<void(Rig*)>& expect = {}) {
 }
 
 void GivesNoTorque(Rig* rig) { EXPECT_LT(rig->largest_torque(), 1e-9); }
+// All motors at once, among which the battery's current is shared.
 void GivesMuchTorque(Rig* rig) {
-  EXPECT_GT(rig->largest_torque(), 0.5 * rig->spec().motors[0].torque_limit);
+  EXPECT_GT(rig->largest_torque(), 0.3 * rig->spec().motors[0].torque_limit);
 }
 
 // Writes good commands for so long, `at_once` of them every `every_ms`.
