@@ -198,12 +198,21 @@ std::string Described(const CLI::Option& option) {
   return text;
 }
 
+// CLI11's name for the options of no other group.
+constexpr char kOwnGroup[] = "Options";
+
 std::string Options(const CLI::App& command) {
-  std::string places, options;
+  std::string places, options, others;
+  std::string group = kOwnGroup;
   for (const CLI::Option* option : command.get_options()) {
-    (option->get_positional() ? places : options) += Described(*option);
+    const bool own = option->get_group() == kOwnGroup || option->get_group().empty();
+    if (!own && option->get_group() != group) {
+      group = option->get_group();
+      others += ".PP\n" + Plain(group) + ":\n";
+    }
+    (option->get_positional() ? places : own ? options : others) += Described(*option);
   }
-  return places + options;
+  return places + options + others;
 }
 
 // The commands below one, each with all there is to know of it.

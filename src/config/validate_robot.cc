@@ -59,7 +59,10 @@ void CheckMotors(const std::vector<robot::MotorSpec>& motors,
                   "'" + m.joint + "' has a motor already");
     const bool known = m.type.empty() || std::ranges::find(names, m.type) != names.end();
     checker.Check(known, key + "type",
-                  known ? "" : "no motor type '" + m.type + "'" + DidYouMean(m.type, names));
+                  known           ? ""
+                  : names.empty() ? "no motor type '" + m.type +
+                                        "', nor any other: config/motors.yaml is missing"
+                                  : "no motor type '" + m.type + "'" + DidYouMean(m.type, names));
     checker.Check(m.torque_limit > 0, key + "torque_limit", "expected more than 0 N·m");
     CheckCurve(m.knee_speed, m.no_load_speed, key, checker);
   }

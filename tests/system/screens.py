@@ -18,7 +18,7 @@ class Screen:
         self._folder = tempfile.TemporaryDirectory(prefix="understudy-screen-")
         reading, writing = os.pipe()
         self._server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp",
+            ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{WIDTH}x{HEIGHT}x24", "-nolisten", "tcp", "-noreset",
              "-fbdir", self._folder.name, "+extension", "GLX"],
             pass_fds=[writing], stderr=subprocess.DEVNULL)
         os.close(writing)

@@ -47,8 +47,12 @@ def test_a_page_says_all_that_the_help_says(understudy, pages):
         assert words(text.splitlines()[0]) in page
         for option in re.findall(r"^  (?:-\w,)?(--[\w-]+)", text, re.MULTILINE):
             assert re.search(rf"(^|[ ,]){option}( |$)", page), f"{command} {option}"
-        footer = text[text.find("\n\n", text.find("\nOptions:")):] if command != "ctl" else ""
+        # Of a command with others below it, those are pages or sections of their own.
+        head = "\nSubcommands:" if "\nSubcommands:" in text else "\nOptions:"
+        footer = text[text.find("\n\n", text.find(head)):] if command != "ctl" else ""
         for line in footer.splitlines():
+            if re.match(" {2}-| {20}", line):  # options of a group of their own, and what they do
+                continue
             line = words(re.sub(r"^Examples?:", "", line.strip()))
             assert line in page, f"{command}: {line}"
 

@@ -2,6 +2,7 @@
 
 import pathlib
 import re
+import shutil
 import time
 
 import pytest
@@ -57,5 +58,6 @@ def test_a_robots_description_is_listed(monkeypatch, tmp_path):
     text, changed = re.subn(r"(?m)^  description: .*$", "  description: a dog", (ROBOTS / "go2.yaml").read_text())
     assert changed == 1
     (robots / "rex.yaml").write_text(text)
+    shutil.copy(ROBOTS.parent / "motors.yaml", robots.parent)
     monkeypatch.setenv("UNDERSTUDY_DATA_DIR", str(tmp_path))
     assert "a dog" in understudy("robots").stdout
