@@ -82,6 +82,8 @@ class ReaderCore {
  private:
   // What Cyclone's threads report.
   struct Reports {
+    explicit Reports(const Bell* to_ring) : bell(to_ring) {}
+
     const Bell* bell;
     std::atomic<bool> arrived{false};
     std::atomic<std::uint64_t> lost{0};

@@ -150,7 +150,7 @@ std::string ScriptText(const ordered_json& script) {
 
 std::string RecordingText(const ordered_json& recording) {
   const auto state = recording.at("state").get<std::string>();
-  if (state == "off") return state;
+  if (state == "off") return "off";
   constexpr double kMega = 1e-6;
   const auto file = recording.at("file").get<std::string>();
   return state == "on" ? file + ", " + Fixed(recording.at("bytes"), 1, kMega) + " MB"

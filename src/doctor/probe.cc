@@ -162,7 +162,7 @@ void ProbeServer::Answer() {
 }
 
 ProbeClient::ProbeClient(const std::string& interface, std::uint32_t address, int domain,
-                         std::uint32_t session, std::string peer_name)
+                         std::uint32_t session, const std::string& peer_name)
     : session_(session),
       peer_name_(peer_name.substr(0, kNameBytes)),
       port_(ProbePort(domain)),

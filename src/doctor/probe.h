@@ -69,7 +69,7 @@ class ProbeClient {
   // `address` as above, `session` a number that others do not have. `peer_name` is the name by
   // which the peer may answer. Throws BusError.
   ProbeClient(const std::string& interface, std::uint32_t address, int domain,
-              std::uint32_t session, std::string peer_name);
+              std::uint32_t session, const std::string& peer_name);
 
   // The peer's address, in the host's byte order; 0 while it is not known. Answers tell it, too.
   void SetPeer(std::uint32_t address) { peer_ = address; }

@@ -205,8 +205,7 @@ std::vector<std::string> ReadGovernors() {
     if (!governor.empty()) governors.push_back(governor);
   }
   std::ranges::sort(governors);
-  const auto rest = std::ranges::unique(governors);
-  governors.erase(rest.begin(), rest.end());
+  governors.erase(std::unique(governors.begin(), governors.end()), governors.end());
   return governors;
 }
 
