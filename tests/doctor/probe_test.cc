@@ -28,7 +28,7 @@ TEST(DatagramTest, RefusesAnotherLengthMagicOrKind) {
   ASSERT_TRUE(Decode(bytes));
   EXPECT_FALSE(Decode(std::span(bytes).first(kDatagramBytes - 1)));
   EXPECT_FALSE(Decode({}));
-  for (const std::size_t at : {0, 7, 8}) {
+  for (const std::size_t at : {0U, 7U, 8U}) {
     auto other = bytes;
     other[at] ^= std::byte{0x40};
     EXPECT_FALSE(Decode(other)) << at;

@@ -36,7 +36,7 @@ TEST(StagesTest, SayWhereAndWhatIsWrongWithTheNearestWord) {
        "s:2: stages: 'a' is the name of that at s:1"},
   };
   for (const auto& [text, error] : kRows) {
-    EXPECT_THAT(config::ErrorOf([&] { StagesOf(text); }), HasSubstr(error)) << text;
+    EXPECT_THAT(config::ErrorOf([&text = text] { StagesOf(text); }), HasSubstr(error)) << text;
   }
 }
 

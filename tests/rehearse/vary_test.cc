@@ -143,7 +143,7 @@ TEST(PlanTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
        "at most 1000000"},
   };
   for (const auto& [text, error] : kRows) {
-    EXPECT_THAT(config::ErrorOf([&] { Read(text); }), HasSubstr(error)) << text;
+    EXPECT_THAT(config::ErrorOf([&text = text] { Read(text); }), HasSubstr(error)) << text;
   }
 }
 
