@@ -166,9 +166,9 @@ void Recording::Begin(const emulator::RecordingOrder& order) {
     OfferDamage();
     const bool failed = recorder_->status().state == emulator::RecordingState::kFailed;
     job_ = {.recorder = std::move(recorder_),
-            .why = failed
-                       ? "it had failed before; what was written until then is in " + file_.string()
-                       : ""};
+            .why = failed ? "the recording had failed; what was written until then is in " +
+                                file_.string()
+                          : ""};
   }
   turn_ = Turn::kThreads;
   wake_.release();
