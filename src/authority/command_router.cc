@@ -54,6 +54,13 @@ void CommandRouter::Restart(const robot::RobotCommand& start) {
   Follow(start, 0);
 }
 
+void CommandRouter::GoLimp() {
+  owner_.Release();
+  FollowOwner();
+  gate_.Rest(/*limp=*/true);
+  for (HandGate& hand : hands_) hand.Restart();
+}
+
 robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand& command,
                                     robot::Refusal form, double t) {
   FollowOwner();

@@ -34,6 +34,10 @@ class CommandRouter {
   // motion service or the gate restarts.
   void Restart(const robot::RobotCommand& start);
 
+  // The robot was switched off: no motion service is on and the motors have no torque, until a
+  // service is switched on or a command is taken.
+  void GoLimp();
+
   // Takes or refuses a command of a topic of the robot at time t [s]; `form` and result as for
   // Intake::Judge.
   robot::Refusal Offer(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,

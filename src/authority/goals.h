@@ -23,6 +23,7 @@ inline int Whole(double x) { return x > -1 ? static_cast<int>(std::min(x, 1e6)) 
 // clang-format off
 struct ZeroTorque { bool operator==(const ZeroTorque&) const = default; };
 struct Damp { bool operator==(const Damp&) const = default; };  // valid in every state
+struct Fall { bool operator==(const Fall&) const = default; };  // it has fallen: damps, until it gets up
 struct StandUp { bool operator==(const StandUp&) const = default; };  // joints locked, no balance
 struct StandDown { bool operator==(const StandDown&) const = default; };
 struct BalanceStand { bool operator==(const BalanceStand&) const = default; };
@@ -168,7 +169,7 @@ using MotionGoal =
                  goal::AutoRecovery, goal::Move, goal::Gait, goal::SpeedLevel, goal::FootRaise,
                  goal::KeepStepping, goal::LastingMoves, goal::GoTo, goal::FollowPath,
                  goal::ResetEstimator, goal::SetFsm, goal::SetBalanceMode, goal::SetStandHeight,
-                 goal::ArmAction, goal::StopArmAction>;
+                 goal::ArmAction, goal::StopArmAction, goal::Fall>;
 
 template <class Goal, class... Goals>
 constexpr std::size_t PlaceIn(const std::variant<Goals...>*) {

@@ -25,6 +25,7 @@ struct MotionInput {
   std::span<const double> foot_force;           // N, RobotSpec::feet order
   double soc = 1;                               // of the battery, 0 to 1
   double arm_weight = 0;                        // of rt/arm_sdk, 0 to 1
+  robot::RemoteReading remote{};                // as last received
 };
 
 class Motion {

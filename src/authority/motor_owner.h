@@ -57,7 +57,7 @@ class MotorOwner {
   void Release();                               // switches the motion service off
   OwnerVerdict Switch(std::string_view service, bool on);
 
-  // Stores motion_switcher's setting not to start a motion service at boot. It has no effect.
+  // Sets motion_switcher's setting not to start a motion service at boot.
   void SetSilent(bool on) { silent_ = on; }
   bool silent() const { return silent_; }
 

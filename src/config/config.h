@@ -53,6 +53,7 @@ struct PhysicsConfig {
 struct StartConfig {
   std::string pose;            // lying | standing | hanging | clamped; "" = robot.default_start
   std::array<double, 3> at{};  // x, y [m] and yaw [rad] in the world
+  bool boot = false;           // begins at the power switch
 };
 
 struct Config {

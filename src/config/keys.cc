@@ -97,6 +97,9 @@ void DescribeStart(Archive& a, StartConfig& c) {
         {"m, m, rad",
          {-1000, 1000},
          "x, y and yaw in the world at the start and after a reset; a fixed base stays"});
+  a.Key(UNDERSTUDY_NVP(c.boot),
+        {"Whether the run begins at the power switch: motors limp, nothing sent or answered until "
+         "the times of robot.boot; else the robot has booted"});
 }
 
 }  // namespace

@@ -275,7 +275,8 @@ emulator::RobotSettings RobotSettingsOf(const Config& config) {
           .gate = config.gate,
           .motion = config.motion,
           .crane = config.crane,
-          .start = robot::FindStartPose(pose).value_or(robot::StartPose::kLying)};
+          .start = robot::FindStartPose(pose).value_or(robot::StartPose::kLying),
+          .boot = config.start.boot};
 }
 
 }  // namespace understudy::config

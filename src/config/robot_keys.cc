@@ -2,6 +2,7 @@
 
 #include "authority/chord.h"
 #include "config/keys.h"
+#include "motion/protection.h"
 
 namespace understudy::config {
 namespace {
@@ -269,6 +270,15 @@ void DescribeBattery(Archive& a, robot::BatterySpec& b) {
   a.Key(UNDERSTUDY_NVP(b.time_constant), {"s", {1, 1e6}, "Time constant of that rise"});
 }
 
+void DescribeBoot(Archive& a, robot::BootSpec& b) {
+  constexpr Range kBoot{0, 600};
+  a.Key(UNDERSTUDY_NVP(b.states), {"s", kBoot, "Until states are sent and commands heard"});
+  a.Key(UNDERSTUDY_NVP(b.services),
+        {"s", kBoot, "Until the first service answers; then they come one after the other"});
+  a.Key(UNDERSTUDY_NVP(b.motion),
+        {"s", kBoot, "Until all services answer and the motion service starts"});
+}
+
 void DescribeThermal(Archive& a, robot::ThermalSpec& t) {
   a.Key(UNDERSTUDY_NVP(t.ambient_c), {"°C", {-50, 80}, "Air temperature"});
   a.Key(UNDERSTUDY_NVP(t.rest_rise_c),
@@ -336,11 +346,6 @@ void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Key(UNDERSTUDY_NVP(m.gestures_from_lock),
         {"Whether gestures, Sit and Pose are taken in the locked stand, out of which it balances "
          "first; else they are refused there"});
-  a.Key(UNDERSTUDY_NVP(m.least_soc),
-        {"",
-         {0, 1},
-         "State of charge below which it refuses all motion but Damp, StopMove and "
-         "RecoveryStand; 0 refuses nothing"});
   a.Key(UNDERSTUDY_NVP(m.kp), {"N·m/rad", {1, 1e5}, "Gain of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.kd), {"N·m·s/rad", kNotNegative, "Damping of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.damping_kd),
@@ -351,7 +356,23 @@ void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
   a.Section(UNDERSTUDY_NVP(m.walk), {"How it walks"}, DescribeWalk);
 }
 
+void DescribeRule(Archive& a, robot::ProtectionRule& r) {
+  a.Choice(UNDERSTUDY_NVP(r.does), {"What the service does about it"},
+           {"nothing", "warn", "stop", "lie_down", "damp"});
+  a.Key(UNDERSTUDY_NVP(r.limit), {"", kNotNegative, "How much of it there may be"});
+  a.Key(UNDERSTUDY_NVP(r.time), {"s", {0, 60}, "For how long it has to be more"});
+}
+
+void DescribeProtection(Archive& a, robot::ProtectionSpec& p) {
+  for (const motion::DangerRow& row : motion::Dangers()) {
+    a.Section(Named{row.name, &(p.*row.rule)}, {row.is}, DescribeRule, "does");
+  }
+}
+
 void DescribeMotion(Archive& a, robot::MotionSpec& m) {
+  a.Section(UNDERSTUDY_NVP(m.protection),
+            {"What the service watches for by itself, while it is on, and what it does about it"},
+            DescribeProtection);
   a.Section(UNDERSTUDY_NVP(m.humanoid), {"State machine of a humanoid"}, DescribeHumanoidMotion);
   a.Section(UNDERSTUDY_NVP(m.quadruped), {"How a quadruped stands and moves"},
             DescribeQuadrupedMotion);
@@ -418,6 +439,7 @@ void Describe(Archive& a, robot::RobotSpec& r) {
         {"Whether the motion service can hand the motors to rt/user_lowcmd"});
   a.Section(UNDERSTUDY_NVP(r.remote), {"The remote controller"}, DescribeRemote);
   a.Section(UNDERSTUDY_NVP(r.battery), {"The battery"}, DescribeBattery);
+  a.Section(UNDERSTUDY_NVP(r.boot), {"How long it boots after the power switch"}, DescribeBoot);
   a.Section(UNDERSTUDY_NVP(r.thermal), {"How warm motors may get"}, DescribeThermal);
   a.Section(UNDERSTUDY_NVP(r.lying), {"Pose on the ground, passive"}, DescribePose);
   a.Section(UNDERSTUDY_NVP(r.standing), {"Pose of standing"}, DescribePose);

@@ -10,6 +10,7 @@
 #include "authority/command_gate.h"
 #include "authority/unheeded.h"
 #include "judge/condition.h"
+#include "motion/protection.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
 #include "robot/refusal_text.h"
@@ -56,6 +57,10 @@ const robot::FaultKind& FaultOf(const Event& event) {
   return robot::FaultKinds()[static_cast<std::size_t>(event.numbers[0])];
 }
 
+const motion::DangerRow& DangerOf(const Event& event) {
+  return motion::Dangers()[static_cast<std::size_t>(event.numbers[0])];
+}
+
 std::string Amount(const robot::FaultKind& kind, double by) {
   if (!kind.has_magnitude()) return "";
   return Text(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
@@ -77,6 +82,18 @@ std::string SayRefusal(const std::string& verb, robot::Refusal reason, const Eve
   return verb + " " + std::to_string(count) + " " + MessageOf(event) + " (" +
          std::string(robot::Name(reason)) + "): " +
          std::string(IsOfHand(event) ? robot::ExplainForHand(reason) : robot::Explain(reason));
+}
+
+std::string SayProtection(const Event& event, std::uint64_t) {
+  const motion::DangerRow& danger = DangerOf(event);
+  const std::string where = What(event).empty() ? "" : " of " + What(event);
+  std::string text = "protection: " + std::string(danger.name);
+  if (event.numbers[1] == 0) return text + where + " is within its limit again";
+  if (!danger.unit.empty()) text += Text(" %.2f ", event.numbers[2]) + std::string(danger.unit);
+  if (danger.below) text += Text(" %.2f", event.numbers[2]);
+  constexpr std::array<std::string_view, 5> kDoes = {
+      "", "", "; the robot stops", "; the robot lies down, if it can", "; the motors damp"};
+  return text + where + std::string(kDoes[static_cast<std::size_t>(event.numbers[3])]);
 }
 
 std::string SayCallRefusal(const Event& event, std::uint64_t) {
@@ -232,11 +249,17 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "a motor becomes so hot that it gives less torque (1) or none (2), or cool again (0)"),
     Row(
+        EventKind::kPower, "power", kInfo, false, {{{"state", kText}}},
+        [](const Event& e, std::uint64_t) { return "power: " + What(e); },
+        "the robot is switched on and boots (`booting`), has booted (`on`) or is off (`off`)"),
+    Row(
         EventKind::kCutOff, "cut_off", kError, false, {{{"reason", kInteger}}},
         [](const Event& e, std::uint64_t) -> std::string {
           constexpr std::array<std::string_view, 4> kReasons = {
-              "is on again", "has cut off after too much current; a reset switches it on",
-              "has cut off, as a cell had too little voltage; a reset switches it on",
+              "is on again",
+              "has cut off after too much current; `power on` switches the robot on again",
+              "has cut off, as a cell had too little voltage; `power on` switches the robot on "
+              "again",
               "is empty and has cut off"};
           return "the battery " + std::string(kReasons[static_cast<std::size_t>(e.numbers[0])]);
         },
@@ -248,6 +271,15 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           return "the battery is down to " + Text("%.0f %%", 100 * e.numbers[0]) + " of its charge";
         },
         "the charge falls below robot.battery.low_soc, the first time"),
+    Row(EventKind::kProtection, "protection", kWarning, false,
+        {{{"danger", kDanger},
+          {"on", kBool},
+          {"value", kNumber},
+          {"does", kProtects},
+          {"joint", kText}}},
+        SayProtection,
+        "the motion service protects the robot from a danger of [robot.motion.protection]"
+        "(config.md), or no longer"),
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
@@ -399,6 +431,10 @@ std::optional<std::string_view> WordOf(const Event& event, EventFieldType type, 
       return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
     case kFault:
       return FaultOf(event).name;
+    case kDanger:
+      return DangerOf(event).name;
+    case kProtects:
+      return robot::Name(static_cast<robot::Protection>(event.numbers[number]));
     case kWish:
       return authority::Name(static_cast<authority::Unheeded::Reason>(event.numbers[number]));
     case kKeys:

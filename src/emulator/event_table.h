@@ -34,6 +34,8 @@ enum class EventFieldType : std::uint8_t {
   kCause,       // a whole number; events with different ones have different causes
   kGate,        // an authority::GateState
   kFault,       // a place in robot::FaultKinds()
+  kDanger,      // a place in motion::Dangers()
+  kProtects,    // a robot::Protection
   kWish,        // an authority::Unheeded::Reason
   kKeys,        // of the remote controller, as bits
   kWorst,       // a number; a burst has the largest

@@ -174,6 +174,10 @@ struct RequestActs {
     return {};
   }
 
+  static Answer SwitchPower(World&, Robot& robot, Request& request, double t) {
+    return robot.SwitchPower(request.on("on"), t);
+  }
+
   static Answer SetFault(World&, Robot& robot, Request& request, double t) {
     const std::string_view kind =
         robot::FaultNames()[static_cast<std::size_t>(request.number("fault"))];
@@ -332,6 +336,11 @@ const std::vector<RequestRow>& RequestRows() {
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
+      Row("power",
+          "Turns the robot's power switch. Off, its motors have no torque and nothing is sent, "
+          "heard or answered; on, it boots as on hardware, in the times of robot.boot",
+          {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is switched on"}))},
+          Acts::SwitchPower, "power off"),
       Row("fault",
           "Something is wrong with a component of the robot from now on, over resets too: "
           "docs/faults.md",

@@ -73,6 +73,8 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       encoders_(faults_.effects().encoders.size(), parts.settings.sensors.seed),
       motors_(spec_, physics_->timestep()),
       battery_(spec_.battery, spec_.thermal.ambient_c, parts.settings.sensors.seed),
+      power_(spec_.boot),
+      service_effects_(faults_.effects().services),
       damage_(spec_, body_->ranges()),
       sensors_(parts.settings.sensors, spec_),
       crane_(parts.settings.crane),
@@ -86,12 +88,18 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       braked_(faults_.effects().motors),
       friction_w_(braked_.size()) {
   Reset(start_pose_);
+  if (parts.settings.boot) {
+    SwitchPowerOff();
+    power_.SwitchOn(0);
+  }
   noted_ = {.gate = router_.gate().state(),
             .service = router_.owner().active(),
             .motion = router_.owner().state(),
-            .heat = std::vector(braked_.size(), MotorHeat::kFine)};
+            .heat = std::vector(braked_.size(), MotorHeat::kFine),
+            .power = power_.state()};
   Note(EventKind::kMotionService, {}, noted_.service);
   Note(EventKind::kGate, {static_cast<double>(noted_.gate)});
+  if (noted_.power != PowerState::kOn) Note(EventKind::kPower, {}, Name(noted_.power));
   NoteChanges(0);
 }
 
@@ -126,6 +134,7 @@ void Robot::NoteCall(const services::Call& call) {
 
 void Robot::Hear(std::int64_t step, double t) {
   StepFaults(t);
+  StepPower(t);
   TakeCommands(t);
   command_ = &delay_.Pass(Decide(step, t));
   NoteChanges(t);
@@ -136,6 +145,7 @@ void Robot::Rest() { port_->Rest(); }
 void Robot::Act() {
   const double dt = physics_->timestep();
   const robot::Effects& faults = faults_.effects();
+  const bool off = power_.state() == PowerState::kOff;
   encoders_.Step(body_->q(), body_->dq(), faults.encoders);
   body_->FrictionPower(friction_w_);
   motors_.Step({.command = *command_,
@@ -143,10 +153,12 @@ void Robot::Act() {
                 .dq = encoders_.dq(),
                 .rate = body_->dq(),
                 .friction_w = friction_w_,
-                .supply = battery_.supply(),
+                .supply = off ? robot::MotorSupply{.voltage = 0, .most_power = 0, .on = false}
+                              : battery_.supply(),
                 .faults = faults.motors});
   body_->Drive(motors_.torque());
-  battery_.Step(motors_.power(), dt, faults.battery);
+  if (!off) battery_.Step(motors_.power(), dt, faults.battery);
+  if (battery_.cut_off() != robot::CutOff::kNone) SwitchPowerOff();
   if (motors_.heated()) NoteHeat();
   NoteBattery();
   if (crane_.attached()) {
@@ -168,6 +180,7 @@ void Robot::Tell(std::int64_t step) {
                 .f_WI_I = body_->Imu().f_WI_I,
                 .tilt = body_->tilt()},
                physics_->timestep());
+  if (!power_.computes()) return;
   if (services_ != nullptr && !silenced_) {
     services_->Tell(router_.owner(), static_cast<double>(step * step_ns_) * 1e-9);
   }
@@ -180,6 +193,7 @@ void Robot::Tell(std::int64_t step) {
 
 void Robot::TakeCommands(double t) {
   NoteChanges(t);
+  if (!power_.computes()) return Ignore();
   router_.Obey(ReadRemote(t), t);
   if (const auto& unheeded = router_.unheeded()) NoteUnheeded(*unheeded);
   // One of each topic in turn, so that none keeps the others waiting.
@@ -196,6 +210,17 @@ void Robot::TakeCommands(double t) {
     if (lost == 0) continue;
     router_.Count(topic, robot::Refusal::kLost, lost);
     Note(EventKind::kLostCommands, {static_cast<double>(lost)}, topics_[topic]);
+  }
+}
+
+// Takes commands as a robot that is off does, by which they come to nothing.
+void Robot::Ignore() {
+  robot::Refusal form = robot::Refusal::kNone;
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
+    for (int i = 0; i < authority::Intake::kMostAtOnce; ++i) {
+      if (!port_->Take(topic, &offered_, &form)) break;
+    }
+    port_->TakeLost(topic);
   }
 }
 
@@ -250,6 +275,7 @@ const robot::RobotCommand& Robot::Decide(std::int64_t step, double t) {
     input_.foot_force = state_.foot_force;
     input_.soc = state_.battery.soc;
     input_.arm_weight = router_.arm_weight(t);
+    input_.remote = state_.remote;
   }
   return router_.Current(input_, service_due,
                          static_cast<double>(service_rate_.every() * step_ns_) * 1e-9);
@@ -309,9 +335,40 @@ void Robot::StepFaults(double t) {
   Suffer();
 }
 
+// Services come up in their order, one after the other.
+void Robot::StepPower(double t) {
+  const bool booting = power_.state() == PowerState::kBooting;
+  if (power_.Step(t) && !router_.owner().silent()) router_.owner().Select(first_service_);
+  if (booting) Suffer();
+}
+
+Result<> Robot::SwitchPower(bool on, double t) {
+  if (!on) {
+    SwitchPowerOff();
+    return {};
+  }
+  if (power_.state() != PowerState::kOff) return {};
+  battery_.Restart();
+  if (battery_.cut_off() != robot::CutOff::kNone) return Error{"the battery is empty"};
+  power_.SwitchOn(t);
+  return {};
+}
+
+void Robot::SwitchPowerOff() {
+  if (power_.state() == PowerState::kOff) return;
+  power_.SwitchOff();
+  before_off_ = router_.owner().active();
+  router_.GoLimp();
+  Suffer();
+}
+
 // Tells those parts of what is wrong with them that do not read it themselves.
 void Robot::Suffer() {
-  if (services_ != nullptr) services_->Suffer(faults_.effects().services);
+  std::ranges::copy(faults_.effects().services, service_effects_.begin());
+  for (std::size_t i = 0; i < service_effects_.size(); ++i) {
+    service_effects_[i].off |= !power_.answers(i, service_effects_.size());
+  }
+  if (services_ != nullptr) services_->Suffer(service_effects_);
   for (std::size_t i = 0; i < braked_.size(); ++i) {
     const robot::MotorEffects& now = faults_.effects().motors[i];
     if (now.jammed == braked_[i].jammed && now.drag == braked_[i].drag) continue;
@@ -321,7 +378,8 @@ void Robot::Suffer() {
 }
 
 robot::RemoteReading Robot::ReadRemote(double t) {
-  return faults_.effects().remote_off ? robot::RemoteReading{} : remote_.Read(t);
+  const bool deaf = faults_.effects().remote_off || !power_.computes();
+  return deaf ? robot::RemoteReading{} : remote_.Read(t);
 }
 
 void Robot::Silence(bool on) {
@@ -379,6 +437,10 @@ void Robot::NoteChanges(double t) {
     Note(EventKind::kTimeout, {}, topics_[topic]);
   }
   note(EventKind::kGate, &noted_.gate, router_.gate().state());
+  if (power_.state() != noted_.power) {
+    noted_.power = power_.state();
+    Note(EventKind::kPower, {}, Name(noted_.power));
+  }
   const robot::MotionState motion = owner.state();
   if (motion.id != noted_.motion.id || motion.mode != noted_.motion.mode ||
       motion.name != noted_.motion.name) {
@@ -386,12 +448,27 @@ void Robot::NoteChanges(double t) {
     Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)},
          motion.name);
   }
+  NoteDangers(motion.dangers);
   note(EventKind::kRemote, &noted_.keys, ReadRemote(t).keys);
   note(EventKind::kCrane, &noted_.on_crane, crane_.attached());
   note(EventKind::kClamp, &noted_.clamped, body_->clamped());
 }
 
+void Robot::NoteDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers) {
+  for (std::size_t i = 0; i < dangers.size(); ++i) {
+    const robot::DangerReading& now = dangers[i];
+    if (now.does == noted_.dangers[i]) continue;
+    const bool on = now.does != robot::Protection::kNothing;
+    Note(EventKind::kProtection,
+         {static_cast<double>(i), on ? 1.0 : 0.0, now.value,
+          static_cast<double>(on ? now.does : noted_.dangers[i])},
+         now.motor < 0 ? std::string_view() : motors_.joint(static_cast<std::size_t>(now.motor)));
+    noted_.dangers[i] = now.does;
+  }
+}
+
 void Robot::Report(double t, Status* status) const {
+  status->power = power_.state();
   status->silenced = silenced_;
   status->gate = router_.gate().state();
   CopyText(router_.owner().active(), &status->motion_service);
@@ -429,6 +506,12 @@ std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double d
 
 void Robot::Reset(robot::StartPose pose) {
   const Start& begin = start(pose);
+  battery_.Restart();
+  if (power_.state() != PowerState::kOn && battery_.cut_off() == robot::CutOff::kNone) {
+    power_.Skip();
+    Suffer();
+    router_.owner().Select(before_off_);
+  }
   router_.Restart(begin.command);
   delay_.Restart(router_.command());
   body_->Reset(begin.pose);
@@ -437,7 +520,6 @@ void Robot::Reset(robot::StartPose pose) {
   body_->Clamp(begin.clamped);
   encoders_.Step(body_->q(), body_->dq(), faults_.effects().encoders);
   damage_.Restart();
-  battery_.Restart();
   sampled_ = kNever;
 }
 
@@ -451,8 +533,9 @@ physics::Crane::Hooks Robot::hooks() const {
 
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
+  const std::int64_t since_ns = std::llround(power_.since() * 1e9);
   sensors_.Sample({*body_, encoders_, motors_, *command_, battery_, faults_.effects()},
-                  step * step_ns_ / 1'000'000, &state_);
+                  (step * step_ns_ - since_ns) / 1'000'000, &state_);
   state_.remote = ReadRemote(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();
 }

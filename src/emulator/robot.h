@@ -13,6 +13,7 @@
 #include "authority/command_router.h"
 #include "base/result.h"
 #include "emulator/events.h"
+#include "emulator/power.h"
 #include "emulator/remote.h"
 #include "emulator/settings.h"
 #include "emulator/status.h"
@@ -91,6 +92,10 @@ class Robot {
   Result<> SetFault(std::string_view component, std::string_view kind, const double* by,
                     const robot::FaultTimes& times, double t);
 
+  // Turns the power switch at t: off, the motors have no torque and nothing is sent, heard or
+  // answered; on, the robot boots (robot::BootSpec). An empty battery does not switch on.
+  Result<> SwitchPower(bool on, double t);
+
   // Stops or resumes publishing; the robot keeps moving.
   void Silence(bool on);
 
@@ -150,8 +155,10 @@ class Robot {
     bool clamped = false;
     std::array<std::uint64_t, robot::kMostCommandTopics> timeouts{};
     std::vector<MotorHeat> heat{};  // motor order
+    PowerState power = PowerState::kOn;
     robot::CutOff cut_off = robot::CutOff::kNone;
     bool low_battery = false;
+    std::array<robot::Protection, robot::kDangers> dangers{};
   };
 
   static std::vector<Start> StartsOf(const robot::RobotSpec& spec, double damping_kd);
@@ -160,14 +167,18 @@ class Robot {
   }
   physics::Crane::Hooks hooks() const;
   void StepFaults(double t);
+  void StepPower(double t);
+  void SwitchPowerOff();
   void Suffer();
   void OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                     double t);
   void NoteFault(const robot::Fault& fault, bool on);
   void NoteHeat();
   void NoteBattery();
+  void NoteDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers);
   robot::RemoteReading ReadRemote(double t);
   void TakeCommands(double t);
+  void Ignore();
   bool TakeCommand(std::size_t topic, double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   void Sample(std::int64_t step);  // samples the current instant of the physics
@@ -198,6 +209,9 @@ class Robot {
   robot::Encoders encoders_;
   robot::MotorBank motors_;
   robot::Battery battery_;
+  Power power_;
+  std::string_view before_off_;  // the motion service when it was switched off, as noted_.service
+  std::vector<robot::ServiceEffects> service_effects_;  // of faults, and of those not up yet
   robot::DamageSheet damage_;
   sensors::Sensors sensors_;
   physics::Crane crane_;

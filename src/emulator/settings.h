@@ -21,6 +21,7 @@ struct RobotSettings {
   authority::MotionConfig motion;
   physics::CraneConfig crane;
   robot::StartPose start = robot::StartPose::kLying;
+  bool boot = false;  // is switched on at the start, else has booted
 };
 
 }  // namespace understudy::emulator

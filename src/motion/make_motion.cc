@@ -3,6 +3,7 @@
 #include "base/errors.h"
 #include "motion/damping_motion.h"
 #include "motion/humanoid/motion.h"
+#include "motion/protection.h"
 #include "motion/quadruped/motion.h"
 
 namespace understudy::motion {
@@ -14,10 +15,9 @@ const robot::MotionState kQuadrupedDamped{.id = 1001, .name = "damping", .mode =
 const robot::MotionState kHumanoidDamped{.id = 1, .name = "damping"};
 const robot::MotionState kHumanoidLimp{.id = 0, .name = "zero torque"};
 
-}  // namespace
-
-std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
-                                              const physics::RobotBody& body, double damping_kd) {
+// The service itself.
+std::unique_ptr<authority::Motion> MakeBare(const robot::RobotSpec& spec,
+                                            const physics::RobotBody& body, double damping_kd) {
   try {
     if (spec.kind == robot::RobotKind::kHumanoid) return MakeHumanoidMotion(spec, body);
     if (robot::IsQuadruped(spec.kind)) return MakeQuadrupedMotion(spec, body);
@@ -27,6 +27,13 @@ std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
   const bool quadruped = robot::IsQuadruped(spec.kind);
   return std::make_unique<DampingMotion>(quadruped ? kQuadrupedDamped : kHumanoidDamped,
                                          quadruped ? kQuadrupedDamped : kHumanoidLimp, damping_kd);
+}
+
+}  // namespace
+
+std::unique_ptr<authority::Motion> MakeMotion(const robot::RobotSpec& spec,
+                                              const physics::RobotBody& body, double damping_kd) {
+  return std::make_unique<ProtectedMotion>(spec, body, MakeBare(spec, body, damping_kd));
 }
 
 }  // namespace understudy::motion

@@ -68,6 +68,10 @@ RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, con
   }
   imu_ = FindImu(spec_.imu.site, kImuGyroName, kImuAccelName);
   secondary_imu_ = FindImu(spec_.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
+  if (imu_.site >= 0) {
+    const mjtNum* base = data_->xmat + 9 * base_body_;
+    imu_up_ = Read(imu_).R_WI.conjugate() * Eigen::Vector3d(base[2], base[5], base[8]);
+  }
 }
 
 void RobotBody::Reset(const robot::PoseSpec& pose) {

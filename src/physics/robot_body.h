@@ -66,6 +66,8 @@ class RobotBody {
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
   double weight() const;  // N
+  // The base's up in the frame of LowState's inertial unit at joint angles 0.
+  const Eigen::Vector3d& imu_up() const { return imu_up_; }
   // Computes the power [W] that dry friction and damping take in each joint at its rate, in motor
   // order; none in a jammed one, which does not turn.
   void FrictionPower(std::span<double> power) const;
@@ -113,6 +115,7 @@ class RobotBody {
   int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
   int clamp_ = -1;                  // likewise
   ImuAddress imu_, secondary_imu_;
+  Eigen::Vector3d imu_up_{0, 0, 1};
   std::vector<double> q_, dq_;
   robot::BaseReading base_;
 };

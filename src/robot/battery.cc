@@ -9,6 +9,10 @@
 namespace understudy::robot {
 namespace {
 
+// W; more is of physics that diverge, and the pack is to be what it was after that. *Assumed*, far
+// beyond what any robot takes.
+constexpr double kMostPower = 1e6;
+
 // How much lower the end cells are: measured, on two Go2 (docs/sources.md#go2-captures); on other
 // robots *assumed*.
 constexpr std::array<double, 2> kEndCells = {0.003, 0.013};  // V
@@ -50,6 +54,7 @@ Battery::Battery(const BatterySpec& spec, double ambient_c, int seed)
 }
 
 void Battery::Step(double power, double dt, const BatteryEffects& fault) {
+  if (!(std::abs(power) < kMostPower)) power = 0;
   resistance_ = fault.resistance * spec_.internal_ohm;
   Load(cut_off_ == CutOff::kNone ? power : 0);
   bus_v_ += (reading_.voltage - bus_v_) * dt / (kLag + dt);

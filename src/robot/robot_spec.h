@@ -11,6 +11,8 @@
 
 #include <Eigen/Core>
 
+#include "robot/protection.h"
+
 namespace understudy::robot {
 
 // The IDL family of the vendor for rt/lowcmd and rt/lowstate.
@@ -221,6 +223,13 @@ struct BatterySpec {
   double time_constant = 1800;  // s, of that rise
 };
 
+// When what works after the power switch, s of simulated time. Defaults are *assumed*.
+struct BootSpec {
+  double states = 25;    // states are sent and commands heard
+  double services = 30;  // the first service answers, then one after the other
+  double motion = 45;    // all services answer, and the motion service starts
+};
+
 struct ThermalSpec {
   double ambient_c = 25;
   double rest_rise_c = 0;  // of an idle motor above ambient
@@ -266,7 +275,6 @@ struct QuadrupedMotionSpec {
   double stand_height = 0;                      // m, of the base over the ground
   bool stands_up = false;                       // by itself, when its service starts
   bool gestures_from_lock = false;              // and Sit and Pose: balances first
-  double least_soc = 0;                         // charge, 0 to 1, below which it refuses to move
   double foot_x = 0;                            // m, of the feet ahead of the hips
   std::array<double, 2> height_range = {0, 0};  // m about stand_height
   Eigen::Vector3d euler_range{0, 0, 0};         // rad either way: roll, pitch, yaw
@@ -281,6 +289,7 @@ struct QuadrupedMotionSpec {
 
 // The parameters of the motion service.
 struct MotionSpec {
+  ProtectionSpec protection;
   HumanoidMotionSpec humanoid;
   QuadrupedMotionSpec quadruped;
 };
@@ -323,6 +332,7 @@ struct RobotSpec {
   bool user_lowcmd = false;  // whether the motion service can hand the motors to rt/user_lowcmd
   RemoteSpec remote;
   BatterySpec battery;
+  BootSpec boot;
   ThermalSpec thermal;
   PoseSpec lying;  // on the ground, passive
   PoseSpec standing;

@@ -11,6 +11,8 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 
+#include "robot/protection.h"
+
 namespace understudy::robot {
 
 // The vendor's marks for "no position" and "no velocity" (docs/sources.md#motor-law). They omit
@@ -105,13 +107,14 @@ struct MotionState {
   // Whether the service estimates the following, as a quadruped's does; else they are 0. World
   // axes. The position starts at 0 with the service and drifts with every step of the robot.
   bool estimates = false;
-  Eigen::Vector3d v_WB_W{0, 0, 0};              // m/s, of the base
-  Eigen::Vector3d p_WB{0, 0, 0};                // m, likewise
-  int gait = 0;                                 // 1 trot, 2 run, 3 for stairs
-  double wanted_height = 0;                     // m, as body_height is to be
-  double foot_raise = 0;                        // m that its gait lifts a foot by
-  std::array<Eigen::Vector3d, 4> feet{};        // m, in the base, FR FL RR RL
-  std::array<Eigen::Vector3d, 4> feet_speed{};  // m/s, against the base and in it
+  Eigen::Vector3d v_WB_W{0, 0, 0};                // m/s, of the base
+  Eigen::Vector3d p_WB{0, 0, 0};                  // m, likewise
+  int gait = 0;                                   // 1 trot, 2 run, 3 for stairs
+  double wanted_height = 0;                       // m, as body_height is to be
+  double foot_raise = 0;                          // m that its gait lifts a foot by
+  std::array<Eigen::Vector3d, 4> feet{};          // m, in the base, FR FL RR RL
+  std::array<Eigen::Vector3d, 4> feet_speed{};    // m/s, against the base and in it
+  std::array<DangerReading, kDangers> dangers{};  // by Danger
 };
 
 // The state of the remote controller. Sticks -1..1: right, forward and clockwise are positive.

@@ -3,6 +3,7 @@
 #include <numeric>
 #include <string>
 
+#include "motion/protection.h"
 #include "robot/remote_keys.h"
 
 namespace understudy::server {
@@ -52,6 +53,17 @@ ordered_json HandsJson(const emulator::Status& status) {
                      {"refused", RefusedJson(hand.commands)}});
   }
   return hands;
+}
+
+// Those dangers against which the motion service does something now.
+ordered_json ProtectsJson(const robot::MotionState& state) {
+  ordered_json names = ordered_json::array();
+  for (std::size_t i = 0; i < state.dangers.size(); ++i) {
+    if (state.dangers[i].does != robot::Protection::kNothing) {
+      names.push_back(motion::Dangers()[i].name);
+    }
+  }
+  return names;
 }
 
 ordered_json HistogramJson(const time::Histogram& histogram) {
@@ -108,11 +120,13 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
        {{"requests", status.services.requests},
         {"refused", RefusedJson(status.services)},
         {"lost_replies", status.services.lost_replies}}},
+      {"power", emulator::Name(status.power)},
       {"motion",
        {{"service", status.motion_service.data()},
         {"state", status.motion.id},
         {"name", status.motion.name},
         {"mode", status.motion.mode},
+        {"protects", ProtectsJson(status.motion)},
         {"arm_weight", status.arm_weight}}},
       {"remote",
        {{"there", status.remote.there},

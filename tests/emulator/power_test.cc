@@ -77,10 +77,8 @@ TEST_F(PowerTest, ABatteryThatRunsLowIsToldOnceAndOneThatIsEmptyTakesTheTorque) 
     if (i % 50 == 0) port_.Send(Torque(5));
     Tick();
   }
-  EXPECT_EQ(state().battery.soc, 0);
-  EXPECT_FALSE(state().battery.on);
-  EXPECT_EQ(state().motors[0].tau, 0);
-  EXPECT_TRUE(state().motors[0].undervoltage);
+  EXPECT_LT(state().battery.soc, 1e-3);
+  EXPECT_EQ(robot().torque()[0], 0);
   ASSERT_EQ(Events(EventKind::kLowBattery).size(), 1U);
   const std::vector<Event> cut_off = Events(EventKind::kCutOff);
   ASSERT_EQ(cut_off.size(), 1U);
@@ -93,15 +91,103 @@ TEST_F(PowerTest, ABatteryThatHasCutOffIsOnAgainAfterAReset) {
   Start();
   port_.Send(Torque(20));
   Tick(100);
-  EXPECT_FALSE(state().battery.on);
-  EXPECT_EQ(state().battery.current, 0);
+  const std::size_t before = port_.samples().size();
+  Tick(10);
+  EXPECT_EQ(port_.samples().size(), before) << "it is dark";
   Ask("reset", {});
   Tick(2);
+  EXPECT_EQ(port_.samples().size(), before + 2);
   EXPECT_TRUE(state().battery.on);
   const std::vector<Event> told = Events(EventKind::kCutOff);
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].numbers[0], static_cast<double>(robot::CutOff::kOvercurrent));
   EXPECT_EQ(told[1].numbers[0], 0);
+}
+
+TEST_F(PowerTest, SwitchedOffItIsDarkAndLimpAndDeaf) {
+  Start();
+  port_.Send(Torque(5));
+  Tick(3);
+  EXPECT_NE(robot().torque()[0], 0);
+  const std::size_t before = port_.samples().size();
+  EXPECT_EQ(Answered("power", {{"on", false}}), "");
+  EXPECT_EQ(world_->status().power, PowerState::kOff);
+  port_.Send(Torque(5));
+  Tick(100);
+  EXPECT_TRUE(port_.idle()) << "what waits now must not be followed later";
+  EXPECT_EQ(robot().torque()[0], 0);
+  EXPECT_EQ(port_.samples().size(), before);
+  EXPECT_TRUE(services_.suffers().off);
+  EXPECT_EQ(world_->status().commands.accepted, 1U);
+  EXPECT_EQ(Told(EventKind::kPower), std::vector<std::string>{"power: off"});
+}
+
+TEST_F(PowerTest, SwitchedOnItComesUpStepByStep) {
+  config_.robot.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
+  Start();
+  Tick(50);
+  Ask("power", {{"on", false}});
+  Tick(50);
+  const std::size_t before = port_.samples().size();
+  Ask("power", {{"on", true}});
+  Tick(95);
+  EXPECT_EQ(port_.samples().size(), before);
+  EXPECT_EQ(world_->status().power, PowerState::kBooting);
+  Tick(10);
+  EXPECT_GT(port_.samples().size(), before);
+  EXPECT_NEAR(static_cast<double>(state().tick_ms), 104, 2) << "counts from the switch";
+  EXPECT_TRUE(services_.suffers().off);
+  Tick(100);
+  EXPECT_FALSE(services_.suffers().off);
+  Tick(100);
+  EXPECT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_EQ(Told(EventKind::kPower),
+            (std::vector<std::string>{"power: off", "power: booting", "power: on"}));
+  EXPECT_EQ(Answered("power", {{"on", true}}), "") << "it is on";
+  EXPECT_EQ(world_->status().power, PowerState::kOn);
+}
+
+TEST_F(PowerTest, TheMotionServiceStartsAtTheEndOfTheBootUnlessItWasToldNotTo) {
+  config_.robot.services = {{.name = "sport_mode", .alias = "normal"}};
+  config_.robot.boot = {.states = 0.01, .services = 0.02, .motion = 0.03};
+  Start();
+  const auto boot = [&] {
+    Ask("power", {{"on", false}});
+    Tick(5);
+    EXPECT_EQ(robot().owner().active(), "");
+    Ask("power", {{"on", true}});
+    Tick(25);
+    EXPECT_EQ(robot().owner().active(), "");
+    Tick(25);
+    return std::string(robot().owner().active());
+  };
+  EXPECT_EQ(boot(), "normal");
+  services_.Call([](authority::MotorOwner* owner) { owner->SetSilent(true); });
+  Tick();
+  EXPECT_EQ(boot(), "") << "motion_switcher's SetSilent";
+}
+
+TEST_F(PowerTest, ARunMayBeginAtTheSwitch) {
+  config_.robot.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
+  config_.start.boot = true;
+  Start();
+  Tick(90);
+  EXPECT_TRUE(port_.samples().empty());
+  EXPECT_EQ(world_->status().power, PowerState::kBooting);
+  Ask("reset", {});
+  Tick(3);
+  EXPECT_EQ(world_->status().power, PowerState::kOn) << "a reset has it booted";
+  EXPECT_FALSE(port_.samples().empty());
+}
+
+TEST_F(PowerTest, AnEmptyBatteryDoesNotSwitchOn) {
+  config_.robot.battery.start_soc = 1e-4;
+  config_.robot.battery.capacity_ah = 0.001;
+  Start();
+  Tick(200);
+  ASSERT_EQ(world_->status().power, PowerState::kOff);
+  EXPECT_EQ(Answered("power", {{"on", true}}), "the battery is empty");
+  EXPECT_EQ(world_->status().power, PowerState::kOff);
 }
 
 TEST_F(PowerTest, AWeakBatteryWeakensTheMotors) {

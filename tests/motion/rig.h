@@ -51,6 +51,7 @@ class MotionRig {
   double time() const { return world_->time(); }  // simulated s
   const physics::World& world() const { return world_->physics(); }
   emulator::Robot& robot() { return world_->robot(); }
+  const emulator::EventRing& events() const { return world_->events(); }
   const emulator::Robot& robot() const { return world_->robot(); }
   robot::MotionState state() const { return robot().owner().state(); }
   const robot::RobotCommand& command() const { return robot().command(); }

@@ -18,10 +18,6 @@ constexpr double kFoundTilt = 0.3;   // rad, at most, of a robot that stands
 constexpr double kFoundPose = 0.25;  // rad, at most, off its standing pose
 constexpr double kNoLoad = 0.1;      // of its weight: feet with less carry nothing
 
-// Tilt beyond which a robot has fallen; the vendor's client stops at the same angle (unitree_sdk2
-// terminations.hpp).
-constexpr double kFallenTilt = 1;  // rad
-
 }  // namespace
 
 HumanoidMotion::HumanoidMotion(const robot::RobotSpec& spec, const physics::RobotBody& body)
@@ -60,6 +56,11 @@ authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) 
       Overloaded{
           [&](goal_of::ZeroTorque) { return SetFsm(kZeroTorqueId); },
           [&](goal_of::Damp) { return SetFsm(kDampingId); },
+          [&](goal_of::Fall) {
+            if (!balanced()) return MotionVerdict::kNotNow;
+            Slacken(kDampingId);
+            return MotionVerdict::kTaken;
+          },
           [&](goal_of::StandUp) { return SetFsm(ids_.lock_stand); },
           [&](goal_of::RiseSit) { return SetFsm(ids_.lock_stand); },
           [&](goal_of::StandDown) { return SetFsm(ids_.squat); },
@@ -167,7 +168,6 @@ void HumanoidMotion::Step(const authority::MotionInput& input, double dt,
                           robot::RobotCommand* command) {
   senses_.Step(input, dt);
   const HumanoidReading& sensed = senses_.reading();
-  if (balanced() && sensed.body.attitude()(2, 2) < std::cos(kFallenTilt)) Slacken(kDampingId);
   command->joint_space = robot::JointSpace::kPitchRoll;
   now_->Step(sensed, dt, command);
   if (id_ == ids_.balanced_squat) {

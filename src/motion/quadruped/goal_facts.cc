@@ -39,18 +39,6 @@ struct Soundness {
 
 bool IsSound(const authority::MotionGoal& goal) { return std::visit(Soundness{}, goal); }
 
-bool NeedsCharge(const authority::MotionGoal& goal) {
-  return !std::holds_alternative<goal::Damp>(goal) &&
-         !std::holds_alternative<goal::StopMove>(goal) &&
-         !std::holds_alternative<goal::RecoveryStand>(goal) &&
-         !std::holds_alternative<goal::AutoRecovery>(goal) &&
-         !std::holds_alternative<goal::SpeedLevel>(goal) &&
-         !std::holds_alternative<goal::FootRaise>(goal) &&
-         !std::holds_alternative<goal::KeepStepping>(goal) &&
-         !std::holds_alternative<goal::LastingMoves>(goal) &&
-         !std::holds_alternative<goal::ResetEstimator>(goal);
-}
-
 bool IsGesture(const authority::MotionGoal& goal) {
   return std::holds_alternative<goal::Gesture>(goal) || std::holds_alternative<goal::Sit>(goal) ||
          std::holds_alternative<goal::Pose>(goal);

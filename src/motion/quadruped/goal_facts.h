@@ -12,9 +12,6 @@ namespace understudy::motion {
 // Whether its numbers are finite, its gait has a name and the times of its path ascend.
 bool IsSound(const authority::MotionGoal& goal);
 
-// Whether a robot that is low on charge refuses it: all but what makes it safe, and settings.
-bool NeedsCharge(const authority::MotionGoal& goal);
-
 // A gesture, Sit or Pose.
 bool IsGesture(const authority::MotionGoal& goal);
 

@@ -21,7 +21,6 @@ constexpr double kExtended = 0.6;        // of the standing height: higher is st
 constexpr double kCrouch = 0.25;         // feet under the hips, of the leg's length
 constexpr double kBalanceTime = 1.0;     // s to a balanced stand
 constexpr double kSitTime = 1.8;         // s
-constexpr double kFallenCosine = 0.36;   // 1.2 rad: no legal pose tilts as far
 constexpr double kSharpest = 0.25;       // rad/m, of the bends that wheels roll through
 constexpr double kStepsOn = 2.0;         // s it steps on where it could roll
 constexpr double kFallenRest = 1.0;      // s a fallen robot lies before it gets up by itself
@@ -54,7 +53,6 @@ QuadrupedMotion::QuadrupedMotion(const robot::RobotSpec& spec, const QuadrupedFi
 
 void QuadrupedMotion::Start(const authority::MotionInput& input) {
   reading_ = body_.Read(input);
-  soc_ = input.soc;
   estimator_.Begin(reading_);
   foot_raise_ = 0;
   Use(RowOf(DefaultGait(spec_)), 0);
@@ -81,7 +79,6 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
   const auto rows = QuadrupedTransitions();
   const bool known = std::ranges::count(rows, goal.index(), &QuadrupedTransition::wish) > 0;
   if (!known || !IsSound(goal)) return authority::MotionVerdict::kUnknown;
-  if (soc_ < figures_.least_soc && NeedsCharge(goal)) return authority::MotionVerdict::kNotNow;
   const auto holds = [this](QuadrupedWhen when) { return Holds(when); };
   const QuadrupedTransition* row = Find(rows, goal.index(), state_, holds);
   if (row == nullptr && kMovingStates.Has(state_)) {
@@ -107,6 +104,7 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
       stand_ = kStanding;
     }
     if (row->to) Enter(*row->to == kStanding ? stand_ : *row->to);
+    if (std::holds_alternative<goal::Fall>(goal)) fallen_ = true;
     Keep(goal);
   }
   return row->verdict;
@@ -129,10 +127,10 @@ void QuadrupedMotion::Enter(State state) {
   const Vector3d rolling = reading_.R_TB * (reading_.R_WB.transpose() * Rolling());
   const State from = std::exchange(state_, state);
   since_ = 0;
+  fallen_ = false;
   if (!kStands.Has(state) && !kMovingStates.Has(state)) asked_.End();
   switch (state) {
     case kDamped:
-      fallen_for_ = 0;
       stand_ = kStanding;
       then_.reset();
       now_ = nullptr;
@@ -332,12 +330,11 @@ robot::MotionState QuadrupedMotion::state() const {
 void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
                            robot::RobotCommand* command) {
   reading_ = body_.Read(input);
-  soc_ = input.soc;
   estimator_.Step(reading_, dt,
                   state_ == kWalking ? trot_.stands() : std::array<double, 4>{1, 1, 1, 1});
   since_ += dt;
   led_ += dt;
-  WatchForFalls(dt);
+  if (state_ == kDamped && fallen_ && auto_recovery_ && since_ > kFallenRest) Enter(kRecovering);
   if (state_ == kLying && since_ > kLyingRest) Enter(kDamped);
   Move(dt);
   if (now_ != nullptr) now_->Step(reading_, dt, &legs_);
@@ -353,17 +350,6 @@ void QuadrupedMotion::Step(const authority::MotionInput& input, double dt,
   const State next = RowOf(state_).next;
   if (next != state_ && now_->over()) Enter(next == kStanding ? stand_ : next);
   if (kStands.Has(state_) && then_) Ask(*std::exchange(then_, std::nullopt));
-}
-
-void QuadrupedMotion::WatchForFalls(double dt) {
-  const bool held = state_ != kDamped && state_ != kRecovering;
-  if (held && reading_.up.z() < kFallenCosine) {
-    Enter(kDamped);
-    fallen_for_ = dt;
-  } else if (state_ == kDamped && fallen_for_ > 0) {
-    fallen_for_ += dt;
-    if (auto_recovery_ && fallen_for_ > kFallenRest) Enter(kRecovering);
-  }
 }
 
 void QuadrupedMotion::Wheels(const authority::MotionInput& input, robot::RobotCommand* command) {

@@ -58,7 +58,6 @@ class QuadrupedMotion : public authority::Motion {
   bool Topples() const;
   void Move(double dt);  // begins to walk or drive, and ends what was not renewed
   // Of a step: falls and what comes of them; what the motors are told.
-  void WatchForFalls(double dt);
   void Wheels(const authority::MotionInput& input, robot::RobotCommand* command);
 
   PerLeg Under(double depth) const;  // feet that far below the hips [m], in the base
@@ -87,7 +86,6 @@ class QuadrupedMotion : public authority::Motion {
   double since_ = 0;                // s in this state
   Behaviour* now_ = nullptr;        // what leads the legs; none: they stay as they are, or brake
   bool auto_recovery_ = false;      // outlives Start, as the services' settings do
-  double soc_ = 1;                  // charge, as of the last reading
   const GaitRow* gait_ = nullptr;
   int level_ = 0;          // of speed
   double foot_raise_ = 0;  // m over the gait's
@@ -97,7 +95,7 @@ class QuadrupedMotion : public authority::Motion {
   double led_ = kLongAgo;  // s ago that a goal led the body of a stand elsewhere
   double rolls_for_ = 0;   // s since when wheels could do what is asked for, or it began to step
   std::optional<authority::MotionGoal> then_;  // what it stops walking for
-  double fallen_for_ = 0;  // s in kDamped because of a fall; 0 when damped by a goal
+  bool fallen_ = false;                        // damped because of a fall, not of a goal
   QuadrupedReading reading_;
   StancePose wanted_;  // by Euler and body height
   LegCommand legs_;    // as of the last step

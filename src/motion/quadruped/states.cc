@@ -42,8 +42,14 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       kDamped,    kFolding,     kRising,   kLocked,     kFoldingOn, kRisingOn,      kLowering,
       kUnfolding, kLying,       kStanding, kBalance,    kGesturing, kEndingGesture, kRisingSit,
       kSitting,   kSittingDown, kPosing,   kRecovering, kWalking,   kDriving};
+  // In which the legs carry the robot, or are about to.
+  static constexpr StateSet<QuadrupedState> kHeld{
+      kFolding,   kRising,  kLocked,      kFoldingOn, kRisingOn,  kLowering,
+      kUnfolding, kLying,   kStanding,    kBalance,   kGesturing, kEndingGesture,
+      kRisingSit, kSitting, kSittingDown, kPosing,    kWalking,   kDriving};
   static constexpr QuadrupedTransition kRows[] = {
       {kGoal<goal::Damp>, kAny, kAlways, kTaken, kDamped},
+      {kGoal<goal::Fall>, kHeld, kAlways, kTaken, kDamped},
       {kGoal<goal::AutoRecovery>, kAny, kAlways, kTaken},
       {kGoal<goal::SpeedLevel>, kAny, kAlways, kTaken},
       {kGoal<goal::FootRaise>, kAny, kAlways, kTaken},

@@ -81,11 +81,11 @@ TEST(QuadrupedSettingsTest, GesturesFromLock) {
   }
 }
 
-TEST(QuadrupedSettingsTest, LeastSoc) {
+TEST(QuadrupedSettingsTest, Charge) {
   QuadrupedRig rig("go2", {"robot.battery.start_soc=0.19"});
   rig.Start("standing");
-  rig.Run(0.5);
-  EXPECT_EQ(rig.spec().motion.quadruped.least_soc, 0.2) << "a Go2's";
+  rig.Run(1.5);
+  EXPECT_EQ(rig.spec().motion.protection.charge.limit, 0.2) << "a Go2's";
   for (const authority::MotionGoal& action :
        {authority::MotionGoal(goal::Move{0.3, 0, 0, 1}), authority::MotionGoal(goal::Gesture{}),
         authority::MotionGoal(goal::StandUp{}), authority::MotionGoal(goal::StandDown{}),

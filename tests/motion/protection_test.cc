@@ -1,0 +1,325 @@
+// What a motion service does by itself when something endangers the robot: each danger alone, then
+// in whole ticks.
+#include "motion/protection.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "emulator/event_table.h"
+#include "tests/motion/quadruped/rig.h"
+
+namespace understudy::motion {
+namespace {
+
+using authority::MotionGoal;
+using authority::MotionVerdict;
+using robot::Danger;
+using robot::Protection;
+
+constexpr double kStep = 0.01;  // s
+
+// Takes every goal, but a fall only where it stands.
+class FakeMotion final : public authority::Motion {
+ public:
+  void Start(const authority::MotionInput&) override {}
+  MotionVerdict Ask(const MotionGoal& goal) override {
+    asked.push_back(goal);
+    return std::holds_alternative<goal::Fall>(goal) && !stands ? MotionVerdict::kNotNow
+                                                               : MotionVerdict::kTaken;
+  }
+  void Step(const authority::MotionInput&, double, robot::RobotCommand*) override {}
+  robot::MotionState state() const override { return {}; }
+
+  std::vector<MotionGoal> asked;
+  bool stands = true;
+};
+
+class ProtectionTest : public ::testing::Test {
+ protected:
+  ProtectionTest() { Make(); }
+
+  // The protection of a Go2 with its rules as they are now.
+  void Make() {
+    auto bare = std::make_unique<FakeMotion>();
+    bare_ = bare.get();
+    motion_ = std::make_unique<ProtectedMotion>(config_.robot, world_.robot(), std::move(bare));
+    readings_ = std::vector<robot::MotorReading>(config_.robot.motors.size());
+    for (std::size_t i = 0; i < readings_.size(); ++i) {
+      readings_[i] = {.q = config_.robot.standing.q[i], .casing_c = 40, .winding_c = 50};
+    }
+    input_ = {};
+    input_.motors = readings_;
+    motion_->Start(input_);
+  }
+
+  robot::ProtectionRule& rule(Danger danger) {
+    return config_.robot.motion.protection.*Dangers()[static_cast<std::size_t>(danger)].rule;
+  }
+
+  // Brings about a danger of the Go2, and takes it away.
+  void Endanger(Danger danger, bool on = true) {
+    switch (danger) {
+      case Danger::kTilt:
+        input_.imu.R_WI = Eigen::AngleAxisd(on ? 1.3 : 1.1, Eigen::Vector3d::UnitX());
+        return;
+      case Danger::kOverspeed:
+        readings_[4].dq = (on ? -1.6 : 1.4) * config_.robot.motors[4].no_load_speed;
+        return;
+      case Danger::kJointEnd:
+        readings_[4].q = world_.robot().ranges()[4][1] + (on ? 0.11 : 0.09);
+        return;
+      case Danger::kHeat:
+        readings_[4].winding_c = on ? 111 : 109;
+        return;
+      case Danger::kCharge:
+        input_.soc = on ? 0.19 : 0.21;
+        return;
+      case Danger::kMotor:
+        readings_[4].silent = on;
+        return;
+      case Danger::kRemote:
+        input_.remote = {.there = true, .ly = 1};
+        Step(kStep);
+        input_.remote = {.there = !on};
+        return;
+    }
+  }
+
+  void Step(double seconds) {
+    robot::RobotCommand command;
+    for (double t = 0; t < seconds - 1e-9; t += kStep) motion_->Step(input_, kStep, &command);
+  }
+
+  Protection does(Danger danger) const {
+    return motion_->state().dangers[static_cast<std::size_t>(danger)].does;
+  }
+
+  config::Config config_ = ConfigOf("go2");
+  physics::World world_ = PhysicsOf(config_);
+  std::unique_ptr<ProtectedMotion> motion_;
+  FakeMotion* bare_ = nullptr;
+  std::vector<robot::MotorReading> readings_;
+  authority::MotionInput input_;
+};
+
+constexpr Danger kAll[] = {Danger::kTilt,   Danger::kOverspeed, Danger::kJointEnd, Danger::kHeat,
+                           Danger::kCharge, Danger::kMotor,     Danger::kRemote};
+static_assert(std::size(kAll) == robot::kDangers);
+
+TEST_F(ProtectionTest, NothingIsDoneWhileAllIsWithinItsLimits) {
+  for (const Danger danger : kAll) Endanger(danger, false);
+  Step(5);
+  EXPECT_TRUE(bare_->asked.empty());
+  for (const Danger danger : kAll) EXPECT_EQ(does(danger), Protection::kNothing);
+}
+
+TEST_F(ProtectionTest, EachDangerBeyondItsLimitForItsTimeDoesOnceWhatItsRuleSays) {
+  const std::map<Protection, std::size_t> goals = {
+      {Protection::kStop, authority::kGoal<goal::StopMove>},
+      {Protection::kLieDown, authority::kGoal<goal::StandDown>},
+      {Protection::kDamp, authority::kGoal<goal::Damp>}};
+  for (const Danger danger : kAll) {
+    SCOPED_TRACE(Dangers()[static_cast<std::size_t>(danger)].name);
+    for (const auto& [what, goal] : goals) {
+      rule(danger).does = what;
+      rule(danger).time = 0.3;
+      Make();
+      Endanger(danger);
+      Step(0.29);
+      EXPECT_TRUE(bare_->asked.empty());
+      Step(1);
+      ASSERT_EQ(bare_->asked.size(), 1U);
+      const bool fall = danger == Danger::kTilt && what == Protection::kDamp;
+      EXPECT_EQ(bare_->asked[0].index(), fall ? authority::kGoal<goal::Fall> : goal);
+      EXPECT_EQ(does(danger), what);
+      Endanger(danger, false);
+      Step(0.45);
+      EXPECT_EQ(does(danger), what) << "for a moment may be chance";
+      Step(0.2);
+      EXPECT_EQ(does(danger), Protection::kNothing);
+      EXPECT_EQ(bare_->asked.size(), 1U);
+    }
+  }
+}
+
+TEST_F(ProtectionTest, AWarningOnlyTellsAndNothingIsNotEvenTold) {
+  for (const Danger danger : kAll) {
+    rule(danger).does = Protection::kWarn;
+    Make();
+    Endanger(danger);
+    Step(2);
+    EXPECT_EQ(does(danger), Protection::kWarn);
+    EXPECT_EQ(motion_->Ask(goal::StandUp{}), MotionVerdict::kTaken);
+    EXPECT_EQ(bare_->asked.size(), 1U);
+    rule(danger).does = Protection::kNothing;
+    Make();
+    Endanger(danger);
+    Step(2);
+    EXPECT_EQ(does(danger), Protection::kNothing);
+  }
+}
+
+TEST_F(ProtectionTest, TellsWhichMotorAndHowMuch) {
+  Endanger(Danger::kHeat);
+  readings_[2].winding_c = 110.5;
+  Step(2);
+  const robot::DangerReading heat =
+      motion_->state().dangers[static_cast<std::size_t>(Danger::kHeat)];
+  EXPECT_EQ(heat.motor, 4);
+  EXPECT_EQ(heat.value, 111);
+}
+
+TEST_F(ProtectionTest, WhileAMotorIsHotOrSilentOnlyWhatRestsItIsTaken) {
+  for (const Danger danger : {Danger::kHeat, Danger::kMotor}) {
+    Make();
+    Endanger(danger);
+    Step(2);
+    for (const MotionGoal& goal :
+         {MotionGoal(goal::StandUp{}), MotionGoal(goal::Move{1, 0, 0, 1}),
+          MotionGoal(goal::BalanceStand{}), MotionGoal(goal::RecoveryStand{}),
+          MotionGoal(goal::SetFsm{500})}) {
+      EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kNotNow);
+    }
+    for (const MotionGoal& goal : {MotionGoal(goal::Damp{}), MotionGoal(goal::StandDown{}),
+                                   MotionGoal(goal::StopMove{}), MotionGoal(goal::ZeroTorque{}),
+                                   MotionGoal(goal::SpeedLevel{1}), MotionGoal(goal::SetFsm{1})}) {
+      EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kTaken);
+    }
+    Endanger(danger, false);
+    Step(1);
+    EXPECT_EQ(motion_->Ask(goal::StandUp{}), MotionVerdict::kTaken);
+  }
+}
+
+TEST_F(ProtectionTest, AFallIsNoticedOnlyWhereTheServiceTakesItForOne) {
+  bare_->stands = false;
+  Endanger(Danger::kTilt);
+  Step(1);
+  EXPECT_EQ(does(Danger::kTilt), Protection::kNothing);
+  bare_->stands = true;
+  Step(kStep);
+  EXPECT_EQ(does(Danger::kTilt), Protection::kDamp);
+}
+
+TEST_F(ProtectionTest, ARemoteThatWasNotSteeringMayGo) {
+  input_.remote = {.there = true, .keys = 1};
+  Step(1);
+  input_.remote = {};
+  Step(1);
+  EXPECT_TRUE(bare_->asked.empty());
+}
+
+TEST_F(ProtectionTest, AStartOfTheServiceForgetsWhatWas) {
+  Endanger(Danger::kHeat);
+  Step(2);
+  motion_->Start(input_);
+  EXPECT_EQ(does(Danger::kHeat), Protection::kNothing);
+}
+
+TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
+  for (const std::string robot : {"go2", "b2", "a2", "g1", "h1", "h1_2", "r1", "h2"}) {
+    const config::Config config = ConfigOf(robot);
+    physics::World world = PhysicsOf(config);
+    const Eigen::Vector3d up = world.robot().Imu().R_WI * world.robot().imu_up();
+    EXPECT_NEAR(std::acos(std::min(up.z(), 1.0)), world.robot().tilt(), 0.02) << robot;
+  }
+}
+
+// Whole ticks.
+
+std::vector<std::string> Told(MotionRig& rig) {
+  std::vector<std::string> told;
+  emulator::EventRing::Reader reader(&rig.events());
+  for (emulator::Event event; reader.Next(&event);) {
+    if (event.kind == emulator::EventKind::kProtection) {
+      told.push_back(emulator::ToldEvent{.event = event}.text());
+    }
+  }
+  return told;
+}
+
+void Fault(MotionRig* rig, const std::string& component, const std::string& fault, double by = -1) {
+  nlohmann::json values = {{"component", component}, {"fault", fault}};
+  if (by >= 0) values["by"] = by;
+  rig->Request("fault", values);
+}
+
+TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  Fault(&rig, "FR_calf_joint", "hot", 85);
+  rig.Run(1.5);
+  EXPECT_EQ(rig.state().name, "lying down");
+  rig.Run(5);
+  EXPECT_LT(rig.height(), 0.15);
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kNotNow);
+  const std::vector<std::string> told = Told(rig);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
+  EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
+  Fault(&rig, "all", "none");
+  rig.Run(1);
+  EXPECT_EQ(Told(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
+}
+
+TEST(ProtectedRobotTest, DampsWhenAMotorFallsSilentOrAnEncoderFails) {
+  for (const auto& [component, fault] :
+       {std::pair{"FL_thigh_joint", "off"}, std::pair{"FL_thigh_joint.encoder", "off"}}) {
+    QuadrupedRig rig("go2");
+    rig.Start("standing");
+    rig.Run(1);
+    Fault(&rig, component, fault);
+    rig.Run(0.15);
+    EXPECT_NE(rig.state().id, 1001);
+    rig.Run(0.15);
+    EXPECT_EQ(rig.state().id, 1001);
+    EXPECT_EQ(Told(rig).size(), 1U);
+  }
+}
+
+TEST(ProtectedRobotTest, StopsWhenTheRemoteThatSteersItIsGone) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  rig.Request("remote.sticks", {{"ly", 0.5}, {"for", 60}});
+  rig.Run(2);
+  EXPECT_EQ(rig.state().name, "walking");
+  Fault(&rig, "remote", "off");
+  rig.Run(3);
+  EXPECT_EQ(rig.state().name, "standing");
+  ASSERT_EQ(Told(rig).size(), 1U);
+  EXPECT_EQ(Told(rig)[0], "protection: remote; the robot stops");
+}
+
+TEST(PoweredRobotTest, AGo2LiesLimpUntilItHasBootedAndStandsUpByItself) {
+  QuadrupedRig rig("go2", {"robot.boot={states: 1, services: 1.2, motion: 2}", "start.boot=true"});
+  rig.Run(1.5);
+  EXPECT_EQ(rig.state().id, 0) << "no motion service";
+  EXPECT_LT(rig.height(), 0.15);
+  EXPECT_EQ(*std::ranges::max_element(rig.robot().torque()), 0);
+  rig.Run(6);
+  EXPECT_EQ(rig.state().name, "standing");
+  EXPECT_GT(rig.height(), 0.28);
+}
+
+TEST(ProtectedRobotTest, AHumanoidIsOnlyWarnedOfAHotWrist) {
+  MotionRig rig(ConfigOf("g1"));
+  rig.Start("hanging");
+  rig.Run(1);
+  const robot::MotionState before = rig.state();
+  Fault(&rig, "left_wrist_yaw_joint", "hot", 90);
+  rig.Run(2);
+  EXPECT_EQ(rig.state().id, before.id);
+  EXPECT_EQ(Told(rig).size(), 1U);
+}
+
+}  // namespace
+}  // namespace understudy::motion
