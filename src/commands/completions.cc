@@ -15,6 +15,7 @@
 #include "commands/command_path.h"
 #include "commands/commands.h"
 #include "config/data_dir.h"
+#include "config/profile.h"
 #include "config/reference.h"
 #include "config/robot_file.h"
 #include "emulator/request.h"
@@ -165,6 +166,7 @@ constexpr ValueRow kValues[] = {
      [](const Typed&) {
        return Words{"go", "hg"};
      }},
+    {"--profile", [](const Typed&) { return config::ProfileNames(config::DataDir()); }},
     {"--dynamics",
      [](const Typed&) {
        return Words{"catalogue", "fitted"};

@@ -262,6 +262,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
   AddJudgeOptions(rehearse, arguments.get());
   AddShortOption(rehearse, arguments.get(), "--seed", "randomization.seed", "N",
                  "Seed of randomization, in place of the scenario's");
+  AddProfileOption(rehearse, arguments.get());
   rehearse
       ->add_option_function<std::vector<std::string>>(
           "--set",

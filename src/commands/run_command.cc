@@ -70,6 +70,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
                  "Joint friction, damping and armature: catalogue, as in the model's file, or "
                  "fitted to real robots [the better evidence; with --model catalogue]");
+  AddProfileOption(app, arguments);
   AddShortOption(app, arguments, "--speed", "time.speed", "X",
                  "Simulated seconds per wall second; max = as fast as possible [1]")
       ->transform(CLI::Validator(

@@ -15,6 +15,11 @@ CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::s
       ->type_name(type);
 }
 
+void AddProfileOption(CLI::App* app, SetArguments* arguments) {
+  AddShortOption(app, arguments, "--profile", "profile", "NAME",
+                 "How good the sensors are: ideal, nominal, worn or harsh [nominal]");
+}
+
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example) {
   app->add_option("--config", arguments->config_files, config_help + "; may be repeated")

@@ -14,12 +14,15 @@ struct SetArguments {
   std::vector<std::string> sets;  // "key=value"; short options come before --set
 };
 
-// For both functions: parsing fills `arguments`, which must outlive `app`.
+// For all functions: parsing fills `arguments`, which must outlive `app`.
 
 // Adds an option that is short for a --set of `key`. An explicit --set of that key overrides it.
 CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::string& option,
                             const std::string& key, const std::string& type,
                             const std::string& help);
+
+// Adds --profile.
+void AddProfileOption(CLI::App* app, SetArguments* arguments);
 
 // Adds --config FILE and --set KEY=VALUE, with an example of the latter.
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,

@@ -10,7 +10,7 @@
 #include "physics/crane.h"
 #include "robot/randomization.h"
 #include "robot/robot_spec.h"
-#include "sensors/sensors.h"
+#include "sensors/sensor_config.h"
 #include "terrain/terrain.h"
 
 namespace understudy::config {
@@ -57,6 +57,7 @@ struct StartConfig {
 };
 
 struct Config {
+  std::string profile;  // of the sensors: a name in config/profiles
   NetworkConfig network;
   GuardConfig guard;
   ControlConfig control;

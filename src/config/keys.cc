@@ -50,12 +50,6 @@ void DescribePhysics(Archive& a, PhysicsConfig& c) {
            {"stop", "reset"});
 }
 
-void DescribeSensors(Archive& a, sensors::SensorConfig& c) {
-  a.Key(UNDERSTUDY_NVP(c.quantise), {"Round readings to the lattices of the real sensors"});
-  a.Key(UNDERSTUDY_NVP(c.noise), {"Add the noise of the real sensors"});
-  a.Key(UNDERSTUDY_NVP(c.seed), {"", {0, kMaxInt}, "Seed of that noise"});
-}
-
 void DescribeGate(Archive& a, authority::GateConfig& c) {
   a.Choice(Named{"mode", &c.lenient},
            {"Whether a command that is wrong in form (crc, head, mode_machine, mode_pr, "
@@ -111,13 +105,20 @@ const std::vector<std::string>& StartPoses() {
 }
 
 void Describe(Archive& a, Config& c) {
+  a.Key(UNDERSTUDY_NVP(c.profile),
+        {"How good the sensors are: a name in config/profiles, whose values of `sensors` lie below "
+         "all that --config and --set say; \"\" is nominal"});
   DescribeScene(a, c);
   a.Section(UNDERSTUDY_NVP(c.network), {"Where to speak"}, DescribeNetwork);
   a.Section(UNDERSTUDY_NVP(c.guard), {"Protection of other robots on the network"}, DescribeGuard);
   a.Section(UNDERSTUDY_NVP(c.control), {"The panel's address"}, DescribeControl);
   a.Section(UNDERSTUDY_NVP(c.time), {"How time passes"}, DescribeTime);
   a.Section(UNDERSTUDY_NVP(c.physics), {"How physics is computed"}, DescribePhysics);
-  a.Section(UNDERSTUDY_NVP(c.sensors), {"Quantisation and noise of the sensors"}, DescribeSensors);
+  a.Section(
+      UNDERSTUDY_NVP(c.sensors),
+      {"How sensors err (docs/sensors.md); the values of `profile` come before others but those "
+       "of the robot's file"},
+      DescribeSensors);
   a.Section(UNDERSTUDY_NVP(c.gate), {"Which commands the motors follow"}, DescribeGate, "mode");
   a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's motion service"}, DescribeMotion, "service");
   a.Section(UNDERSTUDY_NVP(c.crane), {"The tether a robot hangs from"}, DescribeCrane);

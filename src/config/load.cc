@@ -12,6 +12,7 @@
 #include "base/nearest_word.h"
 #include "config/keys.h"
 #include "config/printer.h"
+#include "config/profile.h"
 #include "config/reader.h"
 #include "config/robot_file.h"
 #include "config/validate.h"
@@ -227,11 +228,14 @@ Config LoadConfig(const RobotFile& file, const Layers& layers,
   AddTrees(layers, &trees);
   std::vector<YamlValue> chosen = ChosenRevision(file, trees, data_dir);
   std::ranges::move(ChosenFirmware(file, trees), std::back_inserter(chosen));
-  const std::size_t own = file.trees.size() + chosen.size();
+  std::size_t own = file.trees.size() + chosen.size();
   trees.insert(trees.begin() + static_cast<std::ptrdiff_t>(file.trees.size()), chosen.begin(),
                chosen.end());
+  const std::string profile = AddProfile(data_dir, own, &trees);
+  if (!profile.empty()) ++own;
   Places places;
   Config config = ReadLayers(trees, &places);
+  config.profile = profile;
   if (LeavesJointsToAnotherModel(trees, own)) {
     config.robot.dynamics.use = robot::DynamicsSource::kCatalogue;
   }

@@ -24,7 +24,8 @@ struct Layers {
 
 // Returns the effective, validated configuration. Layers are read in order, later ones override.
 // First comes `scene` if it is a YAML file; the result then has the scene that this file names, or
-// "row". Then come the robot's file, its revision, --config, parsed trees and --set. The robot's
+// "row". Then come the robot's file, its revision, the profile (config/profile.h), --config, parsed
+// trees and --set. The robot's
 // file has a `robot` section and may have run defaults; it may extend another and have revisions
 // (config/robot_file.h). The last `robot.revision` of all layers selects the revision; the others
 // are not validated (`understudy check` does that). A relative `robot.model` beside the YAML file

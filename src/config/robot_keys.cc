@@ -56,6 +56,10 @@ void DescribeDrive(Archive& a, robot::MotorSpec& m) {
         {"rad/s", kNotNegative, "Lattice of the reported rate; 0 is none"});
   a.Key(UNDERSTUDY_NVP(m.tau_step),
         {"N·m", kNotNegative, "Lattice of the reported torque; 0 is none"});
+  a.Key(UNDERSTUDY_NVP(m.zero_error),
+        {"rad",
+         {-3.2, 3.2},
+         "What its encoder reads more than there is, beside what sensors.encoder.zero draws"});
   a.Key(UNDERSTUDY_NVP(m.armature),
         {"kg·m²", kNotNegative,
          "Rotor inertia at the joint, over any other; 0 keeps that of dynamics and model"});

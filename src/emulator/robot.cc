@@ -70,13 +70,13 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       faults_(spec_, Links(topics_, *port_),
               services_ == nullptr ? std::vector<std::string>() : services_->names(),
               parts.settings.sensors.seed),
-      encoders_(faults_.effects().encoders.size(), parts.settings.sensors.seed),
+      encoders_(sensors::EncoderZeros(parts.settings.sensors, spec_), parts.settings.sensors.seed),
       motors_(spec_, physics_->timestep()),
       battery_(spec_.battery, spec_.thermal.ambient_c, parts.settings.sensors.seed),
       power_(spec_.boot),
       service_effects_(faults_.effects().services),
       damage_(spec_, body_->ranges()),
-      sensors_(parts.settings.sensors, spec_),
+      sensors_(parts.settings.sensors, spec_, physics_->timestep()),
       crane_(parts.settings.crane),
       crane_body_(body_->Body(spec_.crane_body)),
       crane_point_(spec_.crane_point),
@@ -184,6 +184,7 @@ void Robot::Tell(std::int64_t step) {
   if (services_ != nullptr && !silenced_) {
     services_->Tell(router_.owner(), static_cast<double>(step * step_ns_) * 1e-9);
   }
+  sensors_.Step(instant());
   if (!port_->Due(step)) return;
   Sample(step);
   const std::span<const robot::LinkEffects> links = faults_.effects().links;
@@ -519,6 +520,7 @@ void Robot::Reset(robot::StartPose pose) {
   if (begin.on_crane) AttachCrane();
   body_->Clamp(begin.clamped);
   encoders_.Step(body_->q(), body_->dq(), faults_.effects().encoders);
+  sensors_.Restart(instant());
   damage_.Restart();
   sampled_ = kNever;
 }
@@ -534,8 +536,7 @@ physics::Crane::Hooks Robot::hooks() const {
 void Robot::Sample(std::int64_t step) {
   sampled_ = step;
   const std::int64_t since_ns = std::llround(power_.since() * 1e9);
-  sensors_.Sample({*body_, encoders_, motors_, *command_, battery_, faults_.effects()},
-                  (step * step_ns_ - since_ns) / 1'000'000, &state_);
+  sensors_.Sample(instant(), (step * step_ns_ - since_ns) / 1'000'000, &state_);
   state_.remote = ReadRemote(static_cast<double>(step * step_ns_) * 1e-9);
   state_.motion = router_.motion();
 }

@@ -181,6 +181,9 @@ class Robot {
   void Ignore();
   bool TakeCommand(std::size_t topic, double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
+  sensors::Instant instant() const {
+    return {*body_, encoders_, motors_, *command_, battery_, faults_.effects()};
+  }
   void Sample(std::int64_t step);  // samples the current instant of the physics
   void Note(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {
     events_->Add(kind, index_, numbers, text);

@@ -5,7 +5,7 @@
 #include "authority/motion_config.h"
 #include "physics/crane.h"
 #include "robot/start_pose.h"
-#include "sensors/sensors.h"
+#include "sensors/sensor_config.h"
 
 namespace understudy::emulator {
 

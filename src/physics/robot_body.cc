@@ -195,6 +195,8 @@ double RobotBody::weight() const {
   return model_->body_subtreemass[base_body_] * mju_norm3(model_->opt.gravity);
 }
 
+Eigen::Vector3d RobotBody::gravity() const { return Vector(model_->opt.gravity); }
+
 RobotBody::ImuAddress RobotBody::FindImu(const std::string& site, const char* gyro,
                                          const char* accel) const {
   if (site.empty()) return {};

@@ -58,6 +58,8 @@ class RobotBody {
   std::span<const double> q() const { return q_; }
   std::span<const double> dq() const { return dq_; }
   const robot::BaseReading& base() const { return base_; }
+  // The acceleration of gravity [m/s²] in the world.
+  Eigen::Vector3d gravity() const;
   double tilt() const;  // rad between the base's up and the world's
   robot::ImuReading Imu() const { return Read(imu_); }
   // Returns default values if there is none.

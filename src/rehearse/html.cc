@@ -276,7 +276,7 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
   row("Robot", occasion.robot);
   row("Judged by", std::string("understudy ") + kVersion);
   for (const char* key :
-       {"revision", "version", "mujoco", "started", "speed", "timestep_ns", "seed"}) {
+       {"revision", "profile", "version", "mujoco", "started", "speed", "timestep_ns", "seed"}) {
     const auto value = judged.about.find(key);
     if (value != judged.about.end()) row(key, value->second);
   }

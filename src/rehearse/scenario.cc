@@ -29,6 +29,8 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"robot", "a robot's name or YAML file", "Needed"},
     {"start", "lying, standing, hanging, clamped", "Start pose; the robot's default unless given"},
     {"seed", "a whole number", "Of randomization: randomization.seed"},
+    {"profile", "ideal, nominal, worn, harsh",
+     "How good the [sensors](sensors.md) are; nominal unless given"},
     {"scene", "a kind of terrain or a file",
      "Ground; a file is looked for beside the scenario first"},
     {"speed", "a number, or max",
@@ -141,6 +143,7 @@ config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& 
     if (value != nullptr) layers.trees.push_back(TreeOf(outer, inner, *value));
   };
   add("start", "start", "pose");
+  add("profile", "profile", "");
   add("seed", "randomization", "seed");
   add("duration", "time", "duration");
   if (const YamlValue* scene = document.Find("scene")) {

@@ -39,7 +39,7 @@ struct Axis {
 };
 
 // The keys of a scenario that may vary, beside those of its `settings`.
-inline constexpr std::string_view kVariedKeys[] = {"robot", "start", "seed",
+inline constexpr std::string_view kVariedKeys[] = {"robot", "start", "profile", "seed",
                                                    "scene", "speed", "duration"};
 
 // The runs of a campaign, numbered from 1: each combination of the grid and of the rows of the list

@@ -1,11 +1,15 @@
 #include "robot/encoders.h"
 
 #include <numbers>
+#include <utility>
 
 namespace understudy::robot {
 
-Encoders::Encoders(std::size_t count, int seed)
-    : q_(count), dq_(count), random_(static_cast<std::uint64_t>(seed) + 0xE2C0DE) {}
+Encoders::Encoders(std::vector<double> zeros, int seed)
+    : zeros_(std::move(zeros)),
+      q_(zeros_.size()),
+      dq_(zeros_.size()),
+      random_(static_cast<std::uint64_t>(seed) + 0xE2C0DE) {}
 
 void Encoders::Step(std::span<const double> q, std::span<const double> dq,
                     std::span<const EncoderEffects> faults) {
@@ -17,7 +21,7 @@ void Encoders::Step(std::span<const double> q, std::span<const double> dq,
       dq_[i] = 0;
       continue;
     }
-    q_[i] = fault.dead ? 0 : q[i] + fault.offset;
+    q_[i] = fault.dead ? 0 : q[i] + zeros_[i] + fault.offset;
     dq_[i] = fault.dead ? 0 : dq[i];
     // The sum of three of them has the standard deviation 1.
     if (fault.noise > 0) q_[i] += fault.noise * (uniform() + uniform() + uniform());

@@ -1,4 +1,4 @@
-// What the encoders of a robot's motors read, faults included.
+// What the encoders of a robot's motors read, errors of their zeros and faults included.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@ namespace understudy::robot {
 // The joint angles and rates that drives and messages live on. Allocates only in the constructor.
 class Encoders {
  public:
-  // Equal seeds give equal noise.
-  Encoders(std::size_t count, int seed);
+  // `zeros` [rad] is what each reads where there is no angle, in motor order. Equal seeds give
+  // equal noise.
+  Encoders(std::vector<double> zeros, int seed);
 
   // Reads the joints at angles q [rad] and rates dq [rad/s], in motor order like `faults`.
   void Step(std::span<const double> q, std::span<const double> dq,
@@ -25,7 +26,7 @@ class Encoders {
   std::span<const double> dq() const { return dq_; }
 
  private:
-  std::vector<double> q_, dq_;
+  std::vector<double> zeros_, q_, dq_;
   std::mt19937_64 random_;
 };
 

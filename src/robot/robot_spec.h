@@ -57,6 +57,7 @@ struct MotorSpec {
   double tau_step = 0;       // N·m
   double hold_kp = 0;        // N·m/rad, gains that hold a start pose
   double hold_kd = 0;        // N·m·s/rad
+  double zero_error = 0;     // rad that its encoder reads too much
   double armature = 0;       // kg·m², in place of the model's; 0 = the model's
   double strength = 1;       // actual over intended torque, also of the limit
   double kp_scale = 1;       // effective over commanded kp

@@ -132,9 +132,10 @@ struct RobotState {
   JointSpace joint_space = JointSpace::kPitchRoll;
   ImuReading imu;                  // of LowState
   ImuReading secondary_imu;        // if the robot has one
-  std::vector<double> foot_force;  // N, normal to the contact, in RobotSpec::feet order
+  std::vector<double> foot_force;  // N, as read, in RobotSpec::feet order
   BatteryReading battery;
   BaseReading base;
+  BaseReading odometry;  // what the robot's own programs take that for, where no service estimates
   RemoteReading remote;
   std::optional<MotionState> motion;  // nullopt while no motion service is on
 };

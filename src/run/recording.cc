@@ -60,6 +60,7 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
   record::RecordingHead head;
   head.about = {{"robot", config.robot.name},
                 {"revision", config.robot.revision},
+                {"profile", config.profile},
                 {"family", config.robot.family == robot::WireFamily::kGo ? "go" : "hg"},
                 {"motors", motors},
                 {"slots", slots},

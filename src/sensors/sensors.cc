@@ -2,28 +2,65 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include <Eigen/Geometry>
+#include <string>
 
 namespace understudy::sensors {
 namespace {
 
-// m/s² of accelerations per rad/s of rates, of a noisy unit. *assumed*
-constexpr double kAccelNoise = 10;
-
-constexpr double kPieceMean = 65535.0 / 2;  // of a random integer 0..65535
-// Deviation of the sum of four of them: sqrt(4 (65536² - 1) / 12) = 65536 / sqrt(3).
-constexpr double kSumDeviation = 37837.22;
+std::vector<std::string> JointsOf(const robot::RobotSpec& spec) {
+  std::vector<std::string> names;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) names.push_back(motor->joint);
+  return names;
+}
 
 }  // namespace
 
-Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec)
+std::vector<double> EncoderZeros(const SensorConfig& config, const robot::RobotSpec& spec) {
+  std::vector<double> zeros;
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    zeros.push_back(motor->zero_error +
+                    Drawn(config.seed, "encoder.zero", motor->joint, config.encoder.zero));
+  }
+  return zeros;
+}
+
+Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec, double dt)
     : config_(config),
       spec_(spec),
       motors_(robot::AllMotors(spec)),
       foot_force_(spec.feet.size()),
-      body_(static_cast<std::uint64_t>(config.seed)),
-      hands_(~static_cast<std::uint64_t>(config.seed)) {}  // no robot's body has that seed
+      imu_(config, spec.imu, "imu", kImuStream, dt),
+      secondary_imu_(config, spec.imu, "secondary_imu", kSecondaryImuStream, dt),
+      odometer_(config, dt),
+      feet_(config, spec.feet, dt),
+      windings_(config, JointsOf(spec), dt),
+      casings_(config, JointsOf(spec), dt),
+      body_(config.seed, kBodyStream),
+      hands_(config.seed, kHandsStream) {}
+
+void Sensors::Restart(const Instant& instant) {
+  imu_.Restart(instant.robot.Imu(), instant.robot.gravity());
+  secondary_imu_.Restart(instant.robot.SecondaryImu(), instant.robot.gravity());
+  odometer_.Restart(instant.robot.base());
+  feet_.Restart();
+  windings_.Restart(instant.motors.winding_c());
+  casings_.Restart(instant.motors.casing_c());
+  Step(instant);
+}
+
+void Sensors::Step(const Instant& instant) {
+  const robot::ImuReading truth = instant.robot.Imu();
+  imu_.Step(truth, instant.faults.imus[0], spec_.thermal.ambient_c);
+  imu_.Read(instant.faults.imus[0], &told_imu_);
+  odometer_.Step(instant.robot.base(), truth.R_WI, told_imu_.R_WI);
+  if (!spec_.imu.secondary_site.empty()) {
+    secondary_imu_.Step(instant.robot.SecondaryImu(), instant.faults.imus[1],
+                        spec_.thermal.ambient_c);
+  }
+  feet_.Step();
+  windings_.Step(instant.motors.winding_c());
+  casings_.Step(instant.motors.casing_c());
+}
 
 void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotState* state) {
   state->tick_ms = tick_ms;
@@ -46,68 +83,33 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
     reading.q = measure(instant.encoders.q()[i], noise.q_steps, motor.q_step);
     reading.dq = measure(instant.encoders.dq()[i], noise.dq_steps, motor.dq_step);
     reading.tau = measure(instant.motors.torque()[i], noise.tau_steps, motor.tau_step);
-    reading.winding_c = instant.motors.winding_c()[i];
-    reading.casing_c = instant.motors.casing_c()[i];
+    reading.winding_c = windings_.reading_c(i);
+    reading.casing_c = casings_.reading_c(i);
     reading.warm = instant.motors.derated(i);
     reading.overheated = instant.motors.tripped(i);
     reading.undervoltage = instant.motors.undervoltage(i);
     reading.encoder_error = instant.faults.encoders[i].tells();
   }
-  Measure(instant.robot.Imu(), instant.faults.imus[0], &state->imu);
+  imu_.Read(instant.faults.imus[0], &state->imu);
   if (!spec_.imu.secondary_site.empty()) {
-    Measure(instant.robot.SecondaryImu(), instant.faults.imus[1], &state->secondary_imu);
+    secondary_imu_.Read(instant.faults.imus[1], &state->secondary_imu);
   }
   instant.robot.FootForces(foot_force_);
   state->foot_force.resize(foot_force_.size());
   for (std::size_t i = 0; i < foot_force_.size(); ++i) {
     const robot::FootEffects& fault = instant.faults.feet[i];
     if (fault.stuck) continue;
-    state->foot_force[i] = std::max(0.0, fault.share * foot_force_[i] + fault.offset);
+    state->foot_force[i] = fault.share * feet_.Read(i, foot_force_) + fault.offset;
   }
   state->battery = instant.battery.reading();
   state->base = instant.robot.base();
+  state->odometry = odometer_.reading();
 }
 
-double Sensors::Bell(std::mt19937_64* random) {
-  const std::uint64_t bits = (*random)();
-  const std::uint64_t sum =
-      (bits & 0xFFFF) + (bits >> 16 & 0xFFFF) + (bits >> 32 & 0xFFFF) + (bits >> 48);
-  return (static_cast<double>(sum) - 4 * kPieceMean) / kSumDeviation;
-}
-
-double Sensors::Measure(double truth, double sigma, double step, std::mt19937_64* random) const {
-  if (config_.noise && sigma > 0) truth += sigma * Bell(random);
+double Sensors::Measure(double truth, double sigma, double step, Noise* noise) const {
+  if (config_.noise && sigma > 0) truth += config_.noise_gain * sigma * (*noise)();
   if (config_.quantise && step > 0) truth = std::round(truth / step) * step;
   return truth;
-}
-
-void Sensors::Measure(const robot::ImuReading& truth, const robot::ImuEffects& fault,
-                      robot::ImuReading* imu) {
-  using Eigen::AngleAxisd;
-  using Eigen::Vector3d;
-  if (fault.stuck) return;
-  *imu = truth;
-  imu->temperature_c = spec_.imu.temperature_c;
-  if (fault.dead) {
-    imu->R_WI.setIdentity();
-    imu->w_WI_I.setZero();
-    imu->f_WI_I.setZero();
-    return;
-  }
-  if (!fault.fine()) {
-    const Eigen::Quaterniond tilt(AngleAxisd(fault.tilt, Vector3d::UnitY()));
-    imu->R_WI = AngleAxisd(fault.turn, Vector3d::UnitZ()) * truth.R_WI * tilt;
-    imu->w_WI_I = tilt.conjugate() * truth.w_WI_I + Vector3d::Constant(fault.rate);
-    imu->f_WI_I = tilt.conjugate() * truth.f_WI_I;
-    for (int i = 0; i < 3 && fault.noise > 0; ++i) {
-      imu->w_WI_I[i] += fault.noise * Bell(&body_);
-      imu->f_WI_I[i] += kAccelNoise * fault.noise * Bell(&body_);
-    }
-  }
-  for (int i = 0; i < 3; ++i) {
-    imu->w_WI_I[i] = Measure(imu->w_WI_I[i], spec_.imu.gyro_noise, spec_.imu.gyro_step, &body_);
-    imu->f_WI_I[i] = Measure(imu->f_WI_I[i], spec_.imu.accel_noise, spec_.imu.accel_step, &body_);
-  }
 }
 
 }  // namespace understudy::sensors

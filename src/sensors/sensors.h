@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "physics/robot_body.h"
@@ -12,14 +11,18 @@
 #include "robot/motor.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
+#include "sensors/chance.h"
+#include "sensors/foot_sensors.h"
+#include "sensors/imu_unit.h"
+#include "sensors/odometer.h"
+#include "sensors/sensor_config.h"
+#include "sensors/thermometers.h"
 
 namespace understudy::sensors {
 
-struct SensorConfig {
-  bool quantise = true;  // round to the lattices of encoders and IMU
-  bool noise = true;     // add the noise of a robot at rest
-  int seed = 1;          // of the noise
-};
+// Returns by how much [rad] each encoder reads more than there is, in motor order: what is drawn
+// for it and robot.motors[].zero_error.
+std::vector<double> EncoderZeros(const SensorConfig& config, const robot::RobotSpec& spec);
 
 // What there is to be measured.
 struct Instant {
@@ -31,34 +34,39 @@ struct Instant {
   const robot::Effects& faults;
 };
 
-// Samples one instant: call it after World::EndStep, when all readings of robot, motors and battery
-// belong to the same t. Without noise and quantisation the sample is the truth. Equal seeds and
-// worlds give bit-identical samples.
+// Reads every instant and tells some of them. Call Restart before anything else, Step once a
+// physics step and Sample after it where somebody is told; all after World::EndStep, when all
+// readings of robot, motors and battery belong to the same t. Without errors, noise and
+// quantisation the sample is the truth. Equal seeds and worlds give bit-identical samples.
+// Allocates only in the constructor and in the first Sample into a state.
 //
-// Body and hands have separate noise streams, so hands do not change the body's noise.
+// Body and hands have separate noise streams, so hands do not change the body's noise; nor do other
+// errors.
 class Sensors {
  public:
-  // `spec` must outlive the sensors.
-  Sensors(const SensorConfig& config, const robot::RobotSpec& spec);
+  // `spec` must outlive the sensors; `dt` [s] is the physics step.
+  Sensors(const SensorConfig& config, const robot::RobotSpec& spec, double dt);
 
+  // Begins anew with a robot at rest: filters, latencies and walks. What was drawn stays.
+  void Restart(const Instant& instant);
+  void Step(const Instant& instant);
   // Fills `state`, which has the sample before, for time tick_ms [ms]. Leaves state->remote and
   // state->motion.
   void Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotState* state);
 
  private:
-  // Returns a random number with mean 0 and standard deviation 1. That noise is white and
-  // bell-shaped is *assumed*. It is the sum of four uniform numbers, at most 3.5 in magnitude,
-  // which takes 6 ns instead of the 23 of a normal one and is equal with every standard library.
-  static double Bell(std::mt19937_64* random);
-  double Measure(double truth, double sigma, double step, std::mt19937_64* random) const;
-  void Measure(const robot::ImuReading& truth, const robot::ImuEffects& fault,
-               robot::ImuReading* imu);
+  double Measure(double truth, double sigma, double step, Noise* noise) const;
 
   SensorConfig config_;
   const robot::RobotSpec& spec_;
   std::vector<const robot::MotorSpec*> motors_;
   std::vector<double> foot_force_;  // N
-  std::mt19937_64 body_, hands_;
+  ImuUnit imu_, secondary_imu_;
+  robot::ImuReading told_imu_;  // of LowState, of the last step
+  Odometer odometer_;
+  FootSensors feet_;
+  Thermometers windings_, casings_;
+  Noise body_, hands_;
 };
 
 }  // namespace understudy::sensors

@@ -53,7 +53,7 @@ void EncodeMotion(const robot::RobotState& state, const robot::RobotSpec& spec, 
   message->stamp.sec = static_cast<std::int32_t>(state.tick_ms / 1000);
   message->stamp.nanosec = static_cast<std::uint32_t>(state.tick_ms % 1000) * 1'000'000;
   EncodeImu(state.imu, &message->imu_state);
-  Eigen::Vector3d position = state.base.p_WB, velocity = state.base.v_WB_W;
+  Eigen::Vector3d position = state.odometry.p_WB, velocity = state.odometry.v_WB_W;
   if (state.motion && state.motion->estimates) {
     position << state.motion->p_WB.head<2>(), state.motion->body_height;
     velocity = state.motion->v_WB_W;

@@ -51,11 +51,13 @@ TEST(FidelityDocTest, ListsEveryFileOfTheCodeWithSomethingAssumed) {
   }
 }
 
-TEST(FidelityDocTest, ListsEveryRobotAndModelWithSomethingAssumed) {
+TEST(FidelityDocTest, ListsEveryRobotProfileAndModelWithSomethingAssumed) {
   const std::string listed = EverythingAssumed();
-  for (const auto& [file, assumes] : Files("config/robots")) {
-    const std::string name = std::filesystem::path(file).filename();
-    EXPECT_TRUE(listed.find("`" + name + "`") != std::string::npos || !assumes) << file;
+  for (const char* folder : {"config/robots", "config/profiles"}) {
+    for (const auto& [file, assumes] : Files(folder)) {
+      const std::string name = std::filesystem::path(file).filename();
+      EXPECT_TRUE(listed.find("`" + name + "`") != std::string::npos || !assumes) << file;
+    }
   }
   const std::string models = listed.substr(listed.find("\n### models"));
   for (const auto& [file, assumes] : Files("models")) {

@@ -14,7 +14,7 @@ TEST_F(ConfigMisuseTest, OfAFileIsToldWithItsLineItsKeyAndWhatWasExpected) {
        "run.yaml:4: key 'gate.timout': unknown; did you mean 'timeout'? "
        "(valid: mode, timeout, damping_kd)"},
       {"gait: lenient\n",
-       "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: scene, terrain, "
+       "run.yaml:1: key 'gait': unknown; did you mean 'gate'? (valid: profile, scene, terrain, "
        "network, guard, control, time, physics, sensors, gate, "
        "motion, crane, start, randomization, robot)"},
       {"robot:\n  feet:\n    - {name: a, geom: [x]}\n",

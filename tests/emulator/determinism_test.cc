@@ -10,7 +10,19 @@ namespace {
 class DeterminismTest : public EmulatorTest {
  protected:
   DeterminismTest() {
-    config_.sensors = {.quantise = true, .noise = true, .seed = 3};
+    config_.sensors = {.quantise = true,
+                       .noise = true,
+                       .seed = 3,
+                       .imu = {.gyro_bias = 0.01,
+                               .gyro_walk = 0.01,
+                               .accel_walk = 0.01,
+                               .bandwidth = 100,
+                               .latency = 0.002,
+                               .attitude = sensors::AttitudeSource::kFilter},
+                       .encoder = {.zero = 0.01},
+                       .foot = {.offset = 1, .walk = 1},
+                       .thermometer = {.time_constant = 1, .offset_c = 1},
+                       .odometer = {.scale = 0.1, .walk = 0.01}};
     config_.robot.encoder_noise = {.q_steps = 2, .dq_steps = 3, .tau_steps = 4};
     config_.robot.imu.gyro_noise = 0.01;
     config_.robot.imu.accel_noise = 0.05;

@@ -81,5 +81,46 @@ TEST_F(SensedTest, NothingIsSampledForAServiceThatIsOff) {
   EXPECT_EQ(state_, first);
 }
 
+// Of the fixture robot, clamped, without a motion service.
+class ErringSensorsTest : public EmulatorTest {
+ protected:
+  void Hold() {
+    robot::RobotCommand hold;
+    for (int i = 0; i < 6; ++i) hold.motors.push_back({.enabled = true, .kp = 200, .kd = 5});
+    port_.SendEveryTick(hold);
+    StartAs("clamped");
+    Tick(1000);
+  }
+  double q(std::size_t motor) const { return world_->physics().robot().q()[motor]; }
+  double Yaw() const {
+    const Eigen::Vector3d x = robot().sampled().imu.R_WI * Eigen::Vector3d::UnitX();
+    return std::atan2(x.y(), x.x());
+  }
+};
+
+TEST_F(ErringSensorsTest, ADriveAndTheMessagesShareTheWrongZeroOfAnEncoder) {
+  Hold();
+  const double right = q(0), told = robot().sampled().motors[0].q;
+  config_.robot.motors[0].zero_error = 0.1;
+  Hold();
+  EXPECT_NEAR(q(0) - right, -0.1, 0.02);
+  EXPECT_NEAR(robot().sampled().motors[0].q, told, 0.02);
+}
+
+TEST_F(ErringSensorsTest, AHeadingDriftsWithTheBiasAndIsRightAgainAfterAReset) {
+  config_.sensors.imu = {.gyro_bias = 0.05, .attitude = sensors::AttitudeSource::kFilter};
+  StartAs("clamped");
+  Tick();
+  EXPECT_NEAR(Yaw(), 0, 1e-3);
+  Tick(4000);
+  const double bias = robot().sampled().imu.w_WI_I.z();
+  ASSERT_GT(std::abs(bias), 0.01);
+  EXPECT_NEAR(Yaw(), 4 * bias, 0.1 * std::abs(4 * bias));
+  Ask("reset", {{"pose", "clamped"}});
+  Tick(2);
+  EXPECT_NEAR(Yaw(), 0, 1e-3);
+  EXPECT_NEAR(robot().sampled().imu.w_WI_I.z(), bias, 1e-6) << "it is the same unit";
+}
+
 }  // namespace
 }  // namespace understudy::emulator

@@ -19,13 +19,21 @@ class EncodersTest : public testing::Test {
   double dq() const { return encoders_.dq()[0]; }
 
   std::vector<EncoderEffects> faults_{2};
-  Encoders encoders_{2, 1};
+  Encoders encoders_{{0, 0}, 1};
 };
 
 TEST_F(EncodersTest, ReadTheTruthWithoutFaults) {
   Step();
   EXPECT_EQ(q(), 1);
   EXPECT_EQ(dq(), 2);
+}
+
+TEST_F(EncodersTest, AddTheErrorOfTheirZeroToAnglesAlone) {
+  encoders_ = {{0.25, 0}, 1};
+  Step();
+  EXPECT_EQ(q(), 1.25);
+  EXPECT_EQ(dq(), 2);
+  EXPECT_EQ(encoders_.q()[1], 1);
 }
 
 TEST_F(EncodersTest, ReadNothingWhileDead) {

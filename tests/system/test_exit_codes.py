@@ -38,6 +38,7 @@ def refused(done, code, *words):
     (["go2", "--duration=-1"], CONFIG, ["-1"]),
     (["go2", "--start=siting"], CONFIG, ["siting"]),
     (["go2", "--dynamics=fited"], CONFIG, ["did you mean 'fitted'?"]),
+    (["go2", "--profile=wron"], CONFIG, ["no profile 'wron'", "did you mean 'worn'?"]),
     (["h1", "--dynamics=fitted"], CONFIG, ["robot 'h1' has no fitted figures; choose catalogue"]),
     (["go2", "--set", "robot.model=/none/no.xml"], MODEL, ["no.xml"]),
     (["go2", "--scene", "flt"], MODEL, ["flt", "flat"]),

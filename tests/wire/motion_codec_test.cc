@@ -14,8 +14,8 @@ using ::testing::ElementsAre;
 TEST(MotionCodecTest, WritesWhereTheBaseIs) {
   robot::RobotState state;
   state.tick_ms = 12'345;
-  state.base.p_WB = {1, 2, 0.25};
-  state.base.v_WB_W = {-1, 0.5, 0};
+  state.odometry.p_WB = {1, 2, 0.25};
+  state.odometry.v_WB_W = {-1, 0.5, 0};
   Message message{};
   EncodeMotion(state, {}, MotionFields::kStateId, &message);
   EXPECT_EQ(message.stamp.sec, 12);
@@ -27,8 +27,8 @@ TEST(MotionCodecTest, WritesWhereTheBaseIs) {
 
 TEST(MotionCodecTest, WritesWhatTheServiceEstimatesOnceItDoes) {
   robot::RobotState state;
-  state.base.p_WB = {1, 2, 0.25};
-  state.base.v_WB_W = {-1, 0.5, 0};
+  state.odometry.p_WB = {1, 2, 0.25};
+  state.odometry.v_WB_W = {-1, 0.5, 0};
   state.motion = {.body_height = 0.3,
                   .estimates = true,
                   .v_WB_W = {-0.75, 0.5, 0.125},
@@ -108,7 +108,7 @@ TEST(MotionCodecTest, LeavesStampAndHeightOfAHumanoidsOdometryEmpty) {
   spec.family = robot::WireFamily::kHg;
   robot::RobotState state;
   state.tick_ms = 12'345;
-  state.base.p_WB = {1, 2, 0.7};
+  state.odometry.p_WB = {1, 2, 0.7};
   Message message{};
   EncodeMotion(state, spec, MotionFields::kNone, &message);
   EXPECT_EQ(message.stamp.sec, 0);

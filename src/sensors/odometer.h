@@ -1,0 +1,38 @@
+// The odometry that a robot's own programs tell: where the base is and how fast, by the legs and
+// the inertial unit.
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "robot/robot_values.h"
+#include "sensors/chance.h"
+#include "sensors/sensor_config.h"
+
+namespace understudy::sensors {
+
+// Adds up the way that the legs measure along the heading that the unit tells: so it is off by the
+// scale of the legs and by the drift of that heading, and walks. The height is over the ground, as
+// legs feel it, and right. Stands in for an estimator where no motion service estimates; that its
+// errors are these is *assumed*. Allocates nothing after the constructor.
+class Odometer {
+ public:
+  // `dt` [s] is the time between steps.
+  Odometer(const SensorConfig& config, double dt);
+
+  // Begins anew at the truth.
+  void Restart(const robot::BaseReading& truth);
+  // Takes the truth dt after the one before, with the unit's attitude as it is and as it is told.
+  void Step(const robot::BaseReading& truth, const Eigen::Quaterniond& R_WI,
+            const Eigen::Quaterniond& told_R_WI);
+  const robot::BaseReading& reading() const { return told_; }
+
+ private:
+  double dt_;
+  Eigen::Vector2d scale_;  // error of the way ahead and to the left, as a share
+  double walk_;            // m, standard deviation of a step
+  Noise noise_;
+  Eigen::Vector2d off_{0, 0};  // m, what is told less the truth
+  robot::BaseReading told_;
+};
+
+}  // namespace understudy::sensors

@@ -1,0 +1,54 @@
+// Robots under their motion services with the sensors of config/profiles.
+#include <algorithm>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "tests/motion/humanoid/fixture.h"
+#include "tests/motion/quadruped/rig.h"
+
+namespace understudy::motion {
+namespace {
+
+std::vector<std::string> Settings(const std::string& profile, int seed) {
+  return {"profile=" + profile, "sensors.seed=" + std::to_string(seed)};
+}
+
+class ProfileTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(ProfileTest, AGo2StandsAndTrotsForTenSeconds) {
+  for (const int seed : {1, 2}) {
+    WalkingRig rig("go2", Settings(GetParam(), seed));
+    rig.BalanceStand();
+    EXPECT_LT(rig.tilt(), 0.15) << seed;
+    double tilt = 0;
+    rig.watch = [&] { tilt = std::max(tilt, rig.tilt()); };
+    rig.Walk({0.5, 0, 0}, 2);
+    const Eigen::Vector3d speed = rig.Speed({0.5, 0, 0}, 8);
+    EXPECT_NEAR(speed.x(), 0.5, 0.15) << seed;
+    EXPECT_LT(std::abs(speed.y()), 0.1) << seed;
+    rig.Run(1);  // a Move lasts a second
+    EXPECT_TRUE(rig.ComesToRest(6)) << seed;
+    EXPECT_LT(tilt, 0.3) << seed;
+  }
+}
+
+TEST_P(ProfileTest, AG1StandsBalanced) {
+  for (const int seed : {1, 2}) {
+    config::Config config = HumanoidConfig("g1", 0.002);
+    config.sensors = ConfigOf("g1", Settings(GetParam(), seed)).sensors;
+    HumanoidRig rig(config);
+    rig.Start("standing");
+    rig.Run(1);
+    ASSERT_EQ(rig.SetFsm(rig.spec().motion.humanoid.balance.front()),
+              authority::MotionVerdict::kTaken);
+    ASSERT_TRUE(rig.Run(15));
+    EXPECT_TRUE(rig.standing()) << seed;
+    EXPECT_LT(rig.tilt(), 0.2) << seed;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ProfileTest, testing::Values("ideal", "nominal", "worn", "harsh"));
+
+}  // namespace
+}  // namespace understudy::motion
