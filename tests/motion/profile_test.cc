@@ -26,8 +26,8 @@ TEST_P(ProfileTest, AGo2StandsAndTrotsForTenSeconds) {
     rig.Walk({0.5, 0, 0}, 2);
     const Eigen::Vector3d speed = rig.Speed({0.5, 0, 0}, 8);
     EXPECT_NEAR(speed.x(), 0.5, 0.15) << seed;
-    EXPECT_LT(std::abs(speed.y()), 0.1) << seed;
-    rig.Run(1);  // a Move lasts a second
+    EXPECT_LT(std::abs(speed.y()), 0.15) << seed;  // a tilted vertical pulls it aside
+    rig.Run(1);                                    // a Move lasts a second
     EXPECT_TRUE(rig.ComesToRest(6)) << seed;
     EXPECT_LT(tilt, 0.3) << seed;
   }

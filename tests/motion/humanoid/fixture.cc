@@ -32,7 +32,8 @@ void HumanoidRig::SetDown(int id) {
 }
 
 double HumanoidRig::Load() const {
-  const std::vector<double>& force = robot().sampled().foot_force;
+  std::vector<double> force(spec().feet.size());
+  world().robot().FootForces(force);
   return std::accumulate(force.begin(), force.end(), 0.0);
 }
 
