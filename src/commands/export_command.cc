@@ -29,8 +29,9 @@ int ExportUrdf(const ExportArguments& arguments) {
   for (const robot::MotorSpec* motor : robot::AllMotors(config.robot)) {
     limits[motor->joint] = {.effort = motor->torque_limit, .velocity = motor->no_load_speed};
   }
+  const mjcf::ModelHandle model = run::MakeSightModel(config);
   const mjcf::Urdf urdf =
-      mjcf::UrdfOf(*run::MakeSightModel(config), config.robot.name, config.robot.base_body, limits);
+      mjcf::UrdfOf(*model, config.robot.name, mjcf::TreeOf(*model, config.robot.base_body), limits);
   if (arguments.out.empty()) {
     if (!urdf.meshes.empty()) {
       throw ModelError("the robot has meshes, which are files of their own: use --out FILE");

@@ -45,6 +45,10 @@ struct ControlConfig {
 
 enum class DivergenceAction { kStop, kReset };
 
+struct RecordingConfig {
+  double ros_hz = 50;  // of /tf, /joint_states and /clock; 0: none of ROS's topics; assumed
+};
+
 struct PhysicsConfig {
   double timestep = 0.001;  // s; also the period of the motor law; assumed
   DivergenceAction on_divergence = DivergenceAction::kStop;
@@ -62,6 +66,7 @@ struct Config {
   GuardConfig guard;
   ControlConfig control;
   TimeConfig time;
+  RecordingConfig recording;
   PhysicsConfig physics;
   sensors::SensorConfig sensors;
   authority::GateConfig gate;

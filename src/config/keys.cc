@@ -43,6 +43,14 @@ void DescribeTime(Archive& a, TimeConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.realtime), {"Ask for real-time scheduling and locked memory"});
 }
 
+void DescribeRecording(Archive& a, RecordingConfig& c) {
+  a.Key(UNDERSTUDY_NVP(c.ros_hz),
+        {"Hz",
+         {0, 1000},
+         "Rate of /tf, /joint_states and /clock in recordings, at most that of LowState; 0 leaves "
+         "them, /robot_description and /scene out (the default is assumed)"});
+}
+
 void DescribePhysics(Archive& a, PhysicsConfig& c) {
   a.Key(UNDERSTUDY_NVP(c.timestep),
         {"s", {0.0001, 0.01}, "Physics step and period of the motor law (the default is assumed)"});
@@ -113,6 +121,8 @@ void Describe(Archive& a, Config& c) {
   a.Section(UNDERSTUDY_NVP(c.guard), {"Protection of other robots on the network"}, DescribeGuard);
   a.Section(UNDERSTUDY_NVP(c.control), {"The panel's address"}, DescribeControl);
   a.Section(UNDERSTUDY_NVP(c.time), {"How time passes"}, DescribeTime);
+  a.Section(UNDERSTUDY_NVP(c.recording), {"What recordings have for ROS and viewers"},
+            DescribeRecording);
   a.Section(UNDERSTUDY_NVP(c.physics), {"How physics is computed"}, DescribePhysics);
   a.Section(
       UNDERSTUDY_NVP(c.sensors),

@@ -14,6 +14,7 @@
 
 #include "base/errors.h"
 #include "mjcf/eigen_views.h"
+#include "mjcf/scene_shapes.h"
 
 namespace understudy::mjcf {
 namespace {
@@ -22,8 +23,6 @@ using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using tinyxml2::XMLPrinter;
-
-constexpr int kLastSeenGroup = 2;  // of those that MuJoCo shows unless asked
 
 std::string Numbers(std::span<const double> numbers) {
   std::string text;
@@ -47,14 +46,6 @@ Vector3d RollPitchYaw(const Eigen::Matrix3d& r) {
 
 Isometry3d Pose(const double* position, const double* quaternion) {
   return Eigen::Translation3d(Vector(position)) * Quaternion(quaternion);
-}
-
-const char* NameOf(const mjModel& model, int type, int id) {
-  const char* const name = mj_id2name(&model, type, id);
-  if (name == nullptr || *name == '\0') {
-    throw ModelError("URDF: a " + std::string(mju_type2Str(type)) + " of the robot has no name");
-  }
-  return name;
 }
 
 // A solid of three vertices each, without normals: readers compute them.
@@ -83,16 +74,17 @@ std::string Stl(const mjModel& model, int mesh) {
 
 class Writer {
  public:
-  Writer(const mjModel& model, const std::map<std::string, UrdfLimits>& limits)
-      : model_(model), limits_(limits) {}
+  Writer(const mjModel& model, const std::map<std::string, UrdfLimits>& limits, MeshUse meshes)
+      : model_(model), limits_(limits), meshes_(meshes) {}
 
-  Urdf Write(const std::string& robot, int base) {
+  Urdf Write(const std::string& robot, const RobotTree& tree) {
     xml_.PushHeader(false, true);
     xml_.OpenElement("robot");
     xml_.PushAttribute("name", robot.c_str());
-    WriteLink(NameOf(model_, mjOBJ_BODY, base), base);
-    for (int body = base + 1; body < model_.nbody; ++body) {
-      if (IsBelow(body, base)) WriteBody(body);
+    WriteLink(tree.base, mj_name2id(&model_, mjOBJ_BODY, tree.base.c_str()));
+    for (const TreeJoint& joint : tree.joints) {
+      WriteJoint(joint);
+      WriteLink(joint.child, joint.body);
     }
     xml_.CloseElement();
     urdf_.text = xml_.CStr();
@@ -100,84 +92,48 @@ class Writer {
   }
 
  private:
-  bool IsBelow(int body, int base) const {
-    while (body > base) body = model_.body_parentid[body];
-    return body == base;
-  }
-
-  // The joints that lead to a body, one behind the other, and its link.
-  void WriteBody(int body) {
-    const std::string name = NameOf(model_, mjOBJ_BODY, body);
-    std::string parent = NameOf(model_, mjOBJ_BODY, model_.body_parentid[body]);
-    Isometry3d from = Pose(model_.body_pos + 3 * body, model_.body_quat + 4 * body);
-    const int first = model_.body_jntadr[body], count = model_.body_jntnum[body];
-    for (int joint = first; joint < first + count; ++joint) {
-      const Vector3d place = Vector(model_.jnt_pos + 3 * joint);
-      const bool last = joint == first + count - 1 && place.isZero(1e-9);
-      const std::string link =
-          last ? name : NameOf(model_, mjOBJ_JOINT, joint) + std::string("_place");
-      from.translate(place);
-      WriteJoint(joint, parent, link, from);
-      if (!last) WriteEmptyLink(link);
-      parent = link;
-      from = Eigen::Translation3d(-place);
-    }
-    if (parent != name) WriteFixedJoint(name + "_fixed", parent, name, from);
-    WriteLink(name, body);
-  }
-
-  void WriteJoint(int joint, const std::string& parent, const std::string& child,
-                  const Isometry3d& origin) {
-    const std::string name = NameOf(model_, mjOBJ_JOINT, joint);
-    const int type = model_.jnt_type[joint];
-    if (type != mjJNT_HINGE && type != mjJNT_SLIDE) {
-      throw ModelError("URDF has no equal of joint '" + name + "': it knows hinges and slides");
-    }
-    const bool limited = model_.jnt_limited[joint] != 0;
-    OpenJoint(name,
-              type == mjJNT_SLIDE ? "prismatic"
-              : limited           ? "revolute"
-                                  : "continuous",
-              parent, child, origin);
-    Element("axis", {{"xyz", Numbers({model_.jnt_axis + 3 * joint, 3})}});
-    Attributes limit;
-    if (limited || type == mjJNT_SLIDE) {
-      constexpr double kFar = 1e3;  // URDF has no slide without an end
-      limit.emplace_back("lower", Number(limited ? model_.jnt_range[2 * joint] : -kFar));
-      limit.emplace_back("upper", Number(limited ? model_.jnt_range[2 * joint + 1] : kFar));
-    }
-    const auto known = limits_.find(name);
-    const UrdfLimits drive = known == limits_.end() ? UrdfLimits{} : known->second;
-    limit.emplace_back("effort", Number(drive.effort));
-    limit.emplace_back("velocity", Number(drive.velocity));
-    Element("limit", limit);
-    const int dof = model_.jnt_dofadr[joint];
-    Element("dynamics", {{"damping", Number(model_.dof_damping[dof])},
-                         {"friction", Number(model_.dof_frictionloss[dof])}});
-    xml_.CloseElement();
-  }
-
-  void WriteFixedJoint(const std::string& name, const std::string& parent, const std::string& child,
-                       const Isometry3d& origin) {
-    OpenJoint(name, "fixed", parent, child, origin);
-    xml_.CloseElement();
-  }
-
-  void OpenJoint(const std::string& name, const char* type, const std::string& parent,
-                 const std::string& child, const Isometry3d& origin) {
+  void WriteJoint(const TreeJoint& joint) {
+    const bool moves = joint.kind != TreeJoint::Kind::kFixed;
+    const bool slides = joint.kind == TreeJoint::Kind::kSlide;
+    const bool limited = moves && model_.jnt_limited[joint.joint] != 0;
     xml_.OpenElement("joint");
-    xml_.PushAttribute("name", name.c_str());
-    xml_.PushAttribute("type", type);
-    Origin(origin);
-    Element("parent", {{"link", parent}});
-    Element("child", {{"link", child}});
+    xml_.PushAttribute("name", joint.name.c_str());
+    xml_.PushAttribute("type", !moves    ? "fixed"
+                               : slides  ? "prismatic"
+                               : limited ? "revolute"
+                                         : "continuous");
+    Origin(joint.X_PC);
+    Element("parent", {{"link", joint.parent}});
+    Element("child", {{"link", joint.child}});
+    if (moves) {
+      Element("axis", {{"xyz", Numbers({joint.axis.data(), 3})}});
+      Attributes limit;
+      if (limited || slides) {
+        constexpr double kFar = 1e3;  // URDF has no slide without an end
+        const mjtNum* const range = model_.jnt_range + 2 * joint.joint;
+        limit.emplace_back("lower", Number(limited ? range[0] : -kFar));
+        limit.emplace_back("upper", Number(limited ? range[1] : kFar));
+      }
+      const auto known = limits_.find(joint.name);
+      const UrdfLimits drive = known == limits_.end() ? UrdfLimits{} : known->second;
+      limit.emplace_back("effort", Number(drive.effort));
+      limit.emplace_back("velocity", Number(drive.velocity));
+      Element("limit", limit);
+      Element("dynamics", {{"damping", Number(model_.dof_damping[joint.dof])},
+                           {"friction", Number(model_.dof_frictionloss[joint.dof])}});
+    }
+    xml_.CloseElement();
   }
 
-  void WriteEmptyLink(const std::string& name) { Element("link", {{"name", name}}); }
-
+  // Without mass and shape if there is no `body`.
   void WriteLink(const std::string& name, int body) {
     xml_.OpenElement("link");
     xml_.PushAttribute("name", name.c_str());
+    if (body >= 0) WriteBody(body);
+    xml_.CloseElement();
+  }
+
+  void WriteBody(int body) {
     if (model_.body_mass[body] > 0) {
       xml_.OpenElement("inertial");
       Origin(Pose(model_.body_ipos + 3 * body, model_.body_iquat + 4 * body));
@@ -197,7 +153,6 @@ class Writer {
       if (model_.geom_group[geom] <= kLastSeenGroup) WriteGeom("visual", geom);
       if (collides) WriteGeom("collision", geom);
     }
-    xml_.CloseElement();
   }
 
   void WriteGeom(const char* use, int geom) {
@@ -228,7 +183,13 @@ class Writer {
         return WriteShape(use, geom, pose, "box", {{"size", Numbers(whole)}});
       }
       case mjGEOM_MESH: {
-        const std::string name = NameOf(model_, mjOBJ_MESH, model_.geom_dataid[geom]);
+        if (meshes_ == MeshUse::kBoxes) {
+          const Eigen::AlignedBox3d box = ExtentOf(model_.geom_dataid[geom]);
+          const Vector3d whole = box.sizes();
+          return WriteShape(use, geom, pose * Eigen::Translation3d(box.center()), "box",
+                            {{"size", Numbers({whole.data(), 3})}});
+        }
+        const std::string name = RobotsName(model_, mjOBJ_MESH, model_.geom_dataid[geom]);
         if (std::ranges::find(urdf_.meshes, name, &UrdfMesh::name) == urdf_.meshes.end()) {
           urdf_.meshes.push_back({name, Stl(model_, model_.geom_dataid[geom])});
         }
@@ -237,6 +198,15 @@ class Writer {
       default:
         throw ModelError("URDF has no equal of a plane or height field that is part of a robot");
     }
+  }
+
+  Eigen::AlignedBox3d ExtentOf(int mesh) const {
+    Eigen::AlignedBox3d box;
+    const int first = model_.mesh_vertadr[mesh];
+    for (int i = first; i < first + model_.mesh_vertnum[mesh]; ++i) {
+      box.extend(Eigen::Map<const Eigen::Vector3f>(model_.mesh_vert + 3 * i).cast<double>());
+    }
+    return box;
   }
 
   using Attributes = std::vector<std::pair<const char*, std::string>>;
@@ -277,17 +247,16 @@ class Writer {
 
   const mjModel& model_;
   const std::map<std::string, UrdfLimits>& limits_;
+  MeshUse meshes_;
   XMLPrinter xml_;
   Urdf urdf_;
 };
 
 }  // namespace
 
-Urdf UrdfOf(const mjModel& model, const std::string& robot, const std::string& base,
-            const std::map<std::string, UrdfLimits>& limits) {
-  const int body = mj_name2id(&model, mjOBJ_BODY, base.c_str());
-  if (body < 0) throw ModelError("the model has no body '" + base + "'");
-  return Writer(model, limits).Write(robot, body);
+Urdf UrdfOf(const mjModel& model, const std::string& robot, const RobotTree& tree,
+            const std::map<std::string, UrdfLimits>& limits, MeshUse meshes) {
+  return Writer(model, limits, meshes).Write(robot, tree);
 }
 
 }  // namespace understudy::mjcf

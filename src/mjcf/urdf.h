@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
+#include "mjcf/robot_tree.h"
 
 namespace understudy::mjcf {
 
@@ -26,13 +27,14 @@ struct Urdf {
   std::vector<UrdfMesh> meshes;
 };
 
-// Describes the body `base` and all below it: links have the names of bodies and their frames,
-// joints those of joints, with range, damping and friction, and of `limits` what is there, by
-// joint. A joint that is not at the origin of its body gets a link without mass at its place,
-// "<joint>_place". URDF has neither capsules nor ellipsoids: they become a cylinder between two
-// spheres, and a sphere around. Geoms of groups 0 to 2 are visual, those that can collide are
-// collision. Throws ModelError for a ball joint, which URDF has not, and for what has no name.
-Urdf UrdfOf(const mjModel& model, const std::string& robot, const std::string& base,
-            const std::map<std::string, UrdfLimits>& limits = {});
+// A mesh as a file beside the URDF, or as the box around it where there can be no file.
+enum class MeshUse { kFiles, kBoxes };
+
+// Describes a robot's `tree` of `model`, with range, damping and friction of the joints, and of
+// `limits` what is there, by joint. URDF has neither capsules nor ellipsoids: they become a
+// cylinder between two spheres, and a sphere around. Geoms of groups 0 to 2 are visual, those that
+// can collide are collision. Throws ModelError for planes, height fields and meshes without names.
+Urdf UrdfOf(const mjModel& model, const std::string& robot, const RobotTree& tree,
+            const std::map<std::string, UrdfLimits>& limits = {}, MeshUse meshes = MeshUse::kFiles);
 
 }  // namespace understudy::mjcf

@@ -40,6 +40,8 @@ bool IsOf(const McapChannel& channel, PlayedSide side) {
 std::string TopicOnWire(const McapChannel& channel) {
   const auto topic = channel.metadata.find("dds_topic");
   if (topic != channel.metadata.end()) return topic->second;
+  const auto from = channel.metadata.find("from");
+  if (from != channel.metadata.end() && from->second == "simulation") return channel.topic;
   return (channel.topic.starts_with('/') ? "rt" : "") + channel.topic;
 }
 

@@ -34,7 +34,8 @@ struct PlayedTopic {
 // topic's name decides. False for channels that were not on the wire, such as the truth.
 bool IsOf(const McapChannel& channel, PlayedSide side);
 
-// Returns the DDS name of a channel's topic: "rt/lowstate" for "/lowstate".
+// Returns the DDS name of a channel's topic: "rt/lowstate" for "/lowstate". What the simulation
+// says itself is not on the wire and keeps its name: "/tf".
 std::string TopicOnWire(const McapChannel& channel);
 
 // Returns the time [s] from the first to the last message.

@@ -257,8 +257,7 @@ class PageMaker {
 
   // Events of one kind that follow each other closely become one mark.
   void NoteEvent(double at, const Event& event) {
-    // Skips lateness, which is a matter of the machine, and the many states of motions.
-    if (event.kind == "overrun" || event.kind == "motion" || event.kind == "gate") return;
+    if (!IsForPictures(event.kind)) return;
     const double close = 0.02 * (page_.to - page_.from);
     const auto [last, is_new] = last_of_.try_emplace(event.kind, at, page_.marks.size());
     const bool follows = !is_new && at - last->second.first < close;

@@ -25,14 +25,20 @@ constexpr std::size_t kMoments = 8192;
 constexpr std::size_t kMarks = 1 << 16;
 constexpr std::size_t kSheets = 4;  // *assumed*
 
-// RELIABLE, VOLATILE, KEEP_LAST 1 in the notation of rosbag2.
-constexpr char kQos[] =
-    "- history: 1\n  depth: 1\n  reliability: 1\n  durability: 2\n"
-    "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  liveliness: 1\n"
-    "  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n"
-    "  avoid_ros_namespace_conventions: false";
+// RELIABLE, KEEP_LAST and either TRANSIENT_LOCAL or VOLATILE in the notation of rosbag2.
+std::string Qos(int depth, bool latched) {
+  return "- history: 1\n  depth: " + std::to_string(depth) +
+         "\n  reliability: 1\n  durability: " + (latched ? "1" : "2") +
+         "\n"
+         "  deadline:\n    sec: 9223372036\n    nsec: 854775807\n"
+         "  lifespan:\n    sec: 9223372036\n    nsec: 854775807\n"
+         "  liveliness: 1\n"
+         "  liveliness_lease_duration:\n    sec: 9223372036\n    nsec: 854775807\n"
+         "  avoid_ros_namespace_conventions: false";
+}
+
+// As ROS's own broadcaster of transforms has it (tf2_ros).
+constexpr int kRosDepth = 100;
 
 std::int64_t Monotonic() { return std::chrono::steady_clock::now().time_since_epoch().count(); }
 std::int64_t SinceEpoch() {
@@ -53,6 +59,7 @@ Recorder::Recorder(const bus::Participant& participant, OutputFile file, const R
       say_(std::move(say)),
       audience_(audience),
       writer_(std::move(file), "ros2", std::string("understudy ") + kVersion),
+      ros_(head.ros),
       events_(events),
       moments_(kMoments, moment),
       sheets_(kSheets, {.damage = head.damage}),
@@ -132,13 +139,36 @@ void Recorder::Begin(const RecordingHead& head) {
   if (audience_ != nullptr) audience_->Begin(start_);
   const auto channel = [&](const char* topic, const char* type, const char* text) {
     return AddChannel(topic, type, writer_.AddSchema(type, "ros2msg", text),
-                      {{"from", "simulation"}, {"offered_qos_profiles", kQos}});
+                      {{"from", "simulation"}, {"offered_qos_profiles", Qos(1, false)}});
   };
   truth_channel_ = channel(kTruthTopic, kTruthType, kTruthText);
   event_channel_ = channel(kEventTopic, kEventType, kEventText);
   damage_channel_ = channel(kDamageTopic, kDamageType, kDamageText);
+  if (ros_) BeginRos();
   writer_.Flush();
   bytes_ = writer_.bytes();
+}
+
+// What does not change is written once, at the time of the first step.
+void Recorder::BeginRos() {
+  const auto channel = [&](const RosTopic& topic) {
+    const auto [schema, is_new] = schemas_.try_emplace(topic.type, 0);
+    if (is_new) schema->second = writer_.AddSchema(topic.type, "ros2msg", topic.text);
+    return AddChannel(
+        topic.name, topic.type, schema->second,
+        {{"from", "simulation"},
+         {"offered_qos_profiles", Qos(topic.latched ? 1 : kRosDepth, topic.latched)}});
+  };
+  const std::uint64_t first = LogTime(marked_ + 1);
+  EncodeRobotDescription(*ros_, &message_);
+  Write(channel(kRobotDescriptionTopic), first, first, message_.span());
+  EncodeScene(*ros_, first, &message_);
+  Write(channel(kSceneTopic), first, first, message_.span());
+  EncodeTfStatic(*ros_, first, &message_);
+  Write(channel(kTfStaticTopic), first, first, message_.span());
+  tf_channel_ = channel(kTfTopic);
+  joint_states_channel_ = channel(kJointStatesTopic);
+  clock_channel_ = channel(kClockTopic);
 }
 
 void Recorder::Run(const std::stop_token& stop) {
@@ -261,7 +291,15 @@ void Recorder::WriteMoments(std::int64_t up_to_step, Nanoseconds up_to) {
 
 void Recorder::WriteTruth(const Truth& truth) {
   EncodeTruth(truth, &message_);
-  Write(truth_channel_, LogTime(truth.step), LogTime(truth.step), message_.span());
+  const std::uint64_t time = LogTime(truth.step);
+  Write(truth_channel_, time, time, message_.span());
+  if (!ros_ || truth.step % ros_->every != 0) return;
+  EncodeClock(time, &message_);
+  Write(clock_channel_, time, time, message_.span());
+  EncodeTf(*ros_, truth, time, &message_);
+  Write(tf_channel_, time, time, message_.span());
+  EncodeJointStates(*ros_, truth, time, &message_);
+  Write(joint_states_channel_, time, time, message_.span());
 }
 
 void Recorder::WriteSheets(std::int64_t up_to_step, Nanoseconds up_to) {
@@ -346,7 +384,7 @@ std::uint16_t Recorder::ChannelOf(Topic* topic, bool ours) {
                        {{"from", ours ? "robot" : "client"},
                         {"dds_topic", topic->name.topic},
                         {"dds_type", topic->name.type},
-                        {"offered_qos_profiles", kQos}});
+                        {"offered_qos_profiles", Qos(1, false)}});
   return *channel;
 }
 

@@ -25,16 +25,18 @@
 #include "emulator/status.h"
 #include "record/audience.h"
 #include "record/mcap_writer.h"
+#include "record/ros_topics.h"
 #include "record/truth.h"
 
 namespace understudy::record {
 
 // The description of the run at the beginning of the file.
 struct RecordingHead {
-  StringMap about;     // metadata "understudy"
-  std::string config;  // attachment config.yaml
-  std::string model;   // attachment model.mjb
-  Damage damage{};     // joints and limits of the damage sheet, and as many motors
+  StringMap about;                // metadata "understudy"
+  std::string config;             // attachment config.yaml
+  std::string model;              // attachment model.mjb
+  Damage damage{};                // joints and limits of the damage sheet, and as many motors
+  std::optional<RosRobot> ros{};  // the topics of ros_topics.h; none: they are left out
 };
 
 // The truth between two steps, offered by the loop.
@@ -126,6 +128,7 @@ class Recorder {
   void Merge(Nanoseconds now, bool all);
   void WriteMoments(std::int64_t up_to_step, Nanoseconds up_to);
   void WriteTruth(const Truth& truth);
+  void BeginRos();
   void WriteSheets(std::int64_t up_to_step, Nanoseconds up_to);
   void WriteEvents(std::int64_t up_to_step);
   void WriteHeldBack(const std::vector<emulator::ToldEvent>& held, std::int64_t step);
@@ -155,6 +158,8 @@ class Recorder {
   std::map<std::uint16_t, Told> told_channels_;
   McapWriter writer_;
   std::uint16_t truth_channel_ = 0, event_channel_ = 0, damage_channel_ = 0;
+  std::optional<RosRobot> ros_;
+  std::uint16_t tf_channel_ = 0, joint_states_channel_ = 0, clock_channel_ = 0;
   std::map<std::string, std::uint16_t> schemas_;
   emulator::EventRing::Reader events_;
   emulator::EventDigest digest_{kEventEvery - 1e-6};  // rounding: 0.3 - 0.2 < 0.1

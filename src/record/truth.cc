@@ -1,39 +1,9 @@
 #include "record/truth.h"
 
-#include <array>
-#include <limits>
+#include "record/cdr_out.h"
 
 namespace understudy::record {
 namespace {
-
-constexpr std::size_t kCdrHead = 4;
-constexpr std::array<std::byte, kCdrHead> kLittleEndian = {std::byte{0}, std::byte{1}, std::byte{0},
-                                                           std::byte{0}};
-
-template <typename Number>
-void PutNumber(Number number, BytesOut* out) {
-  out->Align(sizeof(number), kCdrHead);
-  out->Put(number);
-}
-
-void PutNumbers(const std::vector<double>& numbers, BytesOut* out) {
-  PutNumber(static_cast<std::uint32_t>(numbers.size()), out);
-  if (numbers.empty()) return;
-  out->Align(sizeof(double), kCdrHead);
-  out->PutRaw(std::as_bytes(std::span(numbers)));
-}
-
-// A CDR string, with its terminating zero.
-void PutText(const std::string& text, BytesOut* out) {
-  PutNumber(static_cast<std::uint32_t>(text.size() + 1), out);
-  out->PutRaw(AsBytes(text));
-  out->Put(std::uint8_t{0});
-}
-
-void Begin(BytesOut* out) {
-  out->clear();
-  out->PutRaw(kLittleEndian);
-}
 
 BytesIn Begin(ByteSpan bytes) {
   BytesIn in(bytes);
@@ -68,8 +38,12 @@ std::string TakeText(BytesIn* in) {
 
 }  // namespace
 
+bool IsForPictures(std::string_view kind) {
+  return kind != "overrun" && kind != "motion" && kind != "gate";
+}
+
 void EncodeTruth(const Truth& truth, BytesOut* out) {
-  Begin(out);
+  PutCdrHead(out);
   PutNumber(truth.step, out);
   PutNumber(truth.time, out);
   PutNumbers(truth.qpos, out);
@@ -93,7 +67,7 @@ Truth DecodeTruth(ByteSpan bytes) {
 }
 
 void EncodeEvent(const Event& event, BytesOut* out) {
-  Begin(out);
+  PutCdrHead(out);
   PutNumber(event.step, out);
   PutNumber(event.time, out);
   PutText(event.kind, out);
@@ -118,7 +92,7 @@ namespace {
 using Figure = double robot::MotorDamage::*;
 
 void PutFigures(const Damage& damage, Figure figure, BytesOut* out) {
-  PutNumber(static_cast<std::uint32_t>(damage.sheet.motors.size()), out);
+  PutCount(damage.sheet.motors.size(), out);
   for (const robot::MotorDamage& motor : damage.sheet.motors) PutNumber(motor.*figure, out);
 }
 
@@ -136,7 +110,7 @@ void TakeFigures(BytesIn* in, Figure figure, Damage* damage) {
 
 void EncodeDamage(const Damage& damage, BytesOut* out) {
   using robot::MotorDamage;
-  Begin(out);
+  PutCdrHead(out);
   PutNumber(damage.step, out);
   for (const double number : {damage.sheet.time, damage.sheet.energy, damage.sheet.peak_current,
                               damage.sheet.shock, damage.sheet.worst_tilt}) {
@@ -144,7 +118,7 @@ void EncodeDamage(const Damage& damage, BytesOut* out) {
   }
   PutNumber(std::int64_t{damage.sheet.falls}, out);
   PutNumber(damage.trip_c, out);
-  PutNumber(static_cast<std::uint32_t>(damage.joints.size()), out);
+  PutCount(damage.joints.size(), out);
   for (const std::string& joint : damage.joints) PutText(joint, out);
   PutNumbers(damage.torque_limit, out);
   PutFigures(damage, &MotorDamage::at_torque_limit, out);

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "record/bytes.h"
@@ -49,6 +50,10 @@ struct Event {
   std::string text{};    // a line for people
   std::string detail{};  // a JSON object for programs
 };
+
+// Whether plots and films show events of this kind: not lateness, which is a matter of the machine,
+// nor the many states of motions and the gate.
+bool IsForPictures(std::string_view kind);
 
 inline constexpr char kDamageTopic[] = "understudy/damage";
 inline constexpr char kDamageType[] = "understudy_msgs/msg/Damage";

@@ -4,13 +4,17 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <map>
+#include <optional>
 #include <thread>
 
 #include <nlohmann/json.hpp>
 #include <spdlog/spdlog.h>
 
+#include "base/errors.h"
 #include "config/load.h"
 #include "mjcf/compile.h"
+#include "mjcf/urdf.h"
 #include "physics/world_reading.h"
 #include "run/make_world.h"
 #include "version.h"
@@ -74,6 +78,42 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
   return head;
 }
 
+// Steps from one message of the rate `hz` to the next, a multiple of `every`.
+std::int64_t RosEvery(double hz, double timestep, std::int64_t every) {
+  return every *
+         std::max<std::int64_t>(1, std::llround(1 / (hz * timestep * static_cast<double>(every))));
+}
+
+void Log(const std::string& line, bool error) {
+  spdlog::log(error ? spdlog::level::err : spdlog::level::warn, "recording: {}", line);
+}
+
+// Of a robot that has no equal in URDF there are no topics of ROS.
+std::optional<record::RosRobot> RosRobotOf(const config::Config& config, const mjModel& model,
+                                           std::int64_t every) {
+  if (config.recording.ros_hz <= 0) return {};
+  try {
+    std::map<std::string, mjcf::UrdfLimits> limits;
+    std::map<std::string, int> motors;
+    for (const robot::MotorSpec* motor : robot::AllMotors(config.robot)) {
+      motors.try_emplace(motor->joint, static_cast<int>(motors.size()));
+      limits[motor->joint] = {.effort = motor->torque_limit, .velocity = motor->no_load_speed};
+    }
+    record::RosRobot ros{.tree = mjcf::TreeOf(model, config.robot.base_body)};
+    for (const mjcf::TreeJoint& joint : ros.tree.joints) {
+      const auto motor = motors.find(joint.name);
+      ros.motors.push_back(motor == motors.end() ? -1 : motor->second);
+    }
+    ros.urdf = mjcf::UrdfOf(model, config.robot.name, ros.tree, limits, mjcf::MeshUse::kBoxes).text;
+    ros.scene = mjcf::SceneShapesOf(model, config.robot.base_body);
+    ros.every = RosEvery(config.recording.ros_hz, config.physics.timestep, every);
+    return ros;
+  } catch (const ModelError& error) {
+    Log(std::string("is without /tf and /robot_description: ") + error.what(), false);
+    return {};
+  }
+}
+
 // Makes the truth of a robot; sizes do not change during a run.
 void Fill(const emulator::World& world, record::Truth* truth) {
   const physics::Crane& crane = world.robot().crane();
@@ -92,10 +132,6 @@ record::Moment Prototype(const config::Config& config, const emulator::World& wo
                     .qvel = zeros(physics::RateCount(world.physics())),
                     .tau = zeros(robot::AllMotors(config.robot).size()),
                     .foot_force = zeros(config.robot.feet.size())}};
-}
-
-void Log(const std::string& line, bool error) {
-  spdlog::log(error ? spdlog::level::err : spdlog::level::warn, "recording: {}", line);
 }
 
 }  // namespace
@@ -127,7 +163,9 @@ std::unique_ptr<record::Recorder> Recording::Start(std::filesystem::path file, b
   record::OutputFile output(std::move(file), overwrite);
   record::RecordingHead head = head_;
   head.config = config::PrintConfig(config_, false);
-  head.model = mjcf::ModelBytes(*MakeSightModel(config_));
+  const mjcf::ModelHandle model = MakeSightModel(config_);
+  head.model = mjcf::ModelBytes(*model);
+  head.ros = RosRobotOf(config_, *model, every_);
   return std::make_unique<record::Recorder>(
       participant_, std::move(output), head, &world_.events(), moment_,
       std::chrono::nanoseconds(std::llround(config_.physics.timestep * 1e9)), first_step, &Log,

@@ -110,7 +110,7 @@ TEST_P(UrdfOfRobotTest, MovesAndWeighsAsTheModelDoes) {
   const ModelHandle model = physics::LoadSightModel(
       {{config.robot, UNDERSTUDY_SOURCE_DIR + std::string("/models/") + config.robot.model}},
       UNDERSTUDY_SOURCE_DIR "/models/scene/flat.xml", 0.001);
-  const Urdf urdf = UrdfOf(*model, config.robot.name, config.robot.base_body);
+  const Urdf urdf = UrdfOf(*model, config.robot.name, TreeOf(*model, config.robot.base_body));
   ExpectMovesAlike(*model, config.robot.base_body, *Read(urdf));
   EXPECT_THAT(urdf.text, HasSubstr("<visual>"));
 }
@@ -131,7 +131,7 @@ TEST_F(UrdfTest, PutsJointsThatAreNotAtTheOriginOfTheirBodyWhereTheyAre) {
               "<body name='hand' pos='1 0 0' euler='0 1.5707963267948966 0'>"
               "<joint name='slide' type='slide' axis='0 0 1' limited='true' range='-0.1 0.2'/>" +
               kMass + "</body><body name='horn' pos='0 0 1'>" + kMass + "</body></body>");
-  const Urdf urdf = UrdfOf(*model, "one", "base");
+  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"));
   ExpectMovesAlike(*model, "base", *Read(urdf));
   EXPECT_THAT(urdf.text, HasSubstr("roll_place"));
 }
@@ -139,15 +139,17 @@ TEST_F(UrdfTest, PutsJointsThatAreNotAtTheOriginOfTheirBodyWhereTheyAre) {
 TEST_F(UrdfTest, TellsWhatADriveCanDo) {
   const ModelHandle model =
       Compile(std::string(kMass) + "<body name='arm'><joint name='roll'/>" + kMass + "</body>");
-  EXPECT_THAT(UrdfOf(*model, "one", "base", {{"roll", {.effort = 23.5, .velocity = 30}}}).text,
-              HasSubstr(R"(effort="23.5" velocity="30")"));
+  EXPECT_THAT(
+      UrdfOf(*model, "one", TreeOf(*model, "base"), {{"roll", {.effort = 23.5, .velocity = 30}}})
+          .text,
+      HasSubstr(R"(effort="23.5" velocity="30")"));
 }
 
 TEST_F(UrdfTest, WritesACapsuleAsACylinderBetweenTwoSpheres) {
   const ModelHandle model =
       Compile(std::string(kMass) +
               "<geom type='capsule' size='0.1 0.3' pos='0 0 1' contype='0' conaffinity='0'/>");
-  const std::string text = UrdfOf(*model, "one", "base").text;
+  const std::string text = UrdfOf(*model, "one", TreeOf(*model, "base")).text;
   EXPECT_THAT(text, HasSubstr(R"(<cylinder radius="0.1" length="0.6"/>)"));
   EXPECT_THAT(text, HasSubstr(R"(xyz="0 0 0.7")"));
   EXPECT_THAT(text, HasSubstr(R"(xyz="0 0 1.3")"));
@@ -158,7 +160,7 @@ TEST_F(UrdfTest, WritesMeshesAsFilesBesideIt) {
   const ModelHandle model =
       Compile(std::string(kMass) + "<geom type='mesh' mesh='wedge' pos='0 0 0.5'/>",
               "<asset><mesh name='wedge' vertex='0 0 0 1 0 0 0 1 0 0 0 1'/></asset>");
-  const Urdf urdf = UrdfOf(*model, "one", "base");
+  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"));
   ASSERT_EQ(urdf.meshes.size(), 1U);
   EXPECT_EQ(urdf.meshes[0].name, "wedge");
   EXPECT_EQ(urdf.meshes[0].stl.size(), 84U + 4 * 50);
@@ -166,6 +168,27 @@ TEST_F(UrdfTest, WritesMeshesAsFilesBesideIt) {
   const ModelHandle read = Read(urdf);
   ASSERT_EQ(read->nmesh, 1);
   EXPECT_EQ(read->mesh_facenum[0], 4);
+}
+
+TEST_F(UrdfTest, WritesMeshesAsTheBoxesAroundThemWhereThereAreNoFiles) {
+  const ModelHandle model =
+      Compile(std::string(kMass) + "<geom type='mesh' mesh='wedge' pos='0 0 0.5'/>",
+              "<asset><mesh name='wedge' vertex='0 0 0 1 0 0 0 2 0 0 0 3'/></asset>");
+  const Urdf urdf = UrdfOf(*model, "one", TreeOf(*model, "base"), {}, MeshUse::kBoxes);
+  EXPECT_TRUE(urdf.meshes.empty());
+  const ModelHandle read = Read(urdf);
+  ASSERT_EQ(read->nmesh, 0);
+  ASSERT_GT(read->ngeom, 0);
+  const DataHandle data = MakeDataWithoutContacts(*read);
+  mj_kinematics(read.get(), data.get());
+  const RotationView turn(data->geom_xmat);
+  const Eigen::Vector3d middle = Vector(data->geom_xpos);
+  for (const Eigen::Vector3d& corner : {Eigen::Vector3d(0, 0, 0.5), Eigen::Vector3d(1, 0, 0.5),
+                                        Eigen::Vector3d(0, 2, 0.5), Eigen::Vector3d(0, 0, 3.5)}) {
+    const Eigen::Vector3d beyond =
+        (turn.transpose() * (corner - middle)).cwiseAbs() - Vector(read->geom_size);
+    EXPECT_LT(beyond.maxCoeff(), 1e-6) << corner.transpose();
+  }
 }
 
 TEST_F(UrdfTest, RefusesWhatUrdfHasNot) {
@@ -176,13 +199,13 @@ TEST_F(UrdfTest, RefusesWhatUrdfHasNot) {
   for (const auto& [model, why] :
        {std::pair(ball.get(), "'b'"), std::pair(unnamed.get(), "no name")}) {
     try {
-      UrdfOf(*model, "one", "base");
+      UrdfOf(*model, "one", TreeOf(*model, "base"));
       ADD_FAILURE() << why;
     } catch (const ModelError& error) {
       EXPECT_THAT(error.what(), HasSubstr(why));
     }
   }
-  EXPECT_THROW(UrdfOf(*ball, "one", "nobody"), ModelError);
+  EXPECT_THROW(TreeOf(*ball, "nobody"), ModelError);
 }
 
 }  // namespace

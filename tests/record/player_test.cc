@@ -136,6 +136,11 @@ TEST_F(PlayerTest, TellsCommandsByTheirTopicsWhereNobodySays) {
   EXPECT_FALSE(IsOf(channel("understudy/truth"), PlayedSide::kRobot));
   EXPECT_EQ(TopicOnWire(channel("/lowcmd")), "rt/lowcmd");
   EXPECT_EQ(TopicOnWire(channel("hello")), "hello");
+  McapChannel simulations = channel("/tf");
+  simulations.metadata = {{"from", "simulation"}};
+  EXPECT_EQ(TopicOnWire(simulations), "/tf");
+  EXPECT_FALSE(IsOf(simulations, PlayedSide::kRobot));
+  EXPECT_FALSE(IsOf(simulations, PlayedSide::kClients));
 }
 
 }  // namespace

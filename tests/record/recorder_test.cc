@@ -28,8 +28,10 @@ constexpr bus::Topic<bus::Hello> kHello{"rt/hello", &HelloWorldData_Msg_desc};
 class RecorderTest : public McapFilesTest {
  protected:
   std::unique_ptr<Recorder> Start(const bus::Participant& participant,
-                                  const std::filesystem::path& file, std::int64_t first_step = 0) {
-    const RecordingHead head{.about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}};
+                                  const std::filesystem::path& file, std::int64_t first_step = 0,
+                                  std::optional<RosRobot> ros = {}) {
+    const RecordingHead head{
+        .about = {{"robot", "go2"}}, .config = "robot: {}\n", .model = {}, .ros = std::move(ros)};
     const Moment moment{.truth = {.qpos = {0, 0}}};
     return std::make_unique<Recorder>(participant, OutputFile(file, true), head, &ring_, moment,
                                       std::chrono::milliseconds(1), first_step,
@@ -135,6 +137,33 @@ TEST_F(RecorderTest, ThatBeginsInTheMiddleLeavesOutWhatWasBefore) {
   const std::vector<Event> events = EventsOf(reader);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].step, 1000);
+}
+
+TEST_F(RecorderTest, HasTopicsOfRosAtTheirRateAndWhatStaysOnceAtTheBegin) {
+  const bus::Participant ours("lo", test::NewDomain());
+  bus::Writer<bus::Hello> writer(ours, kHello);
+  RosRobot robot;
+  robot.tree.base = "base";
+  robot.every = 20;
+  auto recorder = Start(ours, File(), 1000, robot);
+  for (std::int64_t step = 1000; step < 1050; ++step) Tick(recorder.get(), &writer, step);
+  recorder.reset();
+  const McapReader reader(File());
+  const auto times = Times(reader);
+  for (const char* topic : {"/tf", "/joint_states", "/clock"}) {
+    EXPECT_THAT(times.at(topic), ElementsAre(1020, 1040)) << topic;
+  }
+  for (const char* topic : {"/tf_static", "/robot_description", "/scene"}) {
+    EXPECT_THAT(times.at(topic), ElementsAre(1000)) << topic;
+  }
+  for (const auto& [id, channel] : reader.contents().channels) {
+    if (channel.topic == "/hello") continue;
+    EXPECT_EQ(channel.metadata.at("from"), "simulation") << channel.topic;
+    const bool latched = times.contains(channel.topic) && times.at(channel.topic).size() == 1;
+    EXPECT_THAT(channel.metadata.at("offered_qos_profiles"),
+                HasSubstr(latched ? "durability: 1" : "durability: 2"))
+        << channel.topic;
+  }
 }
 
 TEST_F(RecorderTest, IsInOrderOfTime) {
