@@ -1,9 +1,15 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <optional>
+#include <string>
+
+#include <spdlog/fmt/fmt.h>
 
 #include "commands/commands.h"
 #include "ctl/check.h"
+#include "record/csv.h"
 #include "record/plot.h"
 
 namespace understudy::commands {
@@ -11,11 +17,25 @@ namespace {
 
 // The command line.
 struct PlotArguments {
-  std::string file;
+  std::string file, second;
   std::string out;
   std::string size;
+  double shift = 0;    // s
+  bool csv = false;    // numbers instead of a picture
+  bool whole = false;  // also where nothing moves
+  bool part = false;   // from or to is given
   record::PlotOptions options;
 };
+
+bool IsTable(const PlotArguments& arguments) {
+  return arguments.csv || std::filesystem::path(arguments.out).extension() == ".csv";
+}
+
+// The file to write: beside the recording unless told.
+std::filesystem::path OutOf(const PlotArguments& arguments, const char* ending) {
+  return arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(ending)
+                               : std::filesystem::path(arguments.out);
+}
 
 constexpr double kLongest = 1e9;  // s; longer than any recording
 constexpr int kLeastPixels = 400;
@@ -33,15 +53,66 @@ std::string ReadSize(const std::string& text, int* width, int* height) {
   return "expected WIDTHxHEIGHT, each from 400 to 10000 pixels, found '" + text + "'";
 }
 
-int PlotCommand(const PlotArguments& arguments) {
-  const std::filesystem::path picture =
-      arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(".png")
-                            : std::filesystem::path(arguments.out);
-  const record::McapReader reader(arguments.file);
-  if (!reader.contents().cut_short.empty()) {
-    std::fprintf(stderr, "the recording was cut short: %s\n", reader.contents().cut_short.c_str());
+// What stays of the time before and after what happens [s], and how much else is worth leaving it
+// out; *assumed*.
+constexpr double kMargin = 0.5;
+constexpr double kWorthIt = 1;
+
+// When something moves in either, on the first's clock.
+record::BusySpan BusyIn(const record::McapReader& first, const record::McapReader* second,
+                        double shift) {
+  record::BusySpan busy = BusySpanOf(first);
+  if (second == nullptr) return busy;
+  record::BusySpan other = BusySpanOf(*second);
+  busy.end = std::max(busy.end, other.end + shift);
+  if (other.never) return busy;
+  busy.from = busy.never ? other.from + shift : std::min(busy.from, other.from + shift);
+  busy.to = busy.never ? other.to + shift : std::max(busy.to, other.to + shift);
+  busy.never = false;
+  return busy;
+}
+
+// Leaves out the time before the first and after the last movement, and says so.
+void Trim(const record::BusySpan& busy, record::RunChoice* what) {
+  if (busy.never) return;
+  std::string left_out;
+  const double from = std::max(0.0, busy.from - kMargin), to = busy.to + kMargin;
+  if (from > kWorthIt) {
+    what->from = from;
+    left_out = fmt::format("0 to {:.1f} s", from);
   }
-  record::DrawPage(record::MakePage(reader, arguments.options), picture);
+  if (busy.end - to > kWorthIt) {
+    what->to = to;
+    left_out += fmt::format("{}{:.1f} to {:.1f} s", left_out.empty() ? "" : " and ", to, busy.end);
+  }
+  if (left_out.empty()) return;
+  std::fprintf(stderr, "nothing moves from %s: left out; --whole shows it\n", left_out.c_str());
+}
+
+int PlotCommand(PlotArguments arguments) {
+  record::PlotOptions& options = arguments.options;
+  const record::McapReader first(arguments.file);
+  std::optional<record::McapReader> second;
+  if (!arguments.second.empty()) second.emplace(arguments.second);
+  const record::McapReader* const other = second ? &*second : nullptr;
+  for (const record::McapReader* reader : {&first, other}) {
+    if (reader == nullptr || reader->contents().cut_short.empty()) continue;
+    std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
+                 reader->contents().cut_short.c_str());
+  }
+  if (IsTable(arguments)) {
+    const std::filesystem::path table = OutOf(arguments, ".csv");
+    WriteCsv(first, other, arguments.shift, options.what, table);
+    std::printf("%s\n", table.c_str());
+    return 0;
+  }
+  if (!arguments.whole && !arguments.part) {
+    Trim(BusyIn(first, other, arguments.shift), &options.what);
+  }
+  const std::filesystem::path picture = OutOf(arguments, ".png");
+  record::DrawPage(other != nullptr ? record::MakePage(first, *other, arguments.shift, options)
+                                    : record::MakePage(first, options),
+                   picture);
   std::printf("%s\n", picture.c_str());
   return 0;
 }
@@ -51,42 +122,78 @@ int PlotCommand(const PlotArguments& arguments) {
 void AddPlotCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<PlotArguments>();
   record::PlotOptions& options = arguments->options;
-  CLI::App* plot = app->add_subcommand("plot", "Plot a recording");
+  CLI::App* plot = app->add_subcommand("plot", "Plot a recording, or two, or write its numbers");
   plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
-  plot->add_option("--out", arguments->out,
-                   "Picture to write, .png or .svg; replaces an existing one [FILE.png]")
-      ->type_name("PICTURE");
-  plot->add_option("--motors", options.motors,
+  CLI::Option* second = plot->add_option("second", arguments->second,
+                                         "Another of the same robot, drawn over it in dashed lines")
+                            ->type_name("SECOND");
+  CLI::Option* out =
+      plot->add_option("--out", arguments->out,
+                       "Picture to write, .png or .svg, or table, .csv; replaces an existing one "
+                       "[FILE.png]")
+          ->type_name("OUT");
+  CLI::Option* csv =
+      plot->add_flag("--csv", arguments->csv, "Write the numbers, not a picture: FILE.csv")
+          ->excludes(out);
+  plot->add_option("--shift", arguments->shift,
+                   "Added to the second's time, s; `understudy compare` finds what fits [0]")
+      ->type_name("S")
+      ->needs(second)
+      ->check(ctl::NumberWithin(-kLongest, kLongest));
+  plot->add_option("--motors", options.what.motors,
                    "Joints, or slots by number [of each kind the one that moves most]")
       ->type_name("NAME,...")
       ->delimiter(',');
-  plot->add_option("--fields", options.fields,
+  plot->add_option("--fields", options.what.fields,
                    "Fields of the motors: q, dq, tau, temperature [q,tau]")
       ->type_name("FIELD,...")
       ->delimiter(',');
-  plot->add_option("--signals", options.signals,
+  plot->add_option("--signals", options.what.signals,
                    "Other numbers of the vendor's messages, one panel each")
       ->type_name("TOPIC:FIELD,...")
       ->delimiter(',');
-  plot->add_option("--from", options.from, "Simulated time to begin at, s [0]")
-      ->type_name("S")
-      ->check(ctl::NumberWithin(0, kLongest));
-  plot->add_option("--to", options.to, "Simulated time to end at, s [the recording's end]")
-      ->type_name("S")
-      ->check(ctl::NumberWithin(0, kLongest));
-  plot->add_option("--size", arguments->size, "Pixels [1600 wide, height by the number of panels]")
-      ->type_name("WxH")
-      ->check([&options](const std::string& text) {
-        return ReadSize(text, &options.width, &options.height);
-      });
+  CLI::Option* from =
+      plot->add_option("--from", options.what.from,
+                       "Simulated time to begin at, s [where something moves; of a table 0]")
+          ->type_name("S")
+          ->check(ctl::NumberWithin(0, kLongest));
+  CLI::Option* to =
+      plot->add_option("--to", options.what.to,
+                       "Simulated time to end at, s [where the last thing has moved; of a table "
+                       "the recording's end]")
+          ->type_name("S")
+          ->check(ctl::NumberWithin(0, kLongest));
+  plot->add_flag("--whole", arguments->whole,
+                 "Also the time in which nothing moves yet, or no more")
+      ->excludes(from)
+      ->excludes(to);
+  CLI::Option* size = plot->add_option("--size", arguments->size,
+                                       "Pixels [1600 wide, height by the number of panels]")
+                          ->type_name("WxH")
+                          ->excludes(csv)
+                          ->check([&options](const std::string& text) {
+                            return ReadSize(text, &options.width, &options.height);
+                          });
   plot->footer(
       "Plots height and attitude of the base, joint angles and torques (commanded values dashed),\n"
-      "and marks events. It needs gnuplot: apt-get install gnuplot-nox.\n"
+      "and marks events. Of two recordings it draws the second dashed over the first, without "
+      "what\n"
+      "was commanded. A table has all motors unless told, a row for each time, units in its "
+      "header.\n"
+      "Pictures need gnuplot: apt-get install gnuplot-nox.\n"
       "Examples:\n"
       "  understudy plot walk.mcap\n"
       "  understudy plot walk.mcap --out stand.svg --motors FR_thigh,FR_calf --from 1 --to 4\n"
-      "  understudy plot walk.mcap --fields q,dq --signals 'rt/lowstate:imu_state.gyroscope[2]'");
-  plot->callback([=] { *chosen = [=] { return PlotCommand(*arguments); }; });
+      "  understudy plot walk.mcap --fields q,dq --signals 'rt/lowstate:imu_state.gyroscope[2]'\n"
+      "  understudy plot before.mcap after.mcap --out change.png\n"
+      "  understudy plot walk.mcap --csv --fields q,dq,tau         walk.csv");
+  plot->callback([=] {
+    if (size->count() > 0 && IsTable(*arguments)) {
+      throw CLI::ValidationError("--size", "a table, " + arguments->out + ", has no pixels");
+    }
+    arguments->part = from->count() + to->count() > 0;
+    *chosen = [=] { return PlotCommand(*arguments); };
+  });
 }
 
 }  // namespace understudy::commands

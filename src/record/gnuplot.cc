@@ -134,7 +134,7 @@ std::string GnuplotScript(const PlotPage& page, bool svg, const std::filesystem:
           << (one.name.empty() ? "notitle" : "title " + Quoted(one.name));
     }
     if (std::ranges::any_of(panel.lines, &PlotLine::dashed)) {
-      out << ", NaN with lines lw 1.2 dt (6,4) lc rgb '#5e5c64' title 'commanded'";
+      out << ", NaN with lines lw 1.2 dt (6,4) lc rgb '#5e5c64' title " << Quoted(page.dashed);
     }
     out << "\nunset label\n";
   }

@@ -2,73 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <map>
-#include <optional>
 #include <set>
-#include <sstream>
-
-#include "base/nearest_word.h"
-#include "record/cdr_field.h"
-#include "record/player.h"
-#include "record/ros2msg.h"
-#include "record/truth.h"
-#include "robot/robot_values.h"
-#include "wire/imu_codec.h"
 
 namespace understudy::record {
 namespace {
 
 constexpr std::size_t kMotorsUnasked = 6;
-constexpr double kDegrees = 57.29577951308232;
-
-struct MotorField {
-  std::string name, label;
-  std::string state;    // field of motor_state
-  std::string command;  // field of motor_cmd; "" for none
-};
-const std::array<MotorField, 4>& MotorFields() {
-  static const std::array<MotorField, 4> fields = {
-      {{"q", "q [rad]", "q", "q"},
-       {"dq", "dq [rad/s]", "dq", "dq"},
-       {"tau", "tau [N·m]", "tau_est", ""},
-       {"temperature", "temperature [°C]", "temperature", ""}}};
-  return fields;
-}
-
-struct Motor {
-  std::string name;
-  int slot = 0;
-};
-
-std::vector<std::string> WordsOf(const std::string& text) {
-  std::istringstream in(text);
-  std::vector<std::string> words;
-  for (std::string word; in >> word;) words.push_back(word);
-  return words;
-}
-
-// Returns -1, which is no slot, if the text is not a number.
-int SlotOf(const std::string& word) {
-  int slot = -1;
-  std::from_chars(word.data(), word.data() + word.size(), slot);
-  return slot;
-}
-
-// A line that is collected while the recording is read.
-struct Gathered {
-  std::string topic;  // on the wire
-  CdrField field;
-  // Larger values are skipped: kNoPosition and kNoVelocity of commands.
-  double most = std::numeric_limits<double>::infinity();
-  // For the line of a motor: indices of its field and of the motor, and whether it is commanded.
-  std::size_t of = 0, motor = 0;
-  bool commanded = false;
-  Trace trace{};
-};
 
 // Returns the name without its side: "FR_calf" and "RL_calf" are of the kind "calf".
 std::string KindOf(const std::string& motor) {
@@ -85,46 +27,28 @@ double Range(const TracePoints& points) {
   return most->second - least->second;
 }
 
+std::string LabelOf(const RunColumn& column) { return column.quantity + " [" + column.unit + "]"; }
+
 // Collects everything for a page in one pass over the recording.
-class PageMaker {
+class PageMaker final : public RunReader {
  public:
   PageMaker(const McapReader& reader, const PlotOptions& options)
-      : reader_(reader), options_(options) {
-    const McapContents& contents = reader.contents();
-    page_.from = options.from;
-    beginning_ = contents.first_time;
-    const auto about = contents.metadata.find("understudy");
-    if (about != contents.metadata.end()) about_ = about->second;
-    const std::string& start = about_["start_time_ns"];
-    std::from_chars(start.data(), start.data() + start.size(), beginning_);
-    beginning_ = std::min(beginning_, contents.first_time);
-    const double end = static_cast<double>(contents.last_time - beginning_) * 1e-9;
-    page_.to = options.to > 0 ? std::min(options.to, end) : end;
-    if (!(page_.from < page_.to)) {
-      throw RecordError(reader.path().string() + ": there is nothing from " +
-                        std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
-    }
-    for (const auto& [id, channel] : contents.channels) {
-      if (const McapSchema* schema = reader.SchemaOf(channel); schema != nullptr) {
-        types_[TopicOnWire(channel)] = schema->name;
-      }
-    }
+      : RunReader(reader, options.what), options_(options), traces_(columns().size()) {
+    page_.from = from();
+    page_.to = to();
   }
 
   PlotPage Make() {
-    FindMotors();
-    AskForMotors();
-    AskForSignals();
     Read();
     AddBase();
     AddMotors();
     AddSignals();
     if (page_.panels.empty()) {
-      throw RecordError(reader_.path().string() + ": has no data of a robot that can be drawn");
+      throw RecordError(reader().path().string() + ": has no data of a robot that can be drawn");
     }
-    page_.title = reader_.path().filename().string();
-    if (about_.contains("robot")) page_.title = about_["robot"] + ", " + page_.title;
-    if (about_.contains("started")) page_.title += ", " + about_["started"];
+    page_.title = reader().path().filename().string();
+    if (!About("robot").empty()) page_.title = About("robot") + ", " + page_.title;
+    if (!About("started").empty()) page_.title += ", " + About("started");
     page_.width = options_.width;
     page_.height =
         options_.height > 0 ? options_.height : 150 + 230 * static_cast<int>(page_.panels.size());
@@ -132,131 +56,12 @@ class PageMaker {
   }
 
  private:
-  void FindMotors() {
-    const auto type = types_.find("rt/lowstate");
-    if (type == types_.end()) return;
-    const std::vector<std::string> joints = WordsOf(about_["motors"]);
-    const std::vector<std::string> slots = WordsOf(about_["slots"]);
-    for (std::size_t i = 0; i < joints.size() && i < slots.size(); ++i) {
-      std::string name = joints[i];
-      if (name.ends_with("_joint")) name.erase(name.size() - 6);
-      known_.push_back({.name = name, .slot = SlotOf(slots[i])});
-    }
-    if (!known_.empty()) return;
-    // Not our recording: its slots have no names.
-    const int count = type->second.starts_with("unitree_hg") ? 35 : 20;
-    for (int slot = 0; slot < count; ++slot) {
-      known_.push_back({.name = std::to_string(slot), .slot = slot});
-    }
-  }
-
-  void AskForMotors() {
-    std::vector<std::string> names;
-    for (const Motor& motor : known_) names.push_back(motor.name);
-    for (std::string wanted : options_.motors) {
-      if (wanted.ends_with("_joint")) wanted.erase(wanted.size() - 6);
-      const auto found = std::ranges::find_if(known_, [&](const Motor& motor) {
-        return motor.name == wanted || std::to_string(motor.slot) == wanted;
-      });
-      if (found == known_.end()) {
-        throw RecordError("--motors: no motor '" + wanted + "'" + DidYouMean(wanted, names));
-      }
-      motors_.push_back(*found);
-    }
-    if (motors_.empty()) motors_ = known_;
-    std::vector<std::string> valid;
-    for (const MotorField& field : MotorFields()) valid.push_back(field.name);
-    for (const std::string& wanted :
-         options_.fields.empty() ? std::vector<std::string>{"q", "tau"} : options_.fields) {
-      const auto found = std::ranges::find(MotorFields(), wanted, &MotorField::name);
-      if (found == MotorFields().end()) {
-        throw RecordError("--fields: no field '" + wanted + "'" + DidYouMean(wanted, valid));
-      }
-      fields_.push_back(*found);
-    }
-    for (std::size_t field = 0; field < fields_.size(); ++field) {
-      for (std::size_t motor = 0; motor < motors_.size(); ++motor) {
-        const std::string slot = "[" + std::to_string(motors_[motor].slot) + "].";
-        Ask(field, motor, false, "rt/lowstate", "motor_state" + slot + fields_[field].state);
-        if (fields_[field].command.empty()) continue;
-        Ask(field, motor, true, "rt/lowcmd", "motor_cmd" + slot + fields_[field].command);
-      }
-    }
-  }
-
-  void Ask(std::size_t field, std::size_t motor, bool commanded, const std::string& topic,
-           std::string path) {
-    const auto type = types_.find(topic);
-    if (type == types_.end()) return;
-    if (path.ends_with("temperature") && type->second.starts_with("unitree_hg")) path += "[0]";
-    gathered_.push_back({.topic = topic,
-                         .field = FindField(type->second, path),
-                         .most = commanded ? robot::kNoVelocity : Gathered{}.most,
-                         .of = field,
-                         .motor = motor,
-                         .commanded = commanded});
-  }
-
-  void AskForSignals() {
-    std::vector<std::string> topics;
-    for (const auto& [topic, type] : types_) {
-      if (RosMessages().contains(type)) topics.push_back(topic);
-    }
-    for (const std::string& signal : options_.signals) {
-      const std::size_t colon = signal.find(':');
-      if (colon == std::string::npos) {
-        throw RecordError("--signals: '" + signal +
-                          "': expected TOPIC:FIELD, such as rt/lowstate:imu_state.gyroscope[2]");
-      }
-      std::string topic = signal.substr(0, colon);
-      if (topic.starts_with('/')) topic = "rt" + topic;  // a ROS name
-      const auto type = types_.find(topic);
-      if (type == types_.end() || !RosMessages().contains(type->second)) {
-        throw RecordError("--signals: no topic '" + topic + "'" + DidYouMean(topic, topics));
-      }
-      signals_.push_back(
-          {.topic = topic, .field = FindField(type->second, signal.substr(colon + 1))});
-    }
-  }
-
-  void Read() {
-    std::map<std::string, std::vector<Gathered*>> by_topic;
-    for (std::vector<Gathered>* some : {&gathered_, &signals_}) {
-      for (Gathered& one : *some) by_topic[one.topic].push_back(&one);
-    }
-    const auto from = beginning_ + static_cast<std::uint64_t>(page_.from * 1e9);
-    const auto to = beginning_ + static_cast<std::uint64_t>(std::ceil(page_.to * 1e9));
-    reader_.ReadMessages(from, to, [&](const McapChannel& channel, const McapMessage& message) {
-      const double at = static_cast<double>(message.log_time - beginning_) * 1e-9;
-      if (channel.topic == kTruthTopic) {
-        NoteTruth(at, DecodeTruth(message.data));
-      } else if (channel.topic == kEventTopic) {
-        NoteEvent(at, DecodeEvent(message.data));
-      } else if (const auto some = by_topic.find(TopicOnWire(channel)); some != by_topic.end()) {
-        for (Gathered* one : some->second) {
-          const std::optional<double> value = ReadField(one->field, message.data);
-          if (value && std::abs(*value) < one->most) Note(at, *value, &one->trace);
-        }
-      }
-      return true;
-    });
-  }
-
-  void Note(double at, double value, Trace* trace) const {
-    trace->Add(at, value, page_.from, page_.to);
-  }
-
-  // The free joint comes first: position and attitude (w, x, y, z).
-  void NoteTruth(double at, const Truth& truth) {
-    if (truth.qpos.size() < 7 || truth.qpos.size() == truth.qvel.size()) return;
-    const Eigen::Quaterniond R_WB(truth.qpos[3], truth.qpos[4], truth.qpos[5], truth.qpos[6]);
-    const Eigen::Vector3d rpy = kDegrees * wire::RollPitchYaw(R_WB);
-    Note(at, truth.qpos[2], &height_);
-    for (std::size_t i = 0; i < 3; ++i) Note(at, rpy[static_cast<int>(i)], &rpy_[i]);
+  void Note(double at, double value, std::size_t column) override {
+    traces_[column].Add(at, value, page_.from, page_.to);
   }
 
   // Events of one kind that follow each other closely become one mark.
-  void NoteEvent(double at, const Event& event) {
+  void NoteEvent(double at, const Event& event) override {
     if (!IsForPictures(event.kind)) return;
     const double close = 0.02 * (page_.to - page_.from);
     const auto [last, is_new] = last_of_.try_emplace(event.kind, at, page_.marks.size());
@@ -270,33 +75,34 @@ class PageMaker {
     page_.marks.push_back({.at = at, .kind = event.kind, .text = event.text});
   }
 
-  PlotLine Line(std::string name, std::size_t color, const Trace& trace,
+  PlotLine Line(std::string name, std::size_t color, std::size_t column,
                 bool dashed = false) const {
     return {.name = std::move(name),
             .color = static_cast<int>(color),
             .dashed = dashed,
-            .points = Thinned(trace.points(), page_.from, page_.to)};
+            .points = Thinned(traces_[column].points(), page_.from, page_.to)};
   }
 
   void AddBase() {
-    if (height_.points().empty()) return;
-    page_.panels.push_back({.label = "height [m]", .lines = {Line("base", 0, height_)}});
-    page_.panels.push_back(
-        {.label = "attitude [°]",
-         .lines = {Line("roll", 0, rpy_[0]), Line("pitch", 1, rpy_[1]), Line("yaw", 2, rpy_[2])}});
+    if (traces_[0].points().empty()) return;
+    page_.panels.push_back({.label = "height [m]", .lines = {Line("base", 0, 0)}});
+    page_.panels.push_back({.label = "attitude [°]",
+                            .lines = {Line("roll", 0, 1), Line("pitch", 1, 2), Line("yaw", 2, 3)}});
   }
 
-  // By default, of each kind of joint the one that moves most, and of the kinds those that move
+  // Unless told, of each kind of joint the one that moves most, and of the kinds those that move
   // most.
   std::set<std::size_t> Chosen() const {
     std::map<std::string, std::pair<double, std::size_t>> most;  // by kind: range, motor
     std::set<std::size_t> chosen;
-    for (const Gathered& line : gathered_) {
-      if (!options_.motors.empty()) chosen.insert(line.motor);
-      if (line.of != 0 || line.commanded) continue;
-      const double range = Range(line.trace.points());
+    for (std::size_t i = kBaseColumns; i < columns().size(); ++i) {
+      const RunColumn& line = columns()[i];
+      if (line.kind != RunColumn::Kind::kMotor) continue;
+      if (!options_.what.motors.empty()) chosen.insert(line.motor);
+      if (line.field != 0 || line.commanded) continue;
+      const double range = Range(traces_[i].points());
       const auto [kind, is_new] =
-          most.try_emplace(KindOf(motors_[line.motor].name), range, line.motor);
+          most.try_emplace(KindOf(motors()[line.motor].name), range, line.motor);
       if (range > kind->second.first) kind->second = {range, line.motor};
     }
     if (!chosen.empty()) return chosen;
@@ -311,18 +117,23 @@ class PageMaker {
 
   void AddMotors() {
     const std::set<std::size_t> chosen = Chosen();
-    for (std::size_t field = 0; field < fields_.size(); ++field) {
-      PlotPanel panel{.label = fields_[field].label};
+    for (const std::size_t motor : chosen) page_.slots.push_back(motors()[motor].slot);
+    for (std::size_t field = 0; field < fields().size(); ++field) {
+      PlotPanel panel;
       for (const bool commanded : {true, false}) {
         std::size_t color = 0;
         for (const std::size_t motor : chosen) {
-          const auto line = std::ranges::find_if(gathered_, [&](const Gathered& one) {
-            return one.of == field && one.motor == motor && one.commanded == commanded;
+          const auto line = std::ranges::find_if(columns(), [&](const RunColumn& one) {
+            return one.kind == RunColumn::Kind::kMotor && one.field == field &&
+                   one.motor == motor && one.commanded == commanded;
           });
           const std::size_t its_color = color++;
-          if (line == gathered_.end() || line->trace.points().empty()) continue;
+          if (line == columns().end()) continue;
+          const auto column = static_cast<std::size_t>(line - columns().begin());
+          if (traces_[column].points().empty()) continue;
+          panel.label = LabelOf(*line);
           panel.lines.push_back(
-              Line(commanded ? "" : motors_[motor].name, its_color, line->trace, commanded));
+              Line(commanded ? "" : motors()[motor].name, its_color, column, commanded));
         }
       }
       if (!panel.lines.empty()) page_.panels.push_back(std::move(panel));
@@ -330,31 +141,23 @@ class PageMaker {
   }
 
   void AddSignals() {
-    for (std::size_t i = 0; i < options_.signals.size(); ++i) {
-      const std::string& signal = options_.signals[i];
+    for (std::size_t i = kBaseColumns; i < columns().size(); ++i) {
+      if (columns()[i].kind != RunColumn::Kind::kSignal) continue;
+      const std::string& signal = columns()[i].name;
       const std::string path = signal.substr(signal.find(':') + 1);
-      const Trace& trace = signals_[i].trace;
-      if (trace.points().empty()) {
+      if (traces_[i].points().empty()) {
         throw RecordError("--signals: nothing says " + signal + " from " +
                           std::to_string(page_.from) + " to " + std::to_string(page_.to) + " s");
       }
       // A short label: gnuplot omits one that is longer than the axis.
       page_.panels.push_back(
-          {.label = path.substr(path.rfind('.') + 1), .lines = {Line(path, 0, trace)}});
+          {.label = path.substr(path.rfind('.') + 1), .lines = {Line(path, 0, i)}});
     }
   }
 
-  const McapReader& reader_;
   const PlotOptions& options_;
   PlotPage page_;
-  StringMap about_;
-  std::uint64_t beginning_ = 0;
-  std::map<std::string, std::string> types_;  // by topic on the wire
-  std::vector<Motor> known_, motors_;
-  std::vector<MotorField> fields_;
-  std::vector<Gathered> gathered_, signals_;  // lines of motors, and of signals
-  Trace height_;
-  std::array<Trace, 3> rpy_;
+  std::vector<Trace> traces_;  // by column
   // The last event of each kind: its time and its mark.
   std::map<std::string, std::pair<double, std::size_t>> last_of_;
 };
@@ -363,6 +166,44 @@ class PageMaker {
 
 PlotPage MakePage(const McapReader& reader, const PlotOptions& options) {
   return PageMaker(reader, options).Make();
+}
+
+PlotPage MakePage(const McapReader& first, const McapReader& second, double shift,
+                  const PlotOptions& options) {
+  PlotPage page = MakePage(first, options);
+  PlotOptions others = options;
+  others.what.motors.clear();
+  for (const int slot : page.slots) others.what.motors.push_back(std::to_string(slot));
+  others.what.from = std::max(0.0, page.from - shift);
+  others.what.to = page.to - shift;
+  if (!(others.what.to > others.what.from)) {
+    throw RecordError(second.path().string() + ": --shift " + std::to_string(shift) +
+                      " leaves nothing in common with " + first.path().string());
+  }
+  const PlotPage other = MakePage(second, others);
+  page.title += "; dashed: " + other.title;
+  page.dashed = second.path().filename().string();
+  for (PlotPanel& panel : page.panels) {
+    std::erase_if(panel.lines, &PlotLine::dashed);  // what was commanded
+  }
+  for (const PlotPanel& theirs : other.panels) {
+    const auto panel = std::ranges::find(page.panels, theirs.label, &PlotPanel::label);
+    if (panel == page.panels.end()) continue;
+    for (PlotLine line : theirs.lines) {
+      if (line.dashed) continue;
+      line.dashed = true;
+      line.name.clear();
+      for (auto& [at, value] : line.points) at += shift;
+      panel->lines.push_back(std::move(line));
+    }
+  }
+  for (PlotMark mark : other.marks) {
+    mark.at += shift;
+    mark.text = page.dashed + ": " + mark.text;
+    page.marks.push_back(std::move(mark));
+  }
+  std::ranges::stable_sort(page.marks, {}, &PlotMark::at);
+  return page;
 }
 
 TracePoints Thinned(const TracePoints& all, double from, double to) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "record/mcap_reader.h"
+#include "record/run_reader.h"
 
 namespace understudy::record {
 
@@ -35,19 +36,14 @@ class Trace {
 };
 
 struct PlotOptions {
-  std::vector<std::string> motors{};   // joints, with or without _joint, or slots; empty: of each
-                                       // kind the one that moves most, six at most
-  std::vector<std::string> fields{};   // of motors: q, dq, tau, temperature; empty: q, tau
-  std::vector<std::string> signals{};  // "rt/lowstate:imu_state.gyroscope[2]", one panel each;
-                                       // with ROS or DDS names of topics
-  double from = 0, to = 0;             // s of simulated time; `to` 0: the recording's end
-  int width = 1600, height = 0;        // pixels; height 0: by the number of panels
+  RunChoice what{};              // no motors: of each kind the one that moves most, six at most
+  int width = 1600, height = 0;  // pixels; height 0: by the number of panels
 };
 
 struct PlotLine {
   std::string name;
   int color = 0;         // index in the palette
-  bool dashed = false;   // for commanded values
+  bool dashed = false;   // for commanded values, or for another recording
   TracePoints points{};  // at least one, thinned
 };
 
@@ -70,12 +66,20 @@ struct PlotPage {
   int width = 0, height = 0;
   std::vector<PlotPanel> panels{};
   std::vector<PlotMark> marks{};
+  std::vector<int> slots{};          // of the motors whose lines these are
+  std::string dashed = "commanded";  // what dashed lines are
 };
 
 // Reads the recording and makes panels of base height and attitude, of the motors' fields with
 // their commanded values and of the signals, and marks of the events. Throws RecordError for an
 // unknown motor, field or signal, with the nearest word, and if there is nothing to draw.
 PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
+
+// The same of `first`, with the lines of the same panels of `second`, a robot with the same slots,
+// dashed in the place of what was commanded, and its marks under its file's name; `shift` s are
+// added to its time. Throws as above, and where the two have no time in common.
+PlotPage MakePage(const McapReader& first, const McapReader& second, double shift,
+                  const PlotOptions& options);
 
 // Returns the gnuplot script that draws a page as SVG or PNG into the file `picture`. Texts of the
 // recording are quoted, so they cannot be commands.

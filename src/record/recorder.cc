@@ -169,6 +169,8 @@ void Recorder::BeginRos() {
   tf_channel_ = channel(kTfTopic);
   joint_states_channel_ = channel(kJointStatesTopic);
   clock_channel_ = channel(kClockTopic);
+  ros_->urdf = {};  // which may be some MB
+  ros_->scene = {};
 }
 
 void Recorder::Run(const std::stop_token& stop) {

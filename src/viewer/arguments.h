@@ -69,8 +69,9 @@ struct FilmArguments {
   std::optional<double> from;  // s of simulated time, in a recording
   std::optional<double> to;
   int fps = 30;
-  double speed = 1;  // simulated seconds per second of film
-  double orbit = 0;  // degrees per second of film that the camera goes round
+  double speed = 1;    // simulated seconds per second of film
+  double orbit = 0;    // degrees per second of film that the camera goes round
+  bool plain = false;  // without clock and events
 };
 
 // Each adds the subcommand with its options, which must outlive the parsing.

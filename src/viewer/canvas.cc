@@ -15,6 +15,22 @@ namespace {
 constexpr int kSamples = 4;          // per pixel; what every OpenGL has
 constexpr int kShadowPixels = 2048;  // *assumed*: 1 mm each about a robot
 
+// So that four lines of events take about a fifth of the picture's height.
+mjtFontScale FontScale(int height) {
+  struct Row {
+    int below;  // pixels
+    mjtFontScale scale;
+  };
+  constexpr Row kRows[] = {{360, mjFONTSCALE_50},
+                           {900, mjFONTSCALE_100},
+                           {1300, mjFONTSCALE_150},
+                           {1800, mjFONTSCALE_200}};
+  for (const Row& row : kRows) {
+    if (height < row.below) return row.scale;
+  }
+  return mjFONTSCALE_300;
+}
+
 }  // namespace
 
 Canvas::Canvas(Stage* stage, const PictureSize& size, bool fine) : drawn_(size), fine_(fine) {
@@ -25,7 +41,7 @@ Canvas::Canvas(Stage* stage, const PictureSize& size, bool fine) : drawn_(size),
   visual->quality.offsamples = kSamples;
   visual->quality.shadowsize = kShadowPixels;
   mjr_defaultContext(&context_);
-  mjr_makeContext(&stage->model(), &context_, mjFONTSCALE_100);
+  mjr_makeContext(&stage->model(), &context_, FontScale(size.height));
   mjr_setBuffer(mjFB_OFFSCREEN, &context_);
   if (context_.currentBuffer != mjFB_OFFSCREEN) {
     mjr_freeContext(&context_);
@@ -35,11 +51,32 @@ Canvas::Canvas(Stage* stage, const PictureSize& size, bool fine) : drawn_(size),
 
 Canvas::~Canvas() { mjr_freeContext(&context_); }
 
-const Image& Canvas::Draw(Stage* stage) {
+// Within the picture's width, with room for a margin.
+std::string Canvas::Cut(std::string line) const {
+  line = InFontsLetters(line);
+  int left = drawn_.width - 4 * context_.charHeight;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    left -= context_.charWidth[static_cast<unsigned char>(line[i])];
+    if (left < 0) return line.substr(0, i) + "...";
+  }
+  return line;
+}
+
+void Canvas::Write(const Caption& caption) {
+  const mjrRect whole{0, 0, drawn_.width, drawn_.height};
+  mjr_overlay(mjFONT_NORMAL, mjGRID_TOPLEFT, whole, Cut(caption.clock).c_str(), nullptr, &context_);
+  std::string lines;
+  for (const std::string& event : caption.events) lines += (lines.empty() ? "" : "\n") + Cut(event);
+  if (lines.empty()) return;
+  mjr_overlay(mjFONT_NORMAL, mjGRID_BOTTOMLEFT, whole, lines.c_str(), nullptr, &context_);
+}
+
+const Image& Canvas::Draw(Stage* stage, const Caption* caption) {
   const mjrRect whole{0, 0, drawn_.width, drawn_.height};
   const std::size_t row = 3 * static_cast<std::size_t>(drawn_.width);
   context_.shadowClip = static_cast<float>(stage->shadow_reach());
   mjr_render(whole, stage->scene(), &context_);
+  if (caption != nullptr) Write(*caption);
 
   upside_down_.rgb.resize(row * static_cast<std::size_t>(drawn_.height));
   mjr_readPixels(upside_down_.rgb.data(), nullptr, whole, &context_);

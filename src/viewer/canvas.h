@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "viewer/screen_text.h"
 #include "viewer/stage.h"
 
 namespace understudy::viewer {
@@ -35,10 +36,15 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  // Renders the last composed scene. The reference is valid until the next call.
-  const Image& Draw(Stage* stage);
+  // Renders the last composed scene, and `caption` over it if there is one: the clock at the upper
+  // left, events at the lower left, lines that are too long cut. The reference is valid until the
+  // next call.
+  const Image& Draw(Stage* stage, const Caption* caption = nullptr);
 
  private:
+  void Write(const Caption& caption);
+  std::string Cut(std::string line) const;
+
   PictureSize drawn_;  // twice the image size if it is averaged
   bool fine_;
   mjrContext context_;

@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <deque>
 #include <filesystem>
 #include <limits>
+#include <utility>
 
 #include "base/errors.h"
 #include "viewer/film_maker.h"
@@ -61,7 +63,8 @@ FilmMaker MakeFilmMaker(const FilmArguments& arguments, double simulated, Stage*
           {.fps = arguments.fps,
            .speed = arguments.speed,
            .orbit = arguments.orbit,
-           .seconds = simulated / arguments.speed},
+           .seconds = simulated / arguments.speed,
+           .plain = arguments.plain},
           [output](const Image& image) { output->Add(image); }};
 }
 
@@ -75,12 +78,17 @@ void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& shou
   // Twice as many states as pictures, so that interpolation is accurate.
   const int hz = static_cast<int>(std::lround(2 * arguments.fps / arguments.speed));
   LiveRobot robot(socket, std::clamp(hz, 1, kMostHz), stage.positions());
+  LiveEvents events(socket);
   {
     ProgressBar bar(std::filesystem::path(arguments.drawing.out).filename().string());
     auto moved = std::chrono::steady_clock::now();
     double newest = -1;
     for (bool more = true; more && !should_stop();) {
-      for (const SceneState& state : robot.Take(kPatience)) {
+      const std::deque<SceneState> states = robot.Take(kPatience);
+      if (!arguments.plain) {
+        for (FilmEvent& event : events.News()) maker.Tell(std::move(event));
+      }
+      for (const SceneState& state : states) {
         if (state.time != newest) moved = std::chrono::steady_clock::now();
         newest = state.time;
         more = maker.Add(state);
@@ -107,11 +115,14 @@ void FilmRecording(const FilmArguments& arguments, const std::function<bool()>& 
   FilmMaker maker = MakeFilmMaker(arguments, span.to - span.from, &stage, &output);
   {
     ProgressBar bar(std::filesystem::path(arguments.drawing.out).filename().string());
-    recording.Read(span, stage.positions(), [&](const SceneState& state) {
-      const bool more = maker.Add(state) && !should_stop();
-      bar.Show(maker.seconds(), (span.to - span.from) / arguments.speed);
-      return more;
-    });
+    recording.Read(
+        span, stage.positions(),
+        [&](const SceneState& state) {
+          const bool more = maker.Add(state) && !should_stop();
+          bar.Show(maker.seconds(), (span.to - span.from) / arguments.speed);
+          return more;
+        },
+        [&](FilmEvent event) { maker.Tell(std::move(event)); }, kEventShown * arguments.speed);
   }
   output.Finish();
 }

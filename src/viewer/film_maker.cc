@@ -64,7 +64,9 @@ void FilmMaker::Draw(const SceneState& state) {
   camera_->Follow(*stage_, second);
   camera_->camera()->azimuth += plan_.orbit * second;
   stage_->Compose(camera_->camera(), show_, nullptr);
-  out_(canvas_->Draw(stage_));
+  if (plan_.plain) return out_(canvas_->Draw(stage_));
+  const Caption caption = CaptionAt(state.time, kEventShown * plan_.speed, events_);
+  out_(canvas_->Draw(stage_, &caption));
 }
 
 }  // namespace understudy::viewer

@@ -2,9 +2,12 @@
 
 #include <utility>
 
+#include <nlohmann/json.hpp>
+
 #include "base/errors.h"
 #include "client/client.h"
 #include "mjcf/compile.h"
+#include "record/truth.h"
 
 namespace understudy::viewer {
 namespace {
@@ -31,6 +34,28 @@ mjcf::ModelHandle FetchModel(const std::filesystem::path& socket) {
 
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq) {
   return ReadSnapshot(Get(socket, "/snapshot" + kParts), nq);
+}
+
+LiveEvents::LiveEvents(std::filesystem::path socket) : socket_(std::move(socket)) {}
+
+std::vector<FilmEvent> LiveEvents::News() {
+  const auto now = std::chrono::steady_clock::now();
+  if (now - asked_ < kPatience) return {};
+  asked_ = now;
+  std::vector<FilmEvent> news;
+  try {
+    for (const auto& one : nlohmann::json::parse(Get(socket_, "/events")).at("events")) {
+      const auto time = one.at("time").get<double>();
+      const auto text = one.at("text").get<std::string>();
+      if (time < newest_ || !record::IsForPictures(one.at("kind").get<std::string>())) continue;
+      if (time > newest_) told_of_newest_.clear();
+      newest_ = time;
+      if (told_of_newest_.insert(text).second) news.push_back({.time = time, .text = text});
+    }
+  } catch (const ControlError&) {               // it has gone, which its states tell
+  } catch (const nlohmann::json::exception&) {  // it is another's
+  }
+  return news;
 }
 
 LiveRobot::LiveRobot(const std::filesystem::path& socket, int hz, std::size_t nq,

@@ -7,11 +7,14 @@
 #include <filesystem>
 #include <functional>
 #include <mutex>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "viewer/scene_state.h"
+#include "viewer/screen_text.h"
 #include "viewer/stage.h"
 
 namespace understudy::viewer {
@@ -22,6 +25,25 @@ mjcf::ModelHandle FetchModel(const std::filesystem::path& socket);
 
 // Returns its present state. Throws ControlError.
 SceneState FetchState(const std::filesystem::path& socket, std::size_t nq);
+
+// Its events, asked for now and then.
+class LiveEvents {
+ public:
+  explicit LiveEvents(std::filesystem::path socket);
+
+  // Returns the events that pictures show (record::IsForPictures) and that were not returned
+  // before, oldest first; none while the robot does not answer. At most one question in kPatience
+  // of wall time.
+  std::vector<FilmEvent> News();
+
+  static constexpr std::chrono::milliseconds kPatience{100};
+
+ private:
+  std::filesystem::path socket_;
+  std::chrono::steady_clock::time_point asked_{};
+  double newest_ = -1;                    // simulated s
+  std::set<std::string> told_of_newest_;  // texts
+};
 
 // Receives its states in a separate thread.
 class LiveRobot {

@@ -90,11 +90,19 @@ SceneState Recording::At(std::optional<double> time, std::size_t nq) const {
   return last;
 }
 
-void Recording::Read(const Span& span, std::size_t nq,
-                     const std::function<bool(const SceneState&)>& visit) const {
-  reader_.ReadMessages(LogTime(span.from), LogTime(span.to),
+void Recording::Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell,
+                     double before) const {
+  const std::uint64_t from = LogTime(span.from);
+  reader_.ReadMessages(LogTime(span.from - before), LogTime(span.to),
                        [&](const record::McapChannel& channel, const record::McapMessage& message) {
-                         if (channel.topic != record::kTruthTopic) return true;
+                         if (tell && channel.topic == record::kEventTopic) {
+                           record::Event event = record::DecodeEvent(message.data);
+                           if (record::IsForPictures(event.kind)) {
+                             tell({.time = event.time, .text = std::move(event.text)});
+                           }
+                         }
+                         if (channel.topic != record::kTruthTopic || message.log_time < from)
+                           return true;
                          record::Truth truth = Decode(message);
                          if (truth.qpos.size() != nq) {
                            throw RecordError("a state of " + std::to_string(truth.qpos.size()) +

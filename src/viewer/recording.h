@@ -9,6 +9,7 @@
 
 #include "record/mcap_reader.h"
 #include "viewer/scene_state.h"
+#include "viewer/screen_text.h"
 #include "viewer/stage.h"
 
 namespace understudy::viewer {
@@ -33,9 +34,12 @@ class Recording {
   // Throws SetupError for a time after the end. `nq` is that of the model.
   SceneState At(std::optional<double> time, std::size_t nq) const;
 
-  // Visits the states of that time in order until `visit` returns false.
-  void Read(const Span& span, std::size_t nq,
-            const std::function<bool(const SceneState&)>& visit) const;
+  // Visits the states of that time in order until `visit` returns false, and between them tells of
+  // events that pictures show (record::IsForPictures), also of those of the `before` s before.
+  using Visit = std::function<bool(const SceneState&)>;
+  using Tell = std::function<void(FilmEvent)>;
+  void Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell = {},
+            double before = 0) const;
 
  private:
   std::uint64_t LogTime(double time) const;

@@ -1,6 +1,9 @@
 #include "viewer/screen_text.h"
 
+#include <algorithm>
 #include <cstdio>
+#include <cstring>
+#include <iterator>
 
 #include <nlohmann/json.hpp>
 
@@ -60,6 +63,43 @@ TextBlock StatusText(const SceneState& state, double real_time_factor, const std
   if (!motors.empty()) text.Add("motors", motors);
   if (!state.keys.empty()) text.Add("remote", state.keys);
   return text;
+}
+
+Caption CaptionAt(double now, double span, const std::vector<FilmEvent>& events) {
+  Caption caption{.clock = Number("%.2f s", now), .events = {}};
+  for (const FilmEvent& event : events) {
+    if (event.time > now || event.time <= now - span) continue;
+    caption.events.push_back(Number("%.2f s  ", event.time) + event.text);
+  }
+  if (caption.events.size() > kMostShown) {
+    caption.events.erase(caption.events.begin(), caption.events.end() - kMostShown);
+  }
+  return caption;
+}
+
+std::string InFontsLetters(const std::string& text) {
+  struct Row {
+    const char* sign;
+    const char* word;
+  };
+  constexpr Row kRows[] = {{"·", "*"}, {"°", " deg"}, {"²", "2"}, {"…", "..."}, {"−", "-"}};
+  std::string out;
+  for (std::size_t i = 0; i < text.size();) {
+    const auto c = static_cast<unsigned char>(text[i]);
+    if (c < 0x80) {
+      out += c < ' ' || c == 0x7F ? ' ' : text[i];
+      ++i;
+      continue;
+    }
+    const auto row = std::find_if(std::begin(kRows), std::end(kRows), [&](const Row& one) {
+      return text.compare(i, std::strlen(one.sign), one.sign) == 0;
+    });
+    out += row == std::end(kRows) ? "?" : row->word;
+    // A letter goes on as long as its bytes begin with the bits 10.
+    for (++i; i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80; ++i) {
+    }
+  }
+  return out;
 }
 
 TextBlock HelpText() {

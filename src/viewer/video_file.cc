@@ -36,6 +36,16 @@ std::vector<std::string> Arguments(const PictureSize& size, int fps, const FilmF
   return arguments;
 }
 
+// ", or name a film .mp4 or .gif": the kinds that are left.
+std::string OtherEndings(const std::string& ending) {
+  std::string others;
+  for (const FilmFormat& format : kFilmFormats) {
+    if (format.ending != ending)
+      others += (others.empty() ? "" : " or ") + std::string(format.ending);
+  }
+  return ", or name a film " + others;
+}
+
 }  // namespace
 
 VideoFile::VideoFile(std::filesystem::path file, const PictureSize& size, int fps)
@@ -133,6 +143,11 @@ void VideoFile::Fail() {
   std::error_code ignored;
   std::filesystem::remove(part_, ignored);
   const std::string why = Said();
+  if (why.find("Unknown encoder") != std::string::npos) {
+    throw SetupError("cannot write " + file_.string() + ": this ffmpeg has no encoder for " +
+                     EndingOf(file_) + " (it says: " + why +
+                     "); Debian's has, apt-get install ffmpeg" + OtherEndings(EndingOf(file_)));
+  }
   throw SetupError("cannot write " + file_.string() + ": ffmpeg " +
                    (why.empty() ? "ended without a word" : "says: " + why));
 }

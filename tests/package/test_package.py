@@ -126,6 +126,12 @@ def test_the_devcontainer_is_the_program_of_the_compose_file():
     assert container["workspaceFolder"] in [volume.split(":")[1] for volume in program["volumes"]]
 
 
+def test_layouts_for_viewers_are_installed(debian, image):
+    installed = set(debian.must("dpkg", "-L", "understudy").split())
+    for layout in sorted((EXAMPLES / "layouts").iterdir()):
+        assert f"/usr/share/understudy/examples/layouts/{layout.name}" in installed
+
+
 def test_completions_lie_where_shells_look_and_manual_pages_where_man_does(debian, image):
     installed = set(debian.must("dpkg", "-L", "understudy").split())
     commands = debian.must("understudy", "complete", "--", "").split()

@@ -9,7 +9,7 @@
 #include "record/cdr_field.h"
 #include "record/truth.h"
 #include "robot/robot_values.h"
-#include "tests/record/mcap_files.h"
+#include "tests/record/runs.h"
 
 namespace understudy::record {
 namespace {
@@ -19,7 +19,7 @@ using ::testing::Not;
 using ::testing::SizeIs;
 using ::testing::ThrowsMessage;
 
-class PlotTest : public McapFilesTest {
+class PlotTest : public RunsTest {
  protected:
   // A base that rises from 0.1 to 0.3 m in 10 s and turns by 90 degrees; 10,000 moments.
   std::filesystem::path Rising(const std::vector<Event>& events = {}) {
@@ -91,7 +91,8 @@ TEST_F(PlotTest, LeavesOutNoValueButWhatIsNone) {
   writer.Finish();
   const PlotPage page = MakePage(
       McapReader(File()),
-      {.motors = {"0"}, .fields = {"q"}, .signals = {"rt/lowstate:tick", "/lowstate:tick"}});
+      {.what = {
+           .motors = {"0"}, .fields = {"q"}, .signals = {"rt/lowstate:tick", "/lowstate:tick"}}});
   ASSERT_THAT(page.panels, SizeIs(3));
   EXPECT_TRUE(page.panels[0].lines[0].dashed);
   EXPECT_THAT(page.panels[0].lines[0].points, SizeIs(5));
@@ -108,14 +109,14 @@ TEST_F(PlotTest, SaysThatASignalIsSilent) {
   writer.Write(state, 1000, 1000, AsBytes("short"));
   writer.Write(state, 2000, 2000, AsBytes("short"));
   writer.Finish();
-  EXPECT_THAT([&] { MakePage(McapReader(File()), {.signals = {"rt/lowstate:tick"}}); },
+  EXPECT_THAT([&] { MakePage(McapReader(File()), {.what = {.signals = {"rt/lowstate:tick"}}}); },
               ThrowsMessage<RecordError>(HasSubstr("nothing says rt/lowstate:tick from")));
 }
 
 TEST_F(PlotTest, IsNoWiderThanTheRecording) {
-  EXPECT_NEAR(MakePage(McapReader(Rising()), {.to = 1e300}).to, 10, 1e-9);
+  EXPECT_NEAR(MakePage(McapReader(Rising()), {.what = {.to = 1e300}}).to, 10, 1e-9);
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT([&] { MakePage(McapReader(File()), {.from = none}); },
+  EXPECT_THAT([&] { MakePage(McapReader(File()), {.what = {.from = none}}); },
               ThrowsMessage<RecordError>(HasSubstr("there is nothing from")));
 }
 
@@ -134,11 +135,41 @@ TEST_F(PlotTest, HasRoomForPanelsHoweverMuchHappened) {
 }
 
 TEST_F(PlotTest, DrawsAPart) {
-  const PlotPage page = MakePage(McapReader(Rising()), {.from = 2, .to = 4});
+  const PlotPage page = MakePage(McapReader(Rising()), {.what = {.from = 2, .to = 4}});
   EXPECT_NEAR(page.panels[0].lines[0].points.front().first, 2, 1e-6);
   EXPECT_NEAR(page.panels[0].lines[0].points.back().first, 4, 1e-6);
-  EXPECT_THAT([&] { MakePage(McapReader(File()), {.from = 50}); },
+  EXPECT_THAT([&] { MakePage(McapReader(File()), {.what = {.from = 50}}); },
               ThrowsMessage<RecordError>(HasSubstr("there is nothing from")));
+}
+
+TEST_F(PlotTest, DrawsAnotherRecordingDashedOverTheFirst) {
+  const McapReader first(
+      Make("first.mcap", {.events = {{.step = 1000, .time = 1, .kind = "push", .text = "push"}}}));
+  const McapReader second(
+      Make("second.mcap", {.height = [](double) { return 0.2; },
+                           .q = [](double t) { return t; },
+                           .events = {{.step = 1000, .time = 1, .kind = "reset", .text = "reset"}},
+                           .named = false}));
+  const PlotPage page = MakePage(first, second, 2, {.what = {.fields = {"q"}}});
+  ASSERT_THAT(page.panels, SizeIs(3));
+  ASSERT_THAT(page.panels[0].lines, SizeIs(2));
+  EXPECT_FALSE(page.panels[0].lines[0].dashed);
+  EXPECT_EQ(page.panels[0].lines[0].points.back().second, 0.3);
+  EXPECT_TRUE(page.panels[0].lines[1].dashed);
+  EXPECT_EQ(page.panels[0].lines[1].points.front(), std::pair(2.0, 0.2));
+  ASSERT_THAT(page.panels[2].lines, SizeIs(2));
+  EXPECT_EQ(page.panels[2].lines[0].name, "FR_hip");
+  EXPECT_EQ(page.panels[2].lines[1].color, page.panels[2].lines[0].color);
+  EXPECT_NEAR(page.panels[2].lines[1].points.back().first, 10, 0.011);
+  EXPECT_NEAR(page.panels[2].lines[1].points.back().second, 8, 0.011);
+  ASSERT_THAT(page.marks, SizeIs(2));
+  EXPECT_EQ(page.marks[0].text, "push");
+  EXPECT_EQ(page.marks[1].text, "second.mcap: reset");
+  EXPECT_EQ(page.marks[1].at, 3);
+  EXPECT_THAT(page.title, HasSubstr("first.mcap; dashed: go2, second.mcap"));
+  EXPECT_THAT(GnuplotScript(page, true, "a.svg"), HasSubstr("title 'second.mcap'"));
+  EXPECT_THAT([&] { MakePage(first, second, 60, {}); },
+              ThrowsMessage<RecordError>(HasSubstr("leaves nothing in common")));
 }
 
 TEST_F(PlotTest, MakesOneMarkOfACrowd) {
@@ -166,13 +197,13 @@ TEST_F(PlotTest, QuotesWhatTheFileSays) {
 
 TEST_F(PlotTest, NamesTheNearestWord) {
   const McapReader reader(Rising());
-  EXPECT_THAT([&] { MakePage(reader, {.motors = {"FR_clf"}}); },
+  EXPECT_THAT([&] { MakePage(reader, {.what = {.motors = {"FR_clf"}}}); },
               ThrowsMessage<RecordError>(HasSubstr("--motors: no motor 'FR_clf'")));
-  EXPECT_THAT([&] { MakePage(reader, {.fields = {"ta"}}); },
+  EXPECT_THAT([&] { MakePage(reader, {.what = {.fields = {"ta"}}}); },
               ThrowsMessage<RecordError>(HasSubstr("did you mean 'tau'?")));
-  EXPECT_THAT([&] { MakePage(reader, {.signals = {"understudy/truth:time"}}); },
+  EXPECT_THAT([&] { MakePage(reader, {.what = {.signals = {"understudy/truth:time"}}}); },
               ThrowsMessage<RecordError>(HasSubstr("--signals: no topic 'understudy/truth'")));
-  EXPECT_THAT([&] { MakePage(reader, {.signals = {"tick"}}); },
+  EXPECT_THAT([&] { MakePage(reader, {.what = {.signals = {"tick"}}}); },
               ThrowsMessage<RecordError>(HasSubstr("expected TOPIC:FIELD")));
 }
 

@@ -193,6 +193,59 @@ def test_a_film_of_a_recording_is_as_long_as_its_part(understudy, recording, tmp
     assert int(probe(film)["nb_read_frames"]) == 10
 
 
+def frames_of(film, size):
+    """The pictures of a film, as bytes."""
+    raw = subprocess.run(["ffmpeg", "-loglevel", "error", "-i", film, "-f", "rawvideo", "-pix_fmt", "gray", "-"],
+                         capture_output=True, check=True).stdout
+    pixels = size[0] * size[1]
+    return [raw[at:at + pixels] for at in range(0, len(raw), pixels)]
+
+
+def test_clock_and_events_stand_in_a_film_unless_it_is_to_be_plain(understudy, recording, tmp_path):
+    films = {}
+    for plain in (False, True):
+        film = tmp_path / f"{plain}.mp4"
+        done = understudy("film", film, "--recording", recording, "--to", 0.4, "--fps", 5, "--size", "320x180",
+                          "--lookat", 0, 0, 50, *(["--plain"] if plain else []), env=without_display())
+        assert done.returncode == 0, done.stderr
+        films[plain] = frames_of(film, (320, 180))
+    told, plain = films[False], films[True]
+    assert len(told) == len(plain) == 2
+
+    def differ(a, b, rows):
+        part = slice(rows.start * 320, rows.stop * 320)
+        return sum(abs(x - y) > 40 for x, y in zip(a[part], b[part]))
+
+    upper, middle, lower = range(0, 40), range(40, 110), range(110, 180)
+    assert differ(told[0], plain[0], upper) > 50
+    assert differ(told[1], plain[1], lower) > 50  # the events of the begin
+    assert differ(told[0], plain[0], middle) == 0
+    assert differ(told[0], told[1], upper) > 5  # the clock goes on
+
+
+@pytest.mark.parametrize("ending, codec", [(".gif", "gif"), (".webp", "webp"), (".mp4", "h264")])
+def test_a_film_is_of_the_kind_that_its_name_says(understudy, recording, tmp_path, ending, codec):
+    film = tmp_path / f"fall{ending}"
+    done = understudy("film", film, "--recording", recording, "--from", 0.2, "--to", 0.6, "--fps", 10, "--size", "96x54",
+                      env=without_display())
+    assert done.returncode == 0, done.stderr
+    if ending == ".webp":  # whose films ffprobe does not read
+        assert film.read_bytes().count(b"ANMF") == 4
+    else:
+        assert probe(film)["codec_name"] == codec and int(probe(film)["nb_read_frames"]) == 4
+
+
+def test_an_encoder_that_ffmpeg_lacks_is_named(understudy, recording, tmp_path):
+    ffmpeg = tmp_path / "ffmpeg"
+    ffmpeg.write_text("#!/bin/sh\necho \"Unknown encoder 'libwebp_anim'\" >&2\nexit 1\n")
+    ffmpeg.chmod(0o700)
+    done = understudy("film", tmp_path / "a.webp", "--recording", recording, "--to", 0.3, "--size", "32x32",
+                      env={**without_display(), "PATH": str(tmp_path)})
+    assert done.returncode == 1
+    assert "no encoder for .webp" in done.stderr and "apt-get install ffmpeg" in done.stderr
+    assert list(tmp_path.iterdir()) == [ffmpeg]
+
+
 def test_what_is_no_recording_or_no_time_of_it_is_refused_with_a_reason(understudy, recording, tmp_path):
     other = tmp_path / "other.mcap"
     other.write_bytes(b"not a recording")

@@ -1,7 +1,9 @@
 """`understudy plot` and `compare`: plots of a recording, and of two."""
 
+import csv
 import json
 import os
+import re
 import struct
 import xml.etree.ElementTree as ElementTree
 
@@ -56,10 +58,84 @@ def test_without_gnuplot_the_package_is_named(file, tmp_path):
     assert "apt-get install gnuplot-nox" in done.stderr
 
 
+@pytest.fixture(scope="module")
+def waits(tmp_path_factory):
+    """A robot that lies still for 9 s, but for the fourth, when it is put down once more."""
+    folder = tmp_path_factory.mktemp("waits")
+    (folder / "pushed.yaml").write_text("script:\n  - {at: 4, reset: lying}\n")
+    done = understudy("exec", "go2", "--record", folder / "waits.mcap", "--duration", 9, "--speed", "max",
+                      "--released", "--script", folder / "pushed.yaml", "--", "sleep", 60)
+    assert (folder / "waits.mcap").exists(), done.stderr
+    return folder / "waits.mcap"
+
+
+def test_time_in_which_nothing_moves_is_left_out_unless_asked_for(waits, tmp_path):
+    drawing = tmp_path / "a.svg"
+    trimmed = understudy("plot", waits, "--out", drawing)
+    assert trimmed.returncode == 0, trimmed.stderr
+    assert "left out; --whole shows it" in trimmed.stderr
+    left_out = re.findall(r"([0-9.]+) to ([0-9.]+) s", trimmed.stderr)
+    assert (0, 3.5) == pytest.approx(tuple(map(float, left_out[0])), abs=0.1)
+    for arguments in (["--whole"], ["--from", 1], ["--to", 8]):
+        done = understudy("plot", waits, "--out", drawing, *arguments)
+        assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_two_recordings_are_drawn_over_each_other(file, waits, tmp_path):
+    drawing = tmp_path / "two.svg"
+    done = understudy("plot", file, waits, "--out", drawing, "--shift", -3.5, "--motors", "FR_calf")
+    assert done.returncode == 0, done.stderr
+    words = " ".join(ElementTree.parse(drawing).getroot().itertext())
+    for word in ("go2.mcap", "dashed: go2, waits.mcap", "FR_calf"):
+        assert word in words, word
+    assert re.search(r"waits\.mcap: \S*pushed\.yaml:2", words)
+    assert "commanded" not in words
+
+
+def test_a_table_has_every_number_with_its_unit(file, tmp_path):
+    table = tmp_path / "go2.csv"
+    done = understudy("plot", file, "--out", table, "--fields", "q,dq,tau",
+                      "--signals", "rt/lowstate:imu_state.gyroscope[2]")
+    assert (done.returncode, done.stdout.strip()) == (0, str(table)), done.stderr
+    with table.open(newline="", encoding="utf-8") as lines:
+        rows = list(csv.DictReader(lines))
+    assert len(rows) >= 1000
+    assert {"time [s]", "base height [m]", "base yaw [°]", "FR_calf q [rad]", "RL_hip dq [rad/s]", "FL_thigh tau [N·m]",
+            "rt/lowstate:imu_state.gyroscope[2]", "events"} <= set(rows[0])
+    times = [float(row["time [s]"]) for row in rows]
+    assert times == sorted(times) and times[0] == 0 and times[-1] == pytest.approx(2)
+    heights = [float(row["base height [m]"]) for row in rows if row["base height [m]"]]
+    assert len(heights) == 1000 and all(0.2 < height < 0.5 for height in heights)
+    assert any("push base_link" in row["events"] or "pushed.yaml:2" in row["events"] for row in rows)
+
+    beside = understudy("plot", file, file, "--csv", "--motors", "FR_calf", "--from", 1, "--to", 1.1)
+    assert beside.stdout.strip() == str(file.with_suffix(".csv")), beside.stderr
+    with file.with_suffix(".csv").open(newline="", encoding="utf-8") as lines:
+        both = list(csv.DictReader(lines))
+    assert {row["recording"] for row in both} == {"go2.mcap"}
+    assert [name for name in both[0] if name.startswith("F")] == ["FR_calf q [rad]", "FR_calf tau [N·m]"]
+    assert both[:len(both) // 2] == both[len(both) // 2:]
+
+
 def test_misuse_is_said(file, tmp_path):
     def refused(*arguments):
         done = understudy("plot", file, *arguments)
         return done.returncode, done.stderr
+
+    for arguments, code, words in (
+            (("--csv", "--out", "a.csv"), 2, ["--csv", "--out"]),
+            (("--csv", "--size", "800x600"), 2, ["--size", "--csv"]),
+            (("--out", tmp_path / "a.csv", "--size", "800x600"), 2, ["--size", "no pixels"]),
+            (("--shift", 1), 2, ["--shift", "second"]),
+            (("--whole", "--from", 1), 2, ["--whole", "--from"]),
+            ((file, "--shift", "soon"), 2, ["--shift", "soon"]),
+            ((file, "--shift", 60), 9, ["nothing in common"]),
+            ((tmp_path / "none.mcap",), 9, ["none.mcap"]),
+            (("--out", tmp_path / "none/a.csv"), 9, ["cannot be written"])):
+        got, said = refused(*arguments)
+        assert got == code, (arguments, said)
+        for word in words:
+            assert word in said, (arguments, said)
 
     code, said = refused("--motors", "FR_claf")
     assert code == 9 and "did you mean 'FR_calf'?" in said

@@ -1,6 +1,9 @@
 // Draws with the OpenGL of this machine, usually Mesa's software renderer.
 #include "viewer/canvas.h"
 
+#include <algorithm>
+#include <string>
+
 #include <mujoco/mujoco.h>
 
 #include "base/errors.h"
@@ -69,6 +72,36 @@ TEST_F(CanvasTest, HasTheUpperRowFirst) {
     if (pixel.g > 2 * pixel.r && pixel.g > 2 * pixel.b) ++(y < 32 ? green_above : green_below);
   }
   EXPECT_GT(green_above, green_below) << "the arm is on top of the ball";
+}
+
+TEST_F(CanvasTest, WritesClockAndEventsIntoItsCorners) {
+  stage_.Show(BallAt(0));
+  mjvCamera camera;
+  mjv_defaultCamera(&camera);
+  camera.type = mjCAMERA_FIXED;
+  camera.fixedcamid = stage_.Camera("above");
+  Canvas canvas(&stage_, {.width = 320, .height = 180}, false);
+  stage_.Compose(&camera, {}, nullptr);
+  const Image plain = canvas.Draw(&stage_);
+  const auto changed = [&](const Caption& caption, int from_y, int to_y) {
+    const Image image = canvas.Draw(&stage_, &caption);
+    int pixels = 0, right = 0;
+    for (int y = from_y; y < to_y; ++y) {
+      for (int x = 0; x < image.width; ++x) {
+        if (At(image, x, y).g == At(plain, x, y).g) continue;
+        ++pixels;
+        right = std::max(right, x);
+      }
+    }
+    EXPECT_LT(right, 320);
+    return pixels;
+  };
+  const Caption quiet{.clock = "1.00 s", .events = {}};
+  const Caption busy{.clock = "1.00 s", .events = {"1.00 s  push", std::string(500, 'w')}};
+  EXPECT_GT(changed(quiet, 0, 60), 100);
+  EXPECT_EQ(changed(quiet, 60, 180), 0);
+  EXPECT_GT(changed(busy, 120, 180), 500);
+  EXPECT_EQ(changed(busy, 60, 120), 0);
 }
 
 TEST(HeadlessGlTest, SaysWhatToInstallWhereThereIsNone) {

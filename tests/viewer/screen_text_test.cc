@@ -62,5 +62,21 @@ TEST(ScreenTextTest, BeginsAnewWhenTimeGoesBack) {
   EXPECT_EQ(factor.value(), 0);
 }
 
+TEST(ScreenTextTest, ShowsTheLastEventsOfATime) {
+  const std::vector<FilmEvent> events = {{0, "a"},    {1, "b"},     {2, "c"},  {2.5, "d"},
+                                         {2.75, "e"}, {2.875, "f"}, {3.5, "g"}};
+  const Caption caption = CaptionAt(3, 2.5, events);
+  EXPECT_EQ(caption.clock, "3.00 s");
+  EXPECT_THAT(caption.events,
+              testing::ElementsAre("2.00 s  c", "2.50 s  d", "2.75 s  e", "2.88 s  f"));
+  EXPECT_THAT(CaptionAt(3, 1, events).events, testing::SizeIs(3)) << "2 s is not within 1 s of 3";
+  EXPECT_THAT(CaptionAt(10, 1, events).events, testing::IsEmpty());
+}
+
+TEST(ScreenTextTest, IsInLettersThatTheFontHas) {
+  EXPECT_EQ(InFontsLetters("5 N·m at 30 °C, é\n…"), "5 N*m at 30  degC, ? ...");
+  EXPECT_EQ(InFontsLetters("cut \xE2\x80"), "cut ?");
+}
+
 }  // namespace
 }  // namespace understudy::viewer

@@ -78,6 +78,22 @@ TEST_F(VideoFileTest, TellsWhatFfmpegSays) {
       ThrowsMessage<SetupError>(HasSubstr("No such file or directory")));
 }
 
+TEST_F(VideoFileTest, TellsWhichEncoderIsMissingAndWhatElseThereIs) {
+  const std::filesystem::path ffmpeg =
+      folder_.Write("ffmpeg", "#!/bin/sh\necho \"Unknown encoder 'libwebp_anim'\" >&2\nexit 1\n");
+  std::filesystem::permissions(ffmpeg, std::filesystem::perms::owner_all);
+  ::setenv("PATH", folder_.path().c_str(), 1);
+  EXPECT_THAT(
+      [&] {
+        VideoFile video(folder_.path() / "a.webp", kSize, 10);
+        video.Add(Picture());
+        video.Finish();
+      },
+      ThrowsMessage<SetupError>(
+          testing::AllOf(HasSubstr("no encoder for .webp"), HasSubstr("libwebp_anim"),
+                         HasSubstr("apt-get install ffmpeg, or name a film .mp4 or .gif"))));
+}
+
 TEST_F(VideoFileTest, TakesANameThatLooksLikeAProtocol) {
   const std::filesystem::path file = folder_.path() / "12:30.mp4";
   const std::filesystem::path here = std::filesystem::current_path();
