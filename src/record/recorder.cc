@@ -153,7 +153,7 @@ void Recorder::Begin(const RecordingHead& head) {
 void Recorder::BeginRos() {
   const auto channel = [&](const RosTopic& topic) {
     const auto [schema, is_new] = schemas_.try_emplace(topic.type, 0);
-    if (is_new) schema->second = writer_.AddSchema(topic.type, "ros2msg", topic.text);
+    if (is_new) schema->second = writer_.AddSchema(topic.type, "ros2msg", RosSchema(topic));
     return AddChannel(
         topic.name, topic.type, schema->second,
         {{"from", "simulation"},

@@ -3,81 +3,20 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 #include "record/cdr_out.h"
 
-// The parts of schemas that several have.
-#define UNDERSTUDY_MSG(name)                                                           \
-  "================================================================================\n" \
-  "MSG: " name "\n"
-#define UNDERSTUDY_TIME UNDERSTUDY_MSG("builtin_interfaces/Time") "int32 sec\nuint32 nanosec\n"
-#define UNDERSTUDY_HEADER           \
-  UNDERSTUDY_MSG("std_msgs/Header") \
-  "builtin_interfaces/Time stamp\nstring frame_id\n" UNDERSTUDY_TIME
-#define UNDERSTUDY_XYZ "float64 x\nfloat64 y\nfloat64 z\n"
-#define UNDERSTUDY_VECTOR UNDERSTUDY_MSG("geometry_msgs/Vector3") UNDERSTUDY_XYZ
-#define UNDERSTUDY_QUATERNION \
-  UNDERSTUDY_MSG("geometry_msgs/Quaternion") UNDERSTUDY_XYZ "float64 w\n"
-#define UNDERSTUDY_TF \
-  "geometry_msgs/TransformStamped[] transforms\n" UNDERSTUDY_MSG(                           \
-      "geometry_msgs/TransformStamped") "std_msgs/Header header\nstring child_frame_id\n"   \
-                                        "geometry_msgs/Transform transform\n"               \
-  UNDERSTUDY_HEADER UNDERSTUDY_MSG("geometry_msgs/Transform")                               \
-      "geometry_msgs/Vector3 translation\ngeometry_msgs/Quaternion rotation\n"              \
-  UNDERSTUDY_VECTOR UNDERSTUDY_QUATERNION
-
 namespace understudy::record {
 
-constexpr RosTopic kTfTopic = {"/tf", "tf2_msgs/msg/TFMessage", UNDERSTUDY_TF, false};
-constexpr RosTopic kTfStaticTopic = {"/tf_static", "tf2_msgs/msg/TFMessage", UNDERSTUDY_TF, true};
-constexpr RosTopic kJointStatesTopic = {"/joint_states", "sensor_msgs/msg/JointState",
-                                        "std_msgs/Header header\n"
-                                        "string[] name\n"
-                                        "float64[] position\n"
-                                        "float64[] velocity\n"
-                                        "float64[] effort\n" UNDERSTUDY_HEADER,
-                                        false};
-constexpr RosTopic kRobotDescriptionTopic = {"/robot_description", "std_msgs/msg/String",
-                                             "string data\n", true};
-constexpr RosTopic kClockTopic = {"/clock", "rosgraph_msgs/msg/Clock",
-                                  "builtin_interfaces/Time clock\n" UNDERSTUDY_TIME, false};
-constexpr RosTopic kSceneTopic = {
-    "/scene", "visualization_msgs/msg/MarkerArray",
-    "visualization_msgs/Marker[] markers\n" UNDERSTUDY_MSG("visualization_msgs/Marker")
-        "int32 CUBE=1\n"
-        "int32 SPHERE=2\n"
-        "int32 CYLINDER=3\n"
-        "int32 TRIANGLE_LIST=11\n"
-        "int32 ADD=0\n"
-        "std_msgs/Header header\n"
-        "string ns\n"
-        "int32 id\n"
-        "int32 type\n"
-        "int32 action\n"
-        "geometry_msgs/Pose pose\n"
-        "geometry_msgs/Vector3 scale\n"
-        "std_msgs/ColorRGBA color\n"
-        "builtin_interfaces/Duration lifetime\n"
-        "bool frame_locked\n"
-        "geometry_msgs/Point[] points\n"
-        "std_msgs/ColorRGBA[] colors\n"
-        "string texture_resource\n"
-        "sensor_msgs/CompressedImage texture\n"
-        "visualization_msgs/UVCoordinate[] uv_coordinates\n"
-        "string text\n"
-        "string mesh_resource\n"
-        "visualization_msgs/MeshFile mesh_file\n"
-        "bool mesh_use_embedded_materials\n" UNDERSTUDY_HEADER UNDERSTUDY_MSG("geometry_msgs/Pose")
-            "geometry_msgs/Point position\n"
-            "geometry_msgs/Quaternion orientation\n" UNDERSTUDY_MSG("geometry_msgs/Point")
-                UNDERSTUDY_XYZ UNDERSTUDY_QUATERNION UNDERSTUDY_VECTOR UNDERSTUDY_MSG(
-                    "std_msgs/ColorRGBA") "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n"
-    UNDERSTUDY_MSG("builtin_interfaces/Duration") "int32 sec\nuint32 nanosec\n" UNDERSTUDY_MSG(
-        "sensor_msgs/CompressedImage") "std_msgs/Header header\nstring format\nuint8[] data\n"
-    UNDERSTUDY_MSG("visualization_msgs/UVCoordinate") "float32 u\nfloat32 v\n" UNDERSTUDY_MSG(
-        "visualization_msgs/MeshFile") "string filename\nuint8[] data\n",
-    true};
+constexpr RosTopic kTfTopic = {"/tf", "tf2_msgs/msg/TFMessage", false};
+constexpr RosTopic kTfStaticTopic = {"/tf_static", "tf2_msgs/msg/TFMessage", true};
+constexpr RosTopic kJointStatesTopic = {"/joint_states", "sensor_msgs/msg/JointState", false};
+constexpr RosTopic kRobotDescriptionTopic = {"/robot_description", "std_msgs/msg/String", true};
+constexpr RosTopic kClockTopic = {"/clock", "rosgraph_msgs/msg/Clock", false};
+constexpr RosTopic kSceneTopic = {"/scene", "visualization_msgs/msg/MarkerArray", true};
 
 namespace {
 
@@ -86,6 +25,78 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using mjcf::SceneShape;
 using mjcf::TreeJoint;
+
+// ROS's definitions of messages, of constants those that are used.
+struct RosMessage {
+  std::string_view name;
+  std::string_view fields;
+};
+constexpr RosMessage kRosDefinitions[] = {
+    {"builtin_interfaces/Duration", "int32 sec\nuint32 nanosec\n"},
+    {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
+    {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
+    {"geometry_msgs/Pose",
+     "geometry_msgs/Point position\n"
+     "geometry_msgs/Quaternion orientation\n"},
+    {"geometry_msgs/Quaternion", "float64 x\nfloat64 y\nfloat64 z\nfloat64 w\n"},
+    {"geometry_msgs/Transform",
+     "geometry_msgs/Vector3 translation\n"
+     "geometry_msgs/Quaternion rotation\n"},
+    {"geometry_msgs/TransformStamped",
+     "std_msgs/Header header\n"
+     "string child_frame_id\n"
+     "geometry_msgs/Transform transform\n"},
+    {"geometry_msgs/Vector3", "float64 x\nfloat64 y\nfloat64 z\n"},
+    {"rosgraph_msgs/Clock", "builtin_interfaces/Time clock\n"},
+    {"sensor_msgs/CompressedImage",
+     "std_msgs/Header header\n"
+     "string format\n"
+     "uint8[] data\n"},
+    {"sensor_msgs/JointState",
+     "std_msgs/Header header\n"
+     "string[] name\n"
+     "float64[] position\n"
+     "float64[] velocity\n"
+     "float64[] effort\n"},
+    {"std_msgs/ColorRGBA", "float32 r\nfloat32 g\nfloat32 b\nfloat32 a\n"},
+    {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
+    {"std_msgs/String", "string data\n"},
+    {"tf2_msgs/TFMessage", "geometry_msgs/TransformStamped[] transforms\n"},
+    {"visualization_msgs/Marker",
+     "int32 CUBE=1\n"
+     "int32 SPHERE=2\n"
+     "int32 CYLINDER=3\n"
+     "int32 TRIANGLE_LIST=11\n"
+     "int32 ADD=0\n"
+     "std_msgs/Header header\n"
+     "string ns\n"
+     "int32 id\n"
+     "int32 type\n"
+     "int32 action\n"
+     "geometry_msgs/Pose pose\n"
+     "geometry_msgs/Vector3 scale\n"
+     "std_msgs/ColorRGBA color\n"
+     "builtin_interfaces/Duration lifetime\n"
+     "bool frame_locked\n"
+     "geometry_msgs/Point[] points\n"
+     "std_msgs/ColorRGBA[] colors\n"
+     "string texture_resource\n"
+     "sensor_msgs/CompressedImage texture\n"
+     "visualization_msgs/UVCoordinate[] uv_coordinates\n"
+     "string text\n"
+     "string mesh_resource\n"
+     "visualization_msgs/MeshFile mesh_file\n"
+     "bool mesh_use_embedded_materials\n"},
+    {"visualization_msgs/MarkerArray", "visualization_msgs/Marker[] markers\n"},
+    {"visualization_msgs/MeshFile", "string filename\nuint8[] data\n"},
+    {"visualization_msgs/UVCoordinate", "float32 u\nfloat32 v\n"},
+};
+
+// The definition of "std_msgs/Header"; null for what has none, such as "float64".
+const RosMessage* DefinitionOf(std::string_view name) {
+  const auto found = std::ranges::find(kRosDefinitions, name, &RosMessage::name);
+  return found == std::end(kRosDefinitions) ? nullptr : found;
+}
 
 void PutTime(std::uint64_t time, BytesOut* out) {
   constexpr std::uint64_t kSecond = 1'000'000'000;
@@ -177,6 +188,23 @@ void PutMarker(const SceneShape& shape, int id, std::uint64_t time, BytesOut* ou
 }
 
 }  // namespace
+
+std::string RosSchema(const RosTopic& topic) {
+  std::string root = topic.type;
+  root.erase(root.find("/msg/"), 4);
+  std::vector<const RosMessage*> parts = {DefinitionOf(root)};
+  std::string text(parts.front()->fields);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::istringstream lines{std::string(parts[i]->fields)};
+    for (std::string line; std::getline(lines, line);) {
+      const RosMessage* const part = DefinitionOf(line.substr(0, line.find_first_of(" [")));
+      if (part == nullptr || std::ranges::find(parts, part) != parts.end()) continue;
+      parts.push_back(part);
+      text.append(80, '=').append("\nMSG: ").append(part->name).append("\n").append(part->fields);
+    }
+  }
+  return text;
+}
 
 void EncodeTf(const RosRobot& robot, const Truth& truth, std::uint64_t time, BytesOut* out) {
   const mjcf::RobotTree& tree = robot.tree;

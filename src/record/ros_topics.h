@@ -17,12 +17,10 @@ namespace understudy::record {
 // and "map").
 inline constexpr char kWorldFrame[] = "world";
 
-// A topic: its type with the schema as ros2msg, and whether late readers get its last message
-// (transient local).
+// A topic, and whether late readers get its last message (transient local).
 struct RosTopic {
   const char* name;
   const char* type;
-  const char* text;
   bool latched;
 };
 
@@ -32,6 +30,9 @@ extern const RosTopic kJointStatesTopic;       // of all joints but fixed ones
 extern const RosTopic kRobotDescriptionTopic;  // URDF
 extern const RosTopic kClockTopic;
 extern const RosTopic kSceneTopic;
+
+// Returns the schema of a topic's type as ros2msg, with those of its parts.
+std::string RosSchema(const RosTopic& topic);
 
 // Of what the messages are made.
 struct RosRobot {

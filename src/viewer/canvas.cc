@@ -15,16 +15,15 @@ namespace {
 constexpr int kSamples = 4;          // per pixel; what every OpenGL has
 constexpr int kShadowPixels = 2048;  // *assumed*: 1 mm each about a robot
 
-// So that four lines of events take about a fifth of the picture's height.
+// So that four lines of events take about a fifth of the picture's height; in small pictures, for
+// which there is no smaller font, a third.
 mjtFontScale FontScale(int height) {
   struct Row {
     int below;  // pixels
     mjtFontScale scale;
   };
-  constexpr Row kRows[] = {{360, mjFONTSCALE_50},
-                           {900, mjFONTSCALE_100},
-                           {1300, mjFONTSCALE_150},
-                           {1800, mjFONTSCALE_200}};
+  constexpr Row kRows[] = {
+      {600, mjFONTSCALE_100}, {1000, mjFONTSCALE_150}, {1400, mjFONTSCALE_200}};
   for (const Row& row : kRows) {
     if (height < row.below) return row.scale;
   }

@@ -1,5 +1,6 @@
 #include "viewer/live_robot.h"
 
+#include <cstdint>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -44,16 +45,19 @@ std::vector<FilmEvent> LiveEvents::News() {
   asked_ = now;
   std::vector<FilmEvent> news;
   try {
-    for (const auto& one : nlohmann::json::parse(Get(socket_, "/events")).at("events")) {
-      const auto time = one.at("time").get<double>();
-      const auto text = one.at("text").get<std::string>();
-      if (time < newest_ || !record::IsForPictures(one.at("kind").get<std::string>())) continue;
-      if (time > newest_) told_of_newest_.clear();
-      newest_ = time;
-      if (told_of_newest_.insert(text).second) news.push_back({.time = time, .text = text});
+    const nlohmann::json told = nlohmann::json::parse(Get(socket_, "/events"));
+    for (const nlohmann::json& one : told.at("events")) {
+      const auto number = one.at("number").get<std::int64_t>();
+      if (number < next_) continue;
+      next_ = number + 1;
+      if (!record::IsForPictures(one.at("kind").get<std::string>())) continue;
+      news.push_back(
+          {.time = one.at("time").get<double>(), .text = one.at("text").get<std::string>()});
     }
-  } catch (const ControlError&) {               // it has gone, which its states tell
-  } catch (const nlohmann::json::exception&) {  // it is another's
+  } catch (const ControlError&) {
+    // It has gone, which its states tell.
+  } catch (const nlohmann::json::exception&) {
+    // What it says is none of ours.
   }
   return news;
 }

@@ -3,11 +3,11 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
 #include <mutex>
-#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -41,8 +41,7 @@ class LiveEvents {
  private:
   std::filesystem::path socket_;
   std::chrono::steady_clock::time_point asked_{};
-  double newest_ = -1;                    // simulated s
-  std::set<std::string> told_of_newest_;  // texts
+  std::int64_t next_ = 0;  // number of the next event
 };
 
 // Receives its states in a separate thread.

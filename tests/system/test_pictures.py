@@ -223,6 +223,21 @@ def test_clock_and_events_stand_in_a_film_unless_it_is_to_be_plain(understudy, r
     assert differ(told[0], told[1], upper) > 5  # the clock goes on
 
 
+def test_a_film_of_a_running_robot_shows_what_happens_to_it(play, understudy, tmp_path):
+    robot = play("go2")
+    size, lower_left = (320, 180), [(x, y) for x in range(5, 60) for y in range(150, 176)]
+    shade = {}
+    for plain in (False, True):
+        film = tmp_path / f"{plain}.mp4"
+        assert understudy("ctl", "--name", robot.name, "push", "base_link", 0, 1, 0).returncode == 0
+        done = understudy("film", film, "--name", robot.name, "--seconds", 0.6, "--fps", 5, "--size", "320x180",
+                          "--lookat", 0, 0, 50, *(["--plain"] if plain else []), env=without_display())
+        assert done.returncode == 0, done.stderr
+        last = frames_of(film, size)[-1]
+        shade[plain] = sum(last[y * size[0] + x] for x, y in lower_left) / len(lower_left)
+    assert shade[False] < 0.8 * shade[True]
+
+
 @pytest.mark.parametrize("ending, codec", [(".gif", "gif"), (".webp", "webp"), (".mp4", "h264")])
 def test_a_film_is_of_the_kind_that_its_name_says(understudy, recording, tmp_path, ending, codec):
     film = tmp_path / f"fall{ending}"
