@@ -32,17 +32,9 @@ def test_there_is_a_way_to_play_each_script_of_the_document():
     assert [[word for word in EXAMPLES if word in text][:1] for text in examples()] == [[w] for w in EXAMPLES]
 
 
-@pytest.mark.parametrize("number", range(len(EXAMPLES)))
-def test_each_script_of_the_document_is_sound_and_runs_to_its_end(understudy, tmp_path, number):
-    file = tmp_path / "example.yaml"
-    file.write_text(examples()[number])
+def plays_to_its_end(understudy, file, robot, options, beside):
+    """Ends as soon as the script is over."""
     events = len(re.findall(r"^  - ", file.read_text(), re.MULTILINE))
-    checked = understudy("check", file)
-    assert checked.returncode == 0, checked.stderr
-    assert f"{events} events" in checked.stdout
-
-    robot, options, beside = list(EXAMPLES.values())[number]
-    # Ends as soon as the script is over.
     shell = f"""{beside} & program=$!
 for i in $(seq 600); do
   status=$({os.environ['UNDERSTUDY']} ctl status --json)
@@ -52,6 +44,22 @@ done
 echo "$status" >&2; kill $program; exit 1"""
     done = understudy("exec", robot, "--script", file, *options, "--", "sh", "-c", shell, timeout=120)
     assert done.returncode == 0, done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("number", range(len(EXAMPLES)))
+def test_each_script_of_the_document_is_sound_and_runs_to_its_end(understudy, tmp_path, number):
+    file = tmp_path / "example.yaml"
+    file.write_text(examples()[number])
+    events = len(re.findall(r"^  - ", file.read_text(), re.MULTILINE))
+    checked = understudy("check", file)
+    assert checked.returncode == 0, checked.stderr
+    assert f"{events} events" in checked.stdout
+
+    plays_to_its_end(understudy, file, *list(EXAMPLES.values())[number])
+
+
+def test_the_shipped_script_brings_a_g1_from_its_crane_to_its_feet(understudy):
+    plays_to_its_end(understudy, DOCS.parents[1] / "examples" / "scripts" / "morning.yaml", "g1", (), "sleep 60")
 
 
 def test_what_a_script_waits_for_is_in_the_status_and_in_the_log(play, tmp_path):
