@@ -1,0 +1,64 @@
+"""examples/policy: what deploy.py makes of a policy's file, and what it does when that is not good enough."""
+
+import importlib.util
+import pathlib
+import sys
+
+import numpy as np
+import pytest
+
+POLICY = pathlib.Path(__file__).parents[2] / "examples" / "policy"
+
+
+@pytest.fixture(scope="module")
+def deploy():
+    spec = importlib.util.spec_from_file_location("deploy", POLICY / "deploy.py")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module
+
+
+def saved(tmp_path, **layers):
+    """The file of a policy for two motors."""
+    np.savez(tmp_path / "two.npz", family="go", slots=[3, 5], q0=[0.1, -0.2], kp=[1, 1], kd=[1, 1], scale=0.5,
+             gyro_scale=0.25, dq_scale=0.05, command_scale=np.array([2, 2, 0.5]), **layers)
+    return tmp_path / "two.npz"
+
+
+def observe(policy):
+    return policy.targets(np.array([1., 2, 3]), np.array([0., 0, -1]), np.array([1., -1, 2]), np.array([0.3, 0.2]),
+                          np.array([10., -20]))
+
+
+def test_an_observation_has_the_usual_order_and_scales_and_the_last_action(deploy, tmp_path):
+    for place, value in enumerate([0.25, 0.5, 0.75, 0, 0, -1, 2, -2, 1, 0.2, 0.4, 0.5, -1]):
+        w = np.zeros((2, 15))
+        w[1, place] = 1
+        targets = observe(deploy.Policy(saved(tmp_path, w0=w, b0=np.zeros(2))))
+        assert targets == pytest.approx([0.1, -0.2 + 0.5 * value])
+    w = np.zeros((2, 15))
+    w[0, 13] = 2  # twice its last action
+    policy = deploy.Policy(saved(tmp_path, w0=w, b0=np.array([1., 0])))
+    actions = [(observe(policy)[0] - 0.1) / 0.5 for _ in range(3)]
+    assert actions == pytest.approx([1, 3, 7])
+
+
+def test_there_is_an_elu_between_layers_and_none_behind_the_last(deploy, tmp_path):
+    policy = deploy.Policy(saved(tmp_path, w0=np.zeros((2, 15)), b0=np.array([-1., 2]), w1=np.eye(2), b1=np.array([0., -5])))
+    assert observe(policy) == pytest.approx([0.1 + 0.5 * (np.exp(-1) - 1), -0.2 + 0.5 * -3])
+
+
+def test_a_network_of_another_size_is_refused(deploy, tmp_path):
+    with pytest.raises(SystemExit, match="takes 14 numbers, not 9 \\+ 3 \\* 2"):
+        deploy.Policy(saved(tmp_path, w0=np.zeros((2, 14)), b0=np.zeros(2)))
+
+
+def test_a_policy_whose_robot_falls_damps_and_ends_with_code_1(understudy, tmp_path):
+    script = tmp_path / "kick.yaml"
+    script.write_text('script:\n  - {when: the program prints "the policy runs", push: {force: [0, 900, 0], for: 0.2}}\n')
+    policy = tmp_path / "go2.npz"
+    written = understudy("exec", "go2", "--script", script, "--", "sh", "-c",
+                         f"{sys.executable} {POLICY}/standing.py go2 {policy} && "
+                         f"{sys.executable} {POLICY}/deploy.py {policy} lo --at-once --seconds 8")
+    assert written.returncode == 1, written.stdout + written.stderr
+    assert "it fell" in written.stdout and "damping" in written.stdout
