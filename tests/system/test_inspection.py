@@ -290,7 +290,7 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy run g1 --revision 1", ["11", "12", "13", "14", "15", "16"]),
     ("understudy run g1_23dof --revision 1", ["1", "10"]),
     ("understudy run go2 --dynamics c", ["catalogue"]),
-    ("understudy exec go2 --profile ", ["harsh", "ideal", "nominal", "worn"]),
+    ("understudy exec go2 --profile h", ["harsh"]),
     ("understudy rehearse push --profile w", ["worn"]),
     ("understudy run go2 --set gate.t", ["gate.timeout="]),
     ("understudy run go2 --name go", []),
