@@ -104,6 +104,7 @@ int Main(int argc, char** argv) {
   commands::AddPlotCommand(&app, &chosen);
   commands::AddCompareCommand(&app, &chosen);
   commands::AddRecordingCommand(&app, &chosen);
+  commands::AddNewCommand(&app, &chosen);
   commands::AddExportCommand(&app, &chosen);
   commands::AddDoctorCommand(&app, &chosen);
   commands::AddInspectCommands(&app, &chosen);

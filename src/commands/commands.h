@@ -18,6 +18,7 @@ void AddTerrainCommand(CLI::App* app, Chosen* chosen);    // writes a run's grou
 void AddRehearseCommands(CLI::App* app, Chosen* chosen);  // rehearse, judge
 void AddPlayCommand(CLI::App* app, Chosen* chosen);       // replays a recording onto the bus
 void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in others' forms
+void AddNewCommand(CLI::App* app, Chosen* chosen);        // makes the files of a robot from URDF
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
 void AddDoctorCommand(CLI::App* app, Chosen* chosen);     // finds what is wrong with the network

@@ -151,6 +151,7 @@ struct ValueRow {
 constexpr ValueRow kValues[] = {
     {"robot", Robots},
     {"--robot", Robots},
+    {"--like", Robots},
     {"--revision", Revisions},
     {"scene", Scenes},
     {"--scene", Scenes},

@@ -194,8 +194,12 @@ std::string CompilerSays(const MjcfElement& root, const std::string& attribute) 
   return value;
 }
 
+MjcfElement ReadXml(const std::filesystem::path& file) {
+  return Reader(file).ReadFile(file, "", 1);
+}
+
 MjcfElement ReadMjcf(const std::filesystem::path& file) {
-  MjcfElement root = Reader(file).ReadFile(file, "", 1);
+  MjcfElement root = ReadXml(file);
   if (root.name != "mujoco") {
     throw ModelError(root.place.text() + ": expected MJCF, whose root is <mujoco>; got <" +
                      root.name + ">");

@@ -48,6 +48,9 @@ struct MjcfText {
 // reads.
 MjcfElement ReadMjcf(const std::filesystem::path& file);
 
+// Reads other XML the same way, whatever its root; names of asset files stay as written.
+MjcfElement ReadXml(const std::filesystem::path& file);
+
 // One line for the start and one for the end of each element.
 MjcfText WriteMjcf(const MjcfElement& root);
 

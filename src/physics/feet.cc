@@ -15,23 +15,37 @@ constexpr double kSameSole = 0.01;  // m, assumed: less than a calf's other geom
 // "left" of left_foot and of left_ankle_roll_joint.
 std::string Side(const std::string& name) { return name.substr(0, name.find('_')); }
 
-// Finds the colliding geoms that are moved by the motors of that side.
-std::vector<int> GeomsOfSide(const mjModel& model, const robot::RobotSpec& spec,
-                             const std::string& side) {
-  std::vector<int> geoms;
+// The joints of the motors of that side.
+std::vector<std::string> JointsOfSide(const robot::RobotSpec& spec, const std::string& side) {
+  std::vector<std::string> joints;
   for (const robot::MotorSpec& motor : spec.motors) {
-    if (Side(motor.joint) != side) continue;
-    const int joint = mj_name2id(&model, mjOBJ_JOINT, motor.joint.c_str());
-    if (joint < 0) continue;
-    for (int geom = 0; geom < static_cast<int>(model.ngeom); ++geom) {
-      const bool moved = model.body_weldid[model.geom_bodyid[geom]] == model.jnt_bodyid[joint];
-      if (moved && Collides(model, geom)) geoms.push_back(geom);
-    }
+    if (Side(motor.joint) == side) joints.push_back(motor.joint);
   }
-  return geoms;
+  return joints;
 }
 
 }  // namespace
+
+std::vector<int> LowestGeoms(const mjModel& model, const mjData& data,
+                             const std::vector<std::string>& joints) {
+  std::vector<int> moved;
+  for (const std::string& name : joints) {
+    const int joint = mj_name2id(&model, mjOBJ_JOINT, name.c_str());
+    if (joint < 0) continue;
+    for (int geom = 0; geom < static_cast<int>(model.ngeom); ++geom) {
+      const bool is_moved = model.body_weldid[model.geom_bodyid[geom]] == model.jnt_bodyid[joint];
+      if (is_moved && Collides(model, geom)) moved.push_back(geom);
+    }
+  }
+  if (moved.empty()) return {};
+  const auto bottom = [&](int geom) { return LowestPoint(model, data, geom); };
+  const auto body = [&](int geom) { return model.body_weldid[model.geom_bodyid[geom]]; };
+  const int lowest = *std::ranges::min_element(moved, {}, bottom);
+  std::erase_if(moved, [&](int geom) {
+    return body(geom) != body(lowest) || bottom(geom) >= bottom(lowest) + kSameSole;
+  });
+  return moved;
+}
 
 std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot::RobotSpec& spec) {
   std::vector<int> foot_of_geom(static_cast<std::size_t>(model.ngeom), -1);
@@ -46,14 +60,9 @@ std::vector<int> FindFeet(const mjModel& model, const mjData& data, const robot:
       named = true;
       add(geom);
     }
-    const std::vector<int> geoms = GeomsOfSide(model, spec, Side(spec.feet[foot].name));
-    if (named || geoms.empty()) continue;
-    const auto bottom = [&](int geom) { return LowestPoint(model, data, geom); };
-    const int lowest = *std::ranges::min_element(geoms, {}, bottom);
-    const auto body = [&](int geom) { return model.body_weldid[model.geom_bodyid[geom]]; };
-    for (const int geom : geoms) {
-      if (body(geom) == body(lowest) && bottom(geom) < bottom(lowest) + kSameSole) add(geom);
-    }
+    if (named) continue;
+    std::ranges::for_each(LowestGeoms(model, data, JointsOfSide(spec, Side(spec.feet[foot].name))),
+                          add);
   }
   return foot_of_geom;
 }

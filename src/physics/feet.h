@@ -1,12 +1,19 @@
 // Finds the geoms of the feet.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 
 namespace understudy::physics {
+
+// Returns the colliding geoms of the lowest body that one of these joints moves, for the kinematics
+// in `data`: those that reach within 1 cm of the lowest point. Empty if there are none. Ignores
+// joints that the model lacks.
+std::vector<int> LowestGeoms(const mjModel& model, const mjData& data,
+                             const std::vector<std::string>& joints);
 
 // Returns for each geom of the model the index of its foot in spec.feet, or -1. A foot has the
 // geoms that it names. If none of them is in the model, it gets the colliding geoms of the lowest

@@ -1,0 +1,309 @@
+#include "config/new_robot.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+#include <utility>
+
+#include "base/nearest_word.h"
+#include "config/yaml_document.h"
+#include "physics/stature.h"
+
+namespace understudy::config {
+namespace {
+
+constexpr std::size_t kNear = 3;  // names that are offered for a motor without a joint
+
+// Words of URDF files for what the vendor calls otherwise, longer ones first.
+constexpr std::array<std::pair<const char*, const char*>, 17> kWords = {{
+    {"frontright", "fr"},
+    {"rightfront", "fr"},
+    {"frontleft", "fl"},
+    {"leftfront", "fl"},
+    {"rearright", "rr"},
+    {"righthind", "rr"},
+    {"hindright", "rr"},
+    {"rearleft", "rl"},
+    {"lefthind", "rl"},
+    {"hindleft", "rl"},
+    {"upperleg", "thigh"},
+    {"lowerleg", "calf"},
+    {"abduction", "hip"},
+    {"haa", "hip"},
+    {"hfe", "thigh"},
+    {"kfe", "calf"},
+    {"joint", ""},
+}};
+
+constexpr double kHangs = 0.2;  // m over the ground, as the vendor's robots hang here
+
+// The robot's file. What stands between is of the motors, and so on.
+constexpr char kRobotHead[] =
+    R"(# @name, made by `understudy new` of @urdf.
+# What is not here is as with @like; with `understudy run FILE --print-config` one sees it, and
+# `understudy run @like --help-config` explains every key. Figures are the URDF's, or those of @like.
+extends: @like
+robot:
+  name: @name
+  description: @name, like @like
+  model: @name.xml  # beside this file
+  base_body: @base  # has the free joint
+  crane_body: @base  # from which it hangs
+)";
+constexpr char kNoRevisions[] =
+    R"(  mode_machine: @mode_machine
+  revision: ""
+  revisions: {@none}  # has none of them
+)";
+constexpr char kRobotRest[] = R"(
+  # By the motor's name in @like: its joint, limits in N m and rad/s. Slot: its place in LowCmd.
+  # knee_speed: up to which there is the whole torque; the same share of no_load_speed as there.
+  motors:
+@motors
+  # The model has its site at the origin of a link: move it to where the unit is.
+  imu: {site: @site, secondary_site: ""}
+
+  # The geoms that stand on the ground, and the direction in which a foot's sensor feels.
+@feet
+  # rad, one angle per motor, in the order above; m from the ground to the base.
+@poses)";
+constexpr char kStandHeight[] = R"(
+  # How high it stands, m, when its motion service has it stand up:
+  # motion: {quadruped: {stand_height: @stand_height}}
+)";
+
+constexpr char kStandsUp[] =
+    R"(# What it does at first. docs/rehearsing.md has what else one can ask for.
+scenario: @name stands up
+robot: @file
+start: lying
+duration: 6
+script:
+  - {at: 0.5, service.call: {service: sport, api: 1004}}  # StandUp
+expect:
+  - {never: base.tilt > 30 deg, name: stays upright}
+  - {settles: base.speed < 0.1, within: 5, name: comes to rest}
+)";
+constexpr char kHangsThere[] =
+    R"(# What it does at first. docs/rehearsing.md has what else one can ask for.
+scenario: @name hangs from its crane
+robot: @file
+start: hanging
+duration: 3
+expect:
+  - {never: base.tilt > 30 deg, name: stays upright}
+  - {settles: base.speed < 0.1, within: 3, name: comes to rest}
+)";
+
+// A word of a text, and what stands for it.
+using Words = std::vector<std::pair<std::string, std::string>>;
+
+// What was put in is not looked at again.
+std::string Filled(const std::string& text, const Words& words) {
+  std::string filled;
+  for (std::size_t at = 0; at < text.size();) {
+    const Words::value_type* longest = nullptr;
+    for (const Words::value_type& word : words) {
+      if (text.compare(at, word.first.size(), word.first) != 0) continue;
+      if (longest == nullptr || word.first.size() > longest->first.size()) longest = &word;
+    }
+    filled += longest == nullptr ? text.substr(at, 1) : longest->second;
+    at += longest == nullptr ? 1 : longest->first.size();
+  }
+  return filled;
+}
+
+// A name without what differs from one file to the next: "Front_Right-HAA" becomes "frhip".
+std::string Plain(const std::string& name) {
+  std::string plain;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0) continue;
+    plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  }
+  for (const auto& [word, same] : kWords) {
+    const std::size_t at = plain.find(word);
+    if (at != std::string::npos) plain.replace(at, std::string(word).size(), same);
+  }
+  return plain;
+}
+
+std::string Number(double number) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.5g", number == 0 ? 0.0 : number);
+  return text.data();
+}
+
+// A name as YAML: in quotes where it could be taken for something else.
+std::string Quoted(const std::string& name) {
+  const bool is_plain = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {
+    return std::isalnum(c) != 0 || c == '_' || c == '.' || c == '/';
+  });
+  if (is_plain && std::isdigit(static_cast<unsigned char>(name[0])) == 0) return name;
+  std::string quoted = "'";
+  for (const char c : name) quoted += c == '\'' ? std::string("''") : std::string(1, c);
+  return quoted + "'";
+}
+
+std::string Side(const std::string& name) { return name.substr(0, name.find('_')); }
+
+// The joints that stand in for the motors on the side of a foot.
+std::vector<std::string> JointsOfFoot(const NewRobot& robot, const std::string& foot) {
+  std::vector<std::string> joints;
+  for (const MotorMatch& match : robot.motors) {
+    if (Side(match.motor) == Side(foot) && !match.joint.empty()) joints.push_back(match.joint);
+  }
+  return joints;
+}
+
+const mjcf::UrdfReadJoint* Find(const NewRobot& robot, const std::string& joint) {
+  const auto found = std::ranges::find(robot.robot.joints, joint, &mjcf::UrdfReadJoint::name);
+  return found == robot.robot.joints.end() ? nullptr : &*found;
+}
+
+// One line per motor: what is the URDF's. The rest is that of the motor of the same name.
+std::string MotorLine(const NewRobot& robot, const MotorMatch& match,
+                      const robot::MotorSpec& like) {
+  std::string line = "    " + Quoted(match.motor) + ": {joint: ";
+  const mjcf::UrdfReadJoint* joint = Find(robot, match.joint);
+  if (joint == nullptr) {
+    line +=
+        match.motor + "}  # slot " + std::to_string(like.slot) + ": MISSING; which joint is it?";
+    for (const std::string& near : match.near) line += " " + near;
+    return line + "\n";
+  }
+  line += Quoted(match.joint);
+  if (joint->effort > 0) line += ", torque_limit: " + Number(joint->effort);
+  if (joint->velocity > 0 && like.no_load_speed > 0) {
+    line += ", knee_speed: " +
+            Number(joint->velocity * std::min(1.0, like.knee_speed / like.no_load_speed)) +
+            ", no_load_speed: " + Number(joint->velocity);
+  }
+  return line + "}  # slot " + std::to_string(like.slot) + "\n";
+}
+
+std::string FeetText(const NewRobot& robot, const robot::RobotSpec& like, const mjModel& model) {
+  if (like.feet.empty()) return "  feet: []\n";
+  std::string text = "  feet:\n";
+  for (const robot::FootSpec& foot : like.feet) {
+    std::string geoms;
+    for (const std::string& geom : physics::SoleGeoms(model, JointsOfFoot(robot, foot.name))) {
+      geoms += (geoms.empty() ? "" : ", ") + Quoted(geom);
+    }
+    text += "    - {name: " + Quoted(foot.name) + ", geoms: [" + geoms + "], axis: [" +
+            Number(foot.axis.x()) + ", " + Number(foot.axis.y()) + ", " + Number(foot.axis.z()) +
+            "]}" + (geoms.empty() ? "  # MISSING: name its colliding geoms" : "") + "\n";
+  }
+  return text;
+}
+
+// A pose with the angles of `like`, within the ranges of the joints. `above` [m] is how high its
+// lowest point is over the ground.
+std::string PoseText(const NewRobot& robot, const mjModel& model, const std::string& name,
+                     const robot::PoseSpec& like, double above) {
+  std::string angles;
+  std::vector<physics::JointAngle> joints;
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    const mjcf::UrdfReadJoint* joint = Find(robot, robot.motors[i].joint);
+    double q = like.q[i];
+    if (joint != nullptr && joint->range) {
+      q = std::clamp(q, (*joint->range)[0], (*joint->range)[1]);
+    }
+    if (joint != nullptr) joints.push_back({joint->name, q});
+    angles += (i == 0 ? "" : i % 12 == 0 ? ",\n        " : ", ") + Number(q);
+  }
+  const double height = above + physics::HeightOnGround(model, robot.robot.base, like.quat, joints);
+  return "  " + name + ":\n    q: [" + angles + "]\n    height: " + Number(height) + "\n";
+}
+
+mjcf::MjcfElement* FindBody(mjcf::MjcfElement* element,
+                            const std::function<bool(const std::string&)>& is) {
+  if (element->name == "body" && is(element->Get("name"))) return element;
+  for (mjcf::MjcfElement& child : element->children) {
+    if (mjcf::MjcfElement* found = FindBody(&child, is)) return found;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<MotorMatch> MatchMotors(const robot::RobotSpec& like,
+                                    const std::vector<mjcf::UrdfReadJoint>& joints) {
+  std::vector<std::string> left;
+  for (const mjcf::UrdfReadJoint& joint : joints) left.push_back(joint.name);
+  std::vector<MotorMatch> matches;
+  for (const robot::MotorSpec& motor : like.motors) {
+    matches.push_back({.motor = motor.joint, .slot = motor.slot, .joint = {}, .near = {}});
+    if (std::erase(left, motor.joint) > 0) matches.back().joint = motor.joint;
+  }
+  for (MotorMatch& match : matches) {
+    if (!match.joint.empty()) continue;
+    const auto same = [&](const std::string& name) { return Plain(name) == Plain(match.motor); };
+    if (std::ranges::count_if(left, same) != 1) continue;
+    match.joint = *std::ranges::find_if(left, same);
+    std::erase(left, match.joint);
+  }
+  for (MotorMatch& match : matches) {
+    if (!match.joint.empty()) continue;
+    std::vector<std::string> others = left;
+    for (std::string near; match.near.size() < kNear; std::erase(others, near)) {
+      near = NearestWord(match.motor, others);
+      if (near.empty()) break;
+      match.near.push_back(near);
+    }
+  }
+  return matches;
+}
+
+std::string AddImuSite(const robot::RobotSpec& like, mjcf::UrdfRobot* robot) {
+  const auto has_imu = [](const std::string& name) {
+    return Plain(name).find("imu") != std::string::npos;
+  };
+  mjcf::MjcfElement* body = FindBody(&robot->model, has_imu);
+  if (body == nullptr) {
+    body = FindBody(&robot->model, [&](const std::string& name) { return name == robot->base; });
+  }
+  mjcf::MjcfElement site{"site", {}, {}, body->place};
+  site.Set("name", like.imu.site);
+  body->children.insert(body->children.begin(), std::move(site));
+  return body->Get("name");
+}
+
+std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, const mjModel& model,
+                         const std::vector<std::string>& revisions) {
+  std::string none;
+  for (const std::string& revision : revisions) {
+    none += (none.empty() ? "\"" : ", \"") + revision + "\": ";
+  }
+  std::string motors;
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    motors += MotorLine(robot, robot.motors[i], like.motors[i]);
+  }
+  const Words words = {
+      {"@name", robot.name},
+      {"@urdf", OneLine(robot.urdf)},
+      {"@like", Quoted(robot.like)},
+      {"@base", Quoted(robot.robot.base)},
+      {"@mode_machine", std::to_string(like.mode_machine)},
+      {"@none", none},
+      {"@motors", motors},
+      {"@site", Quoted(like.imu.site)},
+      {"@feet", FeetText(robot, like, model)},
+      {"@poses", PoseText(robot, model, "lying", like.lying, 0) +
+                     PoseText(robot, model, "standing", like.standing, 0) +
+                     PoseText(robot, model, "hanging", like.hanging, kHangs)},
+      {"@stand_height", Number(like.motion.quadruped.stand_height)},
+  };
+  return Filled(kRobotHead, words) + (revisions.empty() ? "" : Filled(kNoRevisions, words)) +
+         Filled(kRobotRest, words) + (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
+}
+
+std::string NewScenarioYaml(const NewRobot& robot, const robot::RobotSpec& like,
+                            const std::string& file) {
+  const bool stands = robot::IsQuadruped(like.kind);
+  return Filled(stands ? kStandsUp : kHangsThere, {{"@name", robot.name}, {"@file", Quoted(file)}});
+}
+
+}  // namespace understudy::config

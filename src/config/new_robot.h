@@ -1,0 +1,47 @@
+// Makes the description of a robot from its URDF and a robot that it is like: for `understudy new`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mjcf/mujoco_handles.h"
+#include "mjcf/urdf_reader.h"
+#include "robot/robot_spec.h"
+
+namespace understudy::config {
+
+// A motor of the robot that it is like, and the joint that it drives.
+struct MotorMatch {
+  std::string motor;  // its joint there: the motor's name
+  int slot = 0;
+  std::string joint;              // "" if none was found
+  std::vector<std::string> near;  // then names of joints that are left, the nearest first
+};
+
+// Finds a joint for each motor, in motor order: one of the same name; else the only one that is the
+// same but for case, underlines, "joint" and usual words for one part (front right, FR; HAA, hip).
+std::vector<MotorMatch> MatchMotors(const robot::RobotSpec& like,
+                                    const std::vector<mjcf::UrdfReadJoint>& joints);
+
+struct NewRobot {
+  std::string name;
+  std::string like;       // as typed
+  std::string urdf;       // likewise
+  mjcf::UrdfRobot robot;  // its model has the site
+  std::vector<MotorMatch> motors;
+};
+
+// Adds a site for the inertial unit, named as in `like`, to the model: in the body of a link with
+// "imu" in its name, else at the origin of the base. Returns that body.
+std::string AddImuSite(const robot::RobotSpec& like, mjcf::UrdfRobot* robot);
+
+// Returns the robot's YAML, commented. `model` is the compiled one; in it the soles of feet and the
+// heights of start poses are looked up. `revisions` are those of `like`, which it loses.
+std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, const mjModel& model,
+                         const std::vector<std::string>& revisions);
+
+// Returns a first scenario: the robot starts and stays upright. `file` is the robot's YAML.
+std::string NewScenarioYaml(const NewRobot& robot, const robot::RobotSpec& like,
+                            const std::string& file);
+
+}  // namespace understudy::config

@@ -1,0 +1,418 @@
+#include "mjcf/urdf_reader.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include <Eigen/Geometry>
+#include <tinyxml2.h>
+
+#include "base/errors.h"
+#include "base/nearest_word.h"
+#include "mjcf/joints.h"
+
+namespace understudy::mjcf {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using std::filesystem::path;
+
+constexpr double kLeastMass = 0.001;          // kg, of what moves and has none
+constexpr double kLeastInertia = 1e-6;        // kg·m²
+constexpr double kRotorInertia = 0.01;        // kg·m² at the joint, assumed
+constexpr std::size_t kMostLinksInARow = 90;  // of the levels that MuJoCo reads
+constexpr char kPackage[] = "package://";
+
+[[noreturn]] void FailAt(const MjcfElement& element, const std::string& what) {
+  throw ModelError(element.place.text() + ": " + what);
+}
+
+const MjcfElement* ChildOf(const MjcfElement& element, const std::string& name) {
+  const auto child = std::ranges::find(element.children, name, &MjcfElement::name);
+  return child == element.children.end() ? nullptr : &*child;
+}
+
+std::string NeededIn(const MjcfElement& element, const std::string& attribute) {
+  const std::string value = element.Get(attribute);
+  if (value.empty()) FailAt(element, "<" + element.name + "> has no " + attribute);
+  return value;
+}
+
+// The numbers of an attribute; `otherwise` if the element or the attribute is missing.
+std::vector<double> NumbersIn(const MjcfElement* element, const std::string& attribute,
+                              std::vector<double> otherwise) {
+  const std::string* text = element == nullptr ? nullptr : element->Find(attribute);
+  if (text == nullptr) return otherwise;
+  return ReadNumbers({.attribute = attribute, .value = *text, .place = element->place}, attribute,
+                     otherwise.size());
+}
+
+double NumberIn(const MjcfElement* element, const std::string& attribute, double otherwise) {
+  return NumbersIn(element, attribute, {otherwise})[0];
+}
+
+Vector3d VectorIn(const MjcfElement* element, const std::string& attribute,
+                  const Vector3d& otherwise) {
+  const std::vector<double> n =
+      NumbersIn(element, attribute, {otherwise.x(), otherwise.y(), otherwise.z()});
+  return {n[0], n[1], n[2]};
+}
+
+struct UrdfOrigin {
+  Vector3d p{0, 0, 0};
+  Quaterniond r{1, 0, 0, 0};
+};
+
+UrdfOrigin OriginOf(const MjcfElement& element) {
+  const MjcfElement* origin = ChildOf(element, "origin");
+  const Vector3d rpy = VectorIn(origin, "rpy", Vector3d::Zero());
+  return {VectorIn(origin, "xyz", Vector3d::Zero()),
+          Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) *
+              Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
+              Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX())};
+}
+
+std::string TextOf(const Vector3d& v) { return NumbersText(std::span(v.data(), 3)); }
+std::string TextOf(double number) { return NumbersText({&number, 1}); }
+
+void SetPlace(const UrdfOrigin& origin, MjcfElement* element) {
+  if (!origin.p.isZero(0)) element->Set("pos", TextOf(origin.p));
+  const std::array<double, 4> q{origin.r.w(), origin.r.x(), origin.r.y(), origin.r.z()};
+  if (!origin.r.vec().isZero(0)) element->Set("quat", NumbersText(q));
+}
+
+class UrdfTree {
+ public:
+  explicit UrdfTree(const path& file)
+      : folder_(std::filesystem::absolute(file).parent_path()), root_(ReadXml(file)) {
+    if (root_.name != "robot") {
+      FailAt(root_, "expected URDF, whose first element is <robot>, not <" + root_.name + ">");
+    }
+    for (const MjcfElement& element : root_.children) {
+      if (element.name.starts_with("xacro:")) {
+        FailAt(element, "this is xacro; make URDF of it first: xacro FILE > my.urdf");
+      }
+      if (element.name == "link") {
+        if (!links_.try_emplace(NeededIn(element, "name"), &element).second) {
+          FailAt(element, "there is a link '" + element.Get("name") + "' already");
+        }
+      } else if (element.name == "material") {
+        if (const MjcfElement* color = ChildOf(element, "color")) {
+          colors_[element.Get("name")] = color;
+        }
+      }
+    }
+    if (links_.empty()) FailAt(root_, "<robot> has no link");
+  }
+
+  UrdfRobot Read() {
+    ReadJoints();
+    std::vector<std::string> roots;
+    for (const auto& [name, link] : links_) {
+      if (!parents_.contains(name)) roots.push_back(name);
+    }
+    if (roots.size() != 1) {
+      std::string names;
+      for (const std::string& name : roots) names += (names.empty() ? "" : ", ") + name;
+      FailAt(root_, roots.empty()
+                        ? "every link has a parent: they form a ring"
+                        : "links without a parent: " + names + "; expected one, the base");
+    }
+    robot_.base = roots.front();
+    robot_.model = {.name = "mujoco", .attributes = {}, .children = {}, .place = root_.place};
+    robot_.model.Set("model", root_.Get("name"));
+    MjcfElement world = Made("worldbody");
+    world.children.push_back(Body(*links_.at(robot_.base), nullptr, 1));
+    if (robot_.bodies.size() != links_.size()) FailAt(root_, "some links form a ring");
+    AddHead();
+    robot_.model.children.push_back(std::move(world));
+    return std::move(robot_);
+  }
+
+ private:
+  MjcfElement Made(const std::string& name) const { return {name, {}, {}, root_.place}; }
+
+  std::string LinkOf(const MjcfElement& joint, const std::string& end) const {
+    const MjcfElement* element = ChildOf(joint, end);
+    if (element == nullptr) FailAt(joint, "<joint> '" + joint.Get("name") + "' has no " + end);
+    const std::string link = NeededIn(*element, "link");
+    if (links_.contains(link)) return link;
+    std::vector<std::string> names;
+    for (const auto& [name, ignored] : links_) names.push_back(name);
+    const std::string near = NearestWord(link, names);
+    FailAt(*element,
+           "no link '" + link + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+  }
+
+  void ReadJoints() {
+    std::set<std::string> names;
+    for (const MjcfElement& joint : root_.children) {
+      if (joint.name != "joint") continue;
+      const std::string name = NeededIn(joint, "name");
+      if (!names.insert(name).second) FailAt(joint, "there is a joint '" + name + "' already");
+      const std::string child = LinkOf(joint, "child");
+      children_[LinkOf(joint, "parent")].push_back(&joint);
+      if (!parents_.insert(child).second)
+        FailAt(joint, "link '" + child + "' has a parent already");
+    }
+  }
+
+  MjcfElement Body(const MjcfElement& link, const MjcfElement* joint, std::size_t level) {
+    const std::string name = link.Get("name");
+    if (level > kMostLinksInARow) FailAt(link, "more than 90 links in a row");
+    robot_.bodies.push_back(name);
+    MjcfElement body = Made("body");
+    body.Set("name", name);
+    if (joint != nullptr) SetPlace(OriginOf(*joint), &body);
+    const bool moves = joint == nullptr || joint->Get("type") != "fixed";
+    AddInertia(link, moves, &body);
+    if (joint == nullptr) {
+      body.children.push_back(Made("freejoint"));
+    } else if (moves) {
+      body.children.push_back(Joint(*joint));
+    }
+    int collisions = 0;
+    for (const MjcfElement& child : link.children) {
+      const bool looks = child.name == "visual";
+      if (!looks && child.name != "collision") continue;
+      MjcfElement geom = Made("geom");
+      geom.Set("class", looks ? "visual" : "collision");
+      if (!looks) {
+        ++collisions;
+        geom.Set("name",
+                 name + "_collision" + (collisions == 1 ? "" : "_" + std::to_string(collisions)));
+      }
+      SetPlace(OriginOf(child), &geom);
+      if (!Shape(child, looks, &geom)) continue;
+      if (looks) Paint(child, &geom);
+      body.children.push_back(std::move(geom));
+    }
+    for (const MjcfElement* next : children_[name]) {
+      body.children.push_back(Body(*links_.at(LinkOf(*next, "child")), next, level + 1));
+    }
+    return body;
+  }
+
+  void AddInertia(const MjcfElement& link, bool moves, MjcfElement* body) {
+    const MjcfElement* inertial = ChildOf(link, "inertial");
+    const double mass = inertial == nullptr ? 0 : NumberIn(ChildOf(*inertial, "mass"), "value", 0);
+    if (mass < 0) FailAt(*inertial, "a mass below 0");
+    MjcfElement made = Made("inertial");
+    if (mass > 0) {
+      const UrdfOrigin origin = OriginOf(*inertial);
+      const MjcfElement* given = ChildOf(*inertial, "inertia");
+      const auto n = [&](const char* name) { return NumberIn(given, name, 0); };
+      Matrix3d about_own;
+      about_own << n("ixx"), n("ixy"), n("ixz"), n("ixy"), n("iyy"), n("iyz"), n("ixz"), n("iyz"),
+          n("izz");
+      const Matrix3d r = origin.r.toRotationMatrix();
+      const Matrix3d i = r * about_own * r.transpose();
+      const std::array<double, 6> full{i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2)};
+      made.Set("pos", TextOf(origin.p));
+      made.Set("mass", TextOf(mass));
+      made.Set("fullinertia", NumbersText(full));
+    } else if (moves) {
+      robot_.notes.push_back("link '" + link.Get("name") + "' moves and has no mass: it gets " +
+                             TextOf(kLeastMass) + " kg");
+      made.Set("pos", "0 0 0");
+      made.Set("mass", TextOf(kLeastMass));
+      made.Set("diaginertia", TextOf(Vector3d::Constant(kLeastInertia)));
+    } else {
+      return;
+    }
+    body->children.push_back(std::move(made));
+  }
+
+  MjcfElement Joint(const MjcfElement& joint) {
+    const std::string name = joint.Get("name"), type = NeededIn(joint, "type");
+    if (type != "revolute" && type != "continuous" && type != "prismatic") {
+      FailAt(joint, "joint '" + name + "' is " + type +
+                        "; expected fixed, revolute, continuous or prismatic");
+    }
+    const Vector3d axis = VectorIn(ChildOf(joint, "axis"), "xyz", Vector3d::UnitX());
+    if (axis.norm() < 1e-6) FailAt(joint, "joint '" + name + "' has an axis without direction");
+    MjcfElement made = Made("joint");
+    made.Set("name", name);
+    if (type == "prismatic") made.Set("type", "slide");
+    made.Set("axis", TextOf(axis));
+    const MjcfElement* limit = ChildOf(joint, "limit");
+    UrdfReadJoint read{.name = name,
+                       .effort = NumberIn(limit, "effort", 0),
+                       .velocity = NumberIn(limit, "velocity", 0),
+                       .range = {}};
+    if (type != "continuous") {
+      const double lower = NumberIn(limit, "lower", 0), upper = NumberIn(limit, "upper", 0);
+      if (lower < upper) {
+        made.Set("range", TextOf(lower) + " " + TextOf(upper));
+        read.range = {lower, upper};
+      } else {
+        robot_.notes.push_back("joint '" + name + "' has no range: it turns without end");
+      }
+    }
+    const MjcfElement* dynamics = ChildOf(joint, "dynamics");
+    const double damping = NumberIn(dynamics, "damping", 0);
+    const double friction = NumberIn(dynamics, "friction", 0);
+    if (damping > 0) made.Set("damping", TextOf(damping));
+    if (friction > 0) made.Set("frictionloss", TextOf(friction));
+    if (ChildOf(joint, "mimic") != nullptr) {
+      robot_.notes.push_back("joint '" + name + "' mimics another: here it moves by itself");
+    }
+    robot_.joints.push_back(std::move(read));
+    return made;
+  }
+
+  // Returns false if the geom is left out.
+  bool Shape(const MjcfElement& of, bool looks, MjcfElement* geom) {
+    const MjcfElement* geometry = ChildOf(of, "geometry");
+    if (geometry == nullptr || geometry->children.empty())
+      FailAt(of, "<" + of.name + "> has no shape");
+    const MjcfElement& shape = geometry->children.front();
+    if (shape.name == "mesh") return Mesh(shape, looks, geom);
+    geom->Set("type", shape.name);
+    if (shape.name == "box") {
+      geom->Set("size", TextOf(VectorIn(&shape, "size", Vector3d::Ones()) / 2));
+    } else if (shape.name == "cylinder") {
+      geom->Set("size", TextOf(NumberIn(&shape, "radius", 1)) + " " +
+                            TextOf(NumberIn(&shape, "length", 1) / 2));
+    } else if (shape.name == "sphere") {
+      geom->Set("size", TextOf(NumberIn(&shape, "radius", 1)));
+    } else {
+      FailAt(shape,
+             "<" + shape.name + "> is no shape of URDF; expected box, cylinder, sphere, mesh");
+    }
+    return true;
+  }
+
+  bool Mesh(const MjcfElement& shape, bool looks, MjcfElement* geom) {
+    const std::string name = NeededIn(shape, "filename");
+    const path file = Find(name);
+    std::string kind = file.extension().string();
+    std::ranges::transform(kind, kind.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    const bool known = kind == ".stl" || kind == ".obj" || kind == ".msh";
+    if (file.empty() || !known) {
+      const std::string why = file.empty()
+                                  ? "no such file in " + folder_.string() + " or the folders above"
+                                  : "MuJoCo reads STL, OBJ and MSH; convert it";
+      if (!looks) FailAt(shape, "mesh " + name + ": " + why);
+      robot_.notes.push_back(shape.place.text() + ": mesh " + name + ": " + why +
+                             "; it is only looked at and is left out");
+      return false;
+    }
+    geom->Set("type", "mesh");
+    geom->Set("mesh", MeshName(file, VectorIn(&shape, "scale", Vector3d::Ones())));
+    return true;
+  }
+
+  // Returns the file of a mesh, "" if there is none.
+  path Find(std::string name) const {
+    std::error_code ignored;
+    if (name.starts_with("file://")) name.erase(0, 7);
+    std::vector<path> tails{name};
+    if (name.starts_with(kPackage)) {
+      const path tail = name.substr(sizeof kPackage - 1);
+      tails = {tail, tail.lexically_relative(*tail.begin())};  // with its package and without
+    }
+    for (path folder = folder_;; folder = folder.parent_path()) {
+      for (const path& tail : tails) {
+        if (std::filesystem::is_regular_file(folder / tail, ignored)) return folder / tail;
+      }
+      if (folder == folder.parent_path()) return {};
+    }
+  }
+
+  // One asset per file and scale; files of one name from several folders get a number.
+  std::string MeshName(const path& file, const Vector3d& scale) {
+    const auto same = std::ranges::find(robot_.meshes, file, &UrdfReadMesh::from);
+    std::string to = "meshes/" + file.filename().string();
+    if (same != robot_.meshes.end()) {
+      to = same->to;
+    } else {
+      for (int n = 2;
+           std::ranges::find(robot_.meshes, to, &UrdfReadMesh::to) != robot_.meshes.end(); ++n) {
+        to = "meshes/" + std::to_string(n) + "_" + file.filename().string();
+      }
+      robot_.meshes.push_back({file, to});
+    }
+    const auto [asset, is_new] = assets_.try_emplace(to + " " + TextOf(scale), "");
+    if (is_new) {
+      asset->second = path(to).stem().string() + "_" + std::to_string(assets_.size());
+      MjcfElement mesh = Made("mesh");
+      mesh.Set("name", asset->second);
+      mesh.Set("file", to);
+      if (scale != Vector3d::Ones()) mesh.Set("scale", TextOf(scale));
+      asset_elements_.push_back(std::move(mesh));
+    }
+    return asset->second;
+  }
+
+  void Paint(const MjcfElement& visual, MjcfElement* geom) const {
+    const MjcfElement* material = ChildOf(visual, "material");
+    if (material == nullptr) return;
+    const MjcfElement* color = ChildOf(*material, "color");
+    const auto named = colors_.find(material->Get("name"));
+    if (color == nullptr && named != colors_.end()) color = named->second;
+    if (color == nullptr) return;
+    geom->Set("rgba", NumbersText(NumbersIn(color, "rgba", {0.7, 0.7, 0.7, 1})));
+  }
+
+  // What stands before the bodies.
+  void AddHead() {
+    MjcfElement compiler = Made("compiler");
+    compiler.Set("angle", "radian");
+    compiler.Set("autolimits", "true");
+    compiler.Set("inertiafromgeom", "false");
+    robot_.model.children.push_back(std::move(compiler));
+    MjcfElement defaults = Made("default");
+    MjcfElement joint = Made("joint");
+    joint.Set("armature", TextOf(kRotorInertia));
+    defaults.children.push_back(std::move(joint));
+    const auto add = [&](const std::string& name, const char* contype, const char* group) {
+      MjcfElement one = Made("default"), geom = Made("geom");
+      one.Set("class", name);
+      geom.Set("contype", contype);
+      geom.Set("conaffinity", "0");
+      geom.Set("group", group);
+      geom.Set("mass", "0");
+      one.children.push_back(std::move(geom));
+      defaults.children.push_back(std::move(one));
+    };
+    add("visual", "0", "2");
+    add("collision", "1", "3");
+    robot_.model.children.push_back(std::move(defaults));
+    if (asset_elements_.empty()) return;
+    MjcfElement assets = Made("asset");
+    assets.children = std::move(asset_elements_);
+    robot_.model.children.push_back(std::move(assets));
+  }
+
+  path folder_;
+  MjcfElement root_;
+  std::map<std::string, const MjcfElement*> links_;
+  std::map<std::string, const MjcfElement*> colors_;                 // by material
+  std::map<std::string, std::vector<const MjcfElement*>> children_;  // joints, by parent link
+  std::set<std::string> parents_;                                    // links that have one
+  std::map<std::string, std::string> assets_;                        // by file and scale
+  std::vector<MjcfElement> asset_elements_;
+  UrdfRobot robot_;
+};
+
+}  // namespace
+
+UrdfRobot ReadUrdf(const path& file) { return UrdfTree(file).Read(); }
+
+std::string IndentedMjcf(const MjcfElement& root, const std::string& comment) {
+  tinyxml2::XMLDocument document;
+  document.Parse(WriteMjcf(root).xml.c_str());
+  document.RootElement()->InsertFirstChild(document.NewComment(comment.c_str()));
+  tinyxml2::XMLPrinter printer;
+  document.Print(&printer);
+  return printer.CStr();
+}
+
+}  // namespace understudy::mjcf

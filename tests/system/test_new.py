@@ -1,0 +1,181 @@
+"""`understudy new`: a robot of one's own, from its URDF."""
+
+import json
+import pathlib
+import re
+import struct
+
+import pytest
+from urdf_parser_py.urdf import URDF
+
+# How others name what the Go2's file names FR_hip_joint ...
+RENAMED = {"FR_": "front_right_", "FL_": "FRONT_LEFT_", "RR_": "RR", "RL_": "rl-",
+           "hip_joint": "haa", "thigh_joint": "HFE", "calf_joint": "Lower_Leg"}
+
+
+@pytest.fixture(autouse=True)
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def export(understudy, robot, file="my.urdf", *options):
+    done = understudy("export", "urdf", robot, "--out", file, *options)
+    assert done.returncode == 0, done.stderr
+    return pathlib.Path(file)
+
+
+def with_joints_renamed(urdf, names):
+    """Only in the names of joints: links keep theirs."""
+    def renamed(match):
+        name = match[2]
+        for ours, theirs in names.items():
+            name = name.replace(ours, theirs)
+        return match[1] + name
+
+    urdf.write_text(re.sub(r'(<joint name=")([^"]*)', renamed, urdf.read_text()))
+
+
+def masses(urdf):
+    return {link.name: (link.inertial.mass, link.inertial.origin.xyz) for link in urdf.links if link.inertial}
+
+
+def test_a_go2_comes_back_from_its_own_urdf_and_stands(understudy):
+    export(understudy, "go2")
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "MISSING" not in made.stdout
+
+    checked = understudy("check", "mydog/mydog.yaml", "mydog/starts.yaml")
+    assert checked.returncode == 0, checked.stdout
+    ran = understudy("run", "mydog/mydog.yaml", "--speed", "max", "--duration", "1")
+    assert ran.returncode == 0, ran.stderr
+    rehearsed = understudy("rehearse", "mydog/starts.yaml", "--out", "starts")
+    assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
+
+
+def test_the_model_made_has_the_links_masses_joints_and_limits_of_the_urdf(understudy):
+    before = URDF.from_xml_file(str(export(understudy, "go2")))
+    assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
+    after = URDF.from_xml_file(str(export(understudy, "mydog/mydog.yaml", "again.urdf")))
+
+    assert [link.name for link in before.links] == [link.name for link in after.links]
+    for name, (mass, com) in masses(before).items():
+        assert masses(after)[name][0] == pytest.approx(mass)
+        assert masses(after)[name][1] == pytest.approx(com)
+    for one, other in zip(before.joints, after.joints, strict=True):
+        assert (one.name, one.type, one.parent, one.child) == (other.name, other.type, other.parent, other.child)
+        assert other.origin.xyz == pytest.approx(one.origin.xyz)
+        if one.type == "revolute":
+            assert other.axis == pytest.approx(one.axis)
+            for limit in ("lower", "upper", "effort", "velocity"):
+                assert getattr(other.limit, limit) == pytest.approx(getattr(one.limit, limit), rel=1e-4)
+
+
+def test_inertia_is_turned_into_the_links_axes(understudy):
+    before = export(understudy, "go2").read_text()
+    assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
+    after = export(understudy, "mydog/mydog.yaml", "again.urdf").read_text()
+
+    def inertias(text):  # the principal ones, which do not depend on the frame
+        return [float(n) for n in re.findall(r'i(?:xx|yy|zz)="([^"]*)"', text)]
+
+    assert inertias(after) == pytest.approx(inertias(before), rel=1e-3)
+
+
+def test_joints_by_other_usual_names_are_found(understudy):
+    with_joints_renamed(export(understudy, "go2"), RENAMED)
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert re.search(r"FR_hip_joint +0 +front_right_haa\n", made.stdout)
+    assert re.search(r"RL_calf_joint +11 +rl-Lower_Leg\n", made.stdout)
+    assert understudy("rehearse", "mydog/starts.yaml", "--out", "starts").returncode == 0
+
+
+def test_a_motor_without_a_joint_is_told_with_the_nearest_names_and_the_line_to_change(understudy):
+    with_joints_renamed(export(understudy, "go2"), {"FR_calf_joint": "FR_shin_joint"})
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 3
+    assert re.search(r"FR_calf_joint +2 +MISSING; perhaps FR_shin_joint\n", made.stdout)
+    assert "no motor drives joint 'FR_shin_joint'" in made.stdout
+
+    yaml = pathlib.Path("mydog/mydog.yaml")
+    line = next(line for line in yaml.read_text().splitlines() if "MISSING" in line)
+    assert "FR_shin_joint" in line
+    checked = understudy("check", yaml)
+    assert checked.returncode != 0 and "FR_calf_joint" in checked.stdout
+    yaml.write_text(yaml.read_text().replace(line, "    FR_calf_joint: {joint: FR_shin_joint}"))
+    assert understudy("check", yaml).returncode == 0
+
+
+def test_a_g1_hangs_from_its_crane_and_has_lost_the_revisions_of_the_other(understudy):
+    export(understudy, "g1")
+    made = understudy("new", "mine", "--urdf", "my.urdf", "--like", "g1")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert understudy("check", "mine/mine.yaml").returncode == 0
+    rehearsed = understudy("rehearse", "mine/starts.yaml", "--out", "starts")
+    assert rehearsed.returncode == 0, rehearsed.stdout + rehearsed.stderr
+    config = understudy("run", "mine/mine.yaml", "--print-config").stdout
+    assert "mode_machine: 5" in config
+    assert understudy("run", "mine/mine.yaml", "--revision", "6", "--print-config").returncode == 3
+
+
+def test_every_foot_feels_the_ground(understudy, play):
+    export(understudy, "go2")
+    assert understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2").returncode == 0
+    robot = play("mydog/mydog.yaml", name="mydog")
+    robot.becomes(lambda now: now["time"] > 2)
+    force = json.loads(robot.ctl("snapshot", "--parts", "feet"))["feet"]
+    assert len(force) == 4 and all(foot["force"] > 10 if isinstance(foot, dict) else foot > 10 for foot in force)
+
+
+TREE = '<robot name="r"><link name="a"/><link name="b"/>{}</robot>'
+JOINT = '<joint name="j" type="revolute"><parent link="a"/><child link="b"/>{}</joint>'
+WRONG = {
+    "is no URDF": ("<mujoco/>", "my.urdf:1: expected URDF, whose first element is <robot>, not <mujoco>"),
+    "is xacro": ('<robot name="r"><xacro:include filename="x"/></robot>', "this is xacro"),
+    "has two roots": (TREE.format(""), "links without a parent: a, b; expected one"),
+    "names no link": (TREE.format(JOINT.format("").replace('"b"', '"bb"')), "no link 'bb'; did you mean"),
+    "is a ring": (TREE.format(JOINT.format("") + JOINT.format("").replace('"j"', '"k"').replace('"a"', '"c"')
+                              .replace('"b"', '"a"').replace('"c"', '"b"')), "they form a ring"),
+    "has a joint of another kind": (TREE.format(JOINT.format("").replace("revolute", "floating")), "is floating"),
+    "has a number that is none": (TREE.format(JOINT.format('<axis xyz="0 1 up"/>')), "expected 3 finite numbers"),
+    "lacks a mesh": (TREE.format(JOINT.format("")).replace('<link name="b"/>', '<link name="b"><collision><geometry>'
+                     '<mesh filename="package://p/m.stl"/></geometry></collision></link>'), "no such file"),
+}
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_a_file_is_refused_that(understudy, what):
+    text, said = WRONG[what]
+    pathlib.Path("my.urdf").write_text(text)
+    done = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert done.returncode == 4, done.stdout + done.stderr
+    assert said in done.stderr
+    assert not pathlib.Path("mydog").exists()
+
+
+def test_nothing_that_is_there_is_written_over(understudy):
+    export(understudy, "go2")
+    pathlib.Path("mydog").mkdir()
+    done = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert done.returncode == 3 and "is there already" in done.stderr
+
+
+def test_meshes_come_along_and_what_is_only_looked_at_may_be_missing(understudy):
+    urdf = export(understudy, "go2")
+    stl = bytes(80) + (4).to_bytes(4, "little")
+    corners = [(0, 0, 0), (.1, 0, 0), (0, .1, 0), (0, 0, .1)]
+
+    for face in ((0, 2, 1), (0, 1, 3), (0, 3, 2), (1, 2, 3)):
+        stl += struct.pack("<12fH", 0, 0, 0, *[x for corner in face for x in corners[corner]], 0)
+    pathlib.Path("meshes").mkdir()
+    pathlib.Path("meshes/wedge.STL").write_bytes(stl)
+    mesh = '<{0}><geometry><mesh filename="package://my_robot/{1}"/></geometry></{0}>'
+    urdf.write_text(urdf.read_text().replace('<link name="FR_calf">', '<link name="FR_calf">' + mesh.format(
+        "collision", "meshes/wedge.STL") + mesh.format("visual", "meshes/calf.dae"), 1))
+    made = understudy("new", "mydog", "--urdf", "my.urdf", "--like", "go2")
+    assert made.returncode == 0, made.stdout + made.stderr
+    assert "calf.dae: no such file" in made.stdout and "left out" in made.stdout
+    assert pathlib.Path("mydog/meshes/wedge.STL").read_bytes() == stl
+    assert understudy("check", "mydog/mydog.yaml").returncode == 0
