@@ -260,8 +260,33 @@ void ReadQos(const dds_qos_t* qos, Endpoint* endpoint) {
 
 }  // namespace
 
-EndpointSurvey::EndpointSurvey(const Participant& participant)
+std::string WhyNotMatched(const Endpoint& writer, const Endpoint& reader) {
+  if (writer.who.type != reader.who.type) {
+    return "type " + writer.who.type + ", not " + reader.who.type;
+  }
+  if (writer.partitions != reader.partitions) {
+    const auto name = [](const Endpoint& one) {
+      return one.partitions.empty() ? std::string("none") : one.partitions;
+    };
+    return "partition: " + name(writer) + ", not " + name(reader);
+  }
+  if (writer.exclusive != reader.exclusive) return "ownership: one of them is exclusive";
+  if (reader.reliable && !writer.reliable) {
+    return "reliability: the reader is reliable, the writer best effort";
+  }
+  if (reader.keeps_for_late && !writer.keeps_for_late) {
+    return "durability: the reader wants what was sent before it came, the writer is volatile";
+  }
+  if (reader.has_deadline && !writer.has_deadline) {
+    return "deadline: the reader has one, the writer none";
+  }
+  if (writer.xcdr1 && !reader.xcdr1) return "data representation: the reader takes no XCDR1";
+  return "";
+}
+
+EndpointSurvey::EndpointSurvey(const Participant& participant, SurveyOf whose)
     : ours_(participant.key()),
+      whose_(whose),
       writers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr,
                                  nullptr),
                "watch the writers"),
@@ -296,13 +321,14 @@ void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
   std::erase_if(endpoints_, [&](const Endpoint& known) {
     return std::ranges::equal(known.who.writer, one.key.v);
   });
-  if (!there || std::ranges::equal(ours_, one.participant_key.v) ||
-      endpoints_.size() >= kMostEndpoints ||
+  const bool ours = std::ranges::equal(ours_, one.participant_key.v);
+  if (!there || (ours && whose_ == SurveyOf::kOthers) || endpoints_.size() >= kMostEndpoints ||
       std::string_view(one.type_name).starts_with(kBuiltin)) {
     return;
   }
   Endpoint& added = endpoints_.emplace_back();
   added.topic = Printable(one.topic_name);
+  added.ours = ours;
   added.writes = writes;
   const auto whose = std::ranges::find_if(others_, [&](const Neighbour& other) {
     return std::ranges::equal(other.participant, one.participant_key.v);

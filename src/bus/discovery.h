@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -111,10 +112,10 @@ class MismatchWatch {
   std::size_t told_ = 0;
 };
 
-// A reader or writer of another participant, and of its quality of service what decides whether it
-// is matched.
+// A reader or writer, and of its quality of service what decides whether it is matched.
 struct Endpoint {
   std::string topic{};
+  bool ours = false;    // of the participant that looks
   bool writes = false;  // else it reads
   bool reliable = false;
   bool keeps_for_late = false;  // durability is more than VOLATILE
@@ -125,11 +126,18 @@ struct Endpoint {
   Neighbour who{};           // `writer` is the endpoint's GUID, also of a reader's
 };
 
-// Watches for everything that other participants read and write.
+// Returns why nothing passes from that writer to that reader of the same topic, as far as they tell
+// of themselves: "type X, not Y", or the policy that keeps them apart; "" if something does. Types
+// of one name may still differ in their definition.
+std::string WhyNotMatched(const Endpoint& writer, const Endpoint& reader);
+
+enum class SurveyOf : std::uint8_t { kOthers, kAll };
+
+// Watches for everything that participants read and write, but for discovery's own topics.
 class EndpointSurvey {
  public:
   // Throws BusError if Cyclone refuses.
-  explicit EndpointSurvey(const Participant& participant);
+  explicit EndpointSurvey(const Participant& participant, SurveyOf whose = SurveyOf::kOthers);
 
   // Takes note of what has come and gone. Never blocks.
   void Poll();
@@ -142,6 +150,7 @@ class EndpointSurvey {
   void Note(const void* endpoint, bool there, bool writes);
 
   ParticipantKey ours_;
+  SurveyOf whose_;
   Entity writers_;       // reader of DCPSPublication
   Entity readers_;       // reader of DCPSSubscription
   Entity participants_;  // reader of DCPSParticipant

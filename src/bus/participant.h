@@ -3,10 +3,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <string>
 
 #include "bus/entity.h"
 #include "bus/interfaces.h"
+#include "bus/traffic.h"
 
 namespace understudy::bus {
 
@@ -35,12 +37,16 @@ class Participant {
   const ParticipantKey& key() const { return key_; }
   const std::string& announcement() const { return announcement_; }
 
+  // The counts of all its readers and writers.
+  Traffic& traffic() const { return *traffic_; }
+
   std::int32_t handle() const { return participant_.handle(); }
 
  private:
   NetworkInterface interface_;
   int domain_id_;
   std::string announcement_;
+  std::unique_ptr<Traffic> traffic_ = std::make_unique<Traffic>();
   Entity domain_;       // outlives participant_
   Entity participant_;  // the parent of all readers and writers
   ParticipantKey key_{};

@@ -73,6 +73,7 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
     : name_(topic),
       type_(TypeOf(topic, descriptor, message_size)),
       undecoded_(&UndecodedSamples(topic)),
+      received_(&participant.traffic().Of(topic).received),
       most_bytes_(options.most_bytes),
       reports_(std::make_unique<Reports>(options.bell)),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
@@ -154,6 +155,7 @@ void ReaderCore::Gather() {
     for (std::size_t i = 0; std::cmp_less(i, count); ++i) {
       CdrSample sample(taken[i], infos[i].publication_handle);
       if (!infos[i].valid_data) continue;  // says only that a writer has gone
+      received_->fetch_add(1, std::memory_order_relaxed);
       if (sample.bytes().size() > most_bytes_) {
         ++too_long_;
       } else {

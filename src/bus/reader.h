@@ -101,6 +101,7 @@ class ReaderCore {
 
   std::string name_, type_;
   const std::atomic<std::uint64_t>* undecoded_;
+  std::atomic<std::uint64_t>* received_;
   std::size_t most_bytes_;
   std::unique_ptr<Reports> reports_;  // outlives reader_
   Entity topic_;

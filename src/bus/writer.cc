@@ -33,6 +33,7 @@ ListenerPtr CountOnMatch(Readers* readers) {
 WriterCore::WriterCore(const Participant& participant, const char* topic,
                        const dds_topic_descriptor& descriptor, std::size_t message_size)
     : readers_(std::make_unique<Readers>(0)),
+      sent_(&participant.traffic().Of(topic).sent),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
       writer_(dds_create_writer(participant.handle(), topic_.handle(), WriterQos().get(),
@@ -67,7 +68,9 @@ bool WriterCore::ReachesParticipant(const ParticipantKey& key) const {
 }
 
 bool WriterCore::WriteMessage(const void* message) noexcept {
-  return dds_write(writer_.handle(), message) == DDS_RETCODE_OK;
+  if (dds_write(writer_.handle(), message) != DDS_RETCODE_OK) return false;
+  sent_->fetch_add(1, std::memory_order_relaxed);
+  return true;
 }
 
 }  // namespace understudy::bus

@@ -36,6 +36,7 @@ class WriterCore {
  private:
   std::unique_ptr<std::atomic<std::uint32_t>>
       readers_;  // set by Cyclone's threads; outlives writer_
+  std::atomic<std::uint64_t>* sent_;
   Entity topic_;
   Entity writer_;
 };

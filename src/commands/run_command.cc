@@ -11,6 +11,7 @@
 #include "base/signals.h"
 #include "client/control_folder.h"
 #include "client/listening_socket.h"
+#include "commands/browser.h"
 #include "commands/commands.h"
 #include "commands/companion.h"
 #include "commands/detach.h"
@@ -47,6 +48,7 @@ struct RunArguments : SetArguments {
   // run only
   bool gamepad = false;
   bool detach = false;
+  bool open = false;
   // exec only
   NetworkArguments network;
   std::vector<std::string> command;
@@ -224,12 +226,18 @@ int RunCommand(const RunArguments& arguments) {
             .status_line = options.status_line});
   SayWhatIsMissing(missing);
   CatchStopSignals();
-  options.on_ready = [&companions, &background] {
+  std::optional<Browser> browser;
+  if (arguments.open) {
+    browser.emplace(std::filesystem::path(options.control_socket).replace_extension(".html"));
+  }
+  options.on_ready = [&](const std::string& url) {
     for (CompanionProcess& companion : companions) companion.Release();
+    if (browser) browser->Open(url);
     if (background) background->Ready();
   };
-  options.should_stop = [&companions](std::int64_t, emulator::EventRing*) {
+  options.should_stop = [&companions, &browser](std::int64_t, emulator::EventRing*) {
     for (CompanionProcess& companion : companions) companion.Watch();
+    if (browser) browser->Watch();
     return StopSignal() != 0;
   };
   return static_cast<int>(run::RunRobot(config, options));
@@ -268,7 +276,7 @@ int ExecCommand(const RunArguments& arguments) {
   std::optional<int> code;
   bool terminating = false;
   options.control_socket = control;
-  options.on_ready = [&] {
+  options.on_ready = [&](const std::string&) {
     if (output) output->Start();
     child.Release();
     for (CompanionProcess& companion : companions) companion.Release();
@@ -303,6 +311,8 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
   AddRunOptions(run, run_arguments.get());
   run->add_flag("--gamepad", run_arguments->gamepad,
                 "Use a gamepad, as with `understudy remote --no-keyboard` beside it");
+  run->add_flag("--open", run_arguments->open,
+                "Open the panel in the browser, by xdg-open, or say its address");
   run->add_flag("--detach", run_arguments->detach,
                 "Return when the robot is ready; it goes on in the background: ctl log, ctl stop");
   run->footer(

@@ -34,6 +34,7 @@ enum SnapshotPart : std::uint32_t {
   kPartFaults = 1U << 13,
   kPartDamage = 1U << 14,
   kPartMotion = 1U << 15,
+  kPartTruth = 1U << 16,
 };
 using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
@@ -48,9 +49,9 @@ inline constexpr SnapshotPartName kSnapshotParts[] = {
     {"motors", kPartMotors},   {"imus", kPartImus},     {"battery", kPartBattery},
     {"feet", kPartFeet},       {"remote", kPartRemote}, {"wireless_remote", kPartWirelessRemote},
     {"command", kPartCommand}, {"faults", kPartFaults}, {"damage", kPartDamage},
-    {"motion", kPartMotion},
+    {"motion", kPartMotion},   {"truth", kPartTruth},
 };
-inline constexpr SnapshotParts kAllSnapshotParts = (kPartMotion << 1) - 1;
+inline constexpr SnapshotParts kAllSnapshotParts = (kPartTruth << 1) - 1;
 
 struct SnapshotCrane {
   bool attached = false;
@@ -122,6 +123,7 @@ struct Snapshot {
   std::vector<SnapshotFault> faults;         // that there are now
   robot::Damage damage;                      // since the start
   SnapshotMotion motion;
+  robot::TrueValues truth;  // of the instant of `motors`
 };
 
 }  // namespace understudy::emulator

@@ -41,6 +41,10 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.trip_c = spec.thermal.trip_c;
   snapshot.faults.reserve(robot::FaultBank::kMost);
   snapshot.damage.motors.resize(snapshot.motor_names.size());
+  snapshot.truth.q.resize(snapshot.motor_names.size());
+  snapshot.truth.dq.resize(snapshot.motor_names.size());
+  snapshot.truth.tau.resize(snapshot.motor_names.size());
+  snapshot.truth.foot_force.resize(spec.feet.size());
   return snapshot;
 }
 
@@ -91,6 +95,8 @@ void World::Show(Snapshot* snapshot) const {
     }
   }
   if (Has(*snapshot, kPartDamage)) snapshot->damage = robot.damage();
+  // As the motors: nothing before the first tick.
+  if (Has(*snapshot, kPartTruth) && !state.truth.q.empty()) snapshot->truth = state.truth;
   if (Has(*snapshot, kPartMotion)) {
     const robot::MotionState motion = robot.owner().state();
     CopyText(robot.owner().active(), &snapshot->motion.service);

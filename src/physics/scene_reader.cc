@@ -164,6 +164,21 @@ std::string SceneReader::HeightField(int hfield) {
   return bytes;
 }
 
+std::size_t SceneReader::positions() { return static_cast<std::size_t>(model().nq); }
+
+std::span<const BodyPose> SceneReader::Poses(std::span<const double> qpos) {
+  const mjModel& of = model();
+  if (!data_) data_ = mjcf::MakeDataWithoutContacts(of);
+  std::copy_n(qpos.begin(), std::min(qpos.size(), positions()), data_->qpos);
+  mj_kinematics(&of, data_.get());
+  poses_.resize(static_cast<std::size_t>(of.nbody));
+  for (std::size_t i = 0; i < poses_.size(); ++i) {
+    std::copy_n(data_->xpos + 3 * i, 3, poses_[i].begin());
+    std::copy_n(data_->xquat + 4 * i, 4, poses_[i].begin() + 3);
+  }
+  return poses_;
+}
+
 std::string SceneReader::Model() { return mjcf::ModelBytes(model()); }
 
 }  // namespace understudy::physics

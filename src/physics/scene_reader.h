@@ -4,11 +4,13 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
+#include "physics/world_reading.h"
 
 namespace understudy::physics {
 
@@ -92,6 +94,10 @@ class SceneReader {
   std::string HeightField(int hfield);
   // As mj_saveModel writes it: for the same version of MuJoCo only.
   std::string Model();
+  std::size_t positions();  // of qpos
+  // Returns where the bodies are at these joint positions, by MuJoCo's id; valid until the next
+  // call. `qpos` has positions() numbers, of any values.
+  std::span<const BodyPose> Poses(std::span<const double> qpos);
 
  private:
   const mjModel& model();
@@ -99,6 +105,8 @@ class SceneReader {
 
   MakeModel make_;
   mjcf::ModelHandle model_;
+  mjcf::DataHandle data_;  // for Poses; null before
+  std::vector<BodyPose> poses_;
 };
 
 }  // namespace understudy::physics

@@ -125,6 +125,16 @@ struct RemoteReading {
   double rx = 0, ry = 0;   // right stick
 };
 
+// What sensors measure, as it is: without noise, lattice and faults.
+struct TrueValues {
+  std::vector<double> q;    // rad, motor order, as the next two
+  std::vector<double> dq;   // rad/s
+  std::vector<double> tau;  // N·m, of the motor, before joint friction
+  ImuReading imu;           // without its temperature, as the next one
+  ImuReading secondary_imu;
+  std::vector<double> foot_force;  // N, in RobotSpec::feet order
+};
+
 // All readings of one instant. Default values before the first sample.
 struct RobotState {
   std::int64_t tick_ms = 0;          // simulated milliseconds since start
@@ -136,6 +146,7 @@ struct RobotState {
   BatteryReading battery;
   BaseReading base;
   BaseReading odometry;  // what the robot's own programs take that for, where no service estimates
+  TrueValues truth;
   RemoteReading remote;
   std::optional<MotionState> motion;  // nullopt while no motion service is on
 };

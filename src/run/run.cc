@@ -5,10 +5,12 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -170,6 +172,12 @@ class Housekeeper {
   std::jthread thread_;                                       // last: it uses all of the above
 };
 
+// Where record.start puts what it is given no folder for; "" if that is gone.
+std::filesystem::path RecordingFolder() {
+  std::error_code gone;
+  return std::filesystem::current_path(gone);
+}
+
 // Fills in and posts a snapshot if one is requested.
 void ShowSnapshot(const emulator::World& world, emulator::SnapshotMailbox* snapshots) {
   emulator::Snapshot* snapshot = snapshots->Wanted();
@@ -219,18 +227,22 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   Recording recording(options.recording, participant, config, made.draws, &world);
   emulator::SnapshotMailbox snapshots(world.MakeSnapshot());
   physics::SceneReader scene([&config] { return MakeSightModel(config); });
-  const server::ControlServer control(options.control_socket,
-                                      {.identity = {.robot = config.robot.name,
-                                                    .log = options.log.string(),
-                                                    .draws = std::move(made.draws)},
-                                       .board = &board,
-                                       .inbox = &inbox,
-                                       .snapshots = &snapshots,
-                                       .events = server::EventHistory(&world.events()),
-                                       .scene = server::SceneFiles(&scene, &config.robot),
-                                       .files = server::StaticFiles(config::PanelDir()),
-                                       .openapi = config::OpenApiFile()},
-                                      server::ServerLimits{}, options.panel);
+  const server::ControlServer control(
+      options.control_socket,
+      {.identity = {.robot = config.robot.name,
+                    .log = options.log.string(),
+                    .draws = std::move(made.draws)},
+       .board = &board,
+       .inbox = &inbox,
+       .snapshots = &snapshots,
+       .events = server::EventHistory(&world.events()),
+       .scene = server::SceneFiles(&scene, &config.robot),
+       .bus = server::BusView(&participant),
+       .recordings = server::Recordings(RecordingFolder(), &scene, config.robot.name),
+       .services = services::ServicesOf(config.robot.apis),
+       .files = server::StaticFiles(config::PanelDir()),
+       .openapi = config::OpenApiFile()},
+      server::ServerLimits{}, options.panel);
   std::vector<const bus::ReaderCore*> readers = port.readers();
   std::ranges::copy(host.readers(), std::back_inserter(readers));
   Housekeeper housekeeper(config, options.status_line, std::move(watch),
@@ -266,7 +278,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
                    config.network.interface, config.network.domain, control.socket().string());
       if (!control.url().empty()) spdlog::info("panel: {}", control.url());
-      if (options.on_ready) options.on_ready();
+      if (options.on_ready) options.on_ready(control.url());
       pacer.Resume(world.step(), world.pace().speed);
     }
     const bool diverged = health == physics::StepHealth::kDiverged &&

@@ -21,8 +21,9 @@ struct RunOptions {
   const server::PanelSocket* panel = nullptr;  // null: no panel
   bool private_network = false;                // of exec: nothing leads out of it
   bool status_line = false;                    // redraw a line on the terminal
-  // Called once in the loop's thread after the first LowState. May be empty.
-  std::function<void()> on_ready;
+  // Called once in the loop's thread after the first LowState, with the panel's URL, "" without
+  // one. May be empty.
+  std::function<void(const std::string& panel)> on_ready;
   // Called every 10 steps in the loop's thread; true ends the run. It may add events.
   std::function<bool(std::int64_t step, emulator::EventRing* events)> should_stop;
 };

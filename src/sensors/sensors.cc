@@ -90,11 +90,18 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
     reading.undervoltage = instant.motors.undervoltage(i);
     reading.encoder_error = instant.faults.encoders[i].tells();
   }
+  robot::TrueValues& truth = state->truth;
+  truth.q.assign(instant.robot.q().begin(), instant.robot.q().end());
+  truth.dq.assign(instant.robot.dq().begin(), instant.robot.dq().end());
+  truth.tau.assign(instant.motors.torque().begin(), instant.motors.torque().end());
+  truth.imu = instant.robot.Imu();
   imu_.Read(instant.faults.imus[0], &state->imu);
   if (!spec_.imu.secondary_site.empty()) {
+    truth.secondary_imu = instant.robot.SecondaryImu();
     secondary_imu_.Read(instant.faults.imus[1], &state->secondary_imu);
   }
   instant.robot.FootForces(foot_force_);
+  truth.foot_force = foot_force_;
   state->foot_force.resize(foot_force_.size());
   for (std::size_t i = 0; i < foot_force_.size(); ++i) {
     const robot::FootEffects& fault = instant.faults.feet[i];

@@ -55,7 +55,8 @@ bool Equal(std::string_view given, std::string_view token) {
 
 bool NeedsToken(const HttpRequest& request) {
   const std::string_view path = PathOf(request);
-  return request.method != "GET" || (path == "/requests" && request.upgrade) || path == "/panel";
+  return request.method != "GET" || (path == "/requests" && request.upgrade) || path == "/panel" ||
+         path.starts_with("/recordings");
 }
 
 bool HasToken(const HttpRequest& request, const std::string& token) {

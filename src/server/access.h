@@ -21,7 +21,8 @@ std::string RandomToken();
 //   403  its Host is neither a loopback name nor the bound address: a web page whose name leads
 //        here (DNS rebinding). Bound to every address, any address will do, and still no name
 //   403  its Origin is not the Host's own: another page in the user's browser
-//   401  it writes, or asks for the token, and has none: `Authorization: Bearer TOKEN`, or of a
+//   401  it writes, asks for the token or for recordings, and has none: `Authorization: Bearer
+//   TOKEN`, or of a
 //        WebSocket, whose header a page cannot fill, also ?token=TOKEN
 std::optional<HttpReply> RefusalOf(const HttpRequest& request, const Access& access);
 

@@ -129,6 +129,28 @@ Routed GetRequests(const HttpRequest& request, std::string_view, Plane&) {
   return JsonReply(RequestsJson());
 }
 
+Routed GetBus(const HttpRequest&, std::string_view, Plane& plane) { return plane.bus.Get(); }
+
+Routed GetServices(const HttpRequest&, std::string_view, Plane& plane) {
+  ordered_json services = ordered_json::array();
+  for (const services::ServiceTable& table : plane.services) {
+    ordered_json apis = ordered_json::array();
+    for (const services::ApiRow& row : table.rows) {
+      apis.push_back({{"id", row.id}, {"name", row.name}, {"does", row.does}});
+    }
+    services.push_back({{"name", table.name}, {"apis", apis}});
+  }
+  return JsonReply({{"services", services}});
+}
+
+Routed GetRecordings(const HttpRequest&, std::string_view, Plane& plane) {
+  return plane.recordings.List();
+}
+
+Routed GetRecording(const HttpRequest& request, std::string_view name, Plane& plane) {
+  return plane.recordings.Show(request, name);
+}
+
 template <auto kMake>
 Routed FromScene(const HttpRequest&, std::string_view index, Plane& plane) {
   if (!plane.scene) return ErrorReply(404, "there is no scene");
@@ -165,6 +187,10 @@ constexpr Row kRoutes[] = {
     {"/snapshot", GetSnapshot},
     {"/snapshots", GetSnapshots},
     {"/events", GetEvents},
+    {"/bus", GetBus},
+    {"/services", GetServices},
+    {"/recordings", GetRecordings},
+    {"/recordings/{name}", GetRecording},
     {"/timings", GetTimings},
     {"/metrics", GetMetrics},
     {"/scene", FromScene<&SceneFiles::Scene>},

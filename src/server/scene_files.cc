@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 
 #include "mjcf/compile.h"
+#include "motion/humanoid/fsm.h"
+#include "robot/arm_actions.h"
 #include "robot/start_pose.h"
 
 namespace understudy::server {
@@ -45,6 +47,31 @@ ordered_json MotorJson(const robot::MotorSpec& motor, const physics::Scene& scen
   if (joint->limited) told["range"] = joint->range;
   told["qpos"] = joint->position;
   return told;
+}
+
+// What a chord comes to, for people: "stand up", "ready", "wave above head".
+std::string ChordName(const robot::ChordSpec& chord, const robot::RobotSpec& robot) {
+  const int id = static_cast<int>(chord.value);
+  std::string name = chord.does;
+  if (chord.does == "set_fsm") {
+    using Stance = motion::HumanoidStance;
+    const Stance stance = motion::StanceOf(robot.motion.humanoid, id);
+    const bool known = stance != Stance::kUnplayed && stance != Stance::kNone;
+    name = known ? std::string(motion::Name(stance)) : "state " + std::to_string(id);
+  } else if (chord.does == "arm_action") {
+    const auto* const action = std::ranges::find(robot::kArmActions, id, &robot::ArmActionName::id);
+    name = action == robot::kArmActions.end() ? "arm action " + std::to_string(id)
+                                              : std::string(action->name);
+  } else if (chord.value != 0) {
+    name += " " + std::to_string(id);
+  }
+  std::ranges::replace(name, '_', ' ');
+  return name;
+}
+
+ordered_json ChordJson(const robot::ChordSpec& chord, const robot::RobotSpec& robot) {
+  return {{"keys", chord.keys},   {"clicks", chord.clicks}, {"does", chord.does},
+          {"value", chord.value}, {"from", chord.from},     {"name", ChordName(chord, robot)}};
 }
 
 // As in a snapshot: the body's motors, then those of hands, whose slot is their index in motor_cmd.
@@ -146,6 +173,8 @@ std::string SceneFiles::SceneText() {
       {"feet",
        List(robot_->feet, [](const robot::FootSpec& foot) { return ordered_json(foot.name); })},
       {"poses", robot::kStartPoses},
+      {"chords", List(robot_->remote.chords,
+                      [this](const robot::ChordSpec& chord) { return ChordJson(chord, *robot_); })},
   };
   return JsonText(json) + "\n";
 }

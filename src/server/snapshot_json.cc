@@ -28,6 +28,11 @@ struct ExactList {
   const std::vector<double>& numbers;
 };
 
+// A unit without its temperature, which is no matter of truth.
+struct TrueImu {
+  const robot::ImuReading& reading;
+};
+
 std::vector<std::string_view> ErrorsOf(const robot::MotorReading& motor) {
   std::vector<std::string_view> errors;
   if (motor.overheated) errors.emplace_back("overheated");
@@ -62,6 +67,7 @@ class Writer {
     PutPart(emulator::kPartFaults, snapshot_.faults);
     PutPart(emulator::kPartDamage, snapshot_.damage);
     PutPart(emulator::kPartMotion, snapshot_.motion);
+    PutPart(emulator::kPartTruth, snapshot_.truth);
     Close('}');
     return std::move(text_);
   }
@@ -156,6 +162,15 @@ class Writer {
   void Put(const emulator::SnapshotMotion& motion) {
     PutObject("service", std::string_view(motion.service.data()), "state", motion.state, "name",
               motion.name);
+  }
+  void Put(const TrueImu& unit) {
+    PutObject("quaternion", unit.reading.R_WI, "gyroscope", unit.reading.w_WI_I, "accelerometer",
+              unit.reading.f_WI_I);
+  }
+  void Put(const robot::TrueValues& truth) {
+    const std::array units{TrueImu{truth.imu}, TrueImu{truth.secondary_imu}};
+    PutObject("q", truth.q, "dq", truth.dq, "tau", truth.tau, "imus",
+              std::span(units).first(snapshot_.imu_count), "feet", truth.foot_force);
   }
   void Put(const emulator::SnapshotFault& fault) {
     PutObject("component", snapshot_.components[fault.component], "fault", fault.kind->name, "by",

@@ -18,6 +18,7 @@ namespace {
 
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
+using ::testing::StartsWith;
 
 constexpr Topic<Hello> kTopic{"rt/lowstate", &HelloWorldData_Msg_desc};
 
@@ -248,6 +249,74 @@ TEST(EndpointSurveyTest, TellsEachPolicyThatKeepsEndpointsApart) {
   EXPECT_TRUE(one.exclusive);
   EXPECT_TRUE(one.has_deadline);
   EXPECT_EQ(one.partitions, "\"left\"");
+}
+
+TEST(EndpointSurveyTest, TellsWhatWeReadAndWriteAtOnceIfItIsAsked) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  const Writer<Hello> writer(ours, kTopic);
+  const Reader<Hello> reader(ours, kTopic);
+  EndpointSurvey survey(ours, SurveyOf::kAll);
+  survey.Poll();
+  ASSERT_THAT(survey.endpoints(), SizeIs(2));
+  for (const Endpoint& one : survey.endpoints()) {
+    EXPECT_TRUE(one.ours);
+    EXPECT_EQ(one.topic, kTopic.name);
+    EXPECT_EQ(one.reliable, one.writes);  // as a robot's
+  }
+  EndpointSurvey of_others(ours);
+  of_others.Poll();
+  EXPECT_THAT(of_others.endpoints(), SizeIs(0));
+}
+
+TEST(WhyNotMatchedTest, NamesWhatKeepsAWriterFromAReader) {
+  const Endpoint reader{.topic = "rt/x", .who = {.type = "A"}};
+  const Endpoint writer{.topic = "rt/x", .writes = true, .reliable = true, .who = {.type = "A"}};
+  EXPECT_EQ(WhyNotMatched(writer, reader), "");
+  Endpoint other = writer;
+  other.who.type = "B";
+  EXPECT_EQ(WhyNotMatched(other, reader), "type B, not A");
+  other = writer;
+  other.partitions = "\"left\"";
+  EXPECT_EQ(WhyNotMatched(other, reader), "partition: \"left\", not none");
+  other = writer;
+  other.exclusive = true;
+  EXPECT_THAT(WhyNotMatched(other, reader), StartsWith("ownership"));
+
+  // What a reader wants more than a writer offers; that it offers more does no harm.
+  const auto wants = [](bool Endpoint::*what) {
+    Endpoint one{.topic = "rt/x", .who = {.type = "A"}};
+    one.*what = true;
+    return one;
+  };
+  const Endpoint plain{.topic = "rt/x", .writes = true, .who = {.type = "A"}};
+  EXPECT_THAT(WhyNotMatched(plain, wants(&Endpoint::reliable)), StartsWith("reliability"));
+  EXPECT_EQ(WhyNotMatched(writer, wants(&Endpoint::reliable)), "");
+  EXPECT_THAT(WhyNotMatched(plain, wants(&Endpoint::keeps_for_late)), StartsWith("durability"));
+  EXPECT_THAT(WhyNotMatched(plain, wants(&Endpoint::has_deadline)), StartsWith("deadline"));
+  for (auto what : {&Endpoint::keeps_for_late, &Endpoint::has_deadline}) {
+    other = plain;
+    other.*what = true;
+    EXPECT_EQ(WhyNotMatched(other, reader), "");
+    EXPECT_EQ(WhyNotMatched(other, wants(what)), "");
+  }
+  other = reader;
+  other.xcdr1 = false;
+  EXPECT_THAT(WhyNotMatched(plain, other), StartsWith("data representation"));
+}
+
+TEST(TrafficTest, CountsWhatAParticipantSendsAndReceivesByTopic) {
+  const int domain = test::NewDomain();
+  const Participant ours("lo", domain);
+  Writer<Hello> writer(ours, kTopic);
+  Reader<Hello> reader(ours, kTopic);
+  ASSERT_TRUE(test::Eventually([&] { return writer.has_readers(); }));
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(writer.Write(Hello{}));
+  ASSERT_TRUE(test::Eventually([&] {
+    reader.Take([](const Hello&, WriterHandle) {});
+    return ours.traffic().Read()[kTopic.name].received == 3;
+  }));
+  EXPECT_EQ(ours.traffic().Read()[kTopic.name].sent, 3u);
 }
 
 TEST(EndpointSurveyTest, ForgetsWhoHasGone) {

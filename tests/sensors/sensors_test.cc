@@ -81,6 +81,19 @@ constexpr SensorConfig kLattice{.quantise = true, .noise = false};
 constexpr SensorConfig kNoise{.quantise = false, .noise = true};
 constexpr SensorConfig kBoth{.quantise = true, .noise = true};
 
+TEST_F(SensorsTest, KeepTheTruthBesideWhatTheyMeasure) {
+  const robot::RobotState so = Sample(kTruth), noisy = Sample(kBoth);
+  ASSERT_EQ(noisy.truth.q.size(), so.motors.size());
+  for (std::size_t i = 0; i < so.motors.size(); ++i) {
+    EXPECT_EQ(noisy.truth.q[i], so.motors[i].q);
+    EXPECT_EQ(noisy.truth.dq[i], so.motors[i].dq);
+    EXPECT_EQ(noisy.truth.tau[i], so.motors[i].tau);
+  }
+  EXPECT_EQ(noisy.truth.imu.f_WI_I, so.imu.f_WI_I);
+  EXPECT_NE(noisy.imu.f_WI_I, so.imu.f_WI_I);
+  EXPECT_EQ(noisy.truth.foot_force, so.foot_force);
+}
+
 TEST_F(SensorsTest, TellTheTruthWhenBothAreOff) {
   const robot::RobotState state = Sample(kTruth);
   ASSERT_EQ(state.motors.size(), 6U);

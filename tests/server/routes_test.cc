@@ -59,6 +59,18 @@ TEST_F(RoutesTest, TellsTheTableOfRequests) {
   EXPECT_EQ((*lower)["fields"][0]["range"], (nlohmann::json{-10, 10}));
 }
 
+TEST_F(RoutesTest, TellsServicesWithTheirApis) {
+  plane_.services = {{.name = "sport", .rows = {{.id = 1001, .name = "Damp", .does = "brakes"}}}};
+  const auto sport = nlohmann::json::parse(ReplyTo("GET", "/services").body)["services"][0];
+  EXPECT_EQ(sport["name"], "sport");
+  ASSERT_EQ(sport["apis"].size(), 1u);
+  EXPECT_EQ(sport["apis"][0]["id"], 1001);
+  EXPECT_EQ(sport["apis"][0]["name"], "Damp");
+  EXPECT_EQ(sport["apis"][0]["does"], "brakes");
+}
+
+TEST_F(RoutesTest, WithoutABusItHasNobody) { EXPECT_EQ(ReplyTo("GET", "/bus").status, 404u); }
+
 TEST_F(RoutesTest, ABodyThatCannotBeReadIs400) {
   const auto why = [&](std::string_view body) {
     const HttpReply reply = ReplyTo("POST", "/crane/lower", body);

@@ -33,6 +33,13 @@ class SceneFilesTest : public ::testing::Test {
     robot_.hands = {{.name = "left", .motors = {{.joint = "thumb", .slot = 9}, {.joint = "knee"}}}};
     robot_.motors = {{.joint = "knee", .slot = 3, .torque_limit = 23.5}, {.joint = "wheel"}};
     robot_.imu.site = "imu";
+    robot_.motion.humanoid.lock_stand = 4;
+    robot_.motion.humanoid.unplayed = {702};
+    robot_.remote.chords = {{.keys = "L2+B", .does = "damp"},
+                            {.keys = "START", .clicks = 2, .does = "trot_run", .from = {3}},
+                            {.keys = "L2+UP", .does = "set_fsm", .value = 4},
+                            {.keys = "L2+X", .does = "set_fsm", .value = 702},
+                            {.keys = "SELECT+A", .does = "arm_action", .value = 27}};
     robot_.feet = {{.name = "FR", .geoms = {}}};
   }
 
@@ -65,6 +72,17 @@ TEST_F(SceneFilesTest, NamesWhatSnapshotsHaveByNumber) {
   EXPECT_EQ(scene["imus"], json({"imu"}));
   EXPECT_EQ(scene["feet"], json({"FR"}));
   EXPECT_EQ(scene["poses"], json({"lying", "standing", "hanging", "clamped"}));
+}
+
+TEST_F(SceneFilesTest, NamesWhatChordsDo) {
+  const json chords = json::parse(dut_.Scene().content())["chords"];
+  std::vector<std::string> names;
+  for (const json& chord : chords) names.push_back(chord["name"]);
+  EXPECT_EQ(names,
+            (std::vector<std::string>{"damp", "trot run", "ready", "state 702", "shake hand"}));
+  EXPECT_EQ(chords[1]["keys"], "START");
+  EXPECT_EQ(chords[1]["clicks"], 2);
+  EXPECT_EQ(chords[1]["from"], json({3}));
 }
 
 TEST_F(SceneFilesTest, SendsMeshesByTheirNumber) {

@@ -31,6 +31,11 @@ emulator::Snapshot SomeSnapshot() {
   snapshot.feet = {10, 20};
   snapshot.remote = {.there = true, .keys = 0x0020 | 0x0200, .lx = -1};
   snapshot.wireless_remote[0] = 0x55;
+  snapshot.truth.q = {0.5};
+  snapshot.truth.dq = {0.25};
+  snapshot.truth.tau = {2};
+  snapshot.truth.imu.w_WI_I = {1, 2, 3};
+  snapshot.truth.foot_force = {40};
   snapshot.motion = {.service = {'m', 'c', 'f'}, .state = 1004, .name = "lying"};
   snapshot.command = {{.enabled = true, .q = 1, .dq = 0, .tau = 0.5, .kp = 20, .kd = 1}};
   return snapshot;
@@ -59,6 +64,13 @@ TEST(SnapshotJsonTest, HasEveryPart) {
   EXPECT_EQ(snapshot["wireless_remote"].size(), 40u);
   EXPECT_EQ(snapshot["wireless_remote"][0], 0x55);
   EXPECT_EQ(snapshot["command"][0]["kp"], 20.0);
+  EXPECT_EQ(snapshot["truth"]["q"], json({0.5}));
+  EXPECT_EQ(snapshot["truth"]["dq"], json({0.25}));
+  EXPECT_EQ(snapshot["truth"]["tau"], json({2.0}));
+  EXPECT_EQ(snapshot["truth"]["feet"], json({40.0}));
+  EXPECT_EQ(snapshot["truth"]["imus"].size(), snapshot["imus"].size());
+  EXPECT_EQ(snapshot["truth"]["imus"][0]["gyroscope"], json({1.0, 2.0, 3.0}));
+  EXPECT_FALSE(snapshot["truth"]["imus"][0].contains("temperature"));
   EXPECT_EQ(snapshot["motion"], json({{"service", "mcf"}, {"state", 1004}, {"name", "lying"}}));
   EXPECT_EQ(snapshot.size(), 4 + std::size(emulator::kSnapshotParts));
 }

@@ -30,7 +30,7 @@ def test_a_phone_on_its_side_shows_one_part_and_a_desk_all_again(page):
 def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
     robot = play("g1")
     page = visit(url_of(robot), **PHONE)
-    for tab in ("plots", "motors", "rig", "events", "remote"):
+    for tab in ("plots", "motors", "actions", "rig", "events", "dds", "services", "remote"):
         show(page, tab)
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
         assert page.evaluate(

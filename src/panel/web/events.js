@@ -1,5 +1,6 @@
 // What happened, newest first.
 import { byId, element, number, setText } from "./dom.js";
+import { Search } from "./search.js";
 
 const MOST = 200; // lines
 
@@ -35,6 +36,9 @@ export class Events {
   constructor() {
     this.next = 0; // number of the next event
     byId("events-clear").addEventListener("click", () => byId("event-list").replaceChildren());
+    this.search = new Search(byId("events-search"), () => {
+      for (const line of byId("event-list").children) line.hidden = !this.search.matches(line.textContent);
+    });
   }
 
   showStatus(status) {
@@ -52,9 +56,11 @@ export class Events {
   // One line; `time`: simulated seconds.
   add(text, level, time) {
     const list = byId("event-list");
-    list.prepend(element("li", { class: level || false },
+    const line = element("li", { class: level || false },
       element("time", { class: "num", text: Number.isFinite(time) ? `${number(time, 2)} s` : "" }),
-      element("span", { text })));
+      element("span", { text }));
+    line.hidden = !this.search.matches(line.textContent);
+    list.prepend(line);
     while (list.children.length > MOST) list.lastChild.remove();
   }
 }

@@ -1,17 +1,25 @@
 // The panel: brings the robot's news to what shows them, and what a person does to the robot.
 import { Bar } from "./bar.js";
+import { Chords } from "./chords.js";
 import { DamageSheet } from "./damage.js";
+import { Dds } from "./dds.js";
 import { byId, focusWants, number, setText } from "./dom.js";
 import { DragTool } from "./drag.js";
 import { Events } from "./events.js";
 import { Link, takeToken } from "./link.js";
 import { MotorTable } from "./motor_table.js";
 import { Plots } from "./plots.js";
+import { Recordings } from "./recordings.js";
 import { Remote } from "./remote.js";
 import { Rig } from "./rig.js";
+import { saveCsv, savePicture, savePlots } from "./save.js";
 import { SensorTable } from "./sensor_table.js";
+import { Services } from "./services.js";
 import { rollPitchYaw, shortName, signalsOf } from "./signals.js";
+import { recall, remember, setRobot } from "./store.js";
 import { makeTabs } from "./tabs.js";
+import { showTips } from "./tips.js";
+import { TruthSheet } from "./truth.js";
 import { View } from "./view.js";
 
 const TABLE_EVERY = 100; // ms: nobody reads faster
@@ -22,14 +30,24 @@ const STALE = "Another run has this address now and does not know this page's to
 const NO_TOKEN = "Looking only: this address has no token. To ask something of it too, open the URL that " +
   "the robot printed at its start and `understudy ctl panel` tells.";
 
+// What of the view can be switched on and off, and stays so.
+const TOGGLES = [
+  ["follow", (on) => (view.following = on)],
+  ["contacts", (on) => (view.contacts.visible = on)],
+  ["com", (on) => (view.com.visible = on)],
+  ["collisions", (on) => view.showCollisions(on)],
+  ["trail", (on) => (view.trail.visible = on)],
+];
+
 const dark = window.matchMedia("(prefers-color-scheme: dark)");
 const view = makeView();
 let scene = null;
 let signalsKnown = false;
 let tableShown = 0;
+let replaying = false; // the view has a recording's poses
 
 const link = new Link(takeToken(), { scene: setScene, snapshot: showSnapshot, status: showStatus,
-                                     event: (event) => events.show(event),
+                                     event: showEvent,
                                      line: showLine, token: showToken });
 
 function makeView() {
@@ -54,9 +72,14 @@ const bar = new Bar(request);
 const rig = new Rig(request);
 const speed = () => bar.speed;
 const remote = new Remote(request, speed);
+const chords = new Chords(request, speed);
 const events = new Events();
+const services = new Services(request);
+const recordings = new Recordings(link, showRecorded, say);
+new Dds(link);
 const table = new MotorTable(plotMotor);
 new DamageSheet(link);
+const truth = new TruthSheet(link);
 const sensors = new SensorTable((names) => plots.showFirst(names));
 const plots = new Plots({ list: byId("plot-list"), hold: byId("plots-hold"),
                           options: byId("signals"), seconds: byId("plots-seconds"),
@@ -79,10 +102,18 @@ async function setScene(description) {
   scene = description;
   signalsKnown = false;
   bar.setScene(scene);
+  setRobot(scene.robot);
+  chords.setScene(scene);
+  truth.setScene(scene);
+  services.setServices((await link.json("/services")).services);
   rig.setScene(scene, (await link.json("/requests")).requests);
   table.setMotors(scene.motors);
   const bare = await view.setScene(scene, (path) => link.bytes(path));
   byId("collisions").setAttribute("aria-pressed", bare);
+  for (const [id, apply] of TOGGLES) {
+    const kept = recall(`view.${id}`);
+    if (typeof kept === "boolean" && !(id === "collisions" && bare)) press(id, apply, kept);
+  }
 }
 
 function showSnapshot(snapshot) {
@@ -91,7 +122,7 @@ function showSnapshot(snapshot) {
     plots.setSignals(signalsOf(scene, snapshot), standardPlots());
     sensors.setSensors(scene, snapshot);
   }
-  view.show(snapshot);
+  if (!replaying) view.show(snapshot);
   plots.push(snapshot);
   const now = performance.now();
   if (now - tableShown < TABLE_EVERY) return;
@@ -102,6 +133,16 @@ function showSnapshot(snapshot) {
   sensors.show(snapshot);
   remote.show(snapshot.remote);
   showReadings(snapshot);
+}
+
+// Poses of a recording in place of the robot's own; null: these again.
+function showRecorded(bodies) {
+  replaying = bodies !== null;
+  const { snapshot } = view;
+  if (!snapshot) return;
+  // Without what only the live robot has.
+  view.show({ ...snapshot, bodies: bodies ?? snapshot.bodies, contacts: [], pushes: [],
+              crane: { attached: false } });
 }
 
 function standardPlots() {
@@ -125,8 +166,14 @@ function showReadings(snapshot) {
   setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
 }
 
+function showEvent(event) {
+  events.show(event);
+  services.show(event);
+}
+
 function showStatus(status) {
   bar.showStatus(status);
+  chords.showStatus(status);
   rig.show(status);
   events.showStatus(status);
 }
@@ -147,24 +194,39 @@ function showToken(state) {
   for (const control of document.querySelectorAll(".requests")) control.disabled = looking;
   setText(byId("token"), { stale: STALE, none: NO_TOKEN }[state] ?? "");
   byId("token").hidden = !looking;
+  byId("recordings-read").disabled = looking;
+  listRecordings();
 }
 
-function toggle(id, apply) {
-  const button = byId(id);
-  button.addEventListener("click", () => {
-    const on = button.getAttribute("aria-pressed") !== "true";
-    button.setAttribute("aria-pressed", on);
-    apply(on);
-    view.invalidate();
+function press(id, apply, on) {
+  byId(id).setAttribute("aria-pressed", on);
+  apply(on);
+  view.invalidate();
+}
+
+function listRecordings() {
+  if (document.body.dataset.tab === "recordings" && takesRequests()) recordings.list();
+}
+
+function toggle(id, apply, then = () => {}) {
+  byId(id).addEventListener("click", () => {
+    const on = byId(id).getAttribute("aria-pressed") !== "true";
+    press(id, apply, on);
+    then(on);
   });
 }
 
-toggle("follow", (on) => (view.following = on));
-toggle("contacts", (on) => (view.contacts.visible = on));
-toggle("com", (on) => (view.com.visible = on));
-toggle("collisions", (on) => view.showCollisions(on));
+for (const [id, apply] of TOGGLES) toggle(id, apply, (on) => remember(`view.${id}`, on));
 toggle("push-tool", (on) => view.canvas.classList.toggle("pushing", on));
 byId("home").addEventListener("click", () => view.home());
+byId("camera").addEventListener("change", () => {
+  view.lookFrom(byId("camera").value);
+  byId("camera").value = "";
+});
+byId("picture").addEventListener("click", () => savePicture(view));
+byId("plots-png").addEventListener("click", () => savePlots(plots));
+byId("plots-csv").addEventListener("click", () => saveCsv(plots));
+showTips(byId("tip"));
 
 window.addEventListener("keydown", (event) => {
   if (event.key !== " " || focusWants(event) || !takesRequests()) return;
@@ -190,7 +252,10 @@ function applyTheme() {
 }
 dark.addEventListener("change", applyTheme);
 applyTheme();
-makeTabs(byId("tabs"), () => plots.resize());
+makeTabs(byId("tabs"), () => {
+  plots.resize();
+  listRecordings();
+});
 new ResizeObserver(() => plots.resize()).observe(byId("plot-list"));
 showToken(link.token ? "ok" : "none");
 link.run();

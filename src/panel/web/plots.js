@@ -1,6 +1,7 @@
 // Live plots. Every signal has a history, so a plot begins with what has already been.
 import { element, number, setText } from "./dom.js";
 import { History } from "./history.js";
+import { recall, remember } from "./store.js";
 
 const COLOURS = ["#0a7bc4", "#d9600a", "#00997a", "#b755a0", "#c79a00", "#6a6ee0"];
 const KEPT = 7200; // samples: two minutes of 60 a second
@@ -10,6 +11,7 @@ const MOST_PLOTS = 4;
 const LEAST_SPAN = 1e-3; // of a value axis, in any unit; *assumed*
 const LEAST_SHARE = 1e-3; // of it, of its value; *assumed*
 const MOST_SIGNALS = COLOURS.length;
+const SPANS = new Set(["2", "5", "10", "30", "60", "120"]); // s, as the page offers them
 
 const { Dygraph } = window; // a classic script
 // Its legend writes style attributes, which the page's content policy forbids; ours is the chips.
@@ -38,6 +40,12 @@ class Plot {
       if (event.shiftKey || event.pointerType === "touch") plots.hold(true);
     });
     for (const name of names) this.add(name);
+  }
+
+  // Rows of {name, unit, colour}.
+  legend() {
+    return this.names.map((name, i) => (
+      { name, unit: this.plots.signals[this.plots.index.get(name)].unit, colour: COLOURS[i] }));
   }
 
   get columns() {
@@ -152,6 +160,12 @@ function axisNumber(value, [low, high]) {
   return number(value, digits);
 }
 
+// What was kept of the plots, if it is what we keep.
+export function layoutOf(kept) {
+  const isNames = (names) => Array.isArray(names) && names.every((name) => typeof name === "string");
+  return Array.isArray(kept?.plots) && kept.plots.every(isNames) ? kept : null;
+}
+
 export class Plots {
   // `controls`: the elements list, hold, seconds, add, options (a datalist).
   constructor(controls) {
@@ -165,6 +179,7 @@ export class Plots {
     controls.hold.addEventListener("click", () => this.hold(!this.held));
     controls.seconds.addEventListener("change", () => {
       this.hold(false);
+      this.remember();
       this.drawAll();
     });
     controls.add.addEventListener("click", () => this.open([]));
@@ -182,8 +197,9 @@ export class Plots {
     this.controls.options.replaceChildren(
       ...signals.map(({ name, unit }) => element("option", { value: name, label: unit })));
     for (const plot of this.plots.splice(0)) this.discard(plot);
-    const kept = JSON.parse(sessionStorage.getItem("plots") ?? "null");
-    for (const names of kept ?? standard) this.open(names);
+    const kept = layoutOf(recall("plots"));
+    if (kept && SPANS.has(kept.seconds)) this.controls.seconds.value = kept.seconds;
+    for (const names of kept?.plots ?? standard) this.open(names);
   }
 
   open(names) {
@@ -219,7 +235,7 @@ export class Plots {
   }
 
   remember() {
-    sessionStorage.setItem("plots", JSON.stringify(this.plots.map(({ names }) => names)));
+    remember("plots", { plots: this.plots.map(({ names }) => names), seconds: this.controls.seconds.value });
   }
 
   push(snapshot) {

@@ -5,9 +5,15 @@ import { Arrows } from "./arrows.js";
 import { GeomFactory } from "./geoms.js";
 import { drawnInSoftware, Quality, WITHOUT_SHADOWS } from "./quality.js";
 import { Stage } from "./stage.js";
+import { Trail } from "./trail.js";
 
 const FIRST_COLLISION_GROUP = 3; // as in MuJoCo's viewer: groups 0 to 2 are what one sees
 const CAMERA = [1.5, -1.7, 0.75]; // m from what is looked at, for a robot 1 m tall
+// Where one may look from, in the base's heading: x ahead, y to its left.
+const PLACES = {
+  front: [2.3, 0, 0.3], back: [-2.3, 0, 0.3], left: [0, 2.3, 0.3], right: [0, -2.3, 0.3],
+  top: [-0.01, 0, 2.6],
+};
 
 export class View {
   constructor(canvas) {
@@ -58,6 +64,7 @@ export class View {
     this.tether.frustumCulled = false;
     this.tether.visible = false;
     this.scene.add(this.com, this.tether);
+    this.trail = new Trail(this.scene, "#0b8f6a");
   }
 
   // Builds what GET /scene describes; `load` brings meshes and height fields.
@@ -120,11 +127,24 @@ export class View {
 
   // Looks at the base from the right front, from as far as the robot is tall.
   home() {
+    this.look(CAMERA);
+  }
+
+  // Looks at the base from one of PLACES, whichever way it faces.
+  lookFrom(place) {
+    if (!this.snapshot || !PLACES[place]) return;
+    const [, , , w, x, y, z] = this.snapshot.bodies[this.base];
+    const yaw = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z));
+    const [ahead, left, up] = PLACES[place];
+    this.look([ahead * Math.cos(yaw) - left * Math.sin(yaw), ahead * Math.sin(yaw) + left * Math.cos(yaw), up]);
+  }
+
+  look(from) {
     if (!this.snapshot) return;
     const base = this.snapshot.bodies[this.base];
     const size = Math.max(0.7, this.robotHeight()) / (1 - this.covered());
     this.controls.target.set(base[0], base[1], base[2] - 0.08 * size);
-    this.camera.position.fromArray(CAMERA).multiplyScalar(size).add(this.controls.target);
+    this.camera.position.fromArray(from).multiplyScalar(size).add(this.controls.target);
     this.controls.update();
     this.invalidate();
   }
@@ -181,6 +201,7 @@ export class View {
     }
     this.placed = (this.placed ?? new THREE.Vector3()).fromArray(base);
     if (first) this.home();
+    this.trail.push(snapshot.time, base);
     this.stage.follow(base);
     this.contacts.show(snapshot.contacts);
     this.pushes.show(snapshot.pushes);

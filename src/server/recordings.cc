@@ -1,0 +1,161 @@
+#include "server/recordings.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <functional>
+#include <optional>
+#include <span>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "base/errors.h"
+#include "record/states.h"
+
+namespace understudy::server {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr double kMostPoseHz = 60;  // poses a second; *assumed*, as many as screens show
+
+bool IsName(std::string_view name) {
+  constexpr std::string_view kEnding = ".mcap";
+  constexpr std::size_t kLongestName = 128;
+  return name.size() > kEnding.size() && name.size() <= kLongestName && name.ends_with(kEnding) &&
+         name.front() != '.' && std::ranges::all_of(name, [](char c) {
+           return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                  c == '.' || c == '-' || c == '_';
+         });
+}
+
+// Whether the file ends as a finished one does. Another one would have to be read from its
+// beginning, and it may be long.
+bool IsFinished(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::array<char, record::kMcapMagic.size()> end{};
+  in.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  return in.read(end.data(), end.size()) &&
+         std::memcmp(end.data(), record::kMcapMagic.data(), end.size()) == 0;
+}
+
+double SecondsSince1970(fs::file_time_type time) {
+  const auto wall = std::chrono::file_clock::to_sys(time);
+  return std::chrono::duration<double>(wall.time_since_epoch()).count();
+}
+
+// nullopt if there is none, NaN if it is no number.
+std::optional<double> NumberOf(const HttpRequest& request, std::string_view name) {
+  const auto text = QueryValue(request, name);
+  if (!text) return std::nullopt;
+  double number = 0;
+  const char* const end = text->data() + text->size();
+  const bool read = std::from_chars(text->data(), end, number).ptr == end && !text->empty();
+  return read && std::isfinite(number) ? number : std::nan("");
+}
+
+struct Poses {
+  double from = 0, to = 0, hz = 30;
+};
+
+// Why the query is none of poses; "" if it is.
+std::string ReadQuery(const HttpRequest& request, Poses* poses) {
+  poses->from = NumberOf(request, "from").value_or(std::nan(""));
+  poses->to = NumberOf(request, "to").value_or(std::nan(""));
+  poses->hz = NumberOf(request, "hz").value_or(poses->hz);
+  if (!(poses->from >= 0 && poses->to >= poses->from &&
+        poses->to - poses->from <= Recordings::kLongest)) {
+    return "from, to: expected two ascending numbers of s from 0 on, at most 10 apart";
+  }
+  if (!(poses->hz >= 1 && poses->hz <= kMostPoseHz)) return "hz: expected a number from 1 to 60";
+  return "";
+}
+
+}  // namespace
+
+HttpReply Recordings::List() const {
+  std::vector<std::pair<double, ordered_json>> found;
+  std::error_code error;
+  if (!folder_.empty()) {
+    for (fs::directory_iterator it(folder_, error), end; !error && it != end; it.increment(error)) {
+      const std::string name = it->path().filename().string();
+      std::error_code gone;
+      if (!IsName(name) || it->symlink_status(gone).type() != fs::file_type::regular) continue;
+      const auto bytes = it->file_size(gone);
+      const auto written = it->last_write_time(gone);
+      if (gone) continue;
+      const double at = SecondsSince1970(written);
+      found.emplace_back(at, ordered_json{{"name", name}, {"bytes", bytes}, {"written", at}});
+    }
+  }
+  std::ranges::stable_sort(found, std::greater<>(), &decltype(found)::value_type::first);
+  if (found.size() > kMost) found.resize(kMost);
+  ordered_json recordings = ordered_json::array();
+  for (auto& [at, told] : found) recordings.push_back(std::move(told));
+  return {.body = JsonText({{"folder", folder_.string()}, {"recordings", recordings}}) + "\n"};
+}
+
+HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) const {
+  const fs::path file = folder_ / name;
+  std::error_code error;
+  if (folder_.empty() || !IsName(name) ||
+      fs::symlink_status(file, error).type() != fs::file_type::regular) {
+    return ErrorReply(404, "no recording " + std::string{name.substr(0, 64)});
+  }
+  const bool with_poses = QueryValue(request, "from") || QueryValue(request, "to");
+  Poses asked;
+  if (const std::string why = with_poses ? ReadQuery(request, &asked) : ""; !why.empty()) {
+    return ErrorReply(400, why);
+  }
+  if (!IsFinished(file)) {
+    return ErrorReply(409, std::string{name} +
+                               " is not finished: it is being written, or its writer "
+                               "was killed; `mcap recover` makes it whole");
+  }
+  try {
+    const record::StatesReader states(file);
+    const auto& metadata = states.reader().contents().metadata;
+    const auto about = metadata.find("understudy");
+    const std::string robot = about == metadata.end() || !about->second.contains("robot")
+                                  ? ""
+                                  : about->second.at("robot");
+    if (robot != robot_) {
+      return ErrorReply(409, std::string{name} + " is of the robot '" + robot.substr(0, 32) +
+                                 "', and this is " + robot_);
+    }
+    ordered_json told{{"from", states.whole().from}, {"to", states.whole().to}};
+    if (!with_poses) return {.body = JsonText(told) + "\n"};
+    if (scene_ == nullptr) return ErrorReply(404, "there is no scene");
+    ordered_json times = ordered_json::array(), bodies = ordered_json::array();
+    double next = asked.from;
+    states.Read({.from = asked.from, .to = asked.to}, scene_->positions(),
+                [&](const record::Truth& truth) {
+                  if (truth.time < next) return true;
+                  times.push_back(truth.time);
+                  ordered_json poses = ordered_json::array();
+                  for (const auto& pose : scene_->Poses(truth.qpos)) {
+                    ordered_json one = ordered_json::array();
+                    for (const double value : pose) one.push_back(static_cast<float>(value));
+                    poses.push_back(std::move(one));
+                  }
+                  bodies.push_back(std::move(poses));
+                  next = std::max(next, truth.time - 0.5 / asked.hz) + 1 / asked.hz;
+                  return true;
+                });
+    told["times"] = std::move(times);
+    told["bodies"] = std::move(bodies);
+    return {.body = JsonText(told) + "\n"};
+  } catch (const SetupError& refused) {
+    return ErrorReply(409, refused.what());
+  }
+}
+
+}  // namespace understudy::server

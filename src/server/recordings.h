@@ -1,0 +1,45 @@
+// Shows the recordings of a folder, and the robot's poses in one of them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "physics/scene_reader.h"
+#include "server/http.h"
+
+namespace understudy::server {
+
+// Finished recordings of `understudy run --record` and `record.start` in one folder, by their name
+// there: letters, digits, ".", "-" and "_", then ".mcap". Nothing else of the folder, nor what is
+// outside of it, can be reached, not through links either. For the server's thread, which reads two
+// seconds of a Go2 in some 20 ms.
+class Recordings {
+ public:
+  // `scene` is that of `robot`, whose poses are asked for; it must outlive this, null: none.
+  // Without a folder there are no recordings.
+  explicit Recordings(std::filesystem::path folder = {}, physics::SceneReader* scene = nullptr,
+                      std::string robot = "")
+      : folder_(std::move(folder)), scene_(scene), robot_(std::move(robot)) {}
+
+  // {"folder": "/home/ann", "recordings": [{"name": "go2.mcap", "bytes": 9000, "written": 1.8e9}]},
+  // newest first, kMost at most; `written` in s since 1970.
+  HttpReply List() const;
+
+  // {"from": 0, "to": 12.5} [s, simulated]. With from=, to= and hz= in the query also "times" and
+  // by time "bodies", poses as in a snapshot: at most `hz` a second of at most kLongest s. 404 for
+  // a name that is none, 400 for a wrong query, 409 for a file that is not finished, damaged, or of
+  // another robot.
+  HttpReply Show(const HttpRequest& request, std::string_view name) const;
+
+  static constexpr std::size_t kMost = 200;  // *assumed*, as the next
+  static constexpr double kLongest = 10;     // s
+
+ private:
+  std::filesystem::path folder_;
+  physics::SceneReader* scene_;
+  std::string robot_;
+};
+
+}  // namespace understudy::server

@@ -1,0 +1,208 @@
+"""What the tabs of the panel show and do: actions, DDS, services, truth, events, what one takes away."""
+
+import os
+import time
+
+from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
+from peers import GoLowCmd, HgLowState, go_command, listener, speaker
+from robots import eventually
+
+def keys_of(page):
+    """What was pressed so far."""
+    events = page.evaluate("fetch('/events').then((reply) => reply.json())")["events"]
+    return [event["detail"]["keys"] for event in events if event["kind"] == "remote"]
+
+
+def chord(name):
+    return f"[...document.querySelectorAll('.chord')].find((one) => one.textContent.startsWith('{name}'))"
+
+
+def test_a_button_by_the_name_of_a_chord_presses_its_keys_and_damp_stops_all(play, visit):
+    robot = play("go2")
+    page = visit(url_of(robot))
+    robot.becomes(lambda now: now["motion"]["state"] == 100)
+    show(page, "actions")
+    page.becomes(f"{chord('Sit')} && !{chord('Sit')}.disabled")
+
+    page.evaluate(f"{chord('Sit')}.click()")
+    robot.becomes(lambda now: now["motion"]["name"] == "sitting")
+    page.click("#damp")  # in the bar, whatever tab is seen
+
+    robot.becomes(lambda now: now["motion"]["state"] == 1001)
+    eventually(lambda: keys_of(page)[-4:] == ["R1+B", "", "L2+B", ""])
+    page.evaluate(f"{chord('Recovery stand')}.click()")
+    robot.becomes(lambda now: now["motion"]["state"] == 100)
+    page.evaluate(f"{chord('Trot')}.click()")  # START twice
+    eventually(lambda: keys_of(page)[-4:] == ["START", "", "START", ""])
+
+
+def test_a_button_never_does_what_another_of_the_same_keys_would(play, visit):
+    robot = play("go2")
+    page = visit(url_of(robot))
+    show(page, "actions")
+
+    # L2+A is "stand down" in 1002 and "stand up" elsewhere.
+    page.becomes(f"{chord('Stand down')}?.disabled && !{chord('Stand up')}.disabled")
+    page.evaluate(f"{chord('Stand up')}.click()")
+    robot.becomes(lambda now: now["motion"]["state"] == 1002)
+
+    page.becomes(f"{chord('Stand up')}.disabled && !{chord('Stand down')}.disabled")
+
+
+def test_the_dds_tab_tells_who_reads_and_writes_how_often_and_what_does_not_match(page):
+    row = """[...document.querySelectorAll('#dds-rows tr')].find((row) =>
+        row.querySelector('.name')?.textContent === 'rt/lowcmd')"""
+    with listener("rt/lowstate", HgLowState, DOMAIN), speaker("rt/lowcmd", GoLowCmd, DOMAIN) as program:
+        show(page, "dds")
+        page.becomes("document.querySelector('#dds-rows .bad')?.textContent.includes("
+                     "'type unitree_go::msg::dds_::LowState_, not unitree_hg::msg::dds_::LowState_')")
+        page.becomes(f"/process \\d+ \\(.*python.*this robot$/.test({row}?.textContent)")
+        # Some messages a second, as they come.
+        end = time.monotonic() + 30
+        rate = f"Number(({row})?.querySelector('.num').textContent)"
+        while not page.evaluate(f"{rate} > 0"):
+            program.write_for(0.5, go_command())
+            assert time.monotonic() < end
+        page.evaluate(f"({row}).querySelector('.name').click()")
+        page.becomes("[...document.querySelectorAll('#dds-rows .more')].some((one) =>"
+                     "one.textContent === 'this robot reads unitree_go/LowCmd_: best effort, volatile')")
+    # Who has gone is forgotten; all topics are there when they are asked for.
+    page.becomes("document.querySelectorAll('#dds-rows tr').length === 0")
+    page.click("#dds-all")
+    page.evaluate("Object.assign(document.getElementById('dds-search'), { value: 'SPORT request' })"
+                  ".dispatchEvent(new Event('input'))")
+    page.becomes("[...document.querySelectorAll('#dds-rows .name')].map((one) => one.textContent).join()"
+                 " === 'rt/api/sport/request,rt/api/sport_lease/request'")
+    show(page, "remote")
+
+
+def test_the_services_tab_calls_an_api_and_shows_what_it_answers(page):
+    show(page, "services")
+    page.evaluate("""(() => {
+        const choose = (id, value) => Object.assign(document.getElementById(id), { value })
+          .dispatchEvent(new Event("change"));
+        choose("service-name", "motion_switcher");
+        choose("service-api", "1001");
+        document.getElementById("service-form").requestSubmit();
+        choose("service-api", "1002");
+        document.getElementById("service-form").requestSubmit();
+      })()""")
+    rows = "[...document.querySelectorAll('#services-rows tr')].map((row) => row.innerText.replace(/\\s+/g, ' '))"
+
+    page.becomes(f"{rows}.some((row) => /^motion_switcher 1001 CheckMode 1 0 ok/.test(row))")
+    # Without the name of a motion service: refused, with the reason.
+    page.becomes(f"{rows}.some((row) => /^motion_switcher 1002 SelectMode 1 .*parameter/.test(row))")
+    page.evaluate("Object.assign(document.getElementById('services-search'), { value: 'checkmode' })"
+                  ".dispatchEvent(new Event('input'))")
+    page.becomes(f"{rows}.length === 1")
+    page.evaluate("Object.assign(document.getElementById('services-search'), { value: '' })"
+                  ".dispatchEvent(new Event('input'))")
+    show(page, "remote")
+
+
+def test_truth_stands_beside_what_is_measured_with_its_error(page):
+    page.evaluate("document.getElementById('truth').open = true")
+    page.becomes("document.querySelectorAll('#truth-rows tr').length > 20")
+
+    rows = page.evaluate("""[...document.querySelectorAll('#truth-rows tr')].map((row) =>
+        [...row.children].map((one) => one.textContent.replace('−', '-')))""")
+    page.evaluate("document.getElementById('truth').open = false")
+
+    names = [row[0] for row in rows]
+    assert names[:2] == ["FR_hip", "FR_thigh"] and "imu roll" in names and "foot FR" in names
+    for name, measured, true, error, unit in rows:
+        assert unit
+        assert abs(float(measured) - float(true) - float(error)) < 2.1e-3, name  # as rounded
+    assert any(float(row[3]) != 0 for row in rows)
+
+
+def test_events_are_searched_also_those_that_come_later(page):
+    find = "Object.assign(document.getElementById('events-search'), {{ value: '{}' }}).dispatchEvent(new Event('input'))"
+    seen = "[...document.querySelectorAll('#event-list li')].filter((one) => !one.hidden).length"
+    show(page, "events")
+    page.evaluate(find.format("no such thing"))
+    assert page.evaluate(seen) == 0
+    page.evaluate("panel.link.request('pause').then(() => panel.link.request('resume'))")
+    page.becomes("[...document.querySelectorAll('#event-list li')].some((one) => one.textContent.includes('paused'))")
+    assert page.evaluate(seen) == 0
+
+    page.evaluate(find.format("PAUSED"))
+    page.becomes(f"{seen} > 0")
+    page.evaluate(find.format(""))
+    show(page, "remote")
+
+
+def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play, visit):
+    robot = play("go2", "--released", "--start", "standing")
+    page = visit(url_of(robot))
+    page.evaluate("Object.assign(document.getElementById('camera'), { value: 'top' })"
+                  ".dispatchEvent(new Event('change'))")
+    page.becomes("panel.view.camera.position.z - panel.view.controls.target.z > 1.5")
+    assert page.evaluate("Math.hypot(panel.view.camera.position.x - panel.view.controls.target.x,"
+                         "panel.view.camera.position.y - panel.view.controls.target.y) < 0.1")
+    page.click("#trail")
+    page.evaluate("panel.link.post('push', { force: [60, 0, 0], for: 0.3 })")
+    page.becomes("panel.view.trail.points.length > 3")
+    page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
+                  "(document.querySelector('.plot input'))")
+
+    page.call("Page.reload")
+    page.becomes("window.panel?.view.placed && document.getElementById('trail').ariaPressed === 'true'")
+    page.becomes("panel.plots.plots[0].names.includes('battery voltage') && panel.view.trail.visible")
+
+
+def test_plots_are_taken_away_as_a_picture_and_as_a_table(page):
+    page.becomes("panel.plots.plots[0].dygraph && panel.plots.history.end - panel.plots.history.begin > 20")
+    saved = page.evaluate("""import("/panel/save.js").then((m) => {
+        const lines = m.tableOf(panel.plots).trim().split("\\r\\n");
+        const picture = m.pictureOf(panel.plots);
+        const bits = picture.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
+        const colours = new Set();
+        for (let i = 0; i < bits.length; i += 4) colours.add(`${bits[i]} ${bits[i + 1]} ${bits[i + 2]}`);
+        return { head: lines[0], first: lines[1].split(",").map(Number), count: lines.length,
+                 names: panel.plots.plots.flatMap((plot) => plot.names), colours: [...colours].length,
+                 line: colours.has("10 123 196") };
+      })""")
+    assert saved["head"].startswith('"time [s]","' + saved["names"][0] + " [")
+    assert len(saved["first"]) == len(set(saved["names"])) + 1
+    assert saved["count"] > 20 and saved["colours"] > 10 and saved["line"]
+
+
+def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visit, tmp_path):
+    robot = play("go2", "--released", "--start", "standing", "--record", tmp_path / "way.mcap",
+                 "--duration", 3, "--speed", "max", cwd=tmp_path)
+    robot.process.wait(60)
+    page = visit(url_of(play("go2", cwd=tmp_path)))
+    show(page, "recordings")
+    page.becomes("document.querySelector('#recordings-list .name')?.textContent === 'way.mcap'")
+    page.evaluate("document.querySelector('#recordings-list button').click()")
+
+    # It lies down there, without a program, and stands here.
+    height = "panel.view.snapshot.bodies[panel.view.base][2]"
+    page.becomes("document.getElementById('recording-time').textContent.endsWith('of 3.0 s') ||"
+                 "document.getElementById('recording-time').textContent.includes('of 2.99')")
+    page.evaluate("(bar => { bar.value = 1.5; bar.dispatchEvent(new Event('input')); })"
+                  "(document.getElementById('recording-at'))")
+    page.becomes("document.getElementById('recording-time').textContent.startsWith('1.5') ||"
+                 "document.getElementById('recording-run').textContent === 'Play'")
+    page.becomes("document.getElementById('recording-run').textContent === 'Play'")  # at its end
+    assert page.evaluate("document.getElementById('recording-at').value > 2.9")
+    recorded = page.evaluate(height)
+    page.click("#recording-live")
+
+    page.becomes(f"Math.abs({height} - {recorded}) > 0.005")
+    assert page.evaluate("document.getElementById('player').hidden")
+
+
+def test_open_gives_the_browser_a_page_that_leads_to_the_panel_and_others_cannot_read(play, tmp_path, monkeypatch):
+    browser_program = tmp_path / "xdg-open"
+    browser_program.write_text(f'#!/bin/sh\nstat -c %a "$1" > {tmp_path}/seen\ncat "$1" >> {tmp_path}/seen\nexit 3\n')
+    browser_program.chmod(0o755)
+    monkeypatch.setenv("PATH", f"{tmp_path}:{os.environ['PATH']}")
+    robot = play("go2", "--open")
+    url = url_of(robot)
+
+    said = robot.heard("no browser was opened")["message"]  # xdg-open has failed
+    mode, page = (tmp_path / "seen").read_text().split("\n", 1)
+    assert mode == "600" and f"url={url}" in page
+    assert "code 3" in said and said.endswith(url)
