@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <map>
@@ -98,7 +99,12 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   const auto count = [](const rehearse::Expectations& expect) {
     return std::to_string(expect.list.size()) + " expectations";
   };
-  if (document.Find("scenario") == nullptr) {
+  // Keys that say how something is played: the title may be what was forgotten.
+  constexpr std::array kPlayed = {"scenario", "start",  "duration", "program",
+                                  "script",   "stages", "vary"};
+  const bool is_played =
+      std::ranges::any_of(kPlayed, [&](const char* key) { return document.Find(key) != nullptr; });
+  if (!is_played) {
     return count(rehearse::LoadExpectations(
         file, document.Find("robot") == nullptr ? robot : std::string(), {}));
   }

@@ -231,6 +231,10 @@ def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp
     for done in (rehearse(file), understudy("check", file)):
         assert done.returncode == 3
         assert "bad.yaml:5: always: no signal 'base.hight'; did you mean 'base.height'?" in done.stderr + done.stdout
+    file.write_text("robot: go2\nduration: 1\nexpect:\n  - always: base.height > 0\n")
+    for done in (rehearse(file), understudy("check", file)):
+        assert done.returncode == 3
+        assert "scenario: missing" in done.stderr + done.stdout
     done = rehearse("stnad_up")
     assert done.returncode == 3 and "did you mean 'stand_up'?" in done.stderr
     assert understudy("rehearse").returncode == 2
