@@ -11,7 +11,7 @@ namespace {
 
 // W; more is of physics that diverge, and the pack is to be what it was after that. *Assumed*, far
 // beyond what any robot takes.
-constexpr double kMostPower = 1e6;
+constexpr double kMostPower = 1e9;
 
 // How much lower the end cells are: measured, on two Go2 (docs/sources.md#go2-captures); on other
 // robots *assumed*.

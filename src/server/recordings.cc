@@ -27,6 +27,8 @@ using nlohmann::ordered_json;
 
 constexpr double kMostPoseHz = 60;  // poses a second; *assumed*, as many as screens show
 
+constexpr double kRounding = 1e-6;  // s, far less than a step
+
 bool IsName(std::string_view name) {
   constexpr std::string_view kEnding = ".mcap";
   constexpr std::size_t kLongestName = 128;
@@ -138,7 +140,7 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
     double next = asked.from;
     states.Read({.from = asked.from, .to = asked.to}, scene_->positions(),
                 [&](const record::Truth& truth) {
-                  if (truth.time < next) return true;
+                  if (truth.time < next - kRounding) return true;
                   times.push_back(truth.time);
                   ordered_json poses = ordered_json::array();
                   for (const auto& pose : scene_->Poses(truth.qpos)) {

@@ -112,7 +112,8 @@ def test_truth_stands_beside_what_is_measured_with_its_error(page):
     assert names[:2] == ["FR_hip", "FR_thigh"] and "imu roll" in names and "foot FR" in names
     for name, measured, true, error, unit in rows:
         assert unit
-        assert abs(float(measured) - float(true) - float(error)) < 2.1e-3, name  # as rounded
+        rounded = 10.0 ** -len(measured.partition(".")[2])
+        assert abs(float(measured) - float(true) - float(error)) < 1.6 * rounded, name
     assert any(float(row[3]) != 0 for row in rows)
 
 
@@ -141,7 +142,7 @@ def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play
     assert page.evaluate("Math.hypot(panel.view.camera.position.x - panel.view.controls.target.x,"
                          "panel.view.camera.position.y - panel.view.controls.target.y) < 0.1")
     page.click("#trail")
-    page.evaluate("panel.link.post('push', { force: [60, 0, 0], for: 0.3 })")
+    page.evaluate("panel.link.post('push', { force: [200, 0, 0], for: 0.3 })")
     page.becomes("panel.view.trail.points.length > 3")
     page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('.plot input'))")
@@ -169,7 +170,7 @@ def test_plots_are_taken_away_as_a_picture_and_as_a_table(page):
 
 
 def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visit, tmp_path):
-    robot = play("go2", "--released", "--start", "standing", "--record", tmp_path / "way.mcap",
+    robot = play("go2", "--released", "--start", "lying", "--record", tmp_path / "way.mcap",
                  "--duration", 3, "--speed", "max", cwd=tmp_path)
     robot.process.wait(60)
     page = visit(url_of(play("go2", cwd=tmp_path)))
@@ -177,7 +178,7 @@ def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visi
     page.becomes("document.querySelector('#recordings-list .name')?.textContent === 'way.mcap'")
     page.evaluate("document.querySelector('#recordings-list button').click()")
 
-    # It lies down there, without a program, and stands here.
+    # It lies there, and stands here.
     height = "panel.view.snapshot.bodies[panel.view.base][2]"
     page.becomes("document.getElementById('recording-time').textContent.endsWith('of 3.0 s') ||"
                  "document.getElementById('recording-time').textContent.includes('of 2.99')")
@@ -190,7 +191,7 @@ def test_a_recording_is_listed_and_played_in_the_view_by_its_time_bar(play, visi
     recorded = page.evaluate(height)
     page.click("#recording-live")
 
-    page.becomes(f"Math.abs({height} - {recorded}) > 0.005")
+    page.becomes(f"Math.abs({height} - {recorded}) > 0.1")
     assert page.evaluate("document.getElementById('player').hidden")
 
 
