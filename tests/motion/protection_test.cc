@@ -254,8 +254,8 @@ TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
   QuadrupedRig rig("go2");
   rig.Start("standing");
   rig.Run(1);
-  Fault(&rig, "FR_calf_joint", "hot", 85);
-  rig.Run(1.5);
+  Fault(&rig, "FR_calf_joint", "hot", 90);
+  EXPECT_TRUE(rig.RunUntil(1004, 20));
   EXPECT_EQ(rig.state().name, "lying down");
   rig.Run(5);
   EXPECT_LT(rig.height(), 0.15);
@@ -265,7 +265,7 @@ TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
   EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
   EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
   Fault(&rig, "all", "none");
-  rig.Run(1);
+  rig.Run(10);  // a thermometer lags
   EXPECT_EQ(Told(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
   EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
 }
@@ -315,8 +315,8 @@ TEST(ProtectedRobotTest, AHumanoidIsOnlyWarnedOfAHotWrist) {
   rig.Start("hanging");
   rig.Run(1);
   const robot::MotionState before = rig.state();
-  Fault(&rig, "left_wrist_yaw_joint", "hot", 90);
-  rig.Run(2);
+  Fault(&rig, "left_wrist_yaw_joint", "hot", 95);
+  rig.Run(20);
   EXPECT_EQ(rig.state().id, before.id);
   EXPECT_EQ(Told(rig).size(), 1U);
 }
