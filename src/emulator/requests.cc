@@ -340,7 +340,7 @@ const std::vector<RequestRow>& RequestRows() {
           "Turns the robot's power switch. Off, its motors have no torque and nothing is sent, "
           "heard or answered; on, it boots as on hardware, in the times of robot.boot",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is switched on"}))},
-          Acts::SwitchPower, "power off"),
+          Acts::SwitchPower, "power on"),
       Row("fault",
           "Something is wrong with a component of the robot from now on, over resets too: "
           "docs/faults.md",
