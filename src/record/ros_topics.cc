@@ -116,7 +116,8 @@ void PutVector(const Vector3d& vector, BytesOut* out) {
 // Position, and the rotation as x, y, z, w: ROS's order, and that of Eigen's coefficients.
 void PutPose(const Isometry3d& pose, BytesOut* out) {
   PutVector(pose.translation(), out);
-  for (const double number : Quaterniond(pose.linear()).coeffs()) PutNumber(number, out);
+  const Quaterniond rotation(pose.linear());
+  for (const double number : rotation.coeffs()) PutNumber(number, out);
 }
 
 void PutTransform(std::uint64_t time, const std::string& parent, const std::string& child,
