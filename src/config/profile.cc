@@ -37,7 +37,7 @@ std::string AddProfile(const path& data_dir, std::size_t own, std::vector<YamlVa
   // One that is no word is refused later, when it is read.
   const bool named =
       asked != nullptr && asked->kind == YamlValue::Kind::kScalar && !asked->text.empty();
-  const std::string name = named ? asked->text : kUsualProfile;
+  std::string name = named ? asked->text : kUsualProfile;
   const std::vector<std::string> names = ProfileNames(data_dir);
   if (std::ranges::find(names, name) == names.end()) {
     if (!named) return {};

@@ -38,7 +38,7 @@ const MjcfElement* ChildOf(const MjcfElement& element, const std::string& name) 
 }
 
 std::string NeededIn(const MjcfElement& element, const std::string& attribute) {
-  const std::string value = element.Get(attribute);
+  std::string value = element.Get(attribute);
   if (value.empty()) FailAt(element, "<" + element.name + "> has no " + attribute);
   return value;
 }
@@ -140,7 +140,7 @@ class UrdfTree {
   std::string LinkOf(const MjcfElement& joint, const std::string& end) const {
     const MjcfElement* element = ChildOf(joint, end);
     if (element == nullptr) FailAt(joint, "<joint> '" + joint.Get("name") + "' has no " + end);
-    const std::string link = NeededIn(*element, "link");
+    std::string link = NeededIn(*element, "link");
     if (links_.contains(link)) return link;
     std::vector<std::string> names;
     for (const auto& [name, ignored] : links_) names.push_back(name);
