@@ -297,7 +297,8 @@ std::string NewRobotYaml(const NewRobot& robot, const robot::RobotSpec& like, co
       {"@stand_height", Number(like.motion.quadruped.stand_height)},
   };
   return Filled(kRobotHead, words) + (revisions.empty() ? "" : Filled(kNoRevisions, words)) +
-         Filled(kRobotRest, words) + (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
+         Filled(kRobotRest, words) +
+         (robot::IsQuadruped(like.kind) ? Filled(kStandHeight, words) : "");
 }
 
 std::string NewScenarioYaml(const NewRobot& robot, const robot::RobotSpec& like,
