@@ -180,6 +180,7 @@ std::string StatusText(const ordered_json& status) {
       {"time lost", Fixed(pace.at("shifted"), 3), "s"},
       {"states published", Count(status.at("published"))},
       {"divergences", Count(status.at("divergences"))},
+      {"power", status.at("power").get<std::string>()},
       {"motion service", ServiceText(status.at("motion"))},
       {"motors follow", FollowedText(commands)},
       {"rt/lowcmd writers", Count(commands.at("writers"))},

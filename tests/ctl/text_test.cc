@@ -35,6 +35,7 @@ late steps         0
 time lost          0.000   s
 states published   0
 divergences        0
+power              on
 motion service     none
 motors follow      nobody yet: they hold the start pose or brake
 rt/lowcmd writers  0
