@@ -26,7 +26,7 @@ struct DangerSenses {
   bool remote_gone = false;  // nothing is received of the remote since its sticks led the robot
 };
 
-// The measure of a danger. At `least` or below the limit all is well.
+// The measure of a danger, in the unit of its row.
 struct DangerMeasure {
   double value = 0;
   std::int16_t motor = -1;  // in motor order, of which it is; -1: of none
