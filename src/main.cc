@@ -103,6 +103,8 @@ int Main(int argc, char** argv) {
   commands::AddPlayCommand(&app, &chosen);
   commands::AddPlotCommand(&app, &chosen);
   commands::AddCompareCommand(&app, &chosen);
+  commands::AddExciteCommand(&app, &chosen);
+  commands::AddIdentifyCommand(&app, &chosen);
   commands::AddRecordingCommand(&app, &chosen);
   commands::AddNewCommand(&app, &chosen);
   commands::AddExportCommand(&app, &chosen);

@@ -58,6 +58,9 @@ class CommandGate {
   // Opens; the motors damp, or with `limp` have no torque, until a command is taken.
   void Rest(bool limp = false) { state_ = limp ? GateState::kLimp : GateState::kDamping; }
 
+  // Has commands stop after `timeout` [s] from now on.
+  void SetTimeout(double timeout) { config_.timeout = timeout; }
+
   GateState state() const { return state_; }
   // Returns how often commands have stopped since construction.
   std::uint64_t timeouts() const { return timeouts_; }

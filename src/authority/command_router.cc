@@ -61,6 +61,17 @@ void CommandRouter::GoLimp() {
   for (HandGate& hand : hands_) hand.Restart();
 }
 
+void CommandRouter::Follow(const GateConfig& gate, const MotionConfig& config) {
+  gate_.SetTimeout(gate.timeout);
+  user_gate_.SetTimeout(gate.timeout);
+  for (Intake& intake : intakes_) intake.SetLenient(gate.lenient);
+  if (fight_ == config.fight) return;
+  fight_ = config.fight;
+  if (!service_on()) return;
+  fought_ = fresh_lowcmd_ = false;
+  fight_ ? gate_.Rest() : gate_.Close();
+}
+
 robot::Refusal CommandRouter::Offer(std::size_t topic, const robot::RobotCommand& command,
                                     robot::Refusal form, double t) {
   FollowOwner();

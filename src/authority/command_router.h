@@ -38,6 +38,9 @@ class CommandRouter {
   // service is switched on or a command is taken.
   void GoLimp();
 
+  // Goes by these from now on; the damping stays as it was made.
+  void Follow(const GateConfig& gate, const MotionConfig& config);
+
   // Takes or refuses a command of a topic of the robot at time t [s]; `form` and result as for
   // Intake::Judge.
   robot::Refusal Offer(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,

@@ -30,6 +30,8 @@ class Intake {
 
   explicit Intake(bool lenient) : lenient_(lenient) {}
 
+  void SetLenient(bool lenient) { lenient_ = lenient; }
+
   // Returns kNone if the command is taken, else the reason. `form` is the fault of form that the
   // port found; robot::Refusal offer() passes the command on and may refuse it too.
   template <class Offer>

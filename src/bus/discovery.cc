@@ -9,6 +9,9 @@
 #include <utility>
 
 #include <dds/dds.h>
+#include <dds/ddsi/ddsi_sertype.h>
+#include <dds/ddsi/ddsi_typelib.h>
+#include <dds/ddsrt/heap.h>
 
 namespace understudy::bus {
 namespace {
@@ -243,6 +246,17 @@ bool SpeaksXcdr1(const dds_qos_t* qos) {
   return found;
 }
 
+std::string DefinitionOf(const dds_builtintopic_endpoint_t& endpoint) {
+  const dds_typeinfo_t* info = nullptr;
+  // Only reads it. What it gives belongs to the endpoint.
+  auto* asked = const_cast<dds_builtintopic_endpoint_t*>(&endpoint);
+  if (dds_builtintopic_get_endpoint_type_info(asked, &info) != DDS_RETCODE_OK || info == nullptr) {
+    return "";
+  }
+  ddsi_typeid_str text{};
+  return ddsi_make_typeid_str(&text, ddsi_typeinfo_minimal_typeid(info));
+}
+
 void ReadQos(const dds_qos_t* qos, Endpoint* endpoint) {
   dds_reliability_kind_t reliability{};
   dds_duration_t duration = 0;
@@ -260,9 +274,26 @@ void ReadQos(const dds_qos_t* qos, Endpoint* endpoint) {
 
 }  // namespace
 
+std::string DefinitionOf(const dds_topic_descriptor& type) {
+  if ((type.m_flagset & DDS_TOPIC_XTYPES_METADATA) == 0) return "";
+  const ddsi_sertype_cdr_data serialized{.sz = type.type_information.sz,
+                                         .data = type.type_information.data};
+  ddsi_typeinfo_t* const info = ddsi_typeinfo_deser(&serialized);
+  if (info == nullptr) return "";
+  ddsi_typeid_str text{};
+  std::string definition = ddsi_make_typeid_str(&text, ddsi_typeinfo_minimal_typeid(info));
+  ddsi_typeinfo_fini(info);
+  ddsrt_free(info);
+  return definition;
+}
+
 std::string WhyNotMatched(const Endpoint& writer, const Endpoint& reader) {
   if (writer.who.type != reader.who.type) {
     return "type " + writer.who.type + ", not " + reader.who.type;
+  }
+  if (!writer.definition.empty() && !reader.definition.empty() &&
+      writer.definition != reader.definition) {
+    return "each has another definition of " + writer.who.type;
   }
   if (writer.partitions != reader.partitions) {
     const auto name = [](const Endpoint& one) {
@@ -337,6 +368,7 @@ void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
   added.who.writer = std::to_array(one.key.v);
   added.who.participant = std::to_array(one.participant_key.v);
   added.who.type = Printable(one.type_name);
+  added.definition = DefinitionOf(one);
   ReadQos(one.qos, &added);
 }
 

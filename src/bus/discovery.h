@@ -11,6 +11,8 @@
 #include "bus/participant.h"
 #include "bus/reader.h"
 
+struct dds_topic_descriptor;
+
 namespace understudy::bus {
 
 // A writer of another participant. Texts are cut to 128 bytes, their control characters replaced,
@@ -121,14 +123,20 @@ struct Endpoint {
   bool keeps_for_late = false;  // durability is more than VOLATILE
   bool exclusive = false;       // ownership
   bool has_deadline = false;
-  bool xcdr1 = true;         // is among its data representations
+  bool xcdr1 = true;  // is among its data representations
+  // A hash of its type's minimal definition, in which names of members count, as XTypes has it; ""
+  // where it tells none, as ours do here: see DefinitionOf.
+  std::string definition{};
   std::string partitions{};  // quoted; "" is the one that everybody is in by default
   Neighbour who{};           // `writer` is the endpoint's GUID, also of a reader's
 };
 
+// Returns Endpoint::definition of a type; "" if it was compiled without.
+std::string DefinitionOf(const dds_topic_descriptor& type);
+
 // Returns why nothing passes from that writer to that reader of the same topic, as far as they tell
 // of themselves: "type X, not Y", or the policy that keeps them apart; "" if something does. Types
-// of one name may still differ in their definition.
+// of one name differ in their definition only if both tell it.
 std::string WhyNotMatched(const Endpoint& writer, const Endpoint& reader);
 
 enum class SurveyOf : std::uint8_t { kOthers, kAll };

@@ -43,10 +43,15 @@ struct ReaderCore::Listener {
   static void OnArrival(dds_entity_t, void* reports) {
     auto* const to = static_cast<Reports*>(reports);
     to->arrived.store(true, std::memory_order_release);
+    if (to->mail != nullptr) to->mail->store(true, std::memory_order_release);
     if (to->bell != nullptr) to->bell->Ring();
   }
   static void OnLost(dds_entity_t, dds_sample_lost_status_t status, void* reports) {
     static_cast<Reports*>(reports)->lost.store(status.total_count, std::memory_order_relaxed);
+  }
+  static void OnMatch(dds_entity_t, dds_subscription_matched_status_t status, void* reports) {
+    static_cast<Reports*>(reports)->writers.store(static_cast<int>(status.current_count),
+                                                  std::memory_order_relaxed);
   }
   static void OnMismatch(dds_entity_t, dds_requested_incompatible_qos_status_t status,
                          void* reports) {
@@ -57,6 +62,7 @@ struct ReaderCore::Listener {
     ListenerPtr listener(dds_create_listener(reports), &dds_delete_listener);
     dds_lset_data_available(listener.get(), &OnArrival);
     dds_lset_sample_lost(listener.get(), &OnLost);
+    dds_lset_subscription_matched(listener.get(), &OnMatch);
     dds_lset_requested_incompatible_qos(listener.get(), &OnMismatch);
     return listener;
   }
@@ -75,7 +81,7 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
       undecoded_(&UndecodedSamples(topic)),
       received_(&participant.traffic().Of(topic).received),
       most_bytes_(options.most_bytes),
-      reports_(std::make_unique<Reports>(options.bell)),
+      reports_(std::make_unique<Reports>(options)),
       topic_(dds_create_topic(participant.handle(), &descriptor, topic, nullptr, nullptr),
              std::string("create topic ") + topic),
       reader_(dds_create_reader(participant.handle(), topic_.handle(),
@@ -84,10 +90,6 @@ ReaderCore::ReaderCore(const Participant& participant, const char* topic,
               std::string("read topic ") + topic),
       queue_(static_cast<std::size_t>(options.depth)),
       message_(new std::byte[message_size]{}, MessageDeleter{&descriptor}) {}
-
-int ReaderCore::matched_writers() const {
-  return std::max(0, dds_get_matched_publications(reader_.handle(), nullptr, 0));
-}
 
 bool ReaderCore::IsMatched(const std::array<std::uint8_t, 16>& writer) const {
   std::vector<dds_instance_handle_t> writers(static_cast<std::size_t>(matched_writers()));

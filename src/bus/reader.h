@@ -33,6 +33,9 @@ struct ReaderOptions {
   // bytes. Of the serialized message.
   std::size_t most_bytes = 65536;
   const Bell* bell = nullptr;  // rung when something has arrived; outlives the reader
+  // Raised when something has arrived, for those who poll many readers: one flag for all of them.
+  // Outlives the reader.
+  std::atomic<bool>* mail = nullptr;
 };
 
 // The part of Reader that does not depend on the message type: a bounded queue of serialized
@@ -47,8 +50,8 @@ class ReaderCore {
 
   ReaderCore(ReaderCore&& other) = default;
 
-  // Returns how many writers are matched now, including our own participant's. Does not allocate.
-  int matched_writers() const;
+  // Returns how many writers are matched now, including our own participant's. Any thread.
+  int matched_writers() const { return reports_->writers.load(std::memory_order_relaxed); }
   // Returns whether the writer with that GUID is among them. Allocates. Any thread.
   bool IsMatched(const std::array<std::uint8_t, 16>& writer) const;
 
@@ -82,11 +85,13 @@ class ReaderCore {
  private:
   // What Cyclone's threads report.
   struct Reports {
-    explicit Reports(const Bell* to_ring) : bell(to_ring) {}
+    explicit Reports(const ReaderOptions& options) : bell(options.bell), mail(options.mail) {}
 
     const Bell* bell;
+    std::atomic<bool>* mail;
     std::atomic<bool> arrived{false};
     std::atomic<std::uint64_t> lost{0};
+    std::atomic<int> writers{0};           // that match now
     std::atomic<std::uint32_t> policy{0};  // of the last writer that did not match; 0: none
   };
   // Releases what Cyclone allocated for strings and sequences of a message.

@@ -21,6 +21,8 @@ void AddExportCommand(CLI::App* app, Chosen* chosen);     // writes a robot in o
 void AddNewCommand(CLI::App* app, Chosen* chosen);        // makes the files of a robot from URDF
 void AddPlotCommand(CLI::App* app, Chosen* chosen);       // plots a recording
 void AddCompareCommand(CLI::App* app, Chosen* chosen);    // compares two recordings
+void AddIdentifyCommand(CLI::App* app, Chosen* chosen);   // fits a robot to recordings
+void AddExciteCommand(CLI::App* app, Chosen* chosen);     // moves the joints for that
 void AddDoctorCommand(CLI::App* app, Chosen* chosen);     // finds what is wrong with the network
 void AddRecordingCommand(CLI::App* app, Chosen* chosen);  // lists the contents of a recording
 // robots, check, version, services, requests. They need no running robot and print aligned text or

@@ -18,6 +18,8 @@
 #include "config/profile.h"
 #include "config/reference.h"
 #include "config/robot_file.h"
+#include "config/setting_keys.h"
+#include "emulator/live_settings.h"
 #include "emulator/request.h"
 #include "emulator/snapshot.h"
 #include "robot/remote_keys.h"
@@ -206,6 +208,18 @@ Words ValuesOf(const emulator::Field& field, const Typed& typed) {
       return Chords(typed);
     case emulator::FieldKind::kBody:
       return Bodies(typed);
+    case emulator::FieldKind::kSetting: {
+      Words keys;
+      for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.emplace_back(one.key);
+      return keys;
+    }
+    case emulator::FieldKind::kValue: {
+      const auto keys = config::SettingKeys();
+      const auto key = typed.places.empty()
+                           ? keys.end()
+                           : std::ranges::find(keys, typed.places[0], &emulator::SettingKey::key);
+      return key == keys.end() ? Words() : key->words;
+    }
     case emulator::FieldKind::kNumber:
     case emulator::FieldKind::kWhole:
     case emulator::FieldKind::kVector:

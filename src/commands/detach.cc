@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <system_error>
 #include <utility>
 
 #include <fcntl.h>
@@ -18,6 +20,7 @@
 #include "base/files.h"
 #include "base/log_line.h"
 #include "base/signals.h"
+#include "commands/panel_memory.h"
 
 namespace understudy::commands {
 namespace {
@@ -71,12 +74,30 @@ std::string Listen(int child, int says) {
   std::exit(WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status));
 }
 
+// Removes logs that no run has written for kKept. Those of robots that still run are locked.
+void RemoveOldLogs(const std::filesystem::path& folder) {
+  constexpr std::chrono::days kKept(14);  // *assumed*
+  const auto before = std::filesystem::file_time_type::clock::now() - kKept;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    std::error_code gone;
+    if (entry.path().extension() != ".log" || !entry.is_regular_file(gone) ||
+        entry.last_write_time(gone) > before) {
+      continue;
+    }
+    const UniqueFd file(::open(entry.path().c_str(), O_WRONLY | O_NOFOLLOW | O_CLOEXEC));
+    if (file.get() < 0 || ::flock(file.get(), LOCK_EX | LOCK_NB) != 0) continue;
+    ::unlink(entry.path().c_str());
+  }
+}
+
 // Opens the log and makes it the standard error.
 std::filesystem::path MoveToBackground(const std::string& name) {
   ::setsid();
   const std::filesystem::path folder = LogFolder();
   std::error_code error;
   std::filesystem::create_directories(folder, error);
+  RemoveOldLogs(folder);
   std::filesystem::path log = folder / (name + ".log");
   const UniqueFd file(::open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600));
   const UniqueFd nothing(::open("/dev/null", O_RDWR | O_CLOEXEC));
@@ -96,12 +117,7 @@ std::filesystem::path MoveToBackground(const std::string& name) {
 }  // namespace
 
 std::filesystem::path LogFolder() {
-  const auto folder = [](const char* variable) -> std::filesystem::path {
-    const char* const value = std::getenv(variable);
-    return value != nullptr && *value == '/' ? value : "";
-  };
-  if (const auto state = folder("XDG_STATE_HOME"); !state.empty()) return state / "understudy";
-  if (const auto home = folder("HOME"); !home.empty()) return home / ".local/state/understudy";
+  if (std::filesystem::path folder = StateFolder(); !folder.empty()) return folder;
   throw SetupError("--detach: no place for the log, since neither HOME nor XDG_STATE_HOME is set");
 }
 

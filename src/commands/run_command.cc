@@ -17,6 +17,7 @@
 #include "commands/detach.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
+#include "commands/panel_memory.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -139,15 +140,31 @@ script::Script LoadScript(const RunArguments& arguments, const config::Config& c
 // Throws SocketError if the configured address or port cannot be had. With the defaults it returns
 // null instead and sets `missing` to the reason, as the panel is optional then.
 std::unique_ptr<server::PanelSocket> MakePanelSocket(const config::ControlConfig& config,
-                                                     std::string* missing) {
+                                                     std::string* missing,
+                                                     const server::PanelPlace& before = {}) {
   if (!config.panel) return nullptr;
   try {
-    return std::make_unique<server::PanelSocket>(config.address, config.port);
+    return std::make_unique<server::PanelSocket>(config.address, config.port, before);
   } catch (const SocketError& error) {
     if (config.port != 0 || config.address != config::ControlConfig{}.address) throw;
     *missing = error.what();
     return nullptr;
   }
+}
+
+// The panel of a run: where the last robot of that name had it, so that a tab that is still open
+// finds this one. Where others can reach it, each run has a token of its own.
+std::unique_ptr<server::PanelSocket> MakeLastingPanelSocket(const RunArguments& arguments,
+                                                            const config::Config& config,
+                                                            std::string* missing) {
+  if (config.control.address != config::ControlConfig{}.address) {
+    return MakePanelSocket(config.control, missing);
+  }
+  const std::filesystem::path file =
+      PanelMemoryFile(arguments.name.empty() ? config.robot.name : arguments.name);
+  auto panel = MakePanelSocket(config.control, missing, RecallPanel(file));
+  if (panel) RememberPanel(file, {.port = panel->port(), .token = panel->token()});
+  return panel;
 }
 
 void SayWhatIsMissing(const std::string& panel) {
@@ -217,7 +234,7 @@ int RunCommand(const RunArguments& arguments) {
   const ControlPlace place(arguments, config);
   options.control_socket = place.socket();
   std::string missing;
-  const auto panel = MakePanelSocket(config.control, &missing);
+  const auto panel = MakeLastingPanelSocket(arguments, config, &missing);
   options.panel = panel.get();
   options.status_line = !arguments.json && isatty(STDERR_FILENO) == 1;
   std::deque<CompanionProcess> companions = CompanionsOf(arguments, options.control_socket);

@@ -91,6 +91,9 @@ std::string ValueText(const Slot& slot) {
                         [](const bool* v) { return std::string(*v ? "true" : "false"); },
                         [](const int* v) { return std::to_string(*v); },
                         [](const double* v) { return NumberText(*v); },
+                        [](const std::optional<double>* v) {
+                          return v->has_value() ? NumberText(**v) : std::string("null");
+                        },
                         [](const std::string* v) { return TextText(*v); },
                         [](const WordSlot& v) {
                           return *v.index < 0
@@ -115,6 +118,7 @@ std::string Expected(const Row& row, const Slot& slot) {
           [](const bool*) { return std::string("true or false"); },
           [&row](const int*) { return "a whole number" + RangeClause(row); },
           [&row](const double*) { return "a number" + RangeClause(row); },
+          [&row](const std::optional<double>*) { return "a number" + RangeClause(row); },
           [](const std::string*) { return std::string("one line of text"); },
           [](const WordSlot& v) { return "one of " + Joined(v.words); },
           [&row](std::span<double> v) {
@@ -133,6 +137,7 @@ std::string Allowed(const Row& row, const Slot& slot) {
           [](const bool*) { return std::string("true, false"); },
           [&row](const int*) { return "whole, " + RangeText(row.range); },
           [&row](const double*) { return RangeText(row.range); },
+          [&row](const std::optional<double>*) { return RangeText(row.range) + ", null"; },
           [](const std::string*) { return std::string("text"); },
           [](const WordSlot& v) { return Joined(v.words); },
           [&row](std::span<double> v) {

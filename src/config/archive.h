@@ -7,6 +7,7 @@
 #include <functional>
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -69,9 +70,11 @@ struct WordSlot {
   int* index;
 };
 
-// Where a value is stored. A span is a list of fixed length, a vector a list of any length.
-using Slot = std::variant<bool*, int*, double*, std::string*, WordSlot, std::span<double>,
-                          std::vector<double>*, std::vector<int>*, std::vector<std::string>*>;
+// Where a value is stored. A span is a list of fixed length, a vector a list of any length. A
+// number that may be left out is null in YAML.
+using Slot = std::variant<bool*, int*, double*, std::optional<double>*, std::string*, WordSlot,
+                          std::span<double>, std::vector<double>*, std::vector<int>*,
+                          std::vector<std::string>*>;
 
 // A list of structs, with its element type erased.
 struct ListSlot {

@@ -8,6 +8,7 @@
 #include "authority/command_gate.h"
 #include "authority/motion_config.h"
 #include "physics/crane.h"
+#include "robot/fault_bank.h"
 #include "robot/randomization.h"
 #include "robot/robot_spec.h"
 #include "sensors/sensor_config.h"
@@ -73,6 +74,7 @@ struct Config {
   authority::MotionConfig motion;
   physics::CraneConfig crane;
   StartConfig start;
+  std::vector<robot::PlannedFault> faults;
   std::string scene = "flat";  // a kind of terrain, "row", a name in models/scene or a path
   terrain::TerrainSpec terrain;
   robot::RandomizationSpec randomization;

@@ -1,6 +1,11 @@
 #include "config/keys.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "config/randomization_keys.h"
+#include "emulator/request.h"
+#include "robot/fault.h"
 #include "robot/start_pose.h"
 
 namespace understudy::config {
@@ -104,6 +109,24 @@ void DescribeStart(Archive& a, StartConfig& c) {
          "the times of robot.boot; else the robot has booted"});
 }
 
+// Ranges and meanings are those of the request, so that scripts and this say the same.
+void DescribeFault(Archive& a, robot::PlannedFault& f) {
+  static const emulator::RequestRow& row = **emulator::FindRequest("fault");
+  const auto about = [](std::string_view key) {
+    const emulator::Field& field = *std::ranges::find(row.fields, key, &emulator::Field::key);
+    return About(field.unit, {field.low, field.high}, field.does);
+  };
+  static const std::vector<std::string> kinds(std::next(robot::FaultNames().begin()),
+                                              robot::FaultNames().end());
+  a.Key(UNDERSTUDY_NVP(f.component), {"What has it, by its name in docs/faults.md"});
+  a.Word(UNDERSTUDY_NVP(f.fault), {"What is wrong with it"}, kinds);
+  a.Key(UNDERSTUDY_NVP(f.by), about("by"));
+  a.Key(UNDERSTUDY_NVP(f.at), {"s", {0, 1e6}, "Simulated time at which it begins"});
+  a.Key(Named{"for", &f.times.lasts}, about("for"));
+  a.Key(UNDERSTUDY_NVP(f.times.ramp), about("ramp"));
+  a.Key(UNDERSTUDY_NVP(f.times.probability), about("probability"));
+}
+
 }  // namespace
 
 const std::vector<std::string>& StartPoses() {
@@ -133,6 +156,9 @@ void Describe(Archive& a, Config& c) {
   a.Section(UNDERSTUDY_NVP(c.motion), {"The robot's motion service"}, DescribeMotion, "service");
   a.Section(UNDERSTUDY_NVP(c.crane), {"The tether a robot hangs from"}, DescribeCrane);
   a.Section(UNDERSTUDY_NVP(c.start), {"How a run begins"}, DescribeStart);
+  a.List(UNDERSTUDY_NVP(c.faults),
+         {"What is wrong with the robot from the start or from some time on (docs/faults.md)"},
+         DescribeFault);
   a.Section(UNDERSTUDY_NVP(c.randomization),
             {"Quantities drawn at random at the start, each from [least, most]; [] leaves it "
              "(docs/randomization.md)"},

@@ -15,6 +15,7 @@
 #include "config/profile.h"
 #include "config/reader.h"
 #include "config/robot_file.h"
+#include "config/setting_keys.h"
 #include "config/validate.h"
 #include "config/yaml_document.h"
 #include "robot/drop_motor.h"
@@ -262,7 +263,9 @@ std::string PrintConfig(const Config& config, bool with_comments) {
 
 emulator::WorldSettings WorldSettingsOf(const Config& config) {
   return {.speed = config.time.speed,
-          .reset_on_divergence = config.physics.on_divergence == DivergenceAction::kReset};
+          .reset_on_divergence = config.physics.on_divergence == DivergenceAction::kReset,
+          .ground_friction = config.terrain.friction,
+          .keys = SettingKeys()};
 }
 
 std::string StartPoseOf(const Config& config) {
@@ -280,7 +283,8 @@ emulator::RobotSettings RobotSettingsOf(const Config& config) {
           .motion = config.motion,
           .crane = config.crane,
           .start = robot::FindStartPose(pose).value_or(robot::StartPose::kLying),
-          .boot = config.start.boot};
+          .boot = config.start.boot,
+          .faults = config.faults};
 }
 
 }  // namespace understudy::config

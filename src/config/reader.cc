@@ -38,6 +38,12 @@ bool ReadNumber(const Row& row, const YamlValue& value, T* number) {
   return true;
 }
 
+bool ReadOptional(const Row& row, const YamlValue& value, std::optional<double>* number) {
+  if (value.kind != Kind::kNull) return ReadNumber(row, value, &number->emplace());
+  number->reset();
+  return true;
+}
+
 bool ReadText(const YamlValue& value, std::string* text) {
   const auto control = [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; };
   if (value.kind != Kind::kScalar) return false;
@@ -132,6 +138,9 @@ void Reader::Visit(const Row& row, const Slot& slot) {
   if (const auto* flag = std::get_if<bool*>(&slot)) read = ReadBool(*value, *flag);
   if (const auto* whole = std::get_if<int*>(&slot)) read = ReadNumber(row, *value, *whole);
   if (const auto* real = std::get_if<double*>(&slot)) read = ReadNumber(row, *value, *real);
+  if (const auto* maybe = std::get_if<std::optional<double>*>(&slot)) {
+    read = ReadOptional(row, *value, *maybe);
+  }
   if (const auto* text = std::get_if<std::string*>(&slot)) read = ReadText(*value, *text);
   const auto* word = std::get_if<WordSlot>(&slot);
   if (word != nullptr) read = ReadWord(*value, *word);

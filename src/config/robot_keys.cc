@@ -130,6 +130,39 @@ void DescribeDynamics(Archive& a, robot::DynamicsSpec& d) {
          DescribeFitted);
   a.Key(UNDERSTUDY_NVP(d.delay),
         {"s", {0, 0.1}, "Delay from a command to its torque, rounded to physics steps"});
+  a.Key(UNDERSTUDY_NVP(d.backlash),
+        {"rad", {0, 0.2}, "Play between each motor, with its encoder, and its joint"});
+  a.Key(UNDERSTUDY_NVP(d.ripple),
+        {"", {0, 1}, "Share by which the torque of each motor swings as it turns"});
+  a.Key(UNDERSTUDY_NVP(d.ripple_periods),
+        {"", {1, 1e5}, "How often it does in a turn of the joint (the default is assumed)"});
+}
+
+void DescribeBus(Archive& a, robot::BusSpec& b) {
+  a.Key(UNDERSTUDY_NVP(b.name), {"Its name, of which its faults are"});
+  a.Key(UNDERSTUDY_NVP(b.slots), {"", {0, 34}, "Slots of the motors behind it"});
+  a.Key(UNDERSTUDY_NVP(b.delay),
+        {"s",
+         {0, 0.1},
+         "Least and most that a command takes on it besides robot.dynamics.delay, drawn evenly for "
+         "each by sensors.seed; none overtakes another"});
+}
+
+void DescribeFan(Archive& a, robot::FanSpec& f) {
+  a.Key(UNDERSTUDY_NVP(f.name), {"Its name, of which its faults are"});
+  a.Key(UNDERSTUDY_NVP(f.place), {"", {0, 2}, "Its index in fan_frequency of LowState"});
+  a.Key(UNDERSTUDY_NVP(f.rpm), {"1/min", {0, 10000}, "What is told there while it turns"});
+  a.Key(UNDERSTUDY_NVP(f.stall_bit),
+        {"", {0, 255}, "Bit of fan_frequency[3] while it does not; 0 is none"});
+}
+
+void DescribeBoard(Archive& a, robot::BoardSpec& b) {
+  a.Key(UNDERSTUDY_NVP(b.centre_rise_c),
+        {"°C", {0, 100}, "temperature_ntc1 over the air while all fans turn"});
+  a.Key(UNDERSTUDY_NVP(b.charger_rise_c), {"°C", {0, 100}, "temperature_ntc2, likewise"});
+  a.Key(UNDERSTUDY_NVP(b.still_air), {"", {1, 10}, "Times that rise where no fan turns (assumed)"});
+  a.Key(UNDERSTUDY_NVP(b.time_constant),
+        {"s", {0.1, 1e5}, "In which temperatures follow (assumed)"});
 }
 
 void DescribeHandMotor(Archive& a, robot::MotorSpec& m) {
@@ -306,6 +339,9 @@ void DescribeHumanoidMotion(Archive& a, robot::HumanoidMotionSpec& h) {
          "weight; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.squat), {"", kId, "State with joints locked in squat_q; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.sit), {"", kId, "State with joints locked in sit_q; -1 is none"});
+  a.Key(
+      UNDERSTUDY_NVP(h.protection),
+      {"", kId, "State that it tells in place of damping while its protection damps; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.balanced_squat),
         {"", kId, "State that squats and rises again while balancing; -1 is none"});
   a.Key(UNDERSTUDY_NVP(h.unplayed),
@@ -421,6 +457,13 @@ void Describe(Archive& a, robot::RobotSpec& r) {
          DescribeParallel);
   a.Section(UNDERSTUDY_NVP(r.dynamics), {"Friction, damping and inertia of joints; drives"},
             DescribeDynamics, "use");
+  a.List(UNDERSTUDY_NVP(r.buses),
+         {"Buses between its computer and motors of the body; the others share one without a name, "
+          "each hand has one of its own"},
+         DescribeBus, &robot::BusSpec::name);
+  a.List(UNDERSTUDY_NVP(r.fans), {"Fans that LowState tells of; go only"}, DescribeFan,
+         &robot::FanSpec::name);
+  a.Section(UNDERSTUDY_NVP(r.board), {"The mainboard, as LowState of go shows it"}, DescribeBoard);
   a.List(UNDERSTUDY_NVP(r.hands), {"Hands with motors and topics; hg only"}, DescribeHand);
   a.Section(UNDERSTUDY_NVP(r.imu), {"Inertial units"}, DescribeImu);
   a.Section(UNDERSTUDY_NVP(r.encoder_noise),
@@ -436,6 +479,8 @@ void Describe(Archive& a, robot::RobotSpec& r) {
         {"Services that answer requests: names of the tables in docs/services.md"});
   a.Key(UNDERSTUDY_NVP(r.status_texts),
         {"Topics on which programs of the robot publish texts of their own accord"});
+  a.Key(UNDERSTUDY_NVP(r.error_list),
+        {"Whether rt/errorlist tells of faults when they come and go; go only"});
   a.Key(UNDERSTUDY_NVP(r.arm_action_state), {"Whether rt/arm/action/state is written; hg only"});
   a.Section(UNDERSTUDY_NVP(r.arm_sdk), {"rt/arm_sdk: commands mixed over the motion service's"},
             DescribeArmSdk);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,10 @@
 #include "config/keys.h"
 #include "config/randomization_keys.h"
 #include "config/validate_robot.h"
+#include "emulator/robot.h"
+#include "robot/fault_bank.h"
+#include "services/robot_services.h"
+#include "wire/state_topics.h"
 
 namespace understudy::config {
 namespace {
@@ -79,6 +84,22 @@ void CheckMotionService(const Config& config, const Checker& checker) {
                 "(lower it with `understudy ctl crane lower`) or clamped (`ctl clamp off`)");
 }
 
+// What the robot has not, or never has, is refused here as the running robot would.
+void CheckFaults(const Config& config, const Checker& checker) {
+  if (config.faults.empty()) return;
+  std::vector<std::string> topics = emulator::CommandTopics(config.robot);
+  std::ranges::copy(wire::StateTopics(config.robot), std::back_inserter(topics));
+  std::vector<std::string> services;
+  for (const services::ServiceTable& table : services::ServicesOf(config.robot.apis)) {
+    services.emplace_back(table.name);
+  }
+  robot::FaultBank bank(config.robot, topics, services, config.sensors.seed);
+  for (std::size_t i = 0; i < config.faults.size(); ++i) {
+    const auto planned = bank.Plan(config.faults[i]);
+    checker.Check(planned.ok(), "faults." + std::to_string(i), planned.why());
+  }
+}
+
 }  // namespace
 
 void ValidateTerrain(const Config& config, const Places& places) {
@@ -104,6 +125,7 @@ void Validate(const Config& config, const Places& places) {
   CheckRates(config, checker);
   CheckRandomization(config, checker);
   CheckMotionService(config, checker);
+  CheckFaults(config, checker);
   if (!config.start.pose.empty()) CheckStartPose(config.start.pose, "start.pose", checker);
   checker.Check(config.network.domain >= 0 && config.network.domain <= 232, "network.domain",
                 "expected 0 to 232");

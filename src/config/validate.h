@@ -8,7 +8,8 @@ namespace understudy::config {
 
 // Throws ConfigError for the first failed condition: those of ValidateTerrain and ValidateRobot;
 // periods of rates must be whole numbers of physics steps, and lowstate_hz a multiple of the other
-// rates; the robot must have the motion service and the pose. `places` has where each key was set.
+// rates; the robot must have the motion service, the pose and what is to fail. `places` has where
+// each key was set.
 void Validate(const Config& config, const Places& places = {});
 
 // The conditions on scene and terrain: refuses row without patches, patches without row, and sizes

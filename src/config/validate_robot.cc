@@ -250,6 +250,37 @@ void CheckFirmware(const robot::RobotSpec& robot, const Checker& checker) {
   }
 }
 
+void CheckBuses(const robot::RobotSpec& robot, const Checker& checker) {
+  std::set<std::string> names;
+  std::set<int> taken;
+  for (std::size_t i = 0; i < robot.buses.size(); ++i) {
+    const robot::BusSpec& bus = robot.buses[i];
+    const std::string key = "robot.buses." + std::to_string(i) + ".";
+    checker.Check(!bus.name.empty() && names.insert(bus.name).second, key + "name",
+                  "expected a name of its own, got '" + bus.name + "'");
+    for (const int slot : bus.slots) {
+      checker.Check(taken.insert(slot).second, key + "slots",
+                    "slot " + std::to_string(slot) + " is on a bus already");
+    }
+    checker.Check(bus.delay[0] <= bus.delay[1], key + "delay",
+                  "expected least before most, got " + NumberText(bus.delay[0]) + " before " +
+                      NumberText(bus.delay[1]));
+  }
+}
+
+void CheckFans(const robot::RobotSpec& robot, const Checker& checker) {
+  std::set<std::string> names;
+  std::set<int> taken;
+  for (std::size_t i = 0; i < robot.fans.size(); ++i) {
+    const robot::FanSpec& fan = robot.fans[i];
+    const std::string key = "robot.fans." + std::to_string(i) + ".";
+    checker.Check(!fan.name.empty() && names.insert(fan.name).second, key + "name",
+                  "expected a name of its own, got '" + fan.name + "'");
+    checker.Check(taken.insert(fan.place).second, key + "place",
+                  "place " + std::to_string(fan.place) + " has a fan already");
+  }
+}
+
 void CheckArmSdk(const robot::RobotSpec& robot, const Checker& checker) {
   const int slots = robot.family == robot::WireFamily::kGo ? kGoSlots : kHgSlots;
   const robot::ArmSdkSpec& arms = robot.arm_sdk;
@@ -322,6 +353,8 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
                 "expected least before most");
   CheckFirmware(robot, checker);
   CheckArmSdk(robot, checker);
+  CheckBuses(robot, checker);
+  CheckFans(robot, checker);
   CheckRemote(robot, checker);
   CheckBattery(robot.battery, checker);
 }

@@ -7,6 +7,7 @@
 
 #include "ctl/ask.h"
 #include "ctl/command.h"
+#include "ctl/text.h"
 #include "emulator/request.h"
 #include "server/request_docs.h"
 
@@ -30,7 +31,7 @@ json ValueOf(const Field& field, const std::vector<std::string>& words) {
   }
   const bool text = field.kind == FieldKind::kWord || field.kind == FieldKind::kKeys ||
                     field.kind == FieldKind::kBody || field.kind == FieldKind::kName ||
-                    field.kind == FieldKind::kJson;
+                    field.kind == FieldKind::kJson || field.kind == FieldKind::kSetting;
   // Seen from here, which need not be where the robot was started.
   if (field.kind == FieldKind::kFile) return std::filesystem::absolute(words.front()).string();
   if (field.kind == FieldKind::kSwitch && words.front().empty()) return true;
@@ -95,6 +96,10 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
     for (std::size_t i = 0; i < row.fields.size(); ++i) {
       if (words[i].empty()) continue;
       values[std::string(row.fields[i].key)] = ValueOf(row.fields[i], words[i]);
+    }
+    if (values.empty() && !row.list.empty()) {
+      action_ = [this, &row] { Show(std::string(row.list), SettingsText); };
+      return;
     }
     if (const auto request = emulator::ReadRequest(row, values); !request) {
       throw CLI::ValidationError(std::string(row.name), request.why());

@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <utility>
 
+#include "emulator/request.h"
+
 namespace understudy::ctl {
 namespace {
 
@@ -228,6 +230,19 @@ std::string DamageText(const ordered_json& snapshot) { return FieldsText(snapsho
 std::string FaultsText(const ordered_json& snapshot) {
   const ordered_json& faults = snapshot.at("faults");
   return faults.empty() ? "nothing is wrong\n" : TableText(faults);
+}
+
+std::string SettingsText(const ordered_json& reply) {
+  std::vector<Cells> rows = {{"KEY", "VALUE", "UNIT", "TAKES"}};
+  for (const ordered_json& setting : reply.at("settings")) {
+    const ordered_json& value = setting.at("value");
+    rows.push_back({setting.at("key"),
+                    value.is_string()    ? value.get<std::string>()
+                    : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
+                                         : emulator::NumberText(value.get<double>()),
+                    setting.at("unit"), setting.at("takes")});
+  }
+  return Aligned(rows);
 }
 
 std::string EventText(const ordered_json& event) {

@@ -36,6 +36,9 @@ std::string FieldsText(const nlohmann::ordered_json& object);
 std::string DamageText(const nlohmann::ordered_json& snapshot);
 std::string FaultsText(const nlohmann::ordered_json& snapshot);
 
+// Formats the reply to GET /settings as a table.
+std::string SettingsText(const nlohmann::ordered_json& reply);
+
 // Format one event of the reply to GET /events, as "12.345 s paused at 12.345 s", and all of them.
 std::string EventText(const nlohmann::ordered_json& event);
 std::string EventsText(const nlohmann::ordered_json& reply);

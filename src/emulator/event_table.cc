@@ -229,6 +229,11 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         },
         "the clamp closes or opens"),
     Row(
+        EventKind::kSetting, "setting", kInfo, false,
+        {{{"value", kNumber}, {"before", kNumber}, {"setting", kText}}},
+        [](const Event& e, std::uint64_t) { return "set " + What(e); },
+        "a setting changes while the robot runs; of words the first is 0"),
+    Row(
         EventKind::kFault, "fault", kInfo, false,
         {{{"fault", kFault}, {"on", kBool}, {"by", kNumber}, {"component", kText}}},
         [](const Event& e, std::uint64_t) {

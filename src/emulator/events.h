@@ -31,6 +31,7 @@ enum class EventKind : std::uint8_t {
   kRequest,
   kCrane,
   kClamp,
+  kSetting,
   kFault,
   kMotorHeat,
   kPower,

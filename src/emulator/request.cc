@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "base/nearest_word.h"
+#include "emulator/live_settings.h"
 #include "robot/remote_keys.h"
 #include "time/pace.h"
 
@@ -65,6 +66,8 @@ std::optional<double> Single(const Field& field, const json& value) {
     case FieldKind::kName:
     case FieldKind::kJson:
     case FieldKind::kFile:
+    case FieldKind::kSetting:
+    case FieldKind::kValue:
       break;
   }
   return std::nullopt;
@@ -72,10 +75,16 @@ std::optional<double> Single(const Field& field, const json& value) {
 
 Result<> ReadField(const Field& field, const json& value, Request* request) {
   // Names, JSON and files.
-  if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName) {
+  if (field.kind == FieldKind::kBody || field.kind == FieldKind::kName ||
+      field.kind == FieldKind::kSetting) {
     const bool text = value.is_string() && !value.get_ref<const std::string&>().empty() &&
                       value.get_ref<const std::string&>().size() <= kLongestName;
     if (!text) return Refused(field, value);
+    if (field.kind == FieldKind::kSetting) {
+      if (auto known = FindSetting(value.get_ref<const std::string&>()); !known) {
+        return Error{std::string(field.key) + ": " + known.why()};
+      }
+    }
     request->SetName(field.key, value.get_ref<const std::string&>());
     return {};
   }
@@ -88,6 +97,20 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
     if (!fits) return Refused(field, value);
     std::ranges::copy(*text, request->long_text.begin());
     request->given[static_cast<std::size_t>(&field - request->row->fields.data())] = true;
+    return {};
+  }
+  if (field.kind == FieldKind::kValue) {
+    std::string text;
+    if (value.is_boolean()) text = value.get<bool>() ? "true" : "false";
+    if (value.is_string()) text = value.get<std::string>();
+    const bool number = value.is_number() && std::isfinite(value.get<double>());
+    if (!number && (text.empty() || text.size() > kLongestText)) return Refused(field, value);
+    if (number) {
+      request->SetNumber(field.key, value.get<double>());
+    } else {
+      std::ranges::copy(text, request->long_text.begin());
+      request->given[static_cast<std::size_t>(&field - request->row->fields.data())] = true;
+    }
     return {};
   }
   // Vectors and words.
@@ -247,7 +270,12 @@ ordered_json ValuesOf(const Request& request) {
         break;
       case FieldKind::kBody:
       case FieldKind::kName:
+      case FieldKind::kSetting:
         value = request.name();
+        break;
+      case FieldKind::kValue:
+        value = request.setting().empty() ? ordered_json(numbers[0])
+                                          : ordered_json(ValueOf(std::string(request.setting())));
         break;
       case FieldKind::kJson:
       case FieldKind::kFile:
@@ -306,6 +334,10 @@ std::string Expected(const Field& field) {
       return "a name";
     case FieldKind::kJson:
       return "JSON as text of at most " + std::to_string(kLongestText) + " bytes";
+    case FieldKind::kSetting:
+      return "a key that can change";
+    case FieldKind::kValue:
+      return "a value of that key";
     case FieldKind::kFile:
       return "a path of at most " + std::to_string(kLongestText) + " bytes";
   }

@@ -28,16 +28,18 @@ using Answer = Result<>;
 
 enum class FieldKind : std::uint8_t {
   kNumber,
-  kWhole,   // a number without a fraction
-  kVector,  // three numbers
-  kSwitch,  // true or false; also on and off
-  kSpeed,   // as time::IsSpeed has it, or max, which is stored as 0
-  kWord,    // one of the field's words, stored as its index
-  kKeys,    // of the remote controller, as in L2+B, stored as bits; "" is valid if `low` is 0
-  kBody,    // the name of a body of the model
-  kName,    // another name
-  kJson,    // JSON, as text
-  kFile,    // a path on the robot's machine
+  kWhole,    // a number without a fraction
+  kVector,   // three numbers
+  kSwitch,   // true or false; also on and off
+  kSpeed,    // as time::IsSpeed has it, or max, which is stored as 0
+  kWord,     // one of the field's words, stored as its index
+  kKeys,     // of the remote controller, as in L2+B, stored as bits; "" is valid if `low` is 0
+  kBody,     // the name of a body of the model
+  kName,     // another name
+  kJson,     // JSON, as text
+  kFile,     // a path on the robot's machine
+  kSetting,  // a key of LiveSettings
+  kValue,    // of a setting: a number, true, false or a word
 };
 
 // One value of a request.
@@ -70,6 +72,8 @@ struct RequestRow {
   // Checks the combination of given fields: returns "" or the reason why it is invalid; null: all
   // are valid.
   std::string_view (*check)(const Request& request) = nullptr;
+  // What GET lists in place of it where no values are given, for the command line; "" for nothing.
+  std::string_view list{};
 };
 
 inline constexpr std::size_t kMostFields = 7;
@@ -83,7 +87,7 @@ struct Request {
   std::array<std::array<double, 3>, kMostFields> numbers{};
   std::array<bool, kMostFields> given{};
   std::array<char, kLongestName + 1> text{};       // of the name field, "" if not given
-  std::array<char, kLongestText + 1> long_text{};  // of the JSON or file field, likewise
+  std::array<char, kLongestText + 1> long_text{};  // of the JSON, file or value field, likewise
 
   // Look up a field by its key, which the row must have. The value is the default if it was not
   // given.
@@ -96,6 +100,8 @@ struct Request {
   std::string_view name() const { return text.data(); }
   std::string_view json() const { return long_text.data(); }
   std::string_view file() const { return long_text.data(); }
+  // The word of a value, also true and false; "" for a number.
+  std::string_view setting() const { return long_text.data(); }
 
   // Whether it is answered only when it is done: its steps are made, its recording is on or over.
   bool waits() const;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "base/nearest_word.h"
+#include "emulator/live_settings.h"
 #include "emulator/request.h"
 #include "emulator/world.h"
 #include "physics/world_reading.h"
@@ -45,6 +46,11 @@ RequestRow Row(std::string_view name, std::string_view does, std::vector<Field> 
                std::string_view example, bool noted = false, From from = From::kBoth,
                std::string_view (*check)(const Request& request) = nullptr) {
   return {name, does, std::move(fields), carry_out, example, noted, from, check};
+}
+
+RequestRow Lists(std::string_view path, RequestRow row) {
+  row.list = path;
+  return row;
 }
 
 Field Needed(Field field) {
@@ -189,6 +195,14 @@ struct RequestActs {
                           t);
   }
 
+  static Answer Set(World& world, Robot& robot, Request& request, double) {
+    return world.Set(&robot, request);
+  }
+
+  static Answer MoveJoint(World&, Robot& robot, Request& request, double t) {
+    return robot.MoveJoint(request.name(), request.number("angle"), t + request.number("for"), t);
+  }
+
   static Answer PressKeys(World&, Robot& robot, Request& request, double t) {
     robot.remote().Press(KeysOf(request), t + request.number("for"));
     return {};
@@ -253,6 +267,10 @@ Answer World::CheckNames(const Request& request) const {
   if (request.robot >= robots_.size()) {
     return Error{"robot: the world has no robot " + std::to_string(request.robot)};
   }
+  if (request.row->carry_out == RequestActs::Set) {
+    const auto value = SettingOf(request);
+    return value ? Answer{} : Answer{value.error()};
+  }
   const bool named = std::ranges::any_of(
       request.row->fields, [](const Field& field) { return field.kind == FieldKind::kBody; });
   if (!named || request.name().empty()) return {};
@@ -272,6 +290,7 @@ const std::vector<RequestRow>& RequestRows() {
   constexpr double kHardest = 1e6;                                        // N or N·s
   constexpr double kOnBody = 10, kInWorld = 1e6, kMostCrane = 10;         // m
   constexpr double kMostSteps = 1e6;
+  constexpr double kMostAngle = 10;  // rad, as of start poses
   constexpr double kMostApi = 1e6;
   constexpr double kMostPresses = 1e8;
   constexpr double kMostFault = 1e3;  // in any unit; each kind has limits of its own
@@ -336,6 +355,16 @@ const std::vector<RequestRow>& RequestRows() {
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
+      Row("joint",
+          "Moves a joint of a clamped robot that no program commands, as somebody does who sets it "
+          "up: at 1 rad/s at most, with the gains that hold a start pose. Again within its time "
+          "renews it",
+          {Needed(Bare({.key = "joint", .kind = kName, .does = "Of a motor of the body"})),
+           Needed(Bare({"angle", kNumber, "rad", -kMostAngle, kMostAngle,
+                        "Within the range of the joint"})),
+           Or(2, seconds(kLeastTime, kLongestDrag,
+                         "Simulated time after which whoever moved it before moves it again"))},
+          Acts::MoveJoint, "joint FR_calf_joint -1.5 --for 5", kNoted),
       Row("power",
           "Turns the robot's power switch. Off, its motors have no torque and nothing is sent, "
           "heard or answered; on, it boots as on hardware, in the times of robot.boot",
@@ -359,6 +388,16 @@ const std::vector<RequestRow>& RequestRows() {
            Or(1, {"probability", kNumber, "", 0, 1,
                   "That it is there, drawn anew for each tenth of a second: a loose contact"})},
           Acts::SetFault, "fault FR_calf_joint.encoder offset --by 0.1 --ramp 5"),
+      Lists("/settings",
+            Row("set", "Changes a setting of the running robot, from the next step on",
+                {Needed(Bare({.key = "key",
+                              .kind = kSetting,
+                              .does = "Of the configuration, as in --set; without any, `ctl set` "
+                                      "lists them"})),
+                 Needed(Bare({.key = "value",
+                              .kind = kValue,
+                              .does = "As in --set: docs/config.md has its unit and range"}))},
+                Acts::Set, "set sensors.noise_gain 3")),
       Row("remote.press", "Keys go down together and up again",
           {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
           Acts::PressKeys, "remote press L2+B"),

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "authority/onboard.h"
+#include "base/errors.h"
+#include "base/nearest_word.h"
 #include "motion/make_motion.h"
 
 namespace understudy::emulator {
@@ -15,9 +17,6 @@ namespace {
 // s after which a command that was overtaken is lost: an old one would make the robot jump.
 // *assumed*
 constexpr double kLongestHeld = 0.1;
-
-// °C below derate_c at which a motor is told to be cool again. *assumed*
-constexpr double kCoolAgain = 5;
 
 // The command that holds `q` against gravity with the gains of the robot's description.
 robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
@@ -52,7 +51,7 @@ std::vector<std::string> CommandTopics(const robot::RobotSpec& spec) {
 Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics,
              EventRing* events)
     : spec_(parts.spec),
-      index_(index),
+      settings_(parts.settings),
       topics_(CommandTopics(spec_)),
       first_service_(authority::StartService(spec_, {})),
       heard_(topics_.size()),
@@ -60,19 +59,23 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
       physics_(physics),
       body_(&physics->robot(index)),
-      events_(events),
+      events_(spec_, index, topics_, events),
       port_(parts.port),
       services_(parts.services),
       router_(spec_, parts.settings.gate, parts.settings.motion, start(start_pose_).command,
               motion::MakeMotion(spec_, *body_, parts.settings.gate.damping_kd)),
-      delay_(static_cast<std::size_t>(std::llround(spec_.dynamics.delay / physics_->timestep())),
-             router_.command()),
+      ranges_(body_->ranges()),
+      rig_(HoldCommand(spec_, std::vector<double>(spec_.motors.size())).motors,
+           router_.command().motors.size()),
+      transport_(spec_, physics_->timestep(), parts.settings.sensors.seed, router_.command()),
       faults_(spec_, Links(topics_, *port_),
               services_ == nullptr ? std::vector<std::string>() : services_->names(),
               parts.settings.sensors.seed),
       encoders_(sensors::EncoderZeros(parts.settings.sensors, spec_), parts.settings.sensors.seed),
       motors_(spec_, physics_->timestep()),
+      gears_(spec_, body_->Armatures(), physics_->timestep()),
       battery_(spec_.battery, spec_.thermal.ambient_c, parts.settings.sensors.seed),
+      board_(spec_),
       power_(spec_.boot),
       service_effects_(faults_.effects().services),
       damage_(spec_, body_->ranges()),
@@ -85,59 +88,84 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       command_(&router_.command()),
       offered_(*command_),
       held_(topics_.size(), {.command = *command_}),
+      late_(topics_.size()),
       braked_(faults_.effects().motors),
       friction_w_(braked_.size()) {
+  for (const robot::PlannedFault& fault : parts.settings.faults) {
+    const auto planned = faults_.Plan(fault);
+    if (!planned) throw ConfigError("faults: " + planned.why());
+  }
   Reset(start_pose_);
   if (parts.settings.boot) {
     SwitchPowerOff();
     power_.SwitchOn(0);
   }
-  noted_ = {.gate = router_.gate().state(),
-            .service = router_.owner().active(),
-            .motion = router_.owner().state(),
-            .heat = std::vector(braked_.size(), MotorHeat::kFine),
-            .power = power_.state()};
-  Note(EventKind::kMotionService, {}, noted_.service);
-  Note(EventKind::kGate, {static_cast<double>(noted_.gate)});
-  if (noted_.power != PowerState::kOn) Note(EventKind::kPower, {}, Name(noted_.power));
-  NoteChanges(0);
+  events_.Begin(present(0));
 }
 
 void Robot::ServeCalls(time::Clock::Time now) {
   if (services_ == nullptr) return;
-  for (const services::Call& call : services_->Poll(&router_.owner(), now)) NoteCall(call);
+  for (const services::Call& call : services_->Poll(&router_.owner(), now)) {
+    events_.AddCall(call, router_.owner().state().id);
+  }
 }
 
 std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t api_id,
                                         std::string_view parameter, time::Clock::Time now) {
   if (services_ == nullptr) return std::nullopt;
   const auto call = services_->Answer(service, api_id, parameter, &router_.owner(), now);
-  if (call) NoteCall(*call);
+  if (call) events_.AddCall(*call, router_.owner().state().id);
   return call ? std::optional(call->code) : std::nullopt;
-}
-
-void Robot::NoteCall(const services::Call& call) {
-  using services::CallRefusal;
-  if (call.code != services::Call::kNoCode) {
-    Note(EventKind::kCall, {static_cast<double>(call.api_id), static_cast<double>(call.code)},
-         call.service);
-  }
-  if (call.refusal == CallRefusal::kNone) return;
-  std::string what(call.service);
-  if (call.api_id != 0) what += " " + std::to_string(call.api_id);
-  if (!call.name.empty()) what += " " + std::string(call.name);
-  Note(EventKind::kCallRefused,
-       {static_cast<double>(call.refusal), static_cast<double>(call.code),
-        static_cast<double>(router_.owner().state().id), static_cast<double>(call.times)},
-       what);
 }
 
 void Robot::Hear(std::int64_t step, double t) {
   StepFaults(t);
   StepPower(t);
   TakeCommands(t);
-  command_ = &delay_.Pass(Decide(step, t));
+  const robot::RobotCommand& decided = Decide(step, t);
+  if (rig_.moves() && !WhyNoJoints().empty()) rig_.Release();
+  const robot::RobotCommand& wanted = rig_.Over(decided, t, physics_->timestep());
+  const std::span<const robot::BusEffects> buses = faults_.effects().buses;
+  command_ =
+      &transport_.Pass(wanted, t, faults_.any() ? buses : std::span<const robot::BusEffects>());
   NoteChanges(t);
+}
+
+// Returns "" if joints can be moved now, else the reason.
+std::string_view Robot::WhyNoJoints() const {
+  if (!body_->clamped()) return "the robot is not clamped; `clamp on` holds it";
+  if (power_.state() == PowerState::kOff) return "the robot is switched off";
+  if (router_.gate().state() == authority::GateState::kFollowing ||
+      router_.owner().user_control()) {
+    return "a program commands the motors";
+  }
+  return {};
+}
+
+Result<> Robot::MoveJoint(std::string_view joint, double angle, double until, double t) {
+  if (const std::string_view why = WhyNoJoints(); !why.empty()) return Error{std::string(why)};
+  const auto motor = std::ranges::find(spec_.motors, joint, &robot::MotorSpec::joint);
+  if (motor == spec_.motors.end()) {
+    std::vector<std::string> joints;
+    for (const robot::MotorSpec& one : spec_.motors) joints.push_back(one.joint);
+    const std::string nearest = NearestWord(joint, joints);
+    return Error{"no motor of the body has a joint '" + std::string(joint) + "'" +
+                 (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+  }
+  const auto i = static_cast<std::size_t>(motor - spec_.motors.begin());
+  const auto& [low, high] = ranges_[i];
+  if (!(angle >= low && angle <= high)) {
+    return Error{motor->joint + ": expected an angle from " + NumberText(low) + " to " +
+                 NumberText(high) + " rad, got " + NumberText(angle)};
+  }
+  rig_.Move(i, angle, body_->q()[i], std::max(until, t));
+  return {};
+}
+
+void Robot::FollowSettings() {
+  sensors_.Follow(settings_.sensors);
+  router_.Follow(settings_.gate, settings_.motion);
+  crane_.Follow(settings_.crane);
 }
 
 void Robot::Rest() { port_->Rest(); }
@@ -146,7 +174,7 @@ void Robot::Act() {
   const double dt = physics_->timestep();
   const robot::Effects& faults = faults_.effects();
   const bool off = power_.state() == PowerState::kOff;
-  encoders_.Step(body_->q(), body_->dq(), faults.encoders);
+  ReadEncoders();
   body_->FrictionPower(friction_w_);
   motors_.Step({.command = *command_,
                 .q = encoders_.q(),
@@ -156,11 +184,12 @@ void Robot::Act() {
                 .supply = off ? robot::MotorSupply{.voltage = 0, .most_power = 0, .on = false}
                               : battery_.supply(),
                 .faults = faults.motors});
-  body_->Drive(motors_.torque());
+  body_->Drive(gears_.ideal() ? motors_.torque() : gears_.Step(motors_.torque(), body_->q()));
   if (!off) battery_.Step(motors_.power(), dt, faults.battery);
   if (battery_.cut_off() != robot::CutOff::kNone) SwitchPowerOff();
-  if (motors_.heated()) NoteHeat();
-  NoteBattery();
+  if (!board_.settled() || faults_.any()) board_.Step(dt, faults.fans, faults.board);
+  if (motors_.heated()) events_.CompareHeat(motors_);
+  events_.CompareBattery(battery_);
   if (crane_.attached()) {
     const physics::Crane::Hooks at = hooks();
     const physics::Crane::Pulls pulls = crane_.Step(at, dt);
@@ -168,6 +197,12 @@ void Robot::Act() {
       physics_->AddForce(crane_body_, at[i].p_WP, pulls[i]);
     }
   }
+}
+
+void Robot::ReadEncoders() {
+  if (!gears_.ideal()) gears_.AddPlay(body_->q(), body_->dq());
+  encoders_.Step(gears_.ideal() ? body_->q() : gears_.q(),
+                 gears_.ideal() ? body_->dq() : gears_.dq(), faults_.effects().encoders);
 }
 
 void Robot::Tell(std::int64_t step) {
@@ -189,16 +224,18 @@ void Robot::Tell(std::int64_t step) {
   Sample(step);
   const std::span<const robot::LinkEffects> links = faults_.effects().links;
   if (!silenced_) port_->Publish(state_, step, links.subspan(topics_.size()));
-  NoteNews(port_->TakeNews());
+  events_.AddNews(port_->TakeNews());
 }
 
 void Robot::TakeCommands(double t) {
-  NoteChanges(t);
   if (!power_.computes()) return Ignore();
   router_.Obey(ReadRemote(t), t);
-  if (const auto& unheeded = router_.unheeded()) NoteUnheeded(*unheeded);
+  if (const auto& unheeded = router_.unheeded()) {
+    events_.AddUnheeded(*unheeded, router_.owner().state(), first_service_);
+  }
   // One of each topic in turn, so that none keeps the others waiting.
   int left = authority::Intake::kMostInATick;
+  if (any_late_) left -= TakeLate(left, t);
   for (int i = 0; i < authority::Intake::kMostAtOnce; ++i) {
     const int before = left;
     for (std::size_t topic = 0; topic < topics_.size() && left > 0; ++topic) {
@@ -210,7 +247,7 @@ void Robot::TakeCommands(double t) {
     const std::uint64_t lost = port_->TakeLost(topic);
     if (lost == 0) continue;
     router_.Count(topic, robot::Refusal::kLost, lost);
-    Note(EventKind::kLostCommands, {static_cast<double>(lost)}, topics_[topic]);
+    events_.Add(EventKind::kLostCommands, {static_cast<double>(lost)}, topics_[topic]);
   }
 }
 
@@ -233,24 +270,53 @@ bool Robot::TakeCommand(std::size_t topic, double t) {
   const bool damaged = link.damages && topic >= robot::kFirstHandTopic;  // these have no crc
   if (link.drops || damaged) return true;
   if (link.damages) form = robot::Refusal::kCrc;
+  if (link.delay <= 0 && late_[topic].empty()) {
+    Arrive(topic, offered_, form, t);
+  } else if (Late* late = late_[topic].Push(t + link.delay)) {
+    late->command = offered_;
+    late->form = form;
+    any_late_ = true;
+  } else {
+    router_.Count(topic, robot::Refusal::kLost, 1);
+  }
+  return true;
+}
+
+// Takes at most `most` commands that were late and have come; returns how many.
+int Robot::TakeLate(int most, double t) {
+  int taken = 0;
+  any_late_ = false;
+  for (std::size_t topic = 0; topic < late_.size(); ++topic) {
+    for (const Late* late = nullptr; taken < most && (late = late_[topic].Due(t)); ++taken) {
+      Arrive(topic, late->command, late->form, t);
+      late_[topic].Pop();
+    }
+    any_late_ = any_late_ || !late_[topic].empty();
+  }
+  return taken;
+}
+
+// What follows from a command that has come.
+void Robot::Arrive(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
+                   double t) {
+  const robot::LinkEffects& link = faults_.effects().links[topic];
   ++heard_[topic];
   Held& held = held_[topic];
   if (link.reorders && !held.there) {
-    held = {offered_, form, true, t};
-    return true;
+    held = {command, form, true, t};
+    return;
   }
-  for (int times = link.doubles ? 2 : 1; times > 0; --times) OfferCommand(topic, offered_, form, t);
+  for (int times = link.doubles ? 2 : 1; times > 0; --times) OfferCommand(topic, command, form, t);
   if (std::exchange(held.there, false) && t - held.since < kLongestHeld) {
     OfferCommand(topic, held.command, held.form, t);
   }
   NoteChanges(t);
-  return true;
 }
 
 void Robot::OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                          double t) {
   const robot::Refusal refusal = router_.Offer(topic, command, form, t);
-  NoteCommand(topic, form, refusal, router_.counts(topic));
+  events_.AddCommand(topic, form, refusal, router_.counts(topic));
 }
 
 void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {
@@ -260,7 +326,7 @@ void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {
   } else if (services_ != nullptr) {
     services_->CountUnmatched();
   }
-  Note(EventKind::kUnmatched, {}, writer);
+  events_.Add(EventKind::kUnmatched, {}, writer);
 }
 
 // The motion service gets the sample of the step before, as on a real robot: where their rates are
@@ -287,60 +353,44 @@ Result<> Robot::SetFault(std::string_view component, std::string_view kind, cons
   if (kind != robot::kNoFault) {
     const auto begun = faults_.Begin(component, kind, by, times, t);
     if (!begun) return begun.error();
-    NoteFault(*begun, true);
+    events_.AddFault(faults_, *begun, true);
     return {};
   }
   const auto cleared = faults_.Clear(component);
   if (!cleared) return cleared.error();
-  for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
+  for (const robot::Fault& fault : faults_.over()) events_.AddFault(faults_, fault, false);
   Suffer();
+  FollowBoard(t);
   return {};
 }
 
-void Robot::NoteFault(const robot::Fault& fault, bool on) {
-  Note(EventKind::kFault,
-       {static_cast<double>(fault.kind - robot::FaultKinds().data()), on ? 1.0 : 0.0, fault.by},
-       faults_.components()[fault.component]);
-}
-
-void Robot::NoteHeat() {
-  for (std::size_t i = 0; i < noted_.heat.size(); ++i) {
-    const MotorHeat now = motors_.tripped(i)   ? MotorHeat::kTripped
-                          : motors_.derated(i) ? MotorHeat::kDerated
-                                               : MotorHeat::kFine;
-    const double winding_c = motors_.winding_c()[i];
-    if (now == noted_.heat[i]) continue;
-    // A motor that works about the limit is not told of at every stride.
-    if (now == MotorHeat::kFine && winding_c > spec_.thermal.derate_c - kCoolAgain) continue;
-    noted_.heat[i] = now;
-    Note(EventKind::kMotorHeat, {static_cast<double>(now), winding_c}, motors_.joint(i));
-  }
-}
-
-void Robot::NoteBattery() {
-  const robot::CutOff cut_off = battery_.cut_off();
-  if (cut_off != noted_.cut_off) {
-    noted_.cut_off = cut_off;
-    Note(EventKind::kCutOff, {static_cast<double>(cut_off)});
-  }
-  // Told once on the way down: charge that comes back in a brake is not worth a line.
-  if (!battery_.low() || noted_.low_battery) return;
-  noted_.low_battery = true;
-  Note(EventKind::kLowBattery, {battery_.reading().soc});
-}
-
 void Robot::StepFaults(double t) {
-  if (!faults_.any()) return;
-  faults_.Step(t);
-  for (const robot::Fault& fault : faults_.over()) NoteFault(fault, false);
+  if (!faults_.Step(t)) return;
+  for (const robot::Fault& fault : faults_.begun()) events_.AddFault(faults_, fault, true);
+  for (const robot::Fault& fault : faults_.over()) events_.AddFault(faults_, fault, false);
   Suffer();
+  FollowBoard(t);
+}
+
+// A mainboard that dies takes the robot down with it.
+void Robot::FollowBoard(double t) {
+  if (faults_.effects().board.dead == board_is_dead_) return;
+  board_is_dead_ = !board_is_dead_;
+  if (board_is_dead_) {
+    boots_again_ = power_.state() != PowerState::kOff;
+    SwitchPowerOff();
+  } else if (boots_again_) {
+    power_.SwitchOn(t);
+  }
 }
 
 // Services come up in their order, one after the other.
 void Robot::StepPower(double t) {
   const bool booting = power_.state() == PowerState::kBooting;
   if (power_.Step(t) && !router_.owner().silent()) router_.owner().Select(first_service_);
-  if (booting) Suffer();
+  if (!booting) return;
+  Suffer();
+  NoteChanges(t);
 }
 
 Result<> Robot::SwitchPower(bool on, double t) {
@@ -349,6 +399,7 @@ Result<> Robot::SwitchPower(bool on, double t) {
     return {};
   }
   if (power_.state() != PowerState::kOff) return {};
+  if (board_is_dead_) return Error{"its mainboard is off"};
   battery_.Restart();
   if (battery_.cut_off() != robot::CutOff::kNone) return Error{"the battery is empty"};
   power_.SwitchOn(t);
@@ -384,89 +435,11 @@ robot::RemoteReading Robot::ReadRemote(double t) {
 }
 
 void Robot::Silence(bool on) {
-  if (on != silenced_) Note(EventKind::kSilence, {on ? 1.0 : 0.0});
+  if (on != silenced_) events_.Add(EventKind::kSilence, {on ? 1.0 : 0.0});
   silenced_ = on;
 }
 
-void Robot::NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
-                        const authority::GateCounts& counts) {
-  if (refusal != robot::Refusal::kNone) {
-    Note(EventKind::kRefused, {static_cast<double>(refusal)}, topics_[topic]);
-    return;
-  }
-  if (counts.accepted == 1) Note(EventKind::kFollowing, {}, topics_[topic]);
-  if (wire != robot::Refusal::kNone) {
-    Note(EventKind::kTolerated, {static_cast<double>(wire)}, topics_[topic]);
-  }
-}
-
-void Robot::NoteUnheeded(const authority::Unheeded& unheeded) {
-  const robot::MotionState state = router_.owner().state();
-  const bool none = unheeded.reason == authority::Unheeded::Reason::kNoMotionService;
-  Note(EventKind::kUnheeded,
-       {static_cast<double>(unheeded.reason), static_cast<double>(unheeded.keys),
-        static_cast<double>(unheeded.wish), static_cast<double>(state.id)},
-       none ? std::string_view(first_service_) : state.name);
-}
-
-void Robot::NoteNews(const robot::PortNews& news) {
-  if (news.write_failures > 0) {
-    Note(EventKind::kWriteFailure, {static_cast<double>(news.write_failures)});
-  }
-  if (news.unused_slot) Note(EventKind::kUnusedSlot);
-  if (news.unset_head) Note(EventKind::kUnsetHead);
-  if (news.writers > 0) Note(EventKind::kWriters, {static_cast<double>(news.writers)});
-}
-
-// What these are is changed in many places, by time alone too, and changed back before anybody need
-// know: each part would have to remember by itself what was told of it.
-void Robot::NoteChanges(double t) {
-  const auto note = [this](EventKind kind, auto* noted, auto now) {
-    if (*noted == now) return;
-    *noted = now;
-    Note(kind, {static_cast<double>(now)});
-  };
-  const authority::MotorOwner& owner = router_.owner();
-  if (owner.active() != noted_.service) {
-    noted_.service = owner.active();
-    Note(EventKind::kMotionService, {}, noted_.service);
-  }
-  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
-    const std::uint64_t timeouts = router_.counts(topic).timeouts;
-    if (timeouts == noted_.timeouts[topic]) continue;
-    noted_.timeouts[topic] = timeouts;
-    Note(EventKind::kTimeout, {}, topics_[topic]);
-  }
-  note(EventKind::kGate, &noted_.gate, router_.gate().state());
-  if (power_.state() != noted_.power) {
-    noted_.power = power_.state();
-    Note(EventKind::kPower, {}, Name(noted_.power));
-  }
-  const robot::MotionState motion = owner.state();
-  if (motion.id != noted_.motion.id || motion.mode != noted_.motion.mode ||
-      motion.name != noted_.motion.name) {
-    noted_.motion = motion;
-    Note(EventKind::kMotion, {static_cast<double>(motion.id), static_cast<double>(motion.mode)},
-         motion.name);
-  }
-  NoteDangers(motion.dangers);
-  note(EventKind::kRemote, &noted_.keys, ReadRemote(t).keys);
-  note(EventKind::kCrane, &noted_.on_crane, crane_.attached());
-  note(EventKind::kClamp, &noted_.clamped, body_->clamped());
-}
-
-void Robot::NoteDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers) {
-  for (std::size_t i = 0; i < dangers.size(); ++i) {
-    const robot::DangerReading& now = dangers[i];
-    if (now.does == noted_.dangers[i]) continue;
-    const bool on = now.does != robot::Protection::kNothing;
-    Note(EventKind::kProtection,
-         {static_cast<double>(i), on ? 1.0 : 0.0, now.value,
-          static_cast<double>(on ? now.does : noted_.dangers[i])},
-         now.motor < 0 ? std::string_view() : motors_.joint(static_cast<std::size_t>(now.motor)));
-    noted_.dangers[i] = now.does;
-  }
-}
+void Robot::NoteChanges(double t) { events_.Compare(present(t)); }
 
 void Robot::Report(double t, Status* status) const {
   status->power = power_.state();
@@ -508,18 +481,21 @@ std::vector<Robot::Start> Robot::StartsOf(const robot::RobotSpec& spec, double d
 void Robot::Reset(robot::StartPose pose) {
   const Start& begin = start(pose);
   battery_.Restart();
-  if (power_.state() != PowerState::kOn && battery_.cut_off() == robot::CutOff::kNone) {
+  if (power_.state() != PowerState::kOn && battery_.cut_off() == robot::CutOff::kNone &&
+      !board_is_dead_) {
     power_.Skip();
     Suffer();
     router_.owner().Select(before_off_);
   }
+  rig_.Release();
   router_.Restart(begin.command);
-  delay_.Restart(router_.command());
+  transport_.Restart(router_.command());
   body_->Reset(begin.pose);
   crane_.Release();
   if (begin.on_crane) AttachCrane();
   body_->Clamp(begin.clamped);
-  encoders_.Step(body_->q(), body_->dq(), faults_.effects().encoders);
+  gears_.Restart();
+  ReadEncoders();
   sensors_.Restart(instant());
   damage_.Restart();
   sampled_ = kNever;

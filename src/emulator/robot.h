@@ -9,20 +9,25 @@
 #include <string_view>
 #include <vector>
 
-#include "authority/command_delay.h"
 #include "authority/command_router.h"
+#include "authority/command_transport.h"
+#include "base/late_queue.h"
 #include "base/result.h"
 #include "emulator/events.h"
+#include "emulator/joint_rig.h"
 #include "emulator/power.h"
 #include "emulator/remote.h"
+#include "emulator/robot_events.h"
 #include "emulator/settings.h"
 #include "emulator/status.h"
 #include "physics/crane.h"
 #include "physics/world.h"
 #include "robot/battery.h"
+#include "robot/board.h"
 #include "robot/damage.h"
 #include "robot/encoders.h"
 #include "robot/fault_bank.h"
+#include "robot/gears.h"
 #include "robot/motor.h"
 #include "robot/rate.h"
 #include "sensors/sensors.h"
@@ -50,7 +55,8 @@ struct RobotParts {
 class Robot {
  public:
   // Puts the robot in its start pose. `index` is its number in the world. `physics` was made for
-  // the same spec; `events` gets the robot's events. Both must outlive it.
+  // the same spec; `events` gets the robot's events. Both must outlive it. Throws ConfigError for a
+  // fault in the settings that the robot cannot have.
   Robot(const RobotParts& parts, std::uint8_t index, physics::World* physics, EventRing* events);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
@@ -85,7 +91,17 @@ class Robot {
   // Returns the middle between the hooks.
   physics::PointReading hook() const { return physics_->Point(crane_body_, crane_point_); }
 
+  // Moves a joint to `angle` [rad] until t = `until`, unless a program commands the motors. The
+  // base must be clamped; when it is no longer, or a program comes, all joints are released.
+  // Allocates only to refuse.
+  Result<> MoveJoint(std::string_view joint, double angle, double until, double t);
+
   Remote& remote() { return remote_; }
+
+  // The values of settings that can change; FollowSettings makes those of the robot hold.
+  RobotSettings& settings() { return settings_; }
+  const RobotSettings& settings() const { return settings_; }
+  void FollowSettings();
 
   // Begins a fault of a component at t, as FaultBank::Begin does, or with the kind "none" takes all
   // of its faults away. Resets keep them. Allocates only to refuse.
@@ -143,59 +159,49 @@ class Robot {
     double since = 0;  // s
   };
 
-  static constexpr std::int64_t kNever = -2;  // before any step's sample
-  enum class MotorHeat : std::uint8_t { kFine, kDerated, kTripped };
-  // The values that the last events reported.
-  struct Noted {
-    authority::GateState gate = authority::GateState::kStart;
-    std::string_view service;  // lives as long as the owner's services
-    robot::MotionState motion;
-    std::uint16_t keys = 0;
-    bool on_crane = false;
-    bool clamped = false;
-    std::array<std::uint64_t, robot::kMostCommandTopics> timeouts{};
-    std::vector<MotorHeat> heat{};  // motor order
-    PowerState power = PowerState::kOn;
-    robot::CutOff cut_off = robot::CutOff::kNone;
-    bool low_battery = false;
-    std::array<robot::Protection, robot::kDangers> dangers{};
+  // A command that comes later than it was sent.
+  struct Late {
+    robot::RobotCommand command;
+    robot::Refusal form = robot::Refusal::kNone;
   };
 
+  static constexpr std::int64_t kNever = -2;  // before any step's sample
   static std::vector<Start> StartsOf(const robot::RobotSpec& spec, double damping_kd);
   const Start& start(robot::StartPose pose) const {
     return starts_[static_cast<std::size_t>(pose)];
   }
   physics::Crane::Hooks hooks() const;
+  void ReadEncoders();
+  std::string_view WhyNoJoints() const;
   void StepFaults(double t);
+  void FollowBoard(double t);
   void StepPower(double t);
   void SwitchPowerOff();
   void Suffer();
+  void Arrive(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form, double t);
+  int TakeLate(int most, double t);
   void OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
                     double t);
-  void NoteFault(const robot::Fault& fault, bool on);
-  void NoteHeat();
-  void NoteBattery();
-  void NoteDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers);
   robot::RemoteReading ReadRemote(double t);
+  RobotEvents::Present present(double t) {
+    return {.router = router_,
+            .power = power_.state(),
+            .hears = power_.computes(),
+            .keys = ReadRemote(t).keys,
+            .on_crane = crane_.attached(),
+            .clamped = body_->clamped()};
+  }
   void TakeCommands(double t);
   void Ignore();
   bool TakeCommand(std::size_t topic, double t);
   const robot::RobotCommand& Decide(std::int64_t step, double t);
   sensors::Instant instant() const {
-    return {*body_, encoders_, motors_, *command_, battery_, faults_.effects()};
+    return {*body_, encoders_, motors_, *command_, battery_, board_, faults_.effects()};
   }
   void Sample(std::int64_t step);  // samples the current instant of the physics
-  void Note(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {
-    events_->Add(kind, index_, numbers, text);
-  }
-  void NoteCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
-                   const authority::GateCounts& counts);
-  void NoteCall(const services::Call& call);
-  void NoteUnheeded(const authority::Unheeded& unheeded);
-  void NoteNews(const robot::PortNews& news);
 
   robot::RobotSpec spec_;
-  std::uint8_t index_;
+  RobotSettings settings_;
   std::vector<std::string> topics_;   // of commands, by number; "" if there is none
   std::string first_service_;         // the alias of the motion service after boot; "" for none
   std::vector<std::uint64_t> heard_;  // by topic
@@ -203,17 +209,23 @@ class Robot {
   std::vector<Start> starts_;  // by StartPose
   physics::World* physics_;
   physics::RobotBody* body_;  // of this robot, in physics_
-  EventRing* events_;
+  RobotEvents events_;
   wire::RobotPort* port_;
   services::ServicePort* services_;
   authority::CommandRouter router_;
-  authority::CommandDelay delay_;
+  std::vector<std::array<double, 2>> ranges_;  // rad, of the joints in motor order
+  JointRig rig_;
+  authority::CommandTransport transport_;
   robot::FaultBank faults_;
   robot::Encoders encoders_;
   robot::MotorBank motors_;
+  robot::Gears gears_;
   robot::Battery battery_;
+  robot::Board board_;
+  bool board_is_dead_ = false;
+  bool boots_again_ = false;  // once its mainboard works
   Power power_;
-  std::string_view before_off_;  // the motion service when it was switched off, as noted_.service
+  std::string_view before_off_;  // the motion service when it was switched off; lives as its owner
   std::vector<robot::ServiceEffects> service_effects_;  // of faults, and of those not up yet
   robot::DamageSheet damage_;
   sensors::Sensors sensors_;
@@ -226,14 +238,15 @@ class Robot {
 
   const robot::RobotCommand* command_;
   robot::RobotCommand offered_;
-  std::vector<Held> held_;  // by topic
+  std::vector<Held> held_;             // by topic
+  std::vector<LateQueue<Late>> late_;  // by topic
+  bool any_late_ = false;
   authority::MotionInput input_;
   robot::RobotState state_;
   std::vector<robot::MotorEffects> braked_;  // as the joints are braked now
   std::vector<double> friction_w_;           // W, of the joints
   std::int64_t sampled_ = kNever;            // the step of state_
   bool silenced_ = false;
-  Noted noted_;
 };
 
 }  // namespace understudy::emulator

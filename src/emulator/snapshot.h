@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "emulator/settings.h"
 #include "physics/world_reading.h"
 #include "robot/command_topics.h"
 #include "robot/damage.h"
@@ -35,6 +36,7 @@ enum SnapshotPart : std::uint32_t {
   kPartDamage = 1U << 14,
   kPartMotion = 1U << 15,
   kPartTruth = 1U << 16,
+  kPartSettings = 1U << 17,  // for GET /settings alone
 };
 using SnapshotParts = std::uint32_t;  // bits of SnapshotPart
 
@@ -101,6 +103,7 @@ struct Snapshot {
   std::vector<std::string> components;      // that can have faults
   std::vector<SnapshotLimits> limits;       // in motor order
   double trip_c = 0;                        // °C
+  std::vector<SettingKey> setting_keys;     // that can change
   std::int64_t step = 0;
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible
@@ -123,7 +126,8 @@ struct Snapshot {
   std::vector<SnapshotFault> faults;         // that there are now
   robot::Damage damage;                      // since the start
   SnapshotMotion motion;
-  robot::TrueValues truth;  // of the instant of `motors`
+  robot::TrueValues truth;       // of the instant of `motors`
+  std::vector<double> settings;  // by setting_keys
 };
 
 }  // namespace understudy::emulator

@@ -51,6 +51,9 @@ class World {
   // does this too; call it between ticks while the next one is far away.
   void Attend(time::Clock::Time now);
 
+  // Whether the robots are put back after a divergence; else the run is to end.
+  bool resets_on_divergence() const { return settings_.reset_on_divergence; }
+
   // Returns the pace that requests have set. The caller of Tick has to follow it.
   const time::Pace& pace() const { return pace_; }
 
@@ -101,7 +104,10 @@ class World {
   void RefuseEvent(const ScriptEvent& event, const std::string& why);
   double Latest(double t) const;
   void TakeRequests();
-  Answer CheckNames(const Request& request) const;  // robot and body
+  Answer CheckNames(const Request& request) const;  // robot, body, setting
+  Result<double> SettingOf(const Request& request) const;
+  double Setting(std::size_t setting, const Robot& robot) const;
+  Answer Set(Robot* robot, const Request& request);
   void AnswerSteppers();
   void Reset(Robot* robot, robot::StartPose pose);
   Answer CarryOut(Request* request, double t);

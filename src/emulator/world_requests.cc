@@ -1,8 +1,12 @@
 // Carries out the requests of the script and of the inbox.
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <utility>
 
 #include "base/errors.h"
+#include "base/overloaded.h"
+#include "emulator/live_settings.h"
 #include "emulator/world.h"
 
 namespace understudy::emulator {
@@ -115,6 +119,47 @@ Answer World::CarryOut(Request* request, double t) {
   noted_ = {.paused = pace_.paused, .speed = pace_.speed};
   robot.NoteChanges(t);
   return answer;
+}
+
+Result<double> World::SettingOf(const Request& request) const {
+  const auto setting = FindSetting(request.name());
+  if (!setting) return setting.error();
+  if (settings_.keys.empty()) return Error{"this world has no settings"};
+  return SettingNumber(settings_.keys[*setting], request);
+}
+
+double World::Setting(std::size_t setting, const Robot& robot) const {
+  // What is not const is only read.
+  const auto value = LiveSettings()[setting].at(const_cast<WorldSettings&>(settings_),
+                                                const_cast<RobotSettings&>(robot.settings()));
+  return std::visit(Overloaded{[](const bool* is) { return *is ? 1.0 : 0.0; },
+                               [](const double* number) { return *number; }},
+                    value);
+}
+
+Answer World::Set(Robot* robot, const Request& request) {
+  const auto value = SettingOf(request);
+  if (!value) return value.error();
+  const std::size_t setting = *FindSetting(request.name());
+  const double before = Setting(setting, *robot);
+  if (*value == before) return {};
+  std::visit(
+      Overloaded{[&](bool* is) { *is = *value != 0; }, [&](double* number) { *number = *value; }},
+      LiveSettings()[setting].at(settings_, robot->settings()));
+  robot->FollowSettings();
+  physics_.SetGroundFriction(settings_.ground_friction);
+  const SettingKey& key = settings_.keys[setting];
+  std::array<char, sizeof(Event::text)> text{};
+  if (key.words.empty()) {
+    std::snprintf(text.data(), text.size(), "%s: %.6g%s%s, before %.6g", key.key.c_str(), *value,
+                  key.unit.empty() ? "" : " ", key.unit.c_str(), before);
+  } else {
+    std::snprintf(text.data(), text.size(), "%s: %s", key.key.c_str(),
+                  key.words[static_cast<std::size_t>(*value)].c_str());
+  }
+  events_.Add(EventKind::kSetting, static_cast<std::uint8_t>(request.robot), {*value, before},
+              text.data());
+  return {};
 }
 
 // A pause cancels the remaining steps.

@@ -39,6 +39,8 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
     snapshot.limits.push_back({.torque = motor->torque_limit, .speed = motor->no_load_speed});
   }
   snapshot.trip_c = spec.thermal.trip_c;
+  snapshot.setting_keys = settings_.keys;
+  snapshot.settings.resize(settings_.keys.size());
   snapshot.faults.reserve(robot::FaultBank::kMost);
   snapshot.damage.motors.resize(snapshot.motor_names.size());
   snapshot.truth.q.resize(snapshot.motor_names.size());
@@ -97,6 +99,11 @@ void World::Show(Snapshot* snapshot) const {
   if (Has(*snapshot, kPartDamage)) snapshot->damage = robot.damage();
   // As the motors: nothing before the first tick.
   if (Has(*snapshot, kPartTruth) && !state.truth.q.empty()) snapshot->truth = state.truth;
+  if (Has(*snapshot, kPartSettings)) {
+    for (std::size_t i = 0; i < snapshot->settings.size(); ++i) {
+      snapshot->settings[i] = Setting(i, robot);
+    }
+  }
   if (Has(*snapshot, kPartMotion)) {
     const robot::MotionState motion = robot.owner().state();
     CopyText(robot.owner().active(), &snapshot->motion.service);

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <utility>
 
+#include "motion/humanoid/fsm.h"
+
 namespace understudy::motion {
 namespace {
 
@@ -171,6 +173,13 @@ void ProtectedMotion::Step(const authority::MotionInput& input, double dt,
 robot::MotionState ProtectedMotion::state() const {
   robot::MotionState state = motion_->state();
   state.dangers = dangers_;
+  const int told = spec_.motion.humanoid.protection;
+  if (told < 0 || state.id != kDampingId) return state;
+  const auto damps = [](const robot::DangerReading& one) { return one.does == Protection::kDamp; };
+  if (std::ranges::any_of(dangers_, damps)) {
+    state.id = told;
+    state.name = "protection";
+  }
   return state;
 }
 

@@ -47,6 +47,12 @@ class Crane {
   // Moves the winch for one step of dt [s] and returns the pulls [N] on the hooks, world axes.
   Pulls Step(const Hooks& hooks, double dt);
 
+  // Takes speed and damping of `config`, by neither of which a robot that hangs is moved.
+  void Follow(const CraneConfig& config) {
+    config_.speed = config.speed;
+    config_.damping = config.damping;
+  }
+
   bool attached() const { return attached_; }
   double length() const { return length_; }  // m, unloaded
   // N, of both straps in the last step; 0 when not attached.

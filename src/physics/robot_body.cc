@@ -117,6 +117,10 @@ void RobotBody::Drive(std::span<const double> tau) {
   for (std::size_t i = 0; i < q_.size(); ++i) data_->qfrc_applied[dq_address_[i]] = tau[i];
 }
 
+void RobotBody::SetRates(std::span<const double> dq) {
+  for (std::size_t i = 0; i < dq.size(); ++i) data_->qvel[dq_address_[i]] = dq[i];
+}
+
 void RobotBody::Clamp(bool on) {
   if (has_fixed_base()) return;
   Active(model_, data_)[clamp_] = on;
@@ -137,6 +141,12 @@ void RobotBody::Brake(std::size_t motor, double drag, bool jammed) {
   const JointFriction& friction = jammed ? kJammed : friction_[motor];
   model_->dof_frictionloss[dof] = friction.torque + drag;
   std::ranges::copy(friction.impedance, model_->dof_solimp + mjNIMP * dof);
+}
+
+std::vector<double> RobotBody::Armatures() const {
+  std::vector<double> armatures;
+  for (const int dof : dq_address_) armatures.push_back(model_->dof_armature[dof]);
+  return armatures;
 }
 
 void RobotBody::FrictionPower(std::span<double> power) const {

@@ -37,6 +37,9 @@ class RobotBody {
   // and objects do not change. Readings are then those of the new state.
   void Reset(const robot::PoseSpec& pose);
 
+  // Gives the joints these rates [rad/s], in motor order. Readings stay those of before.
+  void SetRates(std::span<const double> dq);
+
   // Sets the joint torques [N·m] in motor order, which must be finite. They act until the next call
   // or Reset.
   void Drive(std::span<const double> tau);
@@ -70,6 +73,8 @@ class RobotBody {
   double weight() const;  // N
   // The base's up in the frame of LowState's inertial unit at joint angles 0.
   const Eigen::Vector3d& imu_up() const { return imu_up_; }
+  // Returns the rotor's inertia at each joint [kg·m²] in motor order.
+  std::vector<double> Armatures() const;
   // Computes the power [W] that dry friction and damping take in each joint at its rate, in motor
   // order; none in a jammed one, which does not turn.
   void FrictionPower(std::span<double> power) const;

@@ -26,6 +26,24 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
   }
   mj_forward(model_.get(), data_.get());
   for (RobotBody& robot : robots_) robot.ReadKinematics();
+  for (int geom = 0; geom < model_->ngeom; ++geom) {
+    if (model_->geom_bodyid[geom] != 0) continue;
+    const double friction = model_->geom_friction[3 * geom];
+    const double before = nominal_ == nullptr ? friction : nominal_->geom_friction[3 * geom];
+    ground_.push_back({.geom = geom,
+                       .friction = friction,
+                       .factor = before > 0 ? friction / before : 1,
+                       .priority = model_->geom_priority[geom]});
+  }
+}
+
+// Of two geoms that touch MuJoCo uses the friction of that with the higher priority.
+void World::SetGroundFriction(double friction) {
+  for (const Ground& ground : ground_) {
+    const bool own = friction == 0;
+    model_->geom_friction[3 * ground.geom] = own ? ground.friction : friction * ground.factor;
+    model_->geom_priority[ground.geom] = own ? ground.priority : 1;
+  }
 }
 
 void World::Reset() {

@@ -52,6 +52,10 @@ class World {
   // Adds a force [N] on a point fixed to a body, for the next EndStep.
   void AddForce(int body, const Eigen::Vector3d& p_WP, const Eigen::Vector3d& force_W);
 
+  // Gives every contact with the ground this sliding friction, as terrain.friction does, times what
+  // chance made of it; 0 gives it back what the model has. Allocates nothing.
+  void SetGroundFriction(double friction);
+
   // Returns the index of a body by its name in the world's model, -1 if there is none.
   int FindBody(const std::string& name) const;
   Eigen::Vector3d CenterOfMass(int body) const;  // m, world; as of the last BeginStep
@@ -65,9 +69,18 @@ class World {
   const mjData& data() const { return *data_; }
 
  private:
+  // What the model has for a geom of the ground.
+  struct Ground {
+    int geom;
+    double friction;
+    double factor;  // by chance
+    int priority;
+  };
+
   mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;
   std::vector<RobotBody> robots_;
+  std::vector<Ground> ground_;
 };
 
 }  // namespace understudy::physics

@@ -31,6 +31,7 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"seed", "a whole number", "Of randomization: randomization.seed"},
     {"profile", "ideal, nominal, worn, harsh",
      "How good the [sensors](sensors.md) are; nominal unless given"},
+    {"faults", "a list", "What [fails](faults.md) from the start, or planned with `at`"},
     {"scene", "a kind of terrain or a file",
      "Ground; a file is looked for beside the scenario first"},
     {"speed", "a number, or max",
@@ -144,6 +145,7 @@ config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& 
   };
   add("start", "start", "pose");
   add("profile", "profile", "");
+  add("faults", "faults", "");
   add("seed", "randomization", "seed");
   add("duration", "time", "duration");
   if (const YamlValue* scene = document.Find("scene")) {

@@ -56,7 +56,7 @@ Battery::Battery(const BatterySpec& spec, double ambient_c, int seed)
 void Battery::Step(double power, double dt, const BatteryEffects& fault) {
   if (!(std::abs(power) < kMostPower)) power = 0;
   resistance_ = fault.resistance * spec_.internal_ohm;
-  Load(cut_off_ == CutOff::kNone ? power : 0);
+  Load(power);
   bus_v_ += (reading_.voltage - bus_v_) * dt / (kLag + dt);
   const double charge = reading_.soc + reading_.current * dt / (3600 * spec_.capacity_ah);
   reading_.soc = std::clamp(charge, 0.0, fault.most_charge);

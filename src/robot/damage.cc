@@ -17,11 +17,11 @@ constexpr double kAtEnd = 1e-3;      // rad from the end of a range
 }  // namespace
 
 DamageSheet::DamageSheet(const RobotSpec& spec, std::vector<std::array<double, 2>> ranges)
-    : thermal_(spec.thermal),
-      motors_(AllMotors(spec)),
-      ranges_(std::move(ranges)),
-      before_(motors_.size()) {
-  damage_.motors.resize(motors_.size());
+    : thermal_(spec.thermal), ranges_(std::move(ranges)), before_(ranges_.size()) {
+  for (const MotorSpec* motor : AllMotors(spec)) {
+    limits_.push_back({motor->torque_limit, motor->no_load_speed});
+  }
+  damage_.motors.resize(limits_.size());
 }
 
 void DamageSheet::Restart() {
@@ -30,7 +30,7 @@ void DamageSheet::Restart() {
 }
 
 void DamageSheet::Step(const Wear& wear, double dt) {
-  for (std::size_t i = 0; i < motors_.size(); ++i) StepMotor(i, wear, dt);
+  for (std::size_t i = 0; i < limits_.size(); ++i) StepMotor(i, wear, dt);
   restarted_ = false;
   damage_.time += dt;
   damage_.energy += std::max(0.0, -wear.battery.current * wear.battery.voltage) * dt;
@@ -42,11 +42,11 @@ void DamageSheet::Step(const Wear& wear, double dt) {
 }
 
 void DamageSheet::StepMotor(std::size_t i, const Wear& wear, double dt) {
-  const MotorSpec& motor = *motors_[i];
+  const Limits& limits = limits_[i];
   MotorDamage& damage = damage_.motors[i];
   Before& before = before_[i];
-  if (std::abs(wear.torque[i]) >= kNearLimit * motor.torque_limit) damage.at_torque_limit += dt;
-  if (motor.no_load_speed > 0 && std::abs(wear.dq[i]) >= motor.no_load_speed) {
+  if (std::abs(wear.torque[i]) >= kNearLimit * limits.torque) damage.at_torque_limit += dt;
+  if (limits.speed > 0 && std::abs(wear.dq[i]) >= limits.speed) {
     damage.at_speed_limit += dt;
   }
   if (wear.winding_c[i] >= thermal_.trip_c) damage.tripped += dt;

@@ -65,8 +65,14 @@ class DamageSheet {
 
   void StepMotor(std::size_t i, const Wear& wear, double dt);
 
+  // Of a motor: those of MotorSpec, side by side, since every step reads all of them.
+  struct Limits {
+    double torque;  // N·m
+    double speed;   // rad/s, 0: none
+  };
+
   const ThermalSpec& thermal_;
-  std::vector<const MotorSpec*> motors_;
+  std::vector<Limits> limits_;
   std::vector<std::array<double, 2>> ranges_;
   std::vector<Before> before_;
   bool down_ = false;

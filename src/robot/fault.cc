@@ -1,6 +1,7 @@
 #include "robot/fault.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 namespace understudy::robot {
@@ -24,6 +25,17 @@ LinkEffects& Link(const ActingFault& fault, Effects* effects) {
 ServiceEffects& ServiceOf(const ActingFault& fault, Effects* effects) {
   return effects->services[fault.element];
 }
+BusEffects& Bus(const ActingFault& fault, Effects* effects) {
+  return effects->buses[fault.element];
+}
+
+// What a message takes of which all take `mean` s in the mean: few much longer, as in a queue.
+// *assumed*
+double Wait(const ActingFault& fault, double mean) { return -mean * std::log1p(-fault.chance); }
+
+// Only the go family's messages tell of mainboard and fans.
+bool TellsOfBoard(const RobotSpec& spec) { return spec.family == WireFamily::kGo; }
+
 // What is left of a share that goes down to `by`.
 double Left(const ActingFault& fault) { return 1 - fault.grown * (1 - fault.by); }
 
@@ -222,6 +234,23 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .high = 1,
      .otherwise = 0.1,
      .act = [](F f, E e) { Link(f, e).reorders |= f.chance < f.by * f.grown; }},
+    {.of = Component::kTopic,
+     .name = "delayed",
+     .does = "Its messages come that much later",
+     .unit = "s",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.05,
+     .act = [](F f, E e) { Link(f, e).delay += f.by * f.grown; }},
+    {.of = Component::kTopic,
+     .name = "jittery",
+     .does = "Its messages come later by times that are drawn from an exponential distribution of "
+             "that mean; none overtakes another",
+     .unit = "s",
+     .low = 0,
+     .high = 0.2,
+     .otherwise = 0.005,
+     .act = [](F f, E e) { Link(f, e).delay += Wait(f, f.by * f.grown); }},
     {.of = Component::kService,
      .name = "off",
      .does = "It neither acts nor answers, as a program that has died; calls time out",
@@ -234,6 +263,79 @@ constexpr auto kKinds = std::to_array<FaultKind>({
      .high = 60,
      .otherwise = 1,
      .act = [](F f, E e) { ServiceOf(f, e).delay += f.by * f.grown; }},
+    {.of = Component::kBus,
+     .name = "off",
+     .does = "Nothing goes over it: its motors give no torque and do not answer",
+     .act =
+         [](F f, E e) {
+           Bus(f, e).drops = true;
+           for (const std::size_t motor : f.motors) {
+             e->motors[motor].torque_share = 0;
+             e->motors[motor].silent = true;
+           }
+         }},
+    {.of = Component::kBus,
+     .name = "lost",
+     .does = "That share of its packets is lost: its motors go on with the command before, their "
+             "readings stay as they were and their lost packets count",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.1,
+     .act =
+         [](F f, E e) {
+           if (f.chance >= f.by * f.grown) return;
+           Bus(f, e).drops = true;
+           for (const std::size_t motor : f.motors) e->motors[motor].unheard = true;
+         }},
+    {.of = Component::kBus,
+     .name = "slow",
+     .does = "Commands come to its motors that much later",
+     .unit = "s",
+     .low = 0,
+     .high = 0.2,
+     .otherwise = 0.01,
+     .act = [](F f, E e) { Bus(f, e).delay += f.by * f.grown; }},
+    {.of = Component::kBus,
+     .name = "jittery",
+     .does = "Commands come to its motors later by times that are drawn from an exponential "
+             "distribution of that mean; none overtakes another",
+     .unit = "s",
+     .low = 0,
+     .high = 0.2,
+     .otherwise = 0.002,
+     .act = [](F f, E e) { Bus(f, e).delay += Wait(f, f.by * f.grown); }},
+    {.of = Component::kFan,
+     .name = "off",
+     .does = "It does not turn: the mainboard gets warmer, and it is told stalled where the vendor "
+             "has a bit for it",
+     .act = [](F f, E e) { e->fans[f.element].share = 0; }},
+    {.of = Component::kFan,
+     .name = "weak",
+     .does = "It turns at only that share of its speed, and cools as much less",
+     .low = 0,
+     .high = 1,
+     .otherwise = 0.5,
+     .act = [](F f, E e) { e->fans[f.element].share *= Left(f); }},
+    {.of = Component::kMainboard,
+     .name = "off",
+     .does = "Nothing computes: motors limp, nothing sent, heard or answered. Once it works again "
+             "the robot boots as from its switch",
+     .act = [](F, E e) { e->board.dead = true; }},
+    {.of = Component::kMainboard,
+     .name = "hot",
+     .does = "It is that much hotter than its work makes it",
+     .unit = "°C",
+     .low = 0,
+     .high = 100,
+     .otherwise = 30,
+     .act = [](F f, E e) { e->board.heat_c += f.by * f.grown; },
+     .fits = TellsOfBoard},
+    {.of = Component::kMcu,
+     .name = "off",
+     .does = "It does not answer: temperatures of the mainboard and speeds of fans stay as they "
+             "were, and that is told",
+     .act = [](F, E e) { e->board.mute = true; },
+     .fits = TellsOfBoard},
 });
 
 struct ComponentNames {
@@ -249,6 +351,10 @@ constexpr std::array<ComponentNames, kComponents> kComponentNames{{
     {"remote controller", "`remote`"},
     {"topic", "itself: `rt/lowstate`"},
     {"service", "its name: `service.sport`"},
+    {"bus", "itself: `bus.FR`, a hand's `bus.left_hand`"},
+    {"fan", "itself: `fan.front`"},
+    {"mainboard", "`mainboard`"},
+    {"small controller of the mainboard", "`mcu`"},
 }};
 
 }  // namespace

@@ -10,6 +10,8 @@
 
 #include <Eigen/Core>
 
+#include "robot/robot_spec.h"
+
 namespace understudy::robot {
 
 // The parts that can have faults.
@@ -22,9 +24,13 @@ enum class Component : std::uint8_t {
   kRemote,
   kTopic,
   kService,
+  kBus,
+  kFan,
+  kMainboard,
+  kMcu,
 };
 
-inline constexpr std::size_t kComponents = 8;
+inline constexpr std::size_t kComponents = 12;
 
 // What is wrong with each part now, as its model reads it. Default values: nothing.
 
@@ -34,6 +40,7 @@ struct MotorEffects {
   double heat_c = 0;        // °C that it is hotter by
   bool jammed = false;      // its joint does not turn
   bool silent = false;      // it does not answer: its readings stay as they were
+  bool unheard = false;     // its answer of this tick is lost
 };
 
 struct EncoderEffects {
@@ -73,11 +80,27 @@ struct LinkEffects {
   bool doubles = false;   // all of it twice
   bool damages = false;   // with a wrong crc, or not at all where there is none
   bool reorders = false;  // it goes after what comes next
+  double delay = 0;       // s that it comes later, never before what was sent before it
 };
 
 struct ServiceEffects {
   bool off = false;  // it neither acts nor answers
   double delay = 0;  // s of wall time that its answers are late by
+};
+
+struct BusEffects {
+  bool drops = false;  // no command goes through in this tick
+  double delay = 0;    // s that a command comes later
+};
+
+struct FanEffects {
+  double share = 1;  // of its speed
+};
+
+struct BoardEffects {
+  bool dead = false;  // nothing computes
+  bool mute = false;  // its small controller does not answer: what it tells stays as it was
+  double heat_c = 0;  // °C that it is hotter by
 };
 
 struct Effects {
@@ -89,15 +112,19 @@ struct Effects {
   bool remote_off = false;
   std::vector<LinkEffects> links{};  // those of commands, then those of states
   std::vector<ServiceEffects> services{};
+  std::vector<BusEffects> buses{};  // of BusesOf
+  std::vector<FanEffects> fans{};   // in RobotSpec::fans order
+  BoardEffects board{};
 };
 
 // A fault as it acts in a tick.
 struct ActingFault {
-  std::size_t element = 0;  // which of the components of its kind
-  double by = 0;            // of the kind's unit
-  double grown = 1;         // 0 to 1: how far its ramp has come
-  double age = 0;           // s
-  double chance = 0;        // drawn for this fault and tick from [0, 1)
+  std::size_t element = 0;                // which of the components of its kind
+  double by = 0;                          // of the kind's unit
+  double grown = 1;                       // 0 to 1: how far its ramp has come
+  double age = 0;                         // s
+  double chance = 0;                      // drawn for this fault and tick from [0, 1)
+  std::span<const std::size_t> motors{};  // of a bus, in motor order
 };
 
 // A kind of fault of a component. A new one is a row, and an effect where there is none for it.
@@ -109,6 +136,8 @@ struct FaultKind {
   std::string_view unit{};
   double low = 0, high = 0, otherwise = 0;
   void (*act)(const ActingFault& fault, Effects* effects) = nullptr;
+  // Whether such a component of the robot can have it; null: of every robot.
+  bool (*fits)(const RobotSpec& spec) = nullptr;
 
   bool has_magnitude() const { return low != high; }
 };

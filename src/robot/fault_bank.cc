@@ -32,7 +32,7 @@ std::string Number(double number) {
 
 FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& links,
                      const std::vector<std::string>& services, int seed)
-    : seed_(static_cast<std::uint64_t>(seed)) {
+    : spec_(spec), seed_(static_cast<std::uint64_t>(seed)), buses_(BusesOf(spec)) {
   const auto motors = AllMotors(spec);
   for (std::size_t i = 0; i < motors.size(); ++i) {
     Add(Component::kMotor, i, motors[i]->joint);
@@ -51,13 +51,26 @@ FaultBank::FaultBank(const RobotSpec& spec, const std::vector<std::string>& link
   for (std::size_t i = 0; i < services.size(); ++i) {
     Add(Component::kService, i, "service." + services[i]);
   }
+  for (std::size_t i = 0; i < buses_.size(); ++i) {
+    if (!buses_[i].name.empty()) Add(Component::kBus, i, "bus." + buses_[i].name);
+  }
+  Add(Component::kMainboard, 0, "mainboard");
+  if (spec.family == WireFamily::kGo) {  // the other's messages tell of none of these
+    Add(Component::kMcu, 0, "mcu");
+    for (std::size_t i = 0; i < spec.fans.size(); ++i) {
+      Add(Component::kFan, i, "fan." + spec.fans[i].name);
+    }
+  }
   faults_.reserve(kMost);
+  begun_.reserve(kMost);
   over_.reserve(kMost);
   nothing_.motors.resize(motors.size());
   nothing_.encoders.resize(motors.size());
   nothing_.feet.resize(spec.feet.size());
   nothing_.links.resize(links.size());
   nothing_.services.resize(services.size());
+  nothing_.buses.resize(buses_.size());
+  nothing_.fans.resize(spec.fans.size());
   effects_ = nothing_;
 }
 
@@ -72,18 +85,22 @@ Result<std::size_t> FaultBank::Find(std::string_view component) const {
   const std::string nearest = NearestWord(component, names_);
   return Error{"the robot has no '" + std::string(component) + "'" +
                (nearest.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
-                                  "remote, a topic or service.NAME"
+                                  "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or "
+                                  "mcu"
                                 : "; did you mean '" + nearest + "'?")};
 }
 
 Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_view kind) const {
   const Component of = places_[component].of;
+  const auto has = [&](const FaultKind& row) {
+    return row.of == of && (row.fits == nullptr || row.fits(spec_));
+  };
   for (const FaultKind& row : FaultKinds()) {
-    if (row.of == of && row.name == kind) return &row;
+    if (has(row) && row.name == kind) return &row;
   }
   std::string valid;
   for (const FaultKind& row : FaultKinds()) {
-    if (row.of != of) continue;
+    if (!has(row)) continue;
     valid += valid.empty() ? "" : ", ";
     valid += row.name;
   }
@@ -91,8 +108,8 @@ Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_
                "' (valid: " + valid + ")"};
 }
 
-Result<Fault> FaultBank::Begin(std::string_view component, std::string_view kind, const double* by,
-                               const FaultTimes& times, double t) {
+Result<Fault> FaultBank::Make(std::string_view component, std::string_view kind, const double* by,
+                              const FaultTimes& times, double t) const {
   const auto found = Find(component);
   if (!found) return found.error();
   const auto row = FindKind(*found, kind);
@@ -105,22 +122,50 @@ Result<Fault> FaultBank::Begin(std::string_view component, std::string_view kind
     return Error{"by: expected " + Number((*row)->low) + " to " + Number((*row)->high) + unit +
                  " for '" + std::string(kind) + "', found " + Number(*by)};
   }
-  const Fault fault{.kind = *row,
-                    .component = *found,
-                    .by = by != nullptr ? *by : (*row)->otherwise,
-                    .from = t,
-                    .times = times};
+  return Fault{.kind = *row,
+               .component = *found,
+               .by = by != nullptr ? *by : (*row)->otherwise,
+               .from = t,
+               .times = times};
+}
+
+void FaultBank::Put(const Fault& fault) {
   const auto same = std::ranges::find_if(faults_, [&](const Fault& one) {
     return one.kind == fault.kind && one.component == fault.component;
   });
   if (same != faults_.end()) {
     *same = fault;
-  } else if (faults_.size() < kMost) {
-    faults_.push_back(fault);
   } else {
+    faults_.push_back(fault);
+  }
+}
+
+Result<Fault> FaultBank::Begin(std::string_view component, std::string_view kind, const double* by,
+                               const FaultTimes& times, double t) {
+  const auto fault = Make(component, kind, by, times, t);
+  if (!fault) return fault.error();
+  const bool again = std::ranges::any_of(faults_, [&](const Fault& one) {
+    return one.kind == fault->kind && one.component == fault->component;
+  });
+  if (!again && faults_.size() + planned_.size() >= kMost) {
     return Error{"as many faults as there can be are there"};
   }
-  return fault;
+  Put(*fault);
+  return *fault;
+}
+
+Result<> FaultBank::Plan(const PlannedFault& planned) {
+  const auto fault = Make(planned.component, planned.fault, planned.by ? &*planned.by : nullptr,
+                          planned.times, planned.at);
+  if (!fault) return fault.error();
+  if (faults_.size() + planned_.size() >= kMost) {
+    return Error{"as many faults as there can be are there"};
+  }
+  // Behind those that come at the same time, which so begin before it.
+  const auto place =
+      std::ranges::find_if(planned_, [&](const Fault& one) { return one.from <= fault->from; });
+  planned_.insert(place, *fault);
+  return {};
 }
 
 Result<> FaultBank::Clear(std::string_view component) {
@@ -149,8 +194,13 @@ void FaultBank::Drop(Predicate gone) {
   if (faults_.empty()) effects_ = nothing_;
 }
 
-void FaultBank::Step(double t) {
-  if (faults_.empty()) return;
+bool FaultBank::Step(double t) {
+  begun_.clear();
+  for (; !planned_.empty() && planned_.back().from <= t; planned_.pop_back()) {
+    Put(planned_.back());
+    begun_.push_back(planned_.back());
+  }
+  if (faults_.empty()) return false;
   effects_ = nothing_;
   Drop([t](const Fault& fault) {
     return fault.times.lasts > 0 && t >= fault.from + fault.times.lasts;
@@ -161,13 +211,18 @@ void FaultBank::Step(double t) {
     const auto contact = static_cast<std::uint64_t>(age / kContact);
     if (Draw(fault, ~contact) >= fault.times.probability) continue;
     const double grown = fault.times.ramp > 0 ? std::min(1.0, age / fault.times.ramp) : 1;
-    fault.kind->act({.element = places_[fault.component].element,
+    const Place place = places_[fault.component];
+    fault.kind->act({.element = place.element,
                      .by = fault.by,
                      .grown = grown,
                      .age = age,
-                     .chance = Draw(fault, moment)},
+                     .chance = Draw(fault, moment),
+                     .motors = place.of == Component::kBus
+                                   ? std::span<const std::size_t>(buses_[place.element].motors)
+                                   : std::span<const std::size_t>()},
                     &effects_);
   }
+  return true;
 }
 
 double FaultBank::Draw(const Fault& fault, std::uint64_t moment) const {

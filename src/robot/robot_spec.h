@@ -96,7 +96,10 @@ struct FittedDynamicsSpec {
 struct DynamicsSpec {
   DynamicsSource use = DynamicsSource::kCatalogue;
   std::vector<FittedDynamicsSpec> fitted;
-  double delay = 0;  // s from a command to its torque
+  double delay = 0;             // s from a command to its torque
+  double backlash = 0;          // rad of play between each motor and its joint
+  double ripple = 0;            // share by which the torque of each motor swings
+  double ripple_periods = 100;  // of that in a turn of its joint; *assumed*
 };
 
 // Two serial joints driven by two parallel motors A and B. Indices in motor order.
@@ -104,6 +107,29 @@ struct ParallelSpec {
   int pitch = 0;          // the slot of B in AB mode
   int roll = 0;           // the slot of A in AB mode
   double roll_ratio = 1;  // difference of the angles of A and B per radian of roll
+};
+
+// A bus over which the robot's computer reaches motors of the body.
+struct BusSpec {
+  std::string name{};
+  std::vector<int> slots{};       // of its motors
+  std::array<double, 2> delay{};  // s that a command takes on it: least and most
+};
+
+// A fan as LowState tells of it; go only.
+struct FanSpec {
+  std::string name{};
+  int place = 0;      // its index in fan_frequency
+  double rpm = 0;     // as told while it turns
+  int stall_bit = 0;  // of fan_frequency[3], set while it does not; 0 = none
+};
+
+// The mainboard's two thermometers, as a Go2's LowState shows them: temperature_ntc1 and ntc2.
+struct BoardSpec {
+  double centre_rise_c = 20;   // over the air, with all fans
+  double charger_rise_c = 16;  // likewise
+  double still_air = 1.5;      // times that rise where no fan turns; *assumed*, as the next
+  double time_constant = 120;  // s
 };
 
 // A pressure sensor of a hand.
@@ -246,6 +272,7 @@ struct HumanoidMotionSpec {
   int squat = -1;                 // joints locked in squat_q
   int sit = -1;                   // joints locked in sit_q
   int arms_balance = -1;          // told for the first of `balance` while rt/arm_sdk moves the arms
+  int protection = -1;            // told in place of damping while protection damps
   int balanced_squat = -1;        // from standing into squat_q and back, balanced
   std::vector<int> unplayed{};    // of the real robot, not simulated
   std::vector<double> squat_q{};  // rad, motor order
@@ -317,6 +344,9 @@ struct RobotSpec {
   std::vector<MotorSpec> motors;           // the body's, in ascending slot
   std::vector<ParallelSpec> parallel;
   DynamicsSpec dynamics;
+  std::vector<BusSpec> buses;
+  std::vector<FanSpec> fans;  // go only
+  BoardSpec board;
   std::vector<HandSpec> hands;  // hg only, at most kMostHands
   ImuSpec imu;
   EncoderNoiseSpec encoder_noise;
@@ -328,6 +358,7 @@ struct RobotSpec {
   std::vector<std::string> apis = {"motion_switcher", "config", "robot_state"};
   // Topics of texts that its programs tell by themselves: rows of services/status_texts.cc.
   std::vector<std::string> status_texts;
+  bool error_list = false;        // rt/errorlist; go only
   bool arm_action_state = false;  // rt/arm/action/state; hg only
   ArmSdkSpec arm_sdk;
   bool user_lowcmd = false;  // whether the motion service can hand the motors to rt/user_lowcmd

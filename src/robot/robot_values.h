@@ -86,6 +86,15 @@ struct BatteryReading {
   std::array<double, kMostCells> cell_off_v{};  // V, by how much each cell is over their mean
 };
 
+// What the mainboard's small controller tells.
+struct BoardReading {
+  double centre_c = 0;  // °C
+  double charger_c = 0;
+  std::array<double, 3> fan_rpm{};
+  std::uint8_t stalled = 0;  // bits of fans that do not turn
+  bool mute = false;         // it does not answer now: the others are as they were
+};
+
 // Pose and velocity of the base, B: the truth of the simulation.
 struct BaseReading {
   Eigen::Vector3d p_WB{0, 0, 0};    // m
@@ -144,6 +153,7 @@ struct RobotState {
   ImuReading secondary_imu;        // if the robot has one
   std::vector<double> foot_force;  // N, as read, in RobotSpec::feet order
   BatteryReading battery;
+  BoardReading board;
   BaseReading base;
   BaseReading odometry;  // what the robot's own programs take that for, where no service estimates
   TrueValues truth;

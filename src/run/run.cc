@@ -281,8 +281,7 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       if (options.on_ready) options.on_ready(control.url());
       pacer.Resume(world.step(), world.pace().speed);
     }
-    const bool diverged = health == physics::StepHealth::kDiverged &&
-                          config.physics.on_divergence == config::DivergenceAction::kStop;
+    const bool diverged = health == physics::StepHealth::kDiverged && !world.resets_on_divergence();
     // A client that waits for the last step finds it in this status.
     const bool posts = world.step() % kStepsPerPost == 0 || world.pace().stands_still();
     if (wait.due && !posts && !diverged) continue;

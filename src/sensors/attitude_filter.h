@@ -17,6 +17,12 @@ class AttitudeFilter {
   // [s] is the time between steps, above 0.
   AttitudeFilter(double gain, double trim, double dt) : gain_(gain), trim_(trim), dt_(dt) {}
 
+  // Goes on with these in place of the constructor's.
+  void SetGains(double gain, double trim) {
+    gain_ = gain;
+    trim_ = trim;
+  }
+
   // Begins anew at rest, with the heading of `R_WI` and the tilt that the specific force f_WI_I
   // [m/s²] shows, and no bias.
   void Restart(const Eigen::Quaterniond& R_WI, const Eigen::Vector3d& f_WI_I);

@@ -18,6 +18,8 @@ class FootSensors {
   // `dt` [s] is the time between steps.
   FootSensors(const SensorConfig& config, const std::vector<robot::FootSpec>& feet, double dt);
 
+  // Goes on with other errors: what was drawn is scaled, walks stay. Allocates nothing.
+  void Follow(const SensorConfig& config);
   // Takes the walks back.
   void Restart();
   // Advances the walks by dt.
@@ -27,9 +29,12 @@ class FootSensors {
   double Read(std::size_t foot, std::span<const double> forces) const;
 
  private:
-  std::vector<double> gains_;  // by foot that reads and foot that carries
-  std::vector<double> offsets_, walked_;
-  double walk_;  // N, standard deviation of a step
+  // As drawn with deviations of 1, and what comes of it.
+  std::vector<double> drawn_gains_, gains_;  // by foot that reads and foot that carries
+  std::vector<double> drawn_offsets_, offsets_;
+  std::vector<double> walked_;
+  double dt_;
+  double walk_ = 0;  // N, standard deviation of a step
   Noise noise_;
 };
 

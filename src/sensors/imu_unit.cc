@@ -23,47 +23,56 @@ ImuUnit::ImuUnit(const SensorConfig& config, const robot::ImuSpec& spec, const s
     : config_(config),
       spec_(spec),
       dt_(dt),
-      pass_(config.imu.bandwidth > 0
-                ? -std::expm1(-2 * std::numbers::pi * config.imu.bandwidth * dt)
-                : 1),
-      gyro_(Draw(name, "gyro", config.imu.gyro_bias, config.imu.gyro_walk, config.imu.gyro_scale,
-                 config.imu.gyro_misalignment)),
-      accel_(Draw(name, "accel", config.imu.accel_bias, config.imu.accel_walk,
-                  config.imu.accel_scale, config.imu.accel_misalignment)),
+      gyro_(Draw(config.seed, name, "gyro")),
+      accel_(Draw(config.seed, name, "accel")),
       walks_(config.seed, stream),
       noise_(config.seed, stream + 1),
       filter_(config.imu.attitude_gain, config.imu.attitude_trim, dt),
       late_(static_cast<std::size_t>(std::llround(config.imu.latency / dt)) + 1) {
-  const double share = config.noise ? config.noise_gain : 0;
-  gyro_.noise = share * spec.gyro_noise;
-  accel_.noise = share * spec.accel_noise;
-  gyro_.step = config.quantise ? spec.gyro_step : 0;
-  accel_.step = config.quantise ? spec.accel_step : 0;
-  if (!config.imu.saturate) return;
-  gyro_.range = kMostCount * spec.gyro_step;
-  accel_.range = kMostCount * spec.accel_step;
+  Follow(config);
 }
 
-ImuUnit::Sensor ImuUnit::Draw(const std::string& element, const char* name, double bias,
-                              double walk, double scale, double misalignment) const {
+void ImuUnit::Follow(const SensorConfig& config) {
+  config_ = config;
+  const ImuErrors& errors = config.imu;
+  pass_ = errors.bandwidth > 0 ? -std::expm1(-2 * std::numbers::pi * errors.bandwidth * dt_) : 1;
+  Scale(errors.gyro_bias, errors.gyro_walk, errors.gyro_scale, errors.gyro_misalignment, &gyro_);
+  Scale(errors.accel_bias, errors.accel_walk, errors.accel_scale, errors.accel_misalignment,
+        &accel_);
+  const double share = config.noise ? config.noise_gain : 0;
+  gyro_.noise = share * spec_.gyro_noise;
+  accel_.noise = share * spec_.accel_noise;
+  gyro_.step = config.quantise ? spec_.gyro_step : 0;
+  accel_.step = config.quantise ? spec_.accel_step : 0;
+  gyro_.range = errors.saturate ? kMostCount * spec_.gyro_step : 0;
+  accel_.range = errors.saturate ? kMostCount * spec_.accel_step : 0;
+  warm_share_ = errors.warm_up > 0 ? -std::expm1(-dt_ / errors.warm_up) : 1;
+  filter_.SetGains(errors.attitude_gain, errors.attitude_trim);
+}
+
+ImuUnit::Sensor ImuUnit::Draw(int seed, const std::string& element, const char* name) {
   const std::string sensor = std::string("imu.") + name;
-  const auto drawn = [&](const char* what, const std::string& axis, double sigma) {
-    return Drawn(config_.seed, sensor + what, element + axis, sigma);
+  const auto drawn = [&](const char* what, const std::string& axis) {
+    return Drawn(seed, sensor + what, element + axis, 1);
   };
-  Sensor one{.gain = Eigen::Matrix3d::Identity(),
-             .bias = Eigen::Vector3d::Zero(),
-             .walk = WalkOf(walk, dt_),
-             .noise = 0,
-             .step = 0};
+  Sensor one{.drawn_gain = Eigen::Matrix3d::Zero(), .drawn_bias = Eigen::Vector3d::Zero()};
   const std::string axes[] = {".x", ".y", ".z"};
   for (int i = 0; i < 3; ++i) {
-    one.bias[i] = drawn("_bias", axes[i], bias);
-    one.gain(i, i) += drawn("_scale", axes[i], scale);
+    one.drawn_bias[i] = drawn("_bias", axes[i]);
     for (int j = 0; j < 3; ++j) {
-      if (i != j) one.gain(i, j) = drawn("_misalignment", axes[i] + axes[j], misalignment);
+      one.drawn_gain(i, j) =
+          i == j ? drawn("_scale", axes[i]) : drawn("_misalignment", axes[i] + axes[j]);
     }
   }
   return one;
+}
+
+void ImuUnit::Scale(double bias, double walk, double scale, double misalignment,
+                    Sensor* sensor) const {
+  sensor->bias = bias * sensor->drawn_bias;
+  sensor->walk = WalkOf(walk, dt_);
+  sensor->gain = misalignment * sensor->drawn_gain;
+  sensor->gain.diagonal() = Eigen::Vector3d::Ones() + scale * sensor->drawn_gain.diagonal();
 }
 
 void ImuUnit::Restart(const robot::ImuReading& truth, const Eigen::Vector3d& gravity_W) {
@@ -119,15 +128,13 @@ Eigen::Vector3d ImuUnit::Finish(const Eigen::Vector3d& value, double fault_noise
 }
 
 void ImuUnit::Warm(double ambient_c) {
-  const double warm_up = config_.imu.warm_up;
-  if (warm_up <= 0) {
+  if (warm_share_ == 1) {
     reading_.temperature_c = spec_.temperature_c;
     return;
   }
   if (!on_) reading_.temperature_c = ambient_c;
   on_ = true;
-  reading_.temperature_c +=
-      (spec_.temperature_c - reading_.temperature_c) * -std::expm1(-dt_ / warm_up);
+  reading_.temperature_c += (spec_.temperature_c - reading_.temperature_c) * warm_share_;
 }
 
 void ImuUnit::Read(const robot::ImuEffects& fault, robot::ImuReading* imu) const {

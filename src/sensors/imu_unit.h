@@ -31,6 +31,9 @@ class ImuUnit {
   // Begins anew as if it had been at rest for long in the attitude of `truth`: filters, latency and
   // walks, but neither what was drawn nor its temperature. `gravity_W` [m/s²] points down.
   void Restart(const robot::ImuReading& truth, const Eigen::Vector3d& gravity_W);
+  // Goes on with other errors: what was drawn is scaled, walks and filters stay where they are.
+  // Seed, latency and where the attitude comes from must be the same. Allocates nothing.
+  void Follow(const SensorConfig& config);
   // Reads the truth of an instant, dt after the one before, in air of `ambient_c` [°C].
   void Step(const robot::ImuReading& truth, const robot::ImuEffects& fault, double ambient_c);
   // Writes what the unit says now; leaves `imu` while it is stuck.
@@ -39,29 +42,33 @@ class ImuUnit {
  private:
   // One of the two sensors, of three axes.
   struct Sensor {
-    Eigen::Matrix3d gain;  // of the reading on the truth
-    Eigen::Vector3d bias, walked{0, 0, 0}, passed{0, 0, 0};
-    double walk;              // standard deviation of a step
-    double noise, range = 0;  // standard deviation; 0: any
-    double step;              // lattice
+    // As drawn with deviations of 1: of scales on the diagonal, of misalignments beside it.
+    Eigen::Matrix3d drawn_gain;
+    Eigen::Vector3d drawn_bias;
+    Eigen::Matrix3d gain{};  // of the reading on the truth
+    Eigen::Vector3d bias{0, 0, 0}, walked{0, 0, 0}, passed{0, 0, 0};
+    double walk = 0;              // standard deviation of a step
+    double noise = 0, range = 0;  // standard deviation; 0: any
+    double step = 0;              // lattice
   };
 
-  Sensor Draw(const std::string& element, const char* name, double bias, double walk, double scale,
-              double misalignment) const;
+  static Sensor Draw(int seed, const std::string& element, const char* name);
+  void Scale(double bias, double walk, double scale, double misalignment, Sensor* sensor) const;
   // Returns the reading of a truth before latency; walk and low pass go on by a step.
   Eigen::Vector3d Measure(const Eigen::Vector3d& truth, double fault, Sensor* sensor);
   Eigen::Vector3d Finish(const Eigen::Vector3d& value, double fault_noise, const Sensor& sensor);
   void Warm(double ambient_c);
 
-  const SensorConfig config_;
+  SensorConfig config_;
   const robot::ImuSpec& spec_;
   double dt_;
-  double pass_;  // share of a change that the low pass follows in a step
+  double pass_ = 1;  // share of a change that the low pass follows in a step
   Sensor gyro_, accel_;
   Noise walks_, noise_;
   AttitudeFilter filter_;
   std::vector<robot::ImuReading> late_;  // a ring of what is under way
   std::size_t next_ = 0;
+  double warm_share_ = 1;  // of the way to its temperature, in a step; 1: it is there at once
   robot::ImuReading reading_;
   bool on_ = false;  // whether its temperature has begun
 };

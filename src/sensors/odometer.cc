@@ -16,10 +16,16 @@ Vector2d HeadingOf(const Eigen::Quaterniond& R_WI) {
 
 Odometer::Odometer(const SensorConfig& config, double dt)
     : dt_(dt),
-      scale_(Drawn(config.seed, "odometer.scale", "x", config.odometer.scale),
-             Drawn(config.seed, "odometer.scale", "y", config.odometer.scale)),
-      walk_(config.odometer.walk * std::sqrt(dt)),
-      noise_(config.seed, kOdometerStream) {}
+      drawn_(Drawn(config.seed, "odometer.scale", "x", 1),
+             Drawn(config.seed, "odometer.scale", "y", 1)),
+      noise_(config.seed, kOdometerStream) {
+  Follow(config);
+}
+
+void Odometer::Follow(const SensorConfig& config) {
+  scale_ = config.odometer.scale * drawn_;
+  walk_ = config.odometer.walk * std::sqrt(dt_);
+}
 
 void Odometer::Restart(const robot::BaseReading& truth) {
   off_.setZero();

@@ -19,6 +19,8 @@ class Odometer {
   // `dt` [s] is the time between steps.
   Odometer(const SensorConfig& config, double dt);
 
+  // Goes on with other errors; what it has added up stays.
+  void Follow(const SensorConfig& config);
   // Begins anew at the truth.
   void Restart(const robot::BaseReading& truth);
   // Takes the truth dt after the one before, with the unit's attitude as it is and as it is told.
@@ -28,8 +30,9 @@ class Odometer {
 
  private:
   double dt_;
-  Eigen::Vector2d scale_;  // error of the way ahead and to the left, as a share
-  double walk_;            // m, standard deviation of a step
+  Eigen::Vector2d drawn_;        // with a deviation of 1
+  Eigen::Vector2d scale_{0, 0};  // error of the way ahead and to the left, as a share
+  double walk_ = 0;              // m, standard deviation of a step
   Noise noise_;
   Eigen::Vector2d off_{0, 0};  // m, what is told less the truth
   robot::BaseReading told_;

@@ -48,6 +48,16 @@ void Sensors::Restart(const Instant& instant) {
   Step(instant);
 }
 
+void Sensors::Follow(const SensorConfig& config) {
+  config_ = config;
+  imu_.Follow(config);
+  secondary_imu_.Follow(config);
+  odometer_.Follow(config);
+  feet_.Follow(config);
+  windings_.Follow(config);
+  casings_.Follow(config);
+}
+
 void Sensors::Step(const Instant& instant) {
   const robot::ImuReading truth = instant.robot.Imu();
   imu_.Step(truth, instant.faults.imus[0], spec_.thermal.ambient_c);
@@ -71,7 +81,7 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
     const robot::MotorSpec& motor = *motors_[i];
     robot::MotorReading& reading = state->motors[i];
     reading.silent = instant.faults.motors[i].silent;
-    if (reading.silent) {
+    if (reading.silent || instant.faults.motors[i].unheard) {
       ++reading.lost;
       continue;
     }
@@ -109,6 +119,7 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
     state->foot_force[i] = fault.share * feet_.Read(i, foot_force_) + fault.offset;
   }
   state->battery = instant.battery.reading();
+  state->board = instant.board.reading();
   state->base = instant.robot.base();
   state->odometry = odometer_.reading();
 }

@@ -6,6 +6,7 @@
 
 #include "physics/robot_body.h"
 #include "robot/battery.h"
+#include "robot/board.h"
 #include "robot/encoders.h"
 #include "robot/fault.h"
 #include "robot/motor.h"
@@ -31,6 +32,7 @@ struct Instant {
   const robot::MotorBank& motors;
   const robot::RobotCommand& command;  // that the motors followed
   const robot::Battery& battery;
+  const robot::Board& board;
   const robot::Effects& faults;
 };
 
@@ -49,6 +51,10 @@ class Sensors {
 
   // Begins anew with a robot at rest: filters, latencies and walks. What was drawn stays.
   void Restart(const Instant& instant);
+  // Goes on with other errors from the next step on: what was drawn is scaled, walks, filters and
+  // noise go on from where they are. All but seed, imu.latency, imu.attitude and encoder may
+  // differ. Allocates nothing.
+  void Follow(const SensorConfig& config);
   void Step(const Instant& instant);
   // Fills `state`, which has the sample before, for time tick_ms [ms]. Leaves state->remote and
   // state->motion.

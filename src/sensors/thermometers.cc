@@ -7,13 +7,18 @@ namespace understudy::sensors {
 
 Thermometers::Thermometers(const SensorConfig& config, const std::vector<std::string>& names,
                            double dt)
-    : share_(config.thermometer.time_constant > 0
-                 ? -std::expm1(-dt / config.thermometer.time_constant)
-                 : 1),
-      felt_c_(names.size()) {
+    : dt_(dt), offsets_c_(names.size()), felt_c_(names.size()) {
   for (const std::string& name : names) {
-    offsets_c_.push_back(
-        Drawn(config.seed, "thermometer.offset_c", name, config.thermometer.offset_c));
+    drawn_.push_back(Drawn(config.seed, "thermometer.offset_c", name, 1));
+  }
+  Follow(config);
+}
+
+void Thermometers::Follow(const SensorConfig& config) {
+  const double inertia = config.thermometer.time_constant;
+  share_ = inertia > 0 ? -std::expm1(-dt_ / inertia) : 1;
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    offsets_c_[i] = config.thermometer.offset_c * drawn_[i];
   }
 }
 

@@ -18,6 +18,8 @@ class Thermometers {
   // steps.
   Thermometers(const SensorConfig& config, const std::vector<std::string>& names, double dt);
 
+  // Goes on with other errors. Allocates nothing.
+  void Follow(const SensorConfig& config);
   // Begins anew as if it had been as warm for long; temperatures [°C] in the order of the names,
   // which may be followed by others.
   void Restart(std::span<const double> temperatures_c);
@@ -25,7 +27,9 @@ class Thermometers {
   double reading_c(std::size_t i) const { return felt_c_[i] + offsets_c_[i]; }
 
  private:
-  double share_;  // of a difference that is followed in a step
+  double dt_;
+  double share_ = 1;           // of a difference that is followed in a step
+  std::vector<double> drawn_;  // offsets with a deviation of 1
   std::vector<double> offsets_c_, felt_c_;
 };
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "idl/type_table.h"
 
 namespace understudy::server {
 namespace {
@@ -107,7 +108,12 @@ HttpReply BusView::Get(std::chrono::nanoseconds now) {
       // would gather whoever comes and goes.
       bus::EndpointSurvey survey(*participant_, bus::SurveyOf::kAll);
       survey.Poll();
-      text_ = JsonText(BusJson(survey.endpoints(), participant_->traffic().Read(),
+      std::vector<bus::Endpoint> endpoints = survey.endpoints();
+      for (bus::Endpoint& one : endpoints) {
+        const MessageType* const type = one.ours ? FindMessageType(one.who.type) : nullptr;
+        if (type != nullptr) one.definition = bus::DefinitionOf(*type->descriptor);
+      }
+      text_ = JsonText(BusJson(endpoints, participant_->traffic().Read(),
                                std::chrono::duration<double>(now).count())) +
               "\n";
     } catch (const BusError& error) {

@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include "base/errors.h"
+#include "server/access.h"
 
 namespace understudy::server {
 namespace {
@@ -58,7 +59,11 @@ int Listen(Address* address, int port) {
   return -1;
 }
 
-int ListenAtFree(Address* address) {
+int ListenAtFree(Address* address, int before) {
+  if (before != 0) {
+    const int fd = Listen(address, before);
+    if (fd >= 0) return fd;
+  }
   for (int port = kFirstPanelPort; port < kFirstPanelPort + kPanelPorts; ++port) {
     const int fd = Listen(address, port);
     if (fd >= 0 || errno != EADDRINUSE) return fd;
@@ -76,11 +81,12 @@ std::string TextOf(const std::string& address, int family) {
 
 }  // namespace
 
-PanelSocket::PanelSocket(const std::string& address, int port) {
+PanelSocket::PanelSocket(const std::string& address, int port, const PanelPlace& before)
+    : token_(before.token.empty() ? RandomToken() : before.token) {
   Address bound = Parse(address);
   family_ = bound.storage.ss_family;
   address_ = TextOf(address, family_);
-  fd_ = port == 0 ? ListenAtFree(&bound) : Listen(&bound, port);
+  fd_ = port == 0 ? ListenAtFree(&bound, before.port) : Listen(&bound, port);
   if (fd_ < 0) {
     throw SocketError("control.address " + address + ", control.port " + std::to_string(port) +
                       ": " + std::generic_category().message(errno) + "; --no-panel goes without");

@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
+
+#include "config/setting_keys.h"
+#include "emulator/live_settings.h"
 
 namespace understudy::server {
 namespace {
@@ -44,9 +48,10 @@ std::string DefaultOf(const Field& field) {
   return number + " " + number + " " + number;
 }
 
-constexpr std::array<std::string_view, 11> kKinds = {
-    "number", "whole", "vector", "switch", "speed", "word", "keys", "body", "name", "json", "file"};
-static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kFile) + 1);
+constexpr std::array<std::string_view, 13> kKinds = {
+    "number", "whole", "vector", "switch", "speed",   "word", "keys",
+    "body",   "name",  "json",   "file",   "setting", "value"};
+static_assert(kKinds.size() == static_cast<std::size_t>(FieldKind::kValue) + 1);
 constexpr std::array<std::string_view, 3> kFrom = {"both", "people", "script"};
 static_assert(kFrom.size() == static_cast<std::size_t>(emulator::From::kScript) + 1);
 
@@ -101,10 +106,42 @@ ordered_json SchemaOf(const Field& field) {
     case FieldKind::kFile:
       schema = {{"type", "string"}};
       break;
+    case FieldKind::kSetting: {
+      std::vector<std::string_view> keys;
+      for (const emulator::LiveSetting& one : emulator::LiveSettings()) keys.push_back(one.key);
+      schema = {{"type", "string"}, {"enum", keys}};
+      break;
+    }
+    case FieldKind::kValue:
+      schema = {{"oneOf", {{{"type", "number"}}, {{"type", "boolean"}}, {{"type", "string"}}}}};
+      break;
   }
   const std::string unit = field.unit.empty() ? "" : std::string(field.unit) + ". ";
   schema["description"] = unit + std::string(field.does);
   return schema;
+}
+
+// The settings that `set` changes, and why others cannot be.
+std::string SettingsReference() {
+  std::string text =
+      "\n## Settings\n\nWhat `set` changes, and `ctl set` and `GET /settings` list with the values "
+      "of now. Units and ranges are those of [the configuration](config.md). A value holds from "
+      "the "
+      "next step on and over resets; it is told as the event `setting`, and a recording has it.\n\n"
+      "| key | takes | meaning |\n|---|---|---|\n";
+  for (const emulator::SettingKey& key : config::SettingKeys()) {
+    text += "| `" + key.key + "` | " + key.expected + " | " + key.does + " |\n";
+  }
+  text +=
+      "\n`terrain.friction` is then that of all ground, also of patches with a friction of their "
+      "own; 0 gives back what the run began with. What is drawn for a robot, such as a bias, is "
+      "scaled, not drawn again.\n\nOther keys cannot change:\n\n| keys | because |\n|---|---|\n";
+  for (const emulator::FixedSetting& fixed : emulator::FixedSettings()) {
+    const bool group = fixed.begins.ends_with('.');
+    text += "| `" + std::string(fixed.begins) + (group ? "*` | " : "` | ") +
+            std::string(fixed.why) + " |\n";
+  }
+  return text;
 }
 
 std::string OperationId(const RequestRow& row) {
@@ -164,7 +201,7 @@ std::string RequestsReference() {
               " | " + std::string(field.does) + " |\n";
     }
   }
-  return text + std::string(kFoot);
+  return text + SettingsReference() + std::string(kFoot);
 }
 
 std::string RequestsOpenApi() {

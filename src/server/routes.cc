@@ -90,6 +90,12 @@ Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
       }};
 }
 
+Routed GetSettings(const HttpRequest&, std::string_view, Plane&) {
+  return FromSnapshot{.parts = emulator::kPartSettings,
+                      .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts,
+                                  Plane&) { return JsonReply(SettingsJson(snapshot)); }};
+}
+
 Routed GetTimings(const HttpRequest&, std::string_view, Plane& plane) {
   return JsonReply(TimingsJson(plane.board->Read()));
 }
@@ -184,6 +190,7 @@ struct Row {
 constexpr Row kRoutes[] = {
     {"/status", GetStatus},
     {"/requests", GetRequests},
+    {"/settings", GetSettings},
     {"/snapshot", GetSnapshot},
     {"/snapshots", GetSnapshots},
     {"/events", GetEvents},

@@ -102,7 +102,7 @@ class ControlServer::Loop {
     }
     unix_.emplace(&io_, listening_.fd(), AF_UNIX, nullptr, &shared_);
     if (panel != nullptr) {
-      access_ = {.token = RandomToken(), .address = panel->address()};
+      access_ = {.token = panel->token(), .address = panel->address()};
       shared_.plane.url = "http://" + panel->host() + "/#token=" + access_.token;
       tcp_.emplace(&io_, panel->fd(), panel->family(), &access_, &shared_);
     }

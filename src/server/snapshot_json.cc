@@ -221,6 +221,26 @@ std::optional<emulator::SnapshotParts> ReadSnapshotParts(std::string_view list,
   return parts;
 }
 
+nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot) {
+  nlohmann::ordered_json settings = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < snapshot.settings.size(); ++i) {
+    const emulator::SettingKey& key = snapshot.setting_keys[i];
+    const double value = snapshot.settings[i];
+    nlohmann::ordered_json shown = value;
+    if (key.is_switch()) {
+      shown = value != 0;
+    } else if (!key.words.empty()) {
+      shown = key.words[static_cast<std::size_t>(value)];
+    }
+    settings.push_back({{"key", key.key},
+                        {"value", shown},
+                        {"unit", key.unit},
+                        {"takes", key.expected},
+                        {"does", key.does}});
+  }
+  return {{"settings", settings}};
+}
+
 std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts) {
   return Writer(snapshot, parts).Write();
 }

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include <nlohmann/json.hpp>
+
 #include "emulator/snapshot.h"
 
 namespace understudy::server {
@@ -18,5 +20,8 @@ std::optional<emulator::SnapshotParts> ReadSnapshotParts(std::string_view list,
 // Numbers have a float's precision, but time and qpos, which have a double's; one that is not
 // finite becomes null.
 std::string SnapshotJson(const emulator::Snapshot& snapshot, emulator::SnapshotParts parts);
+
+// Returns the settings that can change, with their values in the snapshot, for GET /settings.
+nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot);
 
 }  // namespace understudy::server

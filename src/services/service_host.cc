@@ -15,6 +15,7 @@ constexpr std::chrono::seconds kNoticePeriod(1);
 constexpr std::size_t kMostPending = 64;  // assumed
 constexpr std::size_t kMostWaiting = 10;  // the server of the vendor's Python SDK
 constexpr int kMostServed = 8;            // assumed
+constexpr int kPollsPerCount = 10;        // assumed
 // Assumed: a thousand calls a second, with the process stalled for a quarter of a second.
 constexpr int kReaderDepth = 256;
 // The longest request that is kept: one of the longest parameter and the longest binary part, and
@@ -32,14 +33,14 @@ constexpr std::int64_t kWorkOfReader = 1'000;  // of each that is asked whether 
 }  // namespace
 
 ServiceHost::Channel::Channel(const bus::Participant& participant, const std::string& channel_name,
-                              Service* of, bool leases)
+                              Service* of, bool leases, std::atomic<bool>* mail)
     : name(channel_name),
       service(of),
       is_lease(leases),
       request_topic("rt/api/" + name + "/request"),
       response_topic("rt/api/" + name + "/response"),
       reader(participant, {request_topic.c_str(), &unitree_api_msg_dds__Request__desc},
-             {.depth = kReaderDepth, .most_bytes = kMostRequestBytes}),
+             {.depth = kReaderDepth, .most_bytes = kMostRequestBytes, .mail = mail}),
       writer(participant, {response_topic.c_str(), &unitree_api_msg_dds__Response__desc}) {}
 
 ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables,
@@ -49,9 +50,10 @@ ServiceHost::ServiceHost(const bus::Participant& participant, std::vector<Servic
     const std::string name(table.name);
     const bool tells_changes = table.tells_changes, has_switch_topics = table.has_switch_topics;
     Service* service = services_.emplace_back(std::make_unique<Service>(std::move(table))).get();
-    channels_.push_back(std::make_unique<Channel>(participant, name, service, false));
-    channels_.push_back(std::make_unique<Channel>(participant, name + "_lease", service, true));
-    if (has_switch_topics) switches_.emplace(participant, service);
+    channels_.push_back(std::make_unique<Channel>(participant, name, service, false, &mail_));
+    channels_.push_back(
+        std::make_unique<Channel>(participant, name + "_lease", service, true, &mail_));
+    if (has_switch_topics) switches_.emplace(participant, service, &mail_);
     if (tells_changes) {
       config_changes_.emplace(participant, bus::Topic<unitree_go_msg_dds__ConfigChangeStatus_>{
                                                "rt/config_change_status",
@@ -93,6 +95,7 @@ std::vector<const bus::ReaderCore*> ServiceHost::readers() const {
 
 std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime now) noexcept {
   calls_.clear();
+  if (Idle()) return calls_;
   try {
     if (switches_) switches_->Poll(owner, &calls_);
     for (const Call& call : calls_) Refused(call.refusal) += call.times;
@@ -103,6 +106,7 @@ std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime n
   // does not keep the others waiting.
   Work work = kMostWork;
   std::size_t next = 0;
+  waits_ = false;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const std::size_t at = (first_ + i) % channels_.size();
     const bool could = work > 0;
@@ -111,10 +115,21 @@ std::span<const Call> ServiceHost::Poll(authority::MotorOwner* owner, WallTime n
     } catch (const std::exception&) {
       ++counts_.lost_replies;  // out of memory: the request gets no reply
     }
+    waits_ |= !channels_[at]->waiting.empty() || !channels_[at]->pending.empty();
     if (could && work <= 0) next = (at + 1) % channels_.size();
   }
   first_ = next;
   return calls_;
+}
+
+// There are some forty readers, and most ticks bring nothing. The flag is lowered before the
+// readers are asked: what arrives meanwhile raises it again.
+bool ServiceHost::Idle() {
+  const bool mail =
+      mail_.load(std::memory_order_relaxed) && mail_.exchange(false, std::memory_order_acquire);
+  if (!mail && !waits_ && ++idle_polls_ < kPollsPerCount) return true;
+  idle_polls_ = 0;
+  return false;
 }
 
 void ServiceHost::PollChannel(Channel* channel, authority::MotorOwner* owner, WallTime now,
@@ -295,10 +310,11 @@ void ServiceHost::Say(const Service& service, std::int64_t api_id, const std::st
   log_(notice);
 }
 
-SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_switch)
+SwitchTopics::SwitchTopics(const bus::Participant& participant, Service* uwb_switch,
+                           std::atomic<bool>* mail)
     : uwb_switch_(uwb_switch),
-      lidar_(participant, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}),
-      uwb_(participant, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}) {}
+      lidar_(participant, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}, {.mail = mail}),
+      uwb_(participant, {"rt/uwbswitch", &unitree_go_msg_dds__UwbSwitch__desc}, {.mail = mail}) {}
 
 void SwitchTopics::Poll(authority::MotorOwner* owner, std::vector<Call>* calls) {
   lidar_.Take([&](const std_msgs_msg_dds__String_& message, bus::WriterHandle) {

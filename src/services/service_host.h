@@ -1,6 +1,7 @@
 // Serves all services of a robot over DDS.
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -32,8 +33,9 @@ namespace understudy::services {
 //   rt/uwbswitch       UwbSwitch_: what uwbswitch SwitchSet sets.
 class SwitchTopics {
  public:
-  // Throws BusError. `uwb_switch` must outlive this.
-  SwitchTopics(const bus::Participant& participant, Service* uwb_switch);
+  // Throws BusError. `uwb_switch` and `mail`, which is raised when a message has arrived, must
+  // outlive this.
+  SwitchTopics(const bus::Participant& participant, Service* uwb_switch, std::atomic<bool>* mail);
 
   // Takes the waiting messages. Words other than ON and OFF change nothing and are added to `calls`
   // as refused.
@@ -75,7 +77,8 @@ class ServiceHost final : public ServicePort {
   ServiceHost(const bus::Participant& participant, std::vector<ServiceTable> tables, Log log,
               const std::vector<std::string>& status_texts = {});
 
-  // Allocates only if there is a request or a waiting reply.
+  // Allocates only if there is a request or a waiting reply. While there is none it only loads a
+  // flag; what was lost or did not decode is told within kPollsPerCount polls.
   std::span<const Call> Poll(authority::MotorOwner* owner, WallTime now) noexcept override;
   std::optional<Call> Answer(std::string_view service, std::int64_t api_id,
                              std::string_view parameter, authority::MotorOwner* owner,
@@ -109,7 +112,8 @@ class ServiceHost final : public ServicePort {
     WallTime give_up;
   };
   struct Channel {
-    Channel(const bus::Participant& participant, const std::string& name, Service* of, bool leases);
+    Channel(const bus::Participant& participant, const std::string& name, Service* of, bool leases,
+            std::atomic<bool>* mail);
 
     std::string name;
     Service* service;
@@ -142,6 +146,11 @@ class ServiceHost final : public ServicePort {
 
   const robot::ServiceEffects& FaultOf(const Service& service) const;
 
+  bool Idle();
+
+  std::atomic<bool> mail_{false};  // something has arrived since the last poll
+  int idle_polls_ = 0;             // since the channels were last looked at
+  bool waits_ = false;             // a request or a reply, after the last poll
   std::vector<std::unique_ptr<Service>> services_;
   std::vector<robot::ServiceEffects> faults_;  // by services_
   std::vector<std::unique_ptr<Channel>> channels_;

@@ -37,10 +37,10 @@ constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
 constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
 constexpr std::uint8_t kNoRemote = 0x20;
 constexpr std::uint8_t kMotorSilent = 0x80;  // vendor, Go2 fault services
+constexpr std::uint8_t kMcuSilent = 0x40;    // likewise
 constexpr float kReel = 4 * 3.3F / 2048;     // A; 4 counts of the converter
-constexpr std::uint8_t kBoard_c[] = {45, 41};
-constexpr double kBoardDrop = 1.28;   // V from pack to board; seen 1.13 and 1.42
-constexpr double kBoardShare = 0.69;  // of the pack's current that the board sees
+constexpr double kBoardDrop = 1.28;          // V from pack to board; seen 1.13 and 1.42
+constexpr double kBoardShare = 0.69;         // of the pack's current that the board sees
 
 bool Knows(std::uint8_t mode) { return mode == 0 || mode == kServo || mode == kServoStrong; }
 
@@ -84,6 +84,12 @@ robot::Refusal Decode(const unitree_go_msg_dds__LowCmd_& message, const robot::R
   return robot::Refusal::kNone;
 }
 
+std::uint8_t BottomFaults(const robot::RobotState& state) {
+  const bool silent = std::ranges::any_of(state.motors, &robot::MotorReading::silent);
+  return static_cast<std::uint8_t>((silent ? kMotorSilent : 0) |
+                                   (state.board.mute ? kMcuSilent : 0));
+}
+
 void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
             unitree_go_msg_dds__LowState_* message) {
   std::ranges::copy(kHead, message->head);
@@ -111,14 +117,15 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
   message->tick = static_cast<std::uint32_t>(state.tick_ms);
   const auto remote = EncodeRemote(state.remote);
   std::ranges::copy(remote, message->wireless_remote);
-  message->bit_flag = kNotCharging;
+  message->bit_flag = kNotCharging | BottomFaults(state);
   if (!state.remote.there) message->bit_flag |= kNoRemote;
-  if (std::ranges::any_of(state.motors, &robot::MotorReading::silent)) {
-    message->bit_flag |= kMotorSilent;
-  }
   message->adc_reel = kReel;
-  message->temperature_ntc1 = kBoard_c[0];
-  message->temperature_ntc2 = kBoard_c[1];
+  message->temperature_ntc1 = Rounded<std::uint8_t>(state.board.centre_c, 0, 127);
+  message->temperature_ntc2 = Rounded<std::uint8_t>(state.board.charger_c, 0, 127);
+  for (std::size_t i = 0; i < state.board.fan_rpm.size(); ++i) {
+    message->fan_frequency[i] = Rounded<std::uint16_t>(state.board.fan_rpm[i], 0, 65535);
+  }
+  message->fan_frequency[3] = state.board.stalled;
   message->power_v =
       state.battery.on ? static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop)) : 0;
   message->power_a = static_cast<float>(kBoardShare * std::abs(state.battery.current));

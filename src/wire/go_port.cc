@@ -1,4 +1,5 @@
 // Topics of the unitree_go family.
+#include "wire/error_list.h"
 #include "wire/go_codec.h"
 #include "wire/port.h"
 #include "wire/slots.h"
@@ -31,6 +32,15 @@ void Port::OpenGo() {
        });
   TellMotion(kSportModeState, kLfSportModeState);
   TellRemote();
+  if (spec_.error_list) {
+    Tell({TopicRow{kErrorList, rates.lf_hz}},
+         [list = ErrorList(spec_)](const robot::RobotState& state,
+                                   std_msgs_msg_dds__String_* message) mutable {
+           if (!list.Update(state)) return false;
+           message->data = list.text();
+           return true;
+         });
+  }
 }
 
 }  // namespace understudy::wire

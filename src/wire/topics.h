@@ -55,6 +55,8 @@ inline constexpr bus::Topic<unitree_hg_msg_dds__MainBoardState_> kLfMainBoardSta
     "rt/lf/mainboardstate", &unitree_hg_msg_dds__MainBoardState__desc};
 inline constexpr bus::Topic<std_msgs_msg_dds__String_> kArmActionState{
     "rt/arm/action/state", &std_msgs_msg_dds__String__desc};
+inline constexpr bus::Topic<std_msgs_msg_dds__String_> kErrorList{"rt/errorlist",
+                                                                  &std_msgs_msg_dds__String__desc};
 inline constexpr bus::Topic<unitree_go_msg_dds__WirelessController_> kWirelessController{
     "rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc};
 

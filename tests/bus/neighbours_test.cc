@@ -215,6 +215,7 @@ TEST(EndpointSurveyTest, TellsWhatOthersReadAndWriteAndWithWhichQuality) {
   EXPECT_TRUE(reads.xcdr1);
   for (const Endpoint& one : survey.endpoints()) {
     EXPECT_EQ(one.who.type, "HelloWorldData::Msg");
+    EXPECT_EQ(one.definition, "");  // its IDL was compiled without
     EXPECT_EQ(one.who.pid, std::to_string(getpid()));
     EXPECT_FALSE(one.keeps_for_late || one.exclusive || one.has_deadline);
     EXPECT_EQ(one.partitions, "");
@@ -276,6 +277,12 @@ TEST(WhyNotMatchedTest, NamesWhatKeepsAWriterFromAReader) {
   Endpoint other = writer;
   other.who.type = "B";
   EXPECT_EQ(WhyNotMatched(other, reader), "type B, not A");
+  other = writer;
+  other.definition = "[MINIMAL 01]";
+  EXPECT_EQ(WhyNotMatched(other, reader), "");  // which tells none
+  Endpoint strange = reader;
+  strange.definition = "[MINIMAL 02]";
+  EXPECT_EQ(WhyNotMatched(other, strange), "each has another definition of A");
   other = writer;
   other.partitions = "\"left\"";
   EXPECT_EQ(WhyNotMatched(other, reader), "partition: \"left\", not none");

@@ -226,5 +226,47 @@ TEST_F(ValidateTest, ChordsAreOfKeysThatExist) {
               testing::HasSubstr("robot.remote.chords.0.keys: expected keys joined by +"));
 }
 
+TEST_F(ValidateTest, FaultsAreOfWhatTheRobotHas) {
+  using testing::HasSubstr;
+  EXPECT_THAT(SetError("faults=[{component: imv, fault: off}]"),
+              HasSubstr("faults.0: the robot has no 'imv'; did you mean 'imu'?"));
+  EXPECT_THAT(SetError("faults=[{component: rt/lowstat, fault: off}]"),
+              HasSubstr("did you mean 'rt/lowstate'?"));
+  EXPECT_THAT(SetError("faults=[{component: fan.front, fault: off}]"),
+              HasSubstr("faults.0: the robot has no 'fan.front'"));
+  EXPECT_THAT(SetError("faults=[{component: battery, fault: limp}]"),
+              HasSubstr("faults.0: no battery is ever 'limp' (valid: weak, empty)"));
+  EXPECT_THAT(SetError("faults=[{component: a, fault: week}]"), HasSubstr("did you mean 'weak'?"));
+  EXPECT_THAT(SetError("faults=[{component: a, fault: weak, by: 2}]"),
+              HasSubstr("faults.0: by: expected 0 to 1 for 'weak', found 2"));
+  EXPECT_THAT(SetError("faults=[{component: a, fault: weak, at: -1}]"),
+              HasSubstr("faults.0.at: expected a number from 0 to 1e+06 s"));
+  EXPECT_THAT(SetError("faults=[{component: a, fault: weak, probabilty: 1}]"),
+              HasSubstr("unknown; did you mean 'probability'?"));
+}
+
+TEST_F(ValidateTest, FaultsThatTheRobotCanHaveAreTaken) {
+  EXPECT_EQ(
+      SetError("faults=[{component: rt/lf/lowstate, fault: delayed}, {component: mcu, "
+               "fault: off}, {component: service.config, fault: slow, by: 2, at: 3, for: 1}]"),
+      "");
+}
+
+TEST_F(ValidateTest, BusesHaveNamesAndMotorsOfTheirOwn) {
+  EXPECT_THAT(SetError("robot.buses=[{name: x}, {name: x}]"),
+              testing::HasSubstr("robot.buses.1.name: expected a name of its own"));
+  EXPECT_THAT(SetError("robot.buses=[{name: x, slots: [0]}, {name: y, slots: [1, 0]}]"),
+              testing::HasSubstr("robot.buses.1.slots: slot 0 is on a bus already"));
+  EXPECT_THAT(SetError("robot.buses=[{name: x, delay: [0.02, 0.01]}]"),
+              testing::HasSubstr("robot.buses.0.delay: expected least before most"));
+}
+
+TEST_F(ValidateTest, FansHaveNamesAndPlacesOfTheirOwn) {
+  EXPECT_THAT(SetError("robot.fans=[{name: x}, {name: y}]"),
+              testing::HasSubstr("robot.fans.1.place: place 0 has a fan already"));
+  EXPECT_THAT(SetError("robot.fans=[{name: x}, {name: x, place: 1}]"),
+              testing::HasSubstr("robot.fans.1.name: expected a name of its own"));
+}
+
 }  // namespace
 }  // namespace understudy::config

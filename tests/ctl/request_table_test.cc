@@ -42,6 +42,10 @@ json Sound(const Field& field) {
       return R"({"a":1})";
     case FieldKind::kFile:
       return "/tmp/a.mcap";
+    case FieldKind::kSetting:
+      return "sensors.noise_gain";
+    case FieldKind::kValue:
+      return 3.5;
   }
   return {};
 }
@@ -64,6 +68,10 @@ json Unsound(const Field& field) {
       return std::string(99, 'z');
     case FieldKind::kFile:
       return "/" + std::string(255, 'z');
+    case FieldKind::kSetting:
+      return "zzz";
+    case FieldKind::kValue:
+      return std::string(256, 'z');
   }
   return {};
 }

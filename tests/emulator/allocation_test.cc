@@ -140,6 +140,38 @@ TEST_F(AllocationTest, DoesNotHappenWhereCommandsComeLate) {
   EXPECT_EQ(CountIn(50), 0);
 }
 
+TEST_F(AllocationTest, DoesNotHappenOnceWhatIsSlowIsAsLateAsItGets) {
+  config_.robot.buses = {{.name = "leg", .slots = {config_.robot.motors[0].slot}}};
+  config_.robot.fans = {{.name = "front", .place = 2}};
+  config_.robot.dynamics.backlash = 0.01;
+  config_.robot.dynamics.ripple = 0.1;
+  config_.faults = {{.component = "rt/lowcmd", .fault = "delayed", .by = 0.02},
+                    {.component = "bus.leg", .fault = "slow", .by = 0.01},
+                    {.component = "bus.leg", .fault = "lost"},
+                    {.component = "fan.front", .fault = "off"},
+                    {.component = "imu", .fault = "off", .at = 0.1}};
+  port_.KeepTheLastOnly();
+  StartAs("clamped");
+  port_.SendEveryTick(Torque(1));
+  CountIn(60);
+  EXPECT_EQ(CountIn(500), 0);
+  EXPECT_EQ(world_->status().gate, authority::GateState::kFollowing);
+}
+
+TEST_F(AllocationTest, DoesNotHappenWhereSettingsChangeAndJointsAreMoved) {
+  port_.KeepTheLastOnly();
+  StartAs("clamped");
+  CountIn(10);
+  for (const char* key : {"sensors.noise_gain", "sensors.imu.gyro_misalignment",
+                          "sensors.foot.cross_talk", "terrain.friction", "gate.timeout"}) {
+    Ask("set", {{"key", key}, {"value", 0.5}});
+    EXPECT_EQ(CountIn(2), 0) << key;
+  }
+  Ask("set", {{"key", "gate.mode"}, {"value", "lenient"}});
+  Ask("joint", {{"joint", config_.robot.motors[0].joint}, {"angle", 0.1}});
+  EXPECT_EQ(CountIn(500), 0);
+}
+
 TEST_F(AllocationTest, DoesNotHappenOnTheCraneOrInTheClamp) {
   port_.KeepTheLastOnly();
   for (const char* pose : {"hanging", "clamped", "standing", "lying"}) {

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "base/errors.h"
 #include "robot/fault.h"
 #include "tests/emulator/emulator_test.h"
 
@@ -39,7 +40,8 @@ bool ShowsNothing(const RobotState& faulty, const RobotState& fine) {
          (faulty.imu.w_WI_I - fine.imu.w_WI_I).norm() < 1e-3 &&
          faulty.imu.R_WI.angularDistance(fine.imu.R_WI) < 1e-3 &&
          std::abs(faulty.foot_force[0] - fine.foot_force[0]) < 1 &&
-         faulty.remote.there == fine.remote.there;
+         std::abs(faulty.board.centre_c - fine.board.centre_c) < 0.1 && faulty.board.stalled == 0 &&
+         !faulty.board.mute && faulty.remote.there == fine.remote.there;
 }
 
 // A row without a line here fails the test.
@@ -145,6 +147,34 @@ const std::map<std::pair<Component, std::string_view>, Shows> kShown = {
      [](const RobotState& faulty, const RobotState& fine) {
        return !faulty.remote.there && fine.remote.there;
      }},
+    {{Component::kBus, "off"},
+     [](const RobotState& faulty, const RobotState&) {
+       return Motor(faulty).silent && Motor(faulty).lost > 0;
+     }},
+    {{Component::kBus, "lost"},
+     [](const RobotState& faulty, const RobotState&) {
+       return !Motor(faulty).silent && Motor(faulty).lost > 0;
+     }},
+    {{Component::kFan, "off"},
+     [](const RobotState& faulty, const RobotState& fine) {
+       return faulty.board.centre_c > fine.board.centre_c + 1 && faulty.board.stalled == 4 &&
+              faulty.board.fan_rpm[2] == 0 && fine.board.fan_rpm[2] == 3000;
+     }},
+    {{Component::kFan, "weak"},
+     [](const RobotState& faulty, const RobotState& fine) {
+       return faulty.board.charger_c > fine.board.charger_c + 0.5 && faulty.board.stalled == 0 &&
+              faulty.board.fan_rpm[2] == 1500;
+     }},
+    {{Component::kMainboard, "off"},
+     [](const RobotState& faulty, const RobotState& fine) {
+       return faulty.tick_ms < fine.tick_ms;
+     }},
+    {{Component::kMainboard, "hot"},
+     [](const RobotState& faulty, const RobotState& fine) {
+       return faulty.board.centre_c == fine.board.centre_c + 30;
+     }},
+    {{Component::kMcu, "off"},
+     [](const RobotState& faulty, const RobotState&) { return faulty.board.mute; }},
     {{Component::kTopic, "off"},
      [](const RobotState& faulty, const RobotState& fine) {
        return faulty.tick_ms < fine.tick_ms;
@@ -156,20 +186,27 @@ const std::map<std::pair<Component, std::string_view>, Shows> kShown = {
 };
 
 // The same of what no state shows, but port and services are told.
-using Tells = bool (*)(const robot::LinkEffects& link, const robot::ServiceEffects& service);
+using Tells = bool (*)(const robot::LinkEffects& link, const robot::ServiceEffects& service,
+                       const robot::BusEffects& bus);
 const std::map<std::pair<Component, std::string_view>, Tells> kTold = {
     {{Component::kTopic, "doubled"},
-     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.doubles; }},
+     [](const auto& link, const auto&, const auto&) { return link.doubles; }},
     {{Component::kTopic, "damaged"},
-     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.damages; }},
+     [](const auto& link, const auto&, const auto&) { return link.damages; }},
     {{Component::kTopic, "reordered"},
-     [](const robot::LinkEffects& link, const robot::ServiceEffects&) { return link.reorders; }},
+     [](const auto& link, const auto&, const auto&) { return link.reorders; }},
+    {{Component::kTopic, "delayed"},
+     [](const auto& link, const auto&, const auto&) { return link.delay == 1; }},
+    {{Component::kTopic, "jittery"},
+     [](const auto& link, const auto&, const auto&) { return link.delay > 0; }},
     {{Component::kService, "off"},
-     [](const robot::LinkEffects&, const robot::ServiceEffects& service) { return service.off; }},
+     [](const auto&, const auto& service, const auto&) { return service.off; }},
     {{Component::kService, "slow"},
-     [](const robot::LinkEffects&, const robot::ServiceEffects& service) {
-       return service.delay == 1;
-     }},
+     [](const auto&, const auto& service, const auto&) { return service.delay == 1; }},
+    {{Component::kBus, "slow"},
+     [](const auto&, const auto&, const auto& bus) { return bus.delay == 0.01; }},
+    {{Component::kBus, "jittery"},
+     [](const auto&, const auto&, const auto& bus) { return bus.delay > 0; }},
 };
 
 // Two clamped robots that get the same commands; the second has the fault.
@@ -182,6 +219,9 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
     config_.start.pose = "clamped";
     // It stands on the ground, so that feet carry something too.
     config_.robot.hanging.height = config_.robot.standing.height;
+    config_.robot.buses = {{.name = "leg", .slots = {config_.robot.motors[kMotor].slot}}};
+    config_.robot.fans = {{.name = "front", .place = 2, .rpm = 3000, .stall_bit = 4}};
+    config_.robot.board.time_constant = 0.02;
     Start();
     fine_ = Make(&fine_port_, &fine_inbox_);
     for (test::FakePort* port : {&port_, &fine_port_}) port->SendEveryTick(Torque(5));
@@ -202,6 +242,8 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
     fine_inbox_.Put(test::RequestOf(name), Inbox::WallTime::max());
   }
 
+  const std::vector<robot::BusEffects>& buses() const { return robot().faults().effects().buses; }
+
   std::string ComponentName() const {
     const robot::RobotSpec& spec = config_.robot;
     switch (GetParam().of) {
@@ -221,6 +263,14 @@ class FaultsTest : public EmulatorTest, public testing::WithParamInterface<robot
         return "rt/lowstate";
       case Component::kService:
         return "service.fake";
+      case Component::kBus:
+        return "bus.leg";
+      case Component::kFan:
+        return "fan.front";
+      case Component::kMainboard:
+        return "mainboard";
+      case Component::kMcu:
+        return "mcu";
     }
     return "";
   }
@@ -236,22 +286,27 @@ TEST_P(FaultsTest, IsSeenInWhatIsPublishedAndGoneOnceItIsTakenAway) {
   ASSERT_TRUE(shown != kShown.end() || told != kTold.end()) << "say how one sees it: kShown";
   nlohmann::json fault{{"component", ComponentName()}, {"fault", GetParam().name}};
   // All messages, so that the last one tells.
-  if (GetParam().of == Component::kTopic && GetParam().has_magnitude()) fault["by"] = 1;
+  if (GetParam().of == Component::kTopic && GetParam().has_magnitude()) {
+    fault["by"] = GetParam().high;
+  }
   Ask("fault", fault);
   TickBoth(kTicks);
   if (shown != kShown.end()) {
     EXPECT_TRUE(shown->second(port_.last().state, fine_port_.last().state));
   } else {
-    EXPECT_TRUE(told->second(port_.link(), services_.suffers()));
+    EXPECT_TRUE(told->second(port_.link(), services_.suffers(), buses()[0]));
   }
 
   Ask("fault", {{"component", ComponentName()}, {"fault", "none"}});
   AskBoth("reset");
   TickBoth(kTicks);
   EXPECT_TRUE(ShowsNothing(port_.last().state, fine_port_.last().state));
-  EXPECT_EQ(port_.last().state.tick_ms, fine_port_.last().state.tick_ms);
+  // One that has booted counts its ticks from then on.
+  if (GetParam().of != Component::kMainboard) {
+    EXPECT_EQ(port_.last().state.tick_ms, fine_port_.last().state.tick_ms);
+  }
   if (told != kTold.end()) {
-    EXPECT_FALSE(told->second(port_.link(), services_.suffers()));
+    EXPECT_FALSE(told->second(port_.link(), services_.suffers(), buses()[0]));
   }
 }
 
@@ -327,6 +382,134 @@ TEST_F(FaultedCommandsTest, AreLostWhereTheyAreOvertakenTooLate) {
   Tick();
   EXPECT_EQ(world_->status().commands.accepted, 1U);
   EXPECT_EQ(robot().torque()[0], 2);
+}
+
+TEST_F(FaultedCommandsTest, ComeLaterInTheirOrderWhereTheirTopicDelaysThem) {
+  StartAs("clamped");
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "delayed"}, {"by", 0.003}});
+  Tick();
+  port_.Send(Torque(1));
+  Tick();
+  port_.Send(Torque(2));
+  Tick(2);
+  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  Tick();
+  EXPECT_EQ(robot().torque()[0], 1);
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "none"}});
+  Tick();
+  EXPECT_EQ(robot().torque()[0], 2);
+  port_.Send(Torque(3));
+  Tick();
+  EXPECT_EQ(robot().torque()[0], 3);  // at once again
+  EXPECT_EQ(world_->status().commands.accepted, 3U);
+}
+
+TEST_F(FaultedCommandsTest, DoNotOvertakeThoseThatAreUnderWay) {
+  StartAs("clamped");
+  Ask("fault", {{"component", "rt/lowcmd"}, {"fault", "delayed"}, {"by", 0.01}, {"for", 0.002}});
+  Tick();
+  port_.Send(Torque(1));
+  Tick(3);  // the fault is over
+  port_.Send(Torque(2));
+  Tick(5);
+  EXPECT_EQ(world_->status().commands.accepted, 0U);
+  Tick(5);
+  EXPECT_EQ(world_->status().commands.accepted, 2U);
+  EXPECT_EQ(robot().torque()[0], 2);
+}
+
+TEST_F(FaultedCommandsTest, ComeToTheMotorsOfASlowBusLaterAndToOthersAtOnce) {
+  config_.robot.buses = {{.name = "leg", .slots = {config_.robot.motors[0].slot}}};
+  StartAs("clamped");
+  Ask("fault", {{"component", "bus.leg"}, {"fault", "slow"}, {"by", 0.005}});
+  port_.Send(Torque(1));
+  Tick(6);
+  port_.Send(Torque(2));
+  Tick(5);
+  EXPECT_EQ(robot().torque()[0], 1);
+  EXPECT_EQ(robot().torque()[1], 2);
+  Tick();
+  EXPECT_EQ(robot().torque()[0], 2);
+}
+
+TEST_F(FaultedCommandsTest, TakeLongerOnABusByItsOwnDelay) {
+  config_.robot.buses = {
+      {.name = "leg", .slots = {config_.robot.motors[0].slot}, .delay = {0.004, 0.004}}};
+  StartAs("clamped");
+  port_.Send(Torque(3));
+  Tick(4);
+  EXPECT_NE(robot().torque()[0], 3);
+  EXPECT_EQ(robot().torque()[1], 3);
+  Tick();
+  EXPECT_EQ(robot().torque()[0], 3);
+}
+
+// The encoder sits on the motor's shaft, which turns before the joint does.
+TEST_F(FaultedCommandsTest, MoveTheShaftThroughThePlayOfItsGearBeforeTheJoint) {
+  config_.robot.dynamics.backlash = 0.02;
+  StartAs("clamped");
+  const auto ahead = [this] {
+    const robot::RobotState& state = port_.last().state;
+    return state.motors[kMotor].q - state.truth.q[kMotor];
+  };
+  port_.SendEveryTick(Torque(5));
+  Tick(100);
+  EXPECT_NEAR(ahead(), 0.01, 1e-3);
+  port_.SendEveryTick(Torque(-5));
+  Tick(100);
+  EXPECT_NEAR(ahead(), -0.01, 1e-3);
+}
+
+// What the configuration plans, and a mainboard that comes back.
+using PlannedFaultsTest = EmulatorTest;
+
+TEST_F(PlannedFaultsTest, BeginAtTheirTimeAndEndAfterIt) {
+  config_.faults = {
+      {.component = "imu", .fault = "off"},
+      {.component = "battery", .fault = "weak", .at = 0.02, .times = {.lasts = 0.01}}};
+  StartAs("clamped");
+  Tick();
+  EXPECT_TRUE(robot().faults().effects().imus[0].dead);
+  EXPECT_EQ(robot().faults().effects().battery.resistance, 1);
+  Tick(24);
+  EXPECT_EQ(robot().faults().effects().battery.resistance, 3);
+  Tick(10);
+  EXPECT_EQ(robot().faults().effects().battery.resistance, 1);
+  EXPECT_TRUE(robot().faults().effects().imus[0].dead);
+  EXPECT_EQ(Told(EventKind::kFault).size(), 3U);
+}
+
+TEST_F(PlannedFaultsTest, ComeAlthoughAllThereWereAreTakenAway) {
+  config_.faults = {{.component = "imu", .fault = "off", .at = 0.02}};
+  StartAs("clamped");
+  Ask("fault", {{"component", "all"}, {"fault", "none"}});
+  Tick(30);
+  EXPECT_TRUE(robot().faults().effects().imus[0].dead);
+}
+
+TEST_F(PlannedFaultsTest, AreRefusedWhereTheRobotHasNoSuchComponent) {
+  config_.faults = {{.component = "imv", .fault = "off"}};
+  EXPECT_THROW(Start(), ConfigError);
+}
+
+TEST_F(PlannedFaultsTest, OfTheMainboardSilenceTheRobotUntilItHasBootedAgain) {
+  config_.robot.boot = {.states = 0.05, .services = 0.06, .motion = 0.07};
+  config_.faults = {{.component = "mainboard", .fault = "off", .at = 0.1, .times = {.lasts = 0.1}}};
+  StartAs("clamped");
+  port_.SendEveryTick(Torque(1));
+  Tick(90);
+  EXPECT_NE(robot().torque()[0], 0);
+  const std::size_t before = port_.samples().size();
+  Tick(60);
+  const std::size_t dead = port_.samples().size();
+  EXPECT_LE(dead, before + 6);
+  EXPECT_EQ(robot().torque()[0], 0);
+  EXPECT_EQ(Answered("power", {{"on", true}}), "its mainboard is off");
+  Tick(94);
+  EXPECT_EQ(port_.samples().size(), dead);
+  Tick(40);
+  EXPECT_GT(port_.samples().size(), dead + 5);
+  EXPECT_EQ(world_->status().power, PowerState::kOn);
 }
 
 // A drive closes its loop over its own encoder.

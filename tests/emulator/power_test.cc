@@ -153,15 +153,22 @@ TEST_F(PowerTest, TheMotionServiceStartsAtTheEndOfTheBootUnlessItWasToldNotTo) {
   Start();
   const auto boot = [&] {
     Ask("power", {{"on", false}});
+    const std::size_t told = Told(EventKind::kMotionService).size();
     Tick(5);
     EXPECT_EQ(robot().owner().active(), "");
+    EXPECT_EQ(Told(EventKind::kMotionService).size(), told) << "while it is off, nothing follows";
     Ask("power", {{"on", true}});
     Tick(25);
     EXPECT_EQ(robot().owner().active(), "");
     Tick(25);
     return std::string(robot().owner().active());
   };
+  Tick();
   EXPECT_EQ(boot(), "normal");
+  EXPECT_EQ(Told(EventKind::kMotionService),
+            (std::vector<std::string>{"motion service normal moves the motors",
+                                      "no motion service is on: motors follow rt/lowcmd",
+                                      "motion service normal moves the motors"}));
   services_.Call([](authority::MotorOwner* owner) { owner->SetSilent(true); });
   Tick();
   EXPECT_EQ(boot(), "") << "motion_switcher's SetSilent";

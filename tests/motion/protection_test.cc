@@ -34,10 +34,11 @@ class FakeMotion final : public authority::Motion {
                                                                : MotionVerdict::kTaken;
   }
   void Step(const authority::MotionInput&, double, robot::RobotCommand*) override {}
-  robot::MotionState state() const override { return {}; }
+  robot::MotionState state() const override { return {.id = id, .name = "as it is"}; }
 
   std::vector<MotionGoal> asked;
   bool stands = true;
+  int id = 0;
 };
 
 class ProtectionTest : public ::testing::Test {
@@ -111,6 +112,30 @@ class ProtectionTest : public ::testing::Test {
 constexpr Danger kAll[] = {Danger::kTilt,   Danger::kOverspeed, Danger::kJointEnd, Danger::kHeat,
                            Danger::kCharge, Danger::kMotor,     Danger::kRemote};
 static_assert(std::size(kAll) == robot::kDangers);
+
+TEST_F(ProtectionTest, IsToldAsAStateOfItsOwnWhileItDampsWhereTheRobotHasOne) {
+  config_.robot.motion.humanoid.protection = 12;
+  Make();
+  bare_->id = 1;
+  EXPECT_EQ(motion_->state().id, 1);
+  Endanger(Danger::kCharge);  // which stops
+  Step(1);
+  EXPECT_EQ(motion_->state().id, 1);
+  Endanger(Danger::kTilt);
+  Step(1);
+  EXPECT_EQ(motion_->state().id, 12);
+  EXPECT_EQ(motion_->state().name, "protection");
+  bare_->id = 4;  // somebody has asked it for another state
+  EXPECT_EQ(motion_->state().id, 4);
+  bare_->id = 1;
+  Endanger(Danger::kTilt, false);
+  Step(1);
+  EXPECT_EQ(motion_->state().id, 1);
+  config_.robot.motion.humanoid.protection = -1;
+  Endanger(Danger::kTilt);
+  Step(1);
+  EXPECT_EQ(motion_->state().id, 1);
+}
 
 TEST_F(ProtectionTest, NothingIsDoneWhileAllIsWithinItsLimits) {
   for (const Danger danger : kAll) Endanger(danger, false);

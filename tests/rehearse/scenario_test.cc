@@ -31,11 +31,14 @@ TEST_F(ScenarioTest, SetsWhatARunDoes) {
   const Scenario scenario = Load(std::string(kSmall) +
                                  "start: standing\nseed: 7\nscene: slopes\n"
                                  "settings: {gate: {timeout: 0.5}}\n"
+                                 "faults: [{component: imu, fault: off, at: 3}]\n"
                                  "script: [{at: 0.5, reset: }]\n");
   EXPECT_EQ(scenario.config.start.pose, "standing");
   EXPECT_EQ(scenario.config.randomization.seed, 7);
   EXPECT_EQ(scenario.config.scene, "slopes");
   EXPECT_EQ(scenario.config.gate.timeout, 0.5);
+  ASSERT_EQ(scenario.config.faults.size(), 1U);
+  EXPECT_EQ(scenario.config.faults[0].at, 3);
   EXPECT_EQ(scenario.config.time.duration, 1);
   EXPECT_EQ(scenario.config.time.speed, 0);
   EXPECT_EQ(scenario.script.events.size(), 1U);
@@ -70,6 +73,7 @@ TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
        "expect: expected a list of expectations"},
       {"scenario: a\nrobot: go2\nexpect: []", "duration: missing"},
       {std::string(kSmall) + "settings: {gate: {tiemout: 1}}", "s.yaml:5: key 'gate.tiemout'"},
+      {std::string(kSmall) + "faults: [{component: imv, fault: off}]", "did you mean 'imu'?"},
       {std::string(kSmall) + "start: siting", "s.yaml:5: start.pose"},
       {std::string(kSmall) + "script: [{at: 1, resett: }]", "did you mean 'reset'?"},
       {std::string(kSmall) + "program: {comand: [a]}", "did you mean 'command'?"},

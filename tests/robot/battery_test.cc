@@ -237,6 +237,24 @@ TEST(BatteryTest, WarmsByWhatItLoses) {
   EXPECT_NEAR(battery.reading().temperature_c, 20 + 8 * (1 - std::exp(-1)), 0.01);
 }
 
+TEST(BatteryTest, IsWhatItWasAfterPhysicsThatDiverge) {
+  for (const double power : {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300}) {
+    Battery battery(Pack());
+    Draw(&battery, power, 1);
+    EXPECT_EQ(battery.reading().soc, 1);
+    EXPECT_EQ(battery.reading().voltage, 40);
+    EXPECT_EQ(battery.reading().current, 0);
+  }
+}
+
+TEST(BatteryTest, HasNoMoreChargeThanAFaultLeavesIt) {
+  Battery battery(Pack());
+  battery.Step(0, 0.001, {.most_charge = 0.25});
+  EXPECT_EQ(battery.reading().soc, 0.25);
+  battery.Step(0, 0.001);
+  EXPECT_EQ(battery.reading().soc, 0.25);  // what went is gone
+}
+
 TEST(BatteryTest, IsLowBelowItsLowCharge) {
   BatterySpec spec = Pack();
   spec.start_soc = 0.2;

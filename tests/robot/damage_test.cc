@@ -16,10 +16,9 @@ class DamageSheetTest : public testing::Test {
   static RobotSpec WithTwoMotors() {
     RobotSpec spec = test::FixtureRobot();
     spec.motors.resize(2);
-    for (MotorSpec& motor : spec.motors) {
-      motor.torque_limit = 10;
-      motor.no_load_speed = 20;
-    }
+    for (MotorSpec& motor : spec.motors) motor.torque_limit = 10;
+    spec.motors[0].no_load_speed = 20;
+    spec.motors[1].no_load_speed = 0;  // not known
     return spec;
   }
 
@@ -61,10 +60,10 @@ TEST_F(DamageSheetTest, CountsTheTimeAtTheTorqueLimitEitherWay) {
 TEST_F(DamageSheetTest, CountsTheTimeAtTheSpeedLimitWhereOneIsKnown) {
   dq_ = {-20, 20};
   Step(0.5);
-  EXPECT_EQ(motor().at_speed_limit, 0.5);
-  spec_.motors[0].no_load_speed = 0;
+  dq_ = {19, 20};
   Step(0.5);
   EXPECT_EQ(motor().at_speed_limit, 0.5);
+  EXPECT_EQ(other().at_speed_limit, 0);
 }
 
 TEST_F(DamageSheetTest, KeepsTheHottestWindingAndTheTimeThatItWasTooHot) {

@@ -139,7 +139,7 @@ TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
   EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
   EXPECT_EQ(Begin("flux capacitor", "off"),
             "the robot has no 'flux capacitor'; expected a joint, JOINT.encoder, imu, foot.NAME, "
-            "battery, remote, a topic or service.NAME");
+            "battery, remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or mcu");
   EXPECT_NE(bank_.Clear("imv").why(), "");
 }
 
@@ -165,6 +165,57 @@ TEST_F(FaultBankTest, RefusesMoreFaultsThanItHasRoomFor) {
   EXPECT_NE(refusal, "");
   EXPECT_EQ(bank_.faults().size(), FaultBank::kMost);
   EXPECT_EQ(Begin("rt/lowstate", "off"), "as many faults as there can be are there");
+}
+
+TEST_F(FaultBankTest, BeginsWhatIsPlannedInItsOrderAndSaysSoOnce) {
+  ASSERT_TRUE(bank_.Plan({.component = "imu", .fault = "off", .at = 2}).ok());
+  ASSERT_TRUE(bank_.Plan({.component = joint_, .fault = "weak", .by = 0.25, .at = 1}).ok());
+  EXPECT_FALSE(bank_.Step(0.999));
+  EXPECT_FALSE(bank_.any());
+  EXPECT_TRUE(bank_.Step(1));
+  ASSERT_EQ(bank_.begun().size(), 1U);
+  EXPECT_EQ(motor().torque_share, 0.25);
+  EXPECT_TRUE(bank_.Step(1.5));
+  EXPECT_TRUE(bank_.begun().empty());
+  bank_.Step(3);
+  ASSERT_EQ(bank_.begun().size(), 1U);
+  EXPECT_EQ(bank_.components()[bank_.begun()[0].component], "imu");
+}
+
+TEST_F(FaultBankTest, RefusesToPlanWhatItWouldNotBegin) {
+  EXPECT_NE(bank_.Plan({.component = "imv", .fault = "off"}).why(), "");
+  EXPECT_EQ(bank_.Plan({.component = joint_, .fault = "weak", .by = 2}).why(),
+            "by: expected 0 to 1 for 'weak', found 2");
+  for (std::size_t i = 0; i < FaultBank::kMost; ++i) {
+    ASSERT_TRUE(bank_.Plan({.component = "imu", .fault = "off", .at = 1.0}).ok());
+  }
+  EXPECT_FALSE(bank_.Plan({.component = "imu", .fault = "off", .at = 1.0}).ok());
+}
+
+TEST_F(FaultBankTest, HasWhatMessagesOfTheFamilyCanShow) {
+  RobotSpec hg = spec_;
+  hg.family = WireFamily::kHg;
+  FaultBank bank(hg, {}, {}, 1);
+  EXPECT_TRUE(bank.Begin("mainboard", "off", nullptr, {}, 0).ok());
+  EXPECT_EQ(bank.Begin("mainboard", "hot", nullptr, {}, 0).why(),
+            "no mainboard is ever 'hot' (valid: off)");
+  EXPECT_FALSE(bank.Begin("mcu", "off", nullptr, {}, 0).ok());
+  EXPECT_EQ(Begin("mainboard", "hot"), "");
+  EXPECT_EQ(Begin("mcu", "off"), "");
+}
+
+TEST(BusesTest, AreThoseOfTheDescriptionThenOfHandsThenOfAllOtherMotors) {
+  RobotSpec spec = test::FixtureRobotWithHand();
+  spec.buses = {{.name = "front", .slots = {0, 1, 30}, .delay = {0.001, 0.002}}};
+  const std::vector<MotorBus> buses = BusesOf(spec);
+  ASSERT_EQ(buses.size(), 3U);
+  EXPECT_EQ(buses[0].name, "front");
+  EXPECT_EQ(buses[0].motors, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(buses[0].delay[1], 0.002);
+  EXPECT_EQ(buses[1].name, "neck_hand");
+  EXPECT_EQ(buses[1].motors, (std::vector<std::size_t>{4, 5}));
+  EXPECT_EQ(buses[2].name, "");
+  EXPECT_EQ(buses[2].motors, (std::vector<std::size_t>{2, 3}));
 }
 
 TEST(FaultKindsTest, AreNamedOncePerComponentAndHaveALaw) {

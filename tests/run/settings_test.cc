@@ -19,6 +19,7 @@
 #include "config/load.h"
 #include "config/reference.h"
 #include "config/yaml_document.h"
+#include "emulator/live_settings.h"
 #include "emulator/world.h"
 #include "idl/type_table.h"
 #include "run/make_world.h"
@@ -64,6 +65,7 @@ class Played {
   }
 
   emulator::World& world() { return world_; }
+  emulator::Inbox& inbox() { return inbox_; }
   int ms() const { return static_cast<int>(std::lround(world_.time() * 1000)); }
 
   template <class Msg>
@@ -246,12 +248,16 @@ class SettingsTest : public test::MujocoTest {
     }
   }
   static std::string SettingOf(const std::string& key, const std::string& text) {
-    if (key.find("[]") == std::string::npos) return key + "=" + text;
-    return key.substr(0, key.find('.') + 1) + text;
+    const std::size_t list = key.find("[]");
+    if (list == std::string::npos) return key + "=" + text;
+    const std::size_t dot = key.find('.');
+    return dot < list ? key.substr(0, dot + 1) + text : text;
   }
 
   // What is said with these settings; throws SetupError.
-  std::string Said(const YamlValue& scene, const Settings& changed = {}) const {
+  // `set` changes a setting just before the first step.
+  std::string Said(const YamlValue& scene, const Settings& changed = {},
+                   const nlohmann::json& set = nullptr) const {
     Settings sets = {"motion.service=none"};
     if (const YamlValue* given = scene.Find("given")) {
       for (const std::string& text : Texts(*given)) sets.push_back(text);
@@ -268,6 +274,9 @@ class SettingsTest : public test::MujocoTest {
     const std::string script = "script: [" + Text(scene, "script", "") + "]";
     script::Play(script::ReadScript(config::ParseYaml(script, "script"), signals::RunningNames()),
                  &played.world());
+    if (!set.is_null()) {
+      played.inbox().Put(*emulator::ReadRequest("set", set), emulator::Inbox::WallTime::max());
+    }
     const Acts& acts = NamedActs().at(Text(scene, "acts", ""));
     for (const int end = std::stoi(Text(scene, "ms", "300")); played.ms() < end;) {
       acts(&played);
@@ -288,8 +297,12 @@ TEST_P(SceneTest, IsChangedByEachSetting) {
   const std::string usual = Said(scene);
   EXPECT_TRUE(usual == Said(scene)) << scene.where << ": the same is not the same";
   Each(scene, "changes", [&](const std::string& key, Settings texts) {
+    const std::string value = texts[0];
     for (std::string& text : texts) text = SettingOf(key, text);
     EXPECT_FALSE(usual == Said(scene, texts));
+    if (scene.Find("look") != nullptr || texts.size() > 1 || !emulator::FindSetting(key)) return;
+    EXPECT_FALSE(usual == Said(scene, {}, {{"key", key}, {"value", emulator::ValueOf(value)}}))
+        << "set while it runs";
   });
   Each(scene, "refuses", [&](const std::string& key, const Settings& texts) {
     EXPECT_THAT([&] { Said(scene, {SettingOf(key, texts[0])}); },

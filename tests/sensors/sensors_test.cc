@@ -47,7 +47,7 @@ class SensorsTest : public test::MujocoTest {
     sensors->Sample(instant(), tick_ms, state);
   }
   Instant instant() const {
-    return {world_.robot(), encoders_, motors_, command_, battery_, faults_};
+    return {world_.robot(), encoders_, motors_, command_, battery_, board_, faults_};
   }
   Sensors Make(const SensorConfig& config, const robot::RobotSpec& spec) const {
     Sensors sensors(config, spec, 0.001);
@@ -70,6 +70,7 @@ class SensorsTest : public test::MujocoTest {
   physics::World world_ = test::FixtureWorld(spec_);
   robot::MotorBank motors_{spec_, 0.001};
   robot::Battery battery_{spec_.battery};
+  robot::Board board_{spec_};
   robot::Encoders encoders_{std::vector<double>(6), 1};
   robot::Effects faults_{.motors = std::vector<robot::MotorEffects>(6),
                          .encoders = std::vector<robot::EncoderEffects>(6),

@@ -136,6 +136,15 @@ TEST_F(ServiceHostTest, EchoesTheIdentityAndCarriesTheData) {
   EXPECT_EQ(codes_[43], 3203);
 }
 
+TEST_F(ServiceHostTest, ActsInTheNextPollHoweverManyBroughtNothing) {
+  for (std::size_t polls = 0; polls < 25; ++polls) {
+    for (std::size_t i = 0; i < polls; ++i) Poll();
+    SendText(static_cast<std::int64_t>(polls), "x");
+    Poll();
+    EXPECT_EQ(carried_out(), polls + 1);
+  }
+}
+
 TEST_F(ServiceHostTest, NeitherActsNorAnswersWhileItIsOffAndCountsWhatCame) {
   Listen();
   EXPECT_EQ(host_.names(), std::vector<std::string>{"echo"});

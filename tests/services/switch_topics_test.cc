@@ -1,3 +1,5 @@
+#include <atomic>
+
 #include <gtest/gtest.h>
 
 #include "bus/participant.h"
@@ -21,7 +23,8 @@ class SwitchTopicsTest : public testing::Test {
   authority::MotorOwner owner_{{{.name = "unitree_lidar"}}, "0", nullptr};
   Service service_{TableOf("go2", "uwbswitch")};
   bus::Participant participant_{"lo", test::NewDomain()};
-  SwitchTopics switches_{participant_, &service_};
+  std::atomic<bool> mail_{false};
+  SwitchTopics switches_{participant_, &service_, &mail_};
   bus::Writer<std_msgs_msg_dds__String_> lidar_{
       participant_, {"rt/utlidar/switch", &std_msgs_msg_dds__String__desc}};
   bus::Writer<unitree_go_msg_dds__UwbSwitch_> uwb_{
@@ -30,6 +33,7 @@ class SwitchTopicsTest : public testing::Test {
 
 TEST_F(SwitchTopicsTest, SwitchTheLidarsProgramByWord) {
   Say("OFF");
+  EXPECT_TRUE(mail_);
   EXPECT_FALSE(owner_.services()[0].on);
   EXPECT_TRUE(calls_.empty());
   Say("off");
@@ -44,6 +48,7 @@ TEST_F(SwitchTopicsTest, SwitchTheLidarsProgramByWord) {
 
 TEST_F(SwitchTopicsTest, SetWhatTheUwbServiceGives) {
   uwb_.Write({.enabled = 7});
+  EXPECT_TRUE(mail_);
   switches_.Poll(&owner_, &calls_);
   EXPECT_EQ(service_.settings().at("enable"), 1);
 }

@@ -31,6 +31,14 @@ def runtime_dir(monkeypatch):
     shutil.rmtree(folder)
 
 
+@pytest.fixture(autouse=True)
+def state_dir(monkeypatch, tmp_path_factory):
+    """The folder of what is kept from run to run, this test's own; beside tmp_path, whose files tests count."""
+    folder = tmp_path_factory.mktemp("state")
+    monkeypatch.setenv("XDG_STATE_HOME", str(folder))
+    return folder
+
+
 @pytest.fixture
 def play():
     """play(robot, *options, ...): a Robot that is on the network; it is ended after the test."""

@@ -41,6 +41,7 @@ def dog():
     with tempfile.TemporaryDirectory(prefix="understudy-") as folder, \
             pytest.MonkeyPatch.context() as patch:
         patch.setenv("UNDERSTUDY_RUNTIME_DIR", folder)
+        patch.setenv("XDG_STATE_HOME", folder)
         robot = Robot("go2", "--domain", DOMAIN, "--released", "--start", "standing")
         robot.wait_ready()
         yield robot

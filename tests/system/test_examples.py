@@ -109,7 +109,8 @@ def test_the_program_takes_every_example_of_its_help(tmp_path):
 def test_every_example_of_ctl_works(play, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # where it records to
     robot = play("go2", "--start", "hanging")
-    before = {"step": ["pause"], "resume": [], "release": [], "raise": ["crane", "attach"], "attach": []}
+    before = {"step": ["pause"], "resume": [], "release": [], "raise": ["crane", "attach"], "attach": [],
+              "joint": ["clamp", "on"]}
     for verb in verbs():
         name = verb[-1]
         if verb[0] != "ctl" or verb == ("ctl",) or name in ("wait", "panel", "stop"):

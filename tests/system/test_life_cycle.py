@@ -239,6 +239,18 @@ def test_a_run_in_the_background_leaves_the_log_of_another_of_its_name_alone(beh
     assert understudy("ctl", "log").stdout == before
 
 
+def test_a_run_in_the_background_removes_logs_that_nobody_has_written_for_long(behind, tmp_path):
+    folder = tmp_path / "understudy"
+    folder.mkdir()
+    old, young, other = folder / "old.log", folder / "young.log", folder / "old.txt"
+    for path, days in ((old, 15), (young, 13), (other, 15)):
+        path.write_text("")
+        os.utime(path, (time.time() - days * 86400,) * 2)
+    behind("--name", "dog")
+    assert not old.exists()
+    assert young.exists() and other.exists()
+
+
 def test_a_run_that_keeps_no_log_says_where_it_is(play):
     play("go2")
     done = understudy("ctl", "log")

@@ -39,11 +39,11 @@ def test_every_example_that_a_page_names_is_shipped(page):
         assert (ROOT / name).exists(), f"{page.name} names {name}"
 
 
-def test_the_readme_has_no_file_typed_that_nobody_has_but_your_own_urdf():
+def test_the_readme_has_no_file_typed_that_nobody_has_but_your_own_and_what_a_command_writes():
     typed = re.findall(r"^\s*\$ ([^#\n]*)", (ROOT / "README.md").read_text(), re.MULTILINE)
     named = re.findall(r"[\w./-]+\.(?:yaml|py|xml|npz|urdf)\b", "\n".join(typed))
     assert named
-    assert [name for name in named if not (ROOT / name).exists()] == ["my.urdf"]
+    assert [name for name in named if not (ROOT / name).exists()] == ["my.urdf", "mine.yaml"]
 
 
 @pytest.mark.parametrize("name", PRINTED)

@@ -343,7 +343,7 @@ def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play,
 
     first.end()
     page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
-    second = play("go2", "--set", f"control.port={port}")
+    second = play("go2", "--set", f"control.port={port}", name="other")
     page.becomes("document.getElementById('token')?.textContent.includes('Open the new URL')")
     assert page.evaluate("document.getElementById('lost').hidden")
     page.call("Page.navigate", url=url_of(second))

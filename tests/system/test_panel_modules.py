@@ -103,8 +103,8 @@ def test_a_request_gets_its_form_by_its_row_alone(page):
 def test_every_request_that_nothing_else_makes_has_a_form_and_no_other(page):
     rows = page.evaluate("fetch('/requests').then((reply) => reply.json())")["requests"]
     forms = page.evaluate("[...document.querySelectorAll('#rig form')].map((form) => form.ariaLabel)")
-    made = """Promise.all(["bar", "drag", "remote", "rig", "services"].map((name) => fetch(`/panel/${name}.js`)
-        .then((reply) => reply.text()))).then((texts) => texts.join())"""
+    made = """Promise.all(["bar", "drag", "joints", "remote", "rig", "services", "settings"].map((name) =>
+        fetch(`/panel/${name}.js`).then((reply) => reply.text()))).then((texts) => texts.join())"""
     code = page.evaluate(made)
     for name in (row["name"] for row in rows):
         by_hand = f'"{name}"' in code

@@ -3,6 +3,8 @@
 import os
 import time
 
+from cyclonedds import idl
+from cyclonedds.idl.types import uint32
 from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
 from peers import GoLowCmd, HgLowState, go_command, listener, speaker
 from robots import eventually
@@ -73,6 +75,20 @@ def test_the_dds_tab_tells_who_reads_and_writes_how_often_and_what_does_not_matc
                   ".dispatchEvent(new Event('input'))")
     page.becomes("[...document.querySelectorAll('#dds-rows .name')].map((one) => one.textContent).join()"
                  " === 'rt/api/sport/request,rt/api/sport_lease/request'")
+    show(page, "remote")
+
+
+def test_the_dds_tab_tells_of_types_of_one_name_with_another_definition(page):
+    other = idl.make_idl_struct("LowCmd_", "unitree_go.msg.dds_.LowCmd_", {"wheels": uint32})
+    with speaker("rt/lowcmd", other, DOMAIN):
+        show(page, "dds")
+        page.evaluate("Object.assign(document.getElementById('dds-search'), { value: 'rt/lowcmd' })"
+                      ".dispatchEvent(new Event('input'))")
+        page.becomes("document.querySelector('#dds-rows .bad')?.textContent.includes("
+                     "'each has another definition of unitree_go::msg::dds_::LowCmd_')")
+    page.becomes("document.querySelectorAll('#dds-rows .bad').length === 0")
+    page.evaluate("Object.assign(document.getElementById('dds-search'), { value: '' })"
+                  ".dispatchEvent(new Event('input'))")
     show(page, "remote")
 
 

@@ -240,8 +240,18 @@ TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {
   EXPECT_EQ(message.wireless_remote[2], 9);
 }
 
+TEST(GoEncodeTest, TellsOfFansAndOfASilentController) {
+  robot::RobotState state = StateOf(GoRobot());
+  state.board = {.fan_rpm = {1000, 2000.4, 0}, .stalled = 4, .mute = true};
+  const LowState message = EncodeOnce(state);
+  EXPECT_THAT(message.fan_frequency, ElementsAre(1000, 2000, 0, 4));
+  EXPECT_EQ(message.bit_flag, 0x64);
+}
+
 TEST(GoEncodeTest, WritesTheBoardAsARealGo2Did) {
-  const LowState message = EncodeOnce(StateOf(GoRobot()));
+  robot::RobotState state = StateOf(GoRobot());
+  state.board = {.centre_c = 45, .charger_c = 41};
+  const LowState message = EncodeOnce(state);
   EXPECT_THAT(message.adc_reel, FloatEq(0.0064453125F));
   EXPECT_EQ(message.temperature_ntc1, 45);
   EXPECT_EQ(message.temperature_ntc2, 41);

@@ -119,6 +119,36 @@ TEST(GoPortTest, SendsOverAFaultyLinkWhatItLeaves) {
   EXPECT_TRUE(wrong_crc);
 }
 
+TEST(GoPortTest, SendsLaterWhatALinkDelaysAndNothingBeforeIt) {
+  const bus::Participant participant("lo", test::NewDomain());
+  const robot::RobotSpec spec = GoRobot();
+  Port port(participant, spec, kTimestep);
+  bus::Reader<unitree_go_msg_dds__LowState_> reader(participant, kGoLowState);
+  ASSERT_TRUE(test::Eventually([&] { return reader.matched_writers() == 1; }));
+  std::vector<robot::LinkEffects> links(port.topics().size());
+  robot::RobotState state = StateOf(spec);
+  const auto publish = [&](std::int64_t step, double delay) {
+    links[0].delay = delay;
+    state.tick_ms = step;
+    port.Publish(state, step, links);
+  };
+  constexpr std::int64_t period = kLowStateStep * kMotionStep * kLfStep;  // next to it none is due
+  publish(period, 2.5 * static_cast<double>(period) * kTimestep);
+  EXPECT_TRUE(port.Due(period + 1));
+  publish(2 * period, 0);  // waits for the one before
+  publish(3 * period, 0);
+  publish(4 * period, 0);
+  EXPECT_FALSE(port.Due(4 * period + 1));
+  std::vector<std::uint32_t> ticks;
+  while (ticks.size() < 4) {
+    const auto message = Next(&reader);
+    ASSERT_TRUE(message.has_value());
+    EXPECT_EQ(message->crc, MessageCrc(*message));
+    ticks.push_back(message->tick);
+  }
+  EXPECT_THAT(ticks, testing::ElementsAre(period, 2 * period, 3 * period, 4 * period));
+}
+
 TEST(GoPortTest, PublishesWhatIsDueAndNothingElse) {
   const bus::Participant participant("lo", test::NewDomain());
   const robot::RobotSpec spec = GoRobot();

@@ -16,6 +16,7 @@
 #include "tests/support/new_domain.h"
 #include "tests/wire/robots.h"
 #include "wire/port.h"
+#include "wire/state_topics.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
@@ -33,7 +34,9 @@ std::vector<Row> GoRows(const robot::RobotSpec& spec) {
           {"rt/lf/lowstate", &unitree_go_msg_dds__LowState__desc, 20},
           {"rt/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, motion},
           {"rt/lf/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
-          {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, motion}};
+          {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, motion},
+          // When it changes, here once.
+          {"rt/errorlist", &std_msgs_msg_dds__String__desc, spec.name.starts_with("go2") ? 1 : 0}};
 }
 
 std::vector<Row> HgRows(const robot::RobotSpec& spec) {
@@ -92,12 +95,14 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
     const std::vector<Row> rows =
         spec.family == robot::WireFamily::kGo ? GoRows(spec) : HgRows(spec);
     EXPECT_EQ(Told(&watch), Topics(rows));
+    EXPECT_EQ(port.topics(), StateTopics(spec));
     std::deque<bus::CdrReader> readers;
     for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);
 
     robot::RobotState state = StateOf(spec);
     state.remote.there = true;
     state.motion.emplace();
+    state.motors[0].overheated = true;
     const auto steps = std::llround(1 / config.physics.timestep);
     for (std::int64_t step = 0; step < steps; ++step) {
       if (port.Due(step)) port.Publish(state, step, {});

@@ -1,5 +1,6 @@
 #include "stepping.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <optional>
@@ -25,27 +26,37 @@ struct Speed {
   double cpu = 0;   // steps per s of CPU of the stepping thread
 };
 
-// MuJoCo and nothing else: goes through the same second of a robot's run again and again, with the
-// forces that acted on each joint in each step of it.
+// MuJoCo and nothing else, over the steps of another run: with the forces that acted on each joint
+// in each of them. Which steps matters: one that stands takes one iteration of the solver for
+// seconds, then two.
 class BareLoop {
  public:
   BareLoop(const config::Config& config, const Doing& doing)
       : run_(config), model_(run_.world().physics().model()), data_(mj_makeData(&model_)) {
     if (doing.ahead != 0) run_.Ask("remote.sticks", {{"ly", doing.ahead}});
-    for (int i = 0; i < kSettle; ++i) run_.Step();
+  }
+
+  // Goes on to `from`, and takes down what happens until `to`, both in steps since the start.
+  void Follow(std::int64_t from, std::int64_t to) {
+    for (; step_ < from; ++step_) run_.Step();
     const mjData& now = run_.world().physics().data();
-    start_.reset(mj_copyData(nullptr, &model_, &now));
-    mj_copyData(data_.get(), &model_, &now);
-    const Eigen::Index nv = model_.nv;
-    forces_.resize(nv, kSecond);
-    for (int i = 0; i < kSecond; ++i) {
+    const Eigen::Index nq = model_.nq, nv = model_.nv;
+    const auto of = [nv](const mjtNum* values) {
+      return Eigen::Map<const Eigen::VectorXd>(values, nv);
+    };
+    const Eigen::Index count = std::max<std::int64_t>(to - step_, 1);
+    states_.resize(nq + 2 * nv, (count + kSecond - 1) / kSecond);
+    forces_.resize(nv, count);
+    for (Eigen::Index i = 0; i < count; ++i, ++step_) {
+      if (i % kSecond == 0) {
+        states_.col(i / kSecond) << Eigen::Map<const Eigen::VectorXd>(now.qpos, nq), of(now.qvel),
+            of(now.qacc_warmstart);
+      }
       run_.Step();
-      const auto of = [nv](const mjtNum* values) {
-        return Eigen::Map<const Eigen::VectorXd>(values, nv);
-      };
       // The torques of the motors, and what pulls and pushes at the bodies.
       forces_.col(i) = of(now.qfrc_smooth) - of(now.qfrc_passive) + of(now.qfrc_bias);
     }
+    next_ = 0;
   }
 
   Speed Run(double window) {
@@ -65,36 +76,46 @@ class BareLoop {
  private:
   static constexpr int kSecond = 1000, kTogether = 100;  // steps
 
+  // Each second begins as in the run: a robot that walks by forces alone soon falls.
   void Step() {
-    if (next_ == 0) {
-      mju_copy(data_->qpos, start_->qpos, model_.nq);
-      mju_copy(data_->qvel, start_->qvel, model_.nv);
-      mju_copy(data_->qacc_warmstart, start_->qacc_warmstart, model_.nv);
+    if (next_ % kSecond == 0) {
+      const double* const state = states_.col(next_ / kSecond).data();
+      mju_copy(data_->qpos, state, model_.nq);
+      mju_copy(data_->qvel, state + model_.nq, model_.nv);
+      mju_copy(data_->qacc_warmstart, state + model_.nq + model_.nv, model_.nv);
     }
     mju_copy(data_->qfrc_applied, forces_.col(next_).data(), model_.nv);
     mj_step(&model_, data_.get());
-    next_ = (next_ + 1) % kSecond;
+    next_ = (next_ + 1) % forces_.cols();
   }
 
   Alone run_;
+  std::int64_t step_ = 0;
   const mjModel& model_;
-  mjcf::DataHandle data_, start_;
+  mjcf::DataHandle data_;
+  Eigen::MatrixXd states_;  // qpos, qvel and qacc_warmstart of each second
   Eigen::MatrixXd forces_;  // N and N·m, nv by step
-  int next_ = 0;
+  Eigen::Index next_ = 0;
+};
+
+struct Stretch {
+  std::int64_t from = 0, to = 0;  // steps since the start
+  Speed speed;
 };
 
 // Lets a stopped daemon run for a while.
-Speed Run(const Daemon& daemon, double window) {
+Stretch Run(const Daemon& daemon, double window) {
   daemon.process().Continue();
-  const std::int64_t steps = daemon.Steps();
+  const std::int64_t from = daemon.Steps();
   const double cpu = daemon.process().CpuOfFirstThread();
   const Wall::time_point begin = Wall::now();
   std::this_thread::sleep_for(std::chrono::duration<double>(window));
-  const auto count = static_cast<double>(daemon.Steps() - steps);
+  const std::int64_t to = daemon.Steps();
   const double cpu_used = daemon.process().CpuOfFirstThread() - cpu;
   const double wall = std::chrono::duration<double>(Wall::now() - begin).count();
   daemon.process().Stop();
-  return {.wall = count / wall, .cpu = count / cpu_used};
+  const auto count = static_cast<double>(to - from);
+  return {.from = from, .to = to, .speed = {.wall = count / wall, .cpu = count / cpu_used}};
 }
 
 }  // namespace
@@ -117,8 +138,9 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
 
   std::vector<double> bare_wall, daemon_wall, share_wall, share_cpu;
   for (int round = 0; round < rounds; ++round) {
+    const auto [from, to, ours] = Run(daemon, window);
+    bare.Follow(from, to);
     const Speed theirs = bare.Run(window);
-    const Speed ours = Run(daemon, window);
     bare_wall.push_back(theirs.wall);
     daemon_wall.push_back(ours.wall);
     share_wall.push_back(ours.wall / theirs.wall);

@@ -17,8 +17,8 @@ struct Doing {
 };
 
 // The real program, headless at --speed max and publishing on DDS, beside a loop of nothing but
-// mj_step, which goes through a second of the same run again with its forces: same compiled model,
-// scene and start. Runs one, then the other, `rounds` times for `window` seconds each.
+// mj_step, which goes through the same steps of such a run again with its forces: same compiled
+// model, scene and start. Runs one, then the other, `rounds` times for `window` seconds each.
 // `listener`: a client reads rt/lowstate meanwhile. The CPU figures leave out the time in which
 // other programs had the core.
 std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& doing,

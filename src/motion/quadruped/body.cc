@@ -36,6 +36,7 @@ QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const 
     reading.places[leg] = legs_[leg].Place(reading.q[leg]);
     reading.feet[leg] = reading.places[leg].foot;
     const Vector3d& dq = reading.dq[leg];
+    reading.feet_speed[leg] = FootJacobian(reading.places[leg]) * dq;
     const double wheel = wheeled_ ? input.motors[12 + leg].dq : 0;
     reading.turn[leg] =
         dq[0] * Vector3d::UnitX() + (dq[1] + dq[2] + wheel) * reading.places[leg].R_hip.col(1);

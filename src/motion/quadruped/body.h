@@ -23,6 +23,7 @@ struct QuadrupedReading {
   PerLeg q, dq;  // rad, rad/s
   std::array<LegPlaces, 4> places;
   PerLeg feet;           // centres of the feet in the base, m
+  PerLeg feet_speed;     // of the feet's centres against the base, in it, m/s
   PerLeg soles;          // from there to where they touch level ground, in the base, m
   PerLeg turn;           // of foot or wheel against the base, in the base, rad/s
   Eigen::Vector3d com;   // of the whole robot in the base, m

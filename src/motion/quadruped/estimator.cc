@@ -49,8 +49,8 @@ void QuadrupedEstimator::Step(const QuadrupedReading& reading, double dt,
     const Vector3d arm = reading.feet[leg] - body_.p_BI();
     Correct(static_cast<Eigen::Index>(leg + 1), (reading.R_WB * arm).transpose(), Squared(kPlace));
     if (trust_[leg] == 0) continue;
-    const Vector3d v_BF = FootJacobian(reading.places[leg]) * reading.dq[leg];
-    const Vector3d v_WI = u_[leg] - reading.R_WB * (reading.w_WB_B.cross(arm) + v_BF);
+    const Vector3d v_WI =
+        u_[leg] - reading.R_WB * (reading.w_WB_B.cross(arm) + reading.feet_speed[leg]);
     Correct(0, v_WI.transpose(), Squared(kRate) * (1 + (1 - trust_[leg]) * kSwing));
   }
   Tell(reading, dt);

@@ -322,7 +322,7 @@ robot::MotionState QuadrupedMotion::state() const {
                            .foot_raise = figures_.walk.foot_raise};
   for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
     state.feet[leg] = reading_.feet[leg];
-    state.feet_speed[leg] = FootJacobian(reading_.places[leg]) * reading_.dq[leg];
+    state.feet_speed[leg] = reading_.feet_speed[leg];
   }
   return state;
 }

@@ -6,6 +6,7 @@ import { Dds } from "./dds.js";
 import { byId, focusWants, number, setText } from "./dom.js";
 import { DragTool } from "./drag.js";
 import { Events } from "./events.js";
+import { Joints } from "./joints.js";
 import { Link, takeToken } from "./link.js";
 import { MotorTable } from "./motor_table.js";
 import { Plots } from "./plots.js";
@@ -15,6 +16,7 @@ import { Rig } from "./rig.js";
 import { saveCsv, savePicture, savePlots } from "./save.js";
 import { SensorTable } from "./sensor_table.js";
 import { Services } from "./services.js";
+import { Settings } from "./settings.js";
 import { rollPitchYaw, shortName, signalsOf } from "./signals.js";
 import { recall, remember, setRobot } from "./store.js";
 import { makeTabs } from "./tabs.js";
@@ -73,6 +75,8 @@ const rig = new Rig(request);
 const speed = () => bar.speed;
 const remote = new Remote(request, speed);
 const chords = new Chords(request, speed);
+const joints = new Joints((name, values) => link.request(name, values), speed, say);
+const settings = new Settings(link, request);
 const events = new Events();
 const services = new Services(request);
 const recordings = new Recordings(link, showRecorded, say);
@@ -108,6 +112,8 @@ async function setScene(description) {
   services.setServices((await link.json("/services")).services);
   rig.setScene(scene, (await link.json("/requests")).requests);
   table.setMotors(scene.motors);
+  joints.setMotors(scene.motors);
+  settings.read();
   const bare = await view.setScene(scene, (path) => link.bytes(path));
   byId("collisions").setAttribute("aria-pressed", bare);
   for (const [id, apply] of TOGGLES) {
@@ -132,6 +138,7 @@ function showSnapshot(snapshot) {
   table.show(snapshot);
   sensors.show(snapshot);
   remote.show(snapshot.remote);
+  joints.show(snapshot);
   showReadings(snapshot);
 }
 
@@ -161,12 +168,13 @@ function showReadings(snapshot) {
   const [x, y, z] = snapshot.bodies[scene.base].map((value) => number(value, 2));
   setText(byId("place"), `${x} ${y} ${z} m`);
   const weight = snapshot.contacts.reduce((sum, { force }) => sum + Math.abs(force[2]), 0);
-  setText(byId("ground"), `${snapshot.contacts.length} contacts, ${number(weight, 0)} N`);
+  setText(byId("ground"), `${snapshot.contacts.length} ${snapshot.contacts.length === 1 ? "contact" : "contacts"}, ${number(weight, 0)} N`);
   const pull = snapshot.pushes.map(({ force }) => Math.hypot(...force)).reduce((a, b) => a + b, 0);
   setText(byId("pull"), pull > 0 ? `push ${number(pull, 0)} N` : "");
 }
 
 function showEvent(event) {
+  if (event.kind === "setting") settings.read();
   events.show(event);
   services.show(event);
 }
@@ -175,6 +183,7 @@ function showStatus(status) {
   bar.showStatus(status);
   chords.showStatus(status);
   rig.show(status);
+  joints.showStatus(status);
   events.showStatus(status);
 }
 

@@ -1,0 +1,96 @@
+// Tells of what comes to a robot and what becomes of it, as events.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "authority/command_router.h"
+#include "emulator/events.h"
+#include "emulator/power.h"
+#include "robot/battery.h"
+#include "robot/fault_bank.h"
+#include "robot/motor.h"
+#include "robot/port_counts.h"
+#include "robot/protection.h"
+#include "robot/refusal.h"
+#include "robot/robot_spec.h"
+#include "robot/robot_values.h"
+#include "services/service_port.h"
+
+namespace understudy::emulator {
+
+// Adds the events of one robot to a ring. What it compares it knows from what it has told, so that
+// no other part need remember that. Does not allocate after the first call of a service.
+class RobotEvents {
+ public:
+  // What can change in many places, by time alone too.
+  struct Present {
+    const authority::CommandRouter& router;
+    PowerState power;
+    bool hears;  // whether the robot takes commands: one that is off tells of no service
+    std::uint16_t keys;
+    bool on_crane;
+    bool clamped;
+  };
+
+  // `index` is the robot's number in the world, `topics` are those of its commands. All must
+  // outlive it.
+  RobotEvents(const robot::RobotSpec& spec, std::uint8_t index,
+              const std::vector<std::string>& topics, EventRing* ring);
+
+  // Tells how a robot begins.
+  void Begin(const Present& now);
+  // Tells what has changed since the last call.
+  void Compare(const Present& now);
+  void CompareHeat(const robot::MotorBank& motors);
+  void CompareBattery(const robot::Battery& battery);
+
+  void Add(EventKind kind, const std::array<double, 4>& numbers = {}, std::string_view text = {}) {
+    ring_->Add(kind, index_, numbers, text);
+  }
+  // `state` is the id of the motion service's state.
+  void AddCall(const services::Call& call, int state);
+  // A command of that topic: `wire` is wrong with its form, `refusal` why it is not followed.
+  void AddCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
+                  const authority::GateCounts& counts);
+  // A fault of those that `bank` knows, which begins or is over.
+  void AddFault(const robot::FaultBank& bank, const robot::Fault& fault, bool on);
+  void AddNews(const robot::PortNews& news);
+  // `service` is the motion service that would heed it.
+  void AddUnheeded(const authority::Unheeded& unheeded, const robot::MotionState& state,
+                   std::string_view service);
+
+ private:
+  enum class MotorHeat : std::uint8_t { kFine, kDerated, kTripped };
+
+  void CompareDangers(const std::array<robot::DangerReading, robot::kDangers>& dangers);
+
+  std::uint8_t index_;
+  const robot::ThermalSpec* thermal_;
+  const std::vector<std::string>* topics_;
+  std::vector<const robot::MotorSpec*> motors_;
+  EventRing* ring_;
+
+  // What was told last.
+  authority::GateState gate_ = authority::GateState::kStart;
+  // Lives as long as the owner's services; nullopt while the robot hears nothing.
+  std::optional<std::string_view> service_;
+  int motion_id_ = 0, motion_mode_ = 0;
+  std::string_view motion_name_;
+  std::uint16_t keys_ = 0;
+  bool on_crane_ = false;
+  bool clamped_ = false;
+  std::array<std::uint64_t, robot::kMostCommandTopics> timeouts_{};
+  std::vector<MotorHeat> heat_;  // motor order
+  PowerState power_ = PowerState::kOn;
+  robot::CutOff cut_off_ = robot::CutOff::kNone;
+  bool low_battery_ = false;
+  std::array<robot::Protection, robot::kDangers> dangers_{};
+};
+
+}  // namespace understudy::emulator

@@ -1,0 +1,145 @@
+"""What the panel does to a robot that is held, to its settings, by touch, and when its run has ended."""
+
+import os
+import stat
+
+from panel_page import PHONE, browser, show, url_of, visit
+from peers import go_command, speaker, GoLowCmd
+from robots import eventually, understudy
+
+
+def slide(page, joint, angle):
+    page.evaluate(f"""(input => {{ input.value = {angle}; input.dispatchEvent(new Event("input")); }})
+        (document.querySelector('#joint-sliders input[aria-label="{joint}, rad"]'))""")
+
+
+def angle_of(page, motor):
+    return page.evaluate(f"panel.view.snapshot.motors[{motor}].q")
+
+
+def test_sliders_move_the_joints_of_a_clamped_robot_until_they_are_let_go(play, visit):
+    robot = play("go2", "--start", "clamped", "--released")
+    page = visit(url_of(robot))
+    show(page, "rig")
+    page.click("#joints-on")
+    page.becomes("!document.getElementById('joint-sliders').hidden")
+    hip = angle_of(page, 0)
+
+    slide(page, "FR_hip", hip + 0.4)
+
+    page.becomes(f"Math.abs(panel.view.snapshot.motors[0].q - {hip + 0.4}) < 0.05")
+    assert "holds 1 of 12" in page.text("#joints-state")
+    assert page.text("#joints-on") == "Let go of all joints"
+    page.becomes("panel.view.snapshot.command[0].kp > 0 && panel.view.snapshot.command[1].kp === 0")
+    page.click("#joints-on")
+    page.becomes("panel.view.snapshot.command[0].kp === 0")
+    assert page.text("#joints-state") == "off"
+
+    # Whoever leaves lets go.
+    page.click("#joints-on")
+    slide(page, "FR_hip", hip)
+    page.becomes("panel.view.snapshot.command[0].kp > 0")
+    show(page, "remote")
+    page.becomes("panel.view.snapshot.command[0].kp === 0")
+
+
+def test_sliders_are_off_where_the_robot_is_free_or_a_program_commands_it(play, visit):
+    robot = play("go2", "--start", "clamped", "--released")
+    page = visit(url_of(robot))
+    show(page, "rig")
+    page.becomes("!document.getElementById('joints-on').disabled")
+    with speaker("rt/lowcmd", GoLowCmd) as program:
+        def commands():
+            program.write_for(0.4, go_command())
+            return page.evaluate("document.getElementById('joints-on').disabled")
+
+        eventually(lambda: commands() and page.text("#joints-state") == "off: a program commands the motors")
+    page.click("#clamp")
+    page.becomes("document.getElementById('joints-state').textContent === 'off: the robot is not clamped'")
+
+
+def test_a_setting_is_seen_with_its_unit_and_range_and_changed(play, visit):
+    robot = play("go2")
+    page = visit(url_of(robot))
+    show(page, "rig")
+    page.becomes("document.getElementById('setting-key').options.length > 20")
+    page.evaluate("""(key => { key.value = "gate.timeout"; key.dispatchEvent(new Event("change")); })
+        (document.getElementById("setting-key"))""")
+    assert page.evaluate("document.getElementById('setting-value').value") == "0.2"
+    assert page.text("#setting-unit") == "s"
+    assert page.text("#setting-does").endswith("a number from 0.001 to 3600 s")
+
+    page.evaluate("document.getElementById('setting-value').value = '0.5'")
+    page.evaluate("document.getElementById('settings-form').requestSubmit()")
+
+    page.becomes("fetch('/settings').then((reply) => reply.json()).then(({ settings }) =>"
+                 " settings.find(({ key }) => key === 'gate.timeout').value === 0.5)")
+    page.becomes("[...document.querySelectorAll('#event-list li')].some((one) =>"
+                 " one.textContent.includes('set gate.timeout: 0.5 s, before 0.2'))")
+
+
+def test_the_tab_of_yesterday_finds_the_robot_of_today(play, visit, state_dir):
+    first = play("go2", name="dog")
+    address = url_of(first)
+    page = visit(address)
+    first.end()
+    page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
+    kept = state_dir / "understudy" / "dog.panel"
+    assert stat.S_IMODE(os.stat(kept).st_mode) == 0o600
+
+    second = play("go2", name="dog")
+
+    assert url_of(second) == address
+    page.becomes("document.body && !document.body.classList.contains('looking') && window.panel?.view.placed")
+    page.click("#pause")
+    second.becomes(lambda now: now["paused"])
+    page.errors.clear()  # the browser reports a server that is not there
+
+
+def test_what_others_may_read_is_not_believed(play, state_dir):
+    kept = state_dir / "understudy" / "dog.panel"
+    kept.parent.mkdir(parents=True)
+    token = "0" * 32
+    kept.write_text(f"7999 {token}\n")
+    kept.chmod(0o644)
+    assert token not in url_of(play("go2", name="dog"))
+
+
+def test_a_joint_is_refused_beyond_its_range(play):
+    robot = play("go2", "--start", "clamped", "--released")
+    done = understudy("ctl", "joint", "FR_hip_joint", "2")
+    assert done.returncode == 1
+    assert "FR_hip_joint: expected an angle from -1.0" in done.stderr
+    robot.ctl("joint", "FR_hip_joint", "0.2")
+
+
+def touch(page, kind, *points):
+    page.call("Input.dispatchTouchEvent", type=kind,
+              touchPoints=[{"x": x, "y": y, "id": i} for i, (x, y) in enumerate(points)])
+
+
+def test_one_finger_turns_the_view_two_zoom_it_and_a_finger_holds_a_stick(play, visit):
+    robot = play("go2")
+    page = visit(url_of(robot), **PHONE)
+    x, y = page.middle("#canvas")
+    camera = "panel.view.camera.position.clone().sub(panel.view.controls.target)"
+    before = page.evaluate(f"Math.atan2({camera}.y, {camera}.x)")
+    touch(page, "touchStart", (x, y))
+    for i in range(1, 6):
+        touch(page, "touchMove", (x + 12 * i, y))
+    touch(page, "touchEnd")
+    page.becomes(f"Math.abs(Math.atan2({camera}.y, {camera}.x) - {before}) > 0.2")
+
+    far = page.evaluate(f"{camera}.length()")
+    touch(page, "touchStart", (x - 20, y), (x + 20, y))
+    for i in range(1, 6):
+        touch(page, "touchMove", (x - 20 - 10 * i, y), (x + 20 + 10 * i, y))
+    touch(page, "touchEnd")
+    page.becomes(f"{camera}.length() < 0.8 * {far}")
+
+    show(page, "remote")
+    x, y = page.middle("[data-stick='lx ly']")
+    touch(page, "touchStart", (x, y - 20))
+    robot.becomes(lambda now: now["remote"]["ly"] > 0.3)
+    touch(page, "touchEnd")
+    robot.becomes(lambda now: now["remote"]["ly"] == 0)
