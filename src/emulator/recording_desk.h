@@ -52,8 +52,14 @@ class RecordingDesk {
   void Done(bool recording, Answer answer) {
     recording_ = recording;
     order_.reset();
-    if (reply_) reply_->Give(std::move(answer));
+    answer_.emplace(std::move(answer));
+  }
+  // Gives the answer to an order that is done: a tick later, when the status shows it.
+  void GiveAnswer() {
+    if (!answer_) return;
+    if (reply_) reply_->Give(*std::move(answer_));
     reply_.reset();
+    answer_.reset();
   }
 
  private:
@@ -67,6 +73,7 @@ class RecordingDesk {
   bool recording_ = false;
   std::optional<RecordingOrder> order_;
   std::optional<Reply> reply_;
+  std::optional<Answer> answer_;  // of an order that is done
 };
 
 }  // namespace understudy::emulator

@@ -83,6 +83,7 @@ void World::RefuseEvent(const ScriptEvent& event, const std::string& why) {
 
 void World::TakeRequests() {
   AnswerSteppers();
+  recording_.GiveAnswer();
   inbox_->Drain(now_, [this](Request* request, Reply* reply) -> std::optional<Answer> {
     const std::size_t dragged = drags_.size();
     Answer answer = CarryOut(request, time());

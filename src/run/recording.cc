@@ -189,10 +189,14 @@ void Recording::Work(const std::stop_token& stop) {
   }
 }
 
-void Recording::Follow() {
-  if (turn_ == Turn::kThreads) return;
-  if (turn_ == Turn::kTicks) return End();
+bool Recording::Follow() {
+  if (turn_ == Turn::kThreads) return false;
+  if (turn_ == Turn::kTicks) {
+    End();
+    return true;
+  }
   if (const auto* order = world_.recording().order()) Begin(*order);
+  return false;
 }
 
 void Recording::Begin(const emulator::RecordingOrder& order) {

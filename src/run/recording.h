@@ -44,8 +44,9 @@ class Recording {
   // waits for the recorder.
   void Offer(const time::Pacer& pacer);
 
-  // Carries out what requests have asked for. Call it between ticks. Never waits.
-  void Follow();
+  // Carries out what requests have asked for. Call it between ticks. Never waits. Returns whether
+  // one is done: its answer goes out with the next tick, so show the status before.
+  bool Follow();
 
   emulator::RecordingStatus status() const;
 

@@ -271,23 +271,23 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     }
     ShowSnapshot(world, &snapshots);
     if (wait.due) recording.Offer(pacer);
-    recording.Follow();
+    const bool recording_turned = recording.Follow();
+    const bool diverged = health == physics::StepHealth::kDiverged && !world.resets_on_divergence();
+    // A client that waits for the last step, for the start or for a recording finds it in this
+    // status.
+    const bool posts = !ready || recording_turned || world.step() % kStepsPerPost == 0 ||
+                       world.pace().stands_still();
+    if (wait.due && !posts && !diverged) continue;
 
-    if (!ready) {
-      ready = true;
+    board.Post(world.status(
+        {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()}));
+    if (!std::exchange(ready, true)) {
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
                    config.network.interface, config.network.domain, control.socket().string());
       if (!control.url().empty()) spdlog::info("panel: {}", control.url());
       if (options.on_ready) options.on_ready(control.url());
       pacer.Resume(world.step(), world.pace().speed);
     }
-    const bool diverged = health == physics::StepHealth::kDiverged && !world.resets_on_divergence();
-    // A client that waits for the last step finds it in this status.
-    const bool posts = world.step() % kStepsPerPost == 0 || world.pace().stands_still();
-    if (wait.due && !posts && !diverged) continue;
-
-    board.Post(world.status(
-        {.ready = true, .pace = pacer.reading(), .ticks = ticks, .recording = recording.status()}));
     world.robot().Silence(housekeeper.must_silence());
     housekeeper.TakeUnmatched([&](std::string_view topic, std::string_view writer) {
       world.robot().NoteUnmatched(topic, writer);

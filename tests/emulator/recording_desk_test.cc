@@ -54,7 +54,7 @@ TEST_F(RecordingDeskTest, KnowsWhetherARecordingIsOn) {
   EXPECT_FALSE(dut_.Stop());
 }
 
-TEST_F(RecordingDeskTest, AnswersTheRequestWhenTheOrderIsDone) {
+TEST_F(RecordingDeskTest, AnswersTheRequestOnceAStatusCouldShowThatTheOrderIsDone) {
   Inbox inbox;
   dut_.Open(false);
   const auto later = std::chrono::steady_clock::now() + std::chrono::hours(1);
@@ -66,7 +66,11 @@ TEST_F(RecordingDeskTest, AnswersTheRequestWhenTheOrderIsDone) {
     return std::nullopt;
   });
   EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  dut_.GiveAnswer();
+  EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
   dut_.Done(false, Error{"no room"});
+  EXPECT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::timeout);
+  dut_.GiveAnswer();
   ASSERT_EQ(answer->wait_for(std::chrono::seconds(0)), std::future_status::ready);
   EXPECT_EQ(answer->get().why(), "no room");
 }

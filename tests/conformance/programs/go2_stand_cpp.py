@@ -1,8 +1,8 @@
 """Stands a Go2 up and lays it down again, through the vendor's C++ SDK.
 
 The extension repeats the newest command at 500 Hz from a thread of its own and offers no clock of
-the robot, so the plan runs on this machine's. It has no call for motion_switcher: that one is made
-with the Python SDK.
+the robot, so the plan runs on this machine's, and waits where the machine stalls. It has no call
+for motion_switcher: that one is made with the Python SDK.
 """
 
 import sys
@@ -36,8 +36,11 @@ def main():
     command = robot.create_zero_command()
     command.kp = [plan.KP] * 12
     command.kd = [plan.KD] * 12
-    start = time.monotonic()
-    while (t := time.monotonic() - start) < plan.DONE:
+    t, last = 0.0, time.monotonic()
+    while t < plan.DONE:
+        now = time.monotonic()
+        t += min(now - last, 5 * CONTROL_PERIOD)
+        last = now
         command.q_target = plan.targets(first_pose, t)
         robot.write_low_command(command)
         state = robot.read_low_state()
