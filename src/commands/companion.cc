@@ -39,7 +39,8 @@ CompanionProcess::CompanionProcess(std::string what, const char* program, const 
                                    const std::vector<std::string>& words)
     : what_(std::move(what)) {
   const std::filesystem::path file = CompanionFile(program);
-  if (!std::filesystem::exists(file)) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) {
     why_not_ = "there is no " + file.string() + "; " + missing;
     return;
   }

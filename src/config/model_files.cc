@@ -1,6 +1,7 @@
 #include "config/model_files.h"
 
 #include <algorithm>
+#include <system_error>
 #include <vector>
 
 #include "base/errors.h"
@@ -14,7 +15,8 @@ std::filesystem::path FindFile(const std::string& scene) {
   const std::filesystem::path folder = DataDir() / "models" / "scene";
   const std::filesystem::path path(scene);
   std::filesystem::path file = path.has_extension() ? path : folder / (scene + ".xml");
-  if (std::filesystem::is_regular_file(file)) return file;
+  std::error_code ignored;
+  if (std::filesystem::is_regular_file(file, ignored)) return file;
   if (path.has_extension()) throw ModelError("scene " + scene + ": no such file");
   std::vector<std::string> scenes = terrain::TerrainKinds();
   scenes.emplace_back(terrain::kPatchesScene);

@@ -107,8 +107,9 @@ void AddFile(const path& file, const path& data_dir, std::vector<path>* seen, Ro
   seen->push_back(std::filesystem::weakly_canonical(file));
   if (const std::optional<YamlValue> extends = TakeOut(&tree, kExtends)) {
     const path parent = Extended(*extends, file, data_dir);
-    if (std::find(seen->begin(), seen->end(), std::filesystem::weakly_canonical(parent)) !=
-        seen->end()) {
+    std::error_code ignored;  // a file that cannot be looked at cannot be read either, said below
+    const path same = std::filesystem::weakly_canonical(parent, ignored);
+    if (std::find(seen->begin(), seen->end(), same) != seen->end()) {
       throw ConfigError(extends->where + ": " + kExtends + ": '" + OneLine(extends->text) +
                         "' extends this file in turn");
     }

@@ -8,6 +8,7 @@
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <system_error>
 #include <utility>
 
 #include <yaml-cpp/eventhandler.h>
@@ -265,7 +266,8 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
 
 YamlValue ReadYamlFile(const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (std::filesystem::is_directory(path)) throw ConfigError(name + ": is a directory");
+  std::error_code ignored;  // what cannot be looked at cannot be opened either, which says why
+  if (std::filesystem::is_directory(path, ignored)) throw ConfigError(name + ": is a directory");
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ConfigError(name + ": cannot be read: " + std::strerror(errno));
   std::string text;

@@ -78,6 +78,12 @@ TEST_F(RobotFileTest, RefusesToExtendAFileThatIsNotThere) {
               HasSubstr("none.yaml: cannot be read"));
 }
 
+TEST_F(RobotFileTest, RefusesToExtendANameTooLongForAFile) {
+  const std::string path = Write("mine.yaml", "extends: " + std::string(300, 'a') + ".yaml\n");
+  EXPECT_THAT(ErrorOf([&] { LoadConfig({.robot = path}, directory_); }),
+              HasSubstr("a.yaml: cannot be read: File name too long"));
+}
+
 TEST_F(RobotFileTest, RefusesToExtendAList) {
   const std::string path = Write("mine.yaml", "extends: [tiny]\n");
   EXPECT_EQ(Relative(ErrorOf([&] { LoadConfig({.robot = path}, directory_); })),

@@ -75,6 +75,12 @@ TEST_F(TerrainConfigTest, RefusesASceneFileThatIsNotThere) {
             "nowhere.yaml: cannot be read: No such file or directory");
 }
 
+TEST_F(TerrainConfigTest, RefusesASceneFileWhoseNameIsTooLong) {
+  const std::string name(300, 'a');
+  EXPECT_EQ(SetError("scene=" + name + ".yaml"),
+            name + ".yaml: cannot be read: File name too long");
+}
+
 TEST_F(TerrainConfigTest, RefusesARowWithoutPatches) {
   EXPECT_EQ(FileError("scene: row\n"),
             "run.yaml:1: scene: 'row' needs terrain.patches, as in [{kind: rough}, {kind: gaps}]");

@@ -111,6 +111,11 @@ TEST_F(YamlFileTest, RefusesAMissingFile) {
   EXPECT_EQ(Relative(error), "none.yaml: cannot be read: No such file or directory");
 }
 
+TEST_F(YamlFileTest, RefusesANameTooLongForAFile) {
+  const std::string error = ErrorOf([] { ReadYamlFile(std::string(300, 'a')); });
+  EXPECT_EQ(error, std::string(300, 'a') + ": cannot be read: File name too long");
+}
+
 TEST_F(YamlFileTest, RefusesADirectory) {
   EXPECT_EQ(Relative(ErrorOf([&] { ReadYamlFile(directory_ / "config"); })),
             "config: is a directory");
