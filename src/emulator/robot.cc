@@ -103,11 +103,11 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
   events_.Begin(present(0));
 }
 
-void Robot::ServeCalls(time::Clock::Time now) {
+void Robot::ServeCalls(double t, time::Clock::Time now) {
   if (services_ == nullptr) return;
-  for (const services::Call& call : services_->Poll(&router_.owner(), now)) {
-    events_.AddCall(call, router_.owner().state().id);
-  }
+  const std::span<const services::Call> calls = services_->Poll(&router_.owner(), now);
+  for (const services::Call& call : calls) events_.AddCall(call, router_.owner().state().id);
+  if (!calls.empty()) NoteChanges(t);
 }
 
 std::optional<std::int32_t> Robot::Call(std::string_view service, std::int64_t api_id,

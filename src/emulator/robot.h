@@ -61,8 +61,9 @@ class Robot {
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;
 
-  // Answers waiting service calls; `now` is wall time. It may also be called between ticks.
-  void ServeCalls(time::Clock::Time now);
+  // Answers waiting service calls; `t` is simulated time, `now` wall time. It may also be called
+  // between ticks.
+  void ServeCalls(double t, time::Clock::Time now);
 
   // Carries out a service call of this program, as services::ServicePort::Answer does.
   std::optional<std::int32_t> Call(std::string_view service, std::int64_t api_id,

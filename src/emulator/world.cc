@@ -62,9 +62,8 @@ void World::Attend(time::Clock::Time now) {
   now_ = now;
   TakeRequests();
   for (Robot& robot : robots_) {
-    robot.ServeCalls(now);
+    robot.ServeCalls(time(), now);
     if (pace_.stands_still()) robot.Rest();
-    robot.NoteChanges(time());
   }
 }
 

@@ -57,6 +57,12 @@ QuadrupedReading QuadrupedBody::Read(const authority::MotionInput& input) const 
   return reading;
 }
 
+PerLeg QuadrupedBody::Angles(const PerLeg& feet) const {
+  PerLeg q;
+  for (std::size_t leg = 0; leg < legs_.size(); ++leg) q[leg] = legs_[leg].Angles(feet[leg]);
+  return q;
+}
+
 bool QuadrupedBody::Reach(const PerLeg& feet, PerLeg* q) const {
   bool all = true;
   for (std::size_t leg = 0; leg < legs_.size(); ++leg) {

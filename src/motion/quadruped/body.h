@@ -42,8 +42,10 @@ class QuadrupedBody {
   // `input` has at least twelve motors and four feet.
   QuadrupedReading Read(const authority::MotionInput& input) const;
 
-  // Joint angles that bring every foot to its point in the base [m]; false where one does not get
-  // there.
+  // Joint angles that bring every foot to or near its point in the base [m].
+  PerLeg Angles(const PerLeg& feet) const;
+
+  // Returns whether they bring every one there.
   bool Reach(const PerLeg& feet, PerLeg* q) const;
 
   // How far the trunk reaches down from the base's origin [m], where `up` is up.

@@ -18,7 +18,9 @@ constexpr double kReached = 1e-6;  // m, of rounding
 double IntoRange(double angle, double low, double high) {
   constexpr double kTurn = 2 * std::numbers::pi;
   const double middle = std::isfinite(low + high) ? (low + high) / 2 : 0;
-  return std::remainder(angle - middle, kTurn) + middle;
+  const double off = angle - middle;
+  // Most lie in it already, and the remainder takes longer than the rest of a leg's angles.
+  return (std::abs(off) <= kTurn / 2 ? off : std::remainder(off, kTurn)) + middle;
 }
 
 // R times a turn by `angle` about y.
@@ -136,7 +138,7 @@ Vector3d QuadrupedLeg::Sole(const LegPlaces& places, const Vector3d& up) const {
   return figures_.radius * down - figures_.half_width * std::clamp(lean / kFlat, -1.0, 1.0) * axis;
 }
 
-bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
+Vector3d QuadrupedLeg::Angles(const Vector3d& foot) const {
   const Vector3d p = foot - figures_.hip;
   // Seen from the front: the foot is `side_` beside the hip's axis and `down` below it.
   const double down = std::sqrt(std::max(p.y() * p.y() + p.z() * p.z() - side_ * side_, 0.0));
@@ -153,11 +155,17 @@ bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
       std::atan2(calf_length_ * std::sin(knee), thigh_length_ + calf_length_ * std::cos(knee)) -
       thigh_angle_;
   const Vector3d exact(hip, thigh, knee - calf_angle_ + thigh_angle_);
+  Vector3d angles;
   for (int i = 0; i < 3; ++i) {
     const auto at = static_cast<std::size_t>(i);
     const double low = figures_.low[at], high = figures_.high[at];
-    (*q)[i] = std::clamp(IntoRange(exact[i], low, high), low, high);
+    angles[i] = std::clamp(IntoRange(exact[i], low, high), low, high);
   }
+  return angles;
+}
+
+bool QuadrupedLeg::Reach(const Vector3d& foot, Vector3d* q) const {
+  *q = Angles(foot);
   return (Place(*q).foot - foot).norm() < kReached;
 }
 

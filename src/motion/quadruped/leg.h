@@ -49,7 +49,10 @@ class QuadrupedLeg {
   Eigen::Vector3d Sole(const LegPlaces& places, const Eigen::Vector3d& up) const;
 
   // The angles, within their ranges and with the knee bent backwards, that bring the foot to or,
-  // where it cannot get there, near `foot`. Returns whether it gets there.
+  // where it cannot get there, near `foot`.
+  Eigen::Vector3d Angles(const Eigen::Vector3d& foot) const;
+
+  // Returns whether they bring it there.
   bool Reach(const Eigen::Vector3d& foot, Eigen::Vector3d* q) const;
 
   double mass() const;

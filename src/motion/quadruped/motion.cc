@@ -140,14 +140,11 @@ void QuadrupedMotion::Enter(State state) {
       now_ = nullptr;
       break;
     case kFolding:
-    case kFoldingOn: {
+    case kFoldingOn:
       if (from == kFolding || from == kFoldingOn) break;  // the move goes on, to another end
-      PerLeg q;
-      body_.Reach(Under(kCrouch * body_.leg_length()), &q);
-      joints_.Begin(reading_, q);
+      joints_.Begin(reading_, body_.Angles(Under(kCrouch * body_.leg_length())));
       now_ = &joints_;
       break;
-    }
     case kRising:
     case kRisingOn:
       if (state == kRising) stand_ = kStanding;

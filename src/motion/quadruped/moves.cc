@@ -59,7 +59,7 @@ void FeetMove::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs)
   for (std::size_t leg = 0; leg < feet.size(); ++leg) {
     feet[leg] = from_[leg] + s * (to_[leg] - from_[leg]);
   }
-  body_.Reach(feet, &legs->q);
+  legs->q = body_.Angles(feet);
   for (Vector3d& dq : legs->dq) dq.setZero();
   const double loaded = load_ == Load::kTaken ? part : 1 - part;
   legs->tau = body_.SupportTorque(sensed, {1, 1, 1, 1}, SmoothStep(loaded / kLoading));

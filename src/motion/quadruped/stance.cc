@@ -184,7 +184,7 @@ void Stance::Step(const QuadrupedReading& sensed, double dt, LegCommand* legs) {
     pose.rpy =
         RollPitchYaw(AngleAxisd(angle, trim_rotation_ / angle).toRotationMatrix() * R_wanted);
   }
-  body_.Reach(FeetInBase(pose), &legs->q);
+  legs->q = body_.Angles(FeetInBase(pose));
   legs->tau = body_.SupportTorque(sensed, {pose.paw_load, 1, 1, 1}, 1);
   for (std::size_t leg = 0; leg < last_q_.size(); ++leg) {
     legs->dq[leg] = fresh_ ? Vector3d::Zero() : Vector3d((legs->q[leg] - last_q_[leg]) / dt);

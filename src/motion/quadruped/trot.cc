@@ -273,7 +273,7 @@ void Trot::Swing(const QuadrupedReading& sensed, std::size_t leg, LegCommand* le
   const Matrix3d R_BW = sensed.R_WB.transpose();
   const Vector3d arm = R_BW * (foot.p - estimator_.p_WB());
   const Vector3d v = R_BW * (foot.v - estimator_.v_WB_W()) - sensed.w_WB_B.cross(arm);
-  chain.Reach(arm, &legs->q[leg]);
+  legs->q[leg] = chain.Angles(arm);
   const LegPlaces places = chain.Place(legs->q[leg]);
   const Matrix3d jacobian = FootJacobian(places);
   legs->dq[leg] = Within(JointRates(jacobian, v), kMostRate);
