@@ -107,13 +107,13 @@ void Reader::RefuseUnknown(const Level& level) const {
   for (const YamlValue& key : level.map->keys) {
     if (std::find(level.known.begin(), level.known.end(), key.text) != level.known.end()) continue;
     throw ConfigError(key.where + ": key '" + level.path + OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, level.known));
+                      DidYouMean(key.text, {level.known.begin(), level.known.end()}));
   }
 }
 
 const YamlValue* Reader::Ask(const Row& row) {
   Level& level = open_.back();
-  level.known.emplace_back(row.name);
+  level.known.push_back(row.name);
   const YamlValue* value = level.map->Find(row.name);
   if (value != nullptr) (*places_)[Path(row)] = value->where;
   return value;

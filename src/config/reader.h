@@ -2,10 +2,10 @@
 #pragma once
 
 #include <deque>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "config/archive.h"
@@ -14,7 +14,7 @@
 namespace understudy::config {
 
 // Where each key was read from ("go2.yaml:12"), by its dotted path ("robot.motors.3.slot").
-using Places = std::map<std::string, std::string>;
+using Places = std::unordered_map<std::string, std::string>;
 
 // A missing key leaves its value unchanged, so several layers can be read into one struct. A list
 // replaces the previous list; a mapping from index or name to element changes only those elements
@@ -37,8 +37,8 @@ class Reader : public Archive {
  private:
   struct Level {
     const YamlValue* map;
-    std::string path;                // ends in a dot, "" at the top
-    std::vector<std::string> known;  // keys visited so far
+    std::string path;                     // ends in a dot, "" at the top
+    std::vector<std::string_view> known;  // keys visited so far
   };
 
   void Open(const YamlValue& value, const std::string& path);

@@ -12,26 +12,9 @@
 #include "config/load.h"
 #include "config/robot_file.h"
 #include "tests/support/temporary_folder.h"
+#include "tests/support/tiny_robot.h"
 
 namespace understudy::config {
-
-// Two motors, a foot, everything a robot needs.
-inline constexpr char kTinyRobot[] = R"(robot:
-  name: tiny
-  model: tiny.xml
-  base_body: base
-  motors:
-    - {joint: a, slot: 0, torque_limit: 10, knee_speed: 5, no_load_speed: 8}
-    - {joint: b, slot: 1, torque_limit: 20}
-  imu: {site: imu}
-  feet: [{name: left, geoms: [left_1]}]
-  battery: {cells: 8, capacity_ah: 8}
-  lying: {q: [0, 0.5], height: 0.1}
-  standing: {q: [0, 0.1], height: 0.5}
-  hanging: {q: [0, 0], height: 1}
-  crane_body: base
-  default_start: hanging
-)";
 
 // What the error of `run` says, "" when it throws none. Errors of users are one line.
 template <class F>
@@ -48,7 +31,7 @@ std::string ErrorOf(F run) {
 
 class ConfigFixture : public testing::Test {
  protected:
-  ConfigFixture() { Write("config/robots/tiny.yaml", kTinyRobot); }
+  ConfigFixture() { Write("config/robots/tiny.yaml", test::kTinyRobot); }
 
   // Returns the path, as --config would be given.
   std::string Write(const std::string& name, const std::string& text) const {

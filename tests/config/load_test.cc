@@ -20,7 +20,7 @@ TEST_F(LoadConfigTest, TakesASectionWithoutKeys) {
 
 TEST_F(LoadConfigTest, LetsLaterLayersWin) {
   Write("config/robots/tiny.yaml",
-        std::string(kTinyRobot) + "crane: {length: 1, damping: 1, stiffness: 1, speed: 1}\n");
+        std::string(test::kTinyRobot) + "crane: {length: 1, damping: 1, stiffness: 1, speed: 1}\n");
   const std::string first = Write("a.yaml", "crane: {damping: 2, stiffness: 2, speed: 2}\n");
   const std::string second = Write("b.yaml", "crane: {stiffness: 3, speed: 3}\n");
   const Config config = Load({first, second}, {"crane.speed=4", "crane.speed=5"});
@@ -61,7 +61,7 @@ TEST_F(LoadConfigTest, TakesABareWordForTheGate) {
 }
 
 TEST_F(LoadConfigTest, TakesAPathForARobot) {
-  const std::string path = Write("mine.yaml", kTinyRobot);
+  const std::string path = Write("mine.yaml", test::kTinyRobot);
   EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "tiny");
 }
 

@@ -44,7 +44,7 @@ TEST_F(RobotFileTest, ChangesElementsOfListsByNameOrIndex) {
 
 TEST_F(RobotFileTest, ExtendsAFileBesideIt) {
   Write("mine/base.yaml", "");  // there is no folder yet
-  Write("mine/base.yaml", kTinyRobot);
+  Write("mine/base.yaml", test::kTinyRobot);
   const std::string path = Write("mine/mine.yaml", "extends: ./base.yaml\nrobot: {name: mine}\n");
   EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.name, "mine");
   EXPECT_EQ(LoadConfig({.robot = path}, "/nowhere").robot.motors.size(), 2U);

@@ -1,4 +1,5 @@
-// Bytes as YAML, and what is YAML as a configuration over that of a Go2, and as a robot's file.
+// Bytes as YAML, and what is YAML as a configuration over that of the smallest robot: one of twelve
+// motors takes three times as long to read.
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -7,16 +8,28 @@
 #include "config/load.h"
 #include "config/yaml_document.h"
 #include "tests/fuzz/memory_file.h"
+#include "tests/support/temporary_folder.h"
+#include "tests/support/tiny_robot.h"
+
+namespace {
+
+understudy::config::RobotFile TinyRobot() {
+  const understudy::test::TemporaryFolder folder;
+  const auto file = folder.Write("tiny.yaml", understudy::test::kTinyRobot);
+  return understudy::config::ReadRobotFile(file.string(), UNDERSTUDY_SOURCE_DIR);
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace understudy;  // NOLINT(google-build-using-namespace)
   static test::MemoryFile file;
-  static const config::RobotFile go2 = config::ReadRobotFile("go2", UNDERSTUDY_SOURCE_DIR);
+  static const config::RobotFile tiny = TinyRobot();
   try {
     const std::string text(reinterpret_cast<const char*>(data), size);
     config::ParseYaml(text, "fuzz.yaml");
     const std::string path = file.Write({data, size});
-    const config::Config read = config::LoadConfig(go2, {.files = {path}}, UNDERSTUDY_SOURCE_DIR);
+    const config::Config read = config::LoadConfig(tiny, {.files = {path}}, UNDERSTUDY_SOURCE_DIR);
     config::PrintConfig(read, false);
   } catch (const SetupError&) {
     // What most bytes are, said in words.
