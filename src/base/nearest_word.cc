@@ -41,7 +41,9 @@ std::string NearestWord(std::string_view typed, const std::vector<std::string>& 
   std::string nearest;
   std::size_t least = kLongest;
   for (const std::string& word : words) {
-    const std::size_t allowed = std::max<std::size_t>(1, word.size() / 2);
+    // A first letter that is right is seldom so by chance.
+    const bool begun = !typed.empty() && !word.empty() && Lower(typed[0]) == Lower(word[0]);
+    const std::size_t allowed = std::max<std::size_t>(1, (word.size() + (begun ? 1 : 0)) / 2);
     // Skips words whose length alone rules them out, since the tick calls this too.
     if (typed.size() > word.size() + allowed || typed.size() + allowed < word.size()) continue;
     const std::size_t distance = EditDistance(typed, word);

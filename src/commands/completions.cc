@@ -126,8 +126,9 @@ Words Parts(const Typed&) {
   return parts;
 }
 
-// Those of the running robot that the words choose; none if it does not answer soon.
-Words Bodies(const Typed& typed) {
+// The names in a list of the running robot's scene that the words choose; none if it does not
+// answer soon.
+Words NamesOf(const Typed& typed, const char* list) {
   constexpr std::chrono::milliseconds kPatience(500);
   const auto value = [&](const char* option) {
     const auto given = typed.given.find(option);
@@ -139,11 +140,26 @@ Words Bodies(const Typed& typed) {
   const auto scene = nlohmann::json::parse(
       client::Call(socket, "GET", "/scene", "", kPatience).body, nullptr, false);
   Words names;
-  for (const auto& body : scene.value("bodies", nlohmann::json::array())) {
-    names.push_back(body.value("name", ""));
+  for (const auto& one : scene.value(list, nlohmann::json::array())) {
+    names.push_back(one.value("name", ""));
   }
+  return names;
+}
+
+Words Bodies(const Typed& typed) {
+  Words names = NamesOf(typed, "bodies");
   if (!names.empty()) names.erase(names.begin());  // the world
   return names;
+}
+
+// Joints of motors of that robot.
+Words Joints(const Typed& typed) { return NamesOf(typed, "motors"); }
+
+// What `ctl fault` is said of most.
+Words Components(const Typed& typed) {
+  Words components = Joints(typed);
+  components.insert(components.end(), {"imu", "battery", "remote", "rt/lowcmd", "all"});
+  return components;
 }
 
 struct ValueRow {
@@ -220,10 +236,13 @@ Words ValuesOf(const emulator::Field& field, const Typed& typed) {
                            : std::ranges::find(keys, typed.places[0], &emulator::SettingKey::key);
       return key == keys.end() ? Words() : key->words;
     }
+    case emulator::FieldKind::kName:
+      return field.key == "joint"       ? Joints(typed)
+             : field.key == "component" ? Components(typed)
+                                        : Words();
     case emulator::FieldKind::kNumber:
     case emulator::FieldKind::kWhole:
     case emulator::FieldKind::kVector:
-    case emulator::FieldKind::kName:
     case emulator::FieldKind::kJson:
     case emulator::FieldKind::kFile:
       break;

@@ -74,7 +74,7 @@ int IdentifyCommand(const IdentifyArguments& arguments) {
       [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
   if (!result) {
     std::fputs("stopped before the fit was done\n", stderr);
-    return static_cast<int>(ExitCode::kInternal);
+    return 128 + StopSignal();
   }
   const std::string text = arguments.json ? identify::ResultJson(*result, recordings)
                                           : identify::ResultText(*result, recordings);
@@ -124,11 +124,14 @@ int ExciteCommand(ExciteArguments arguments) {
       identify::Excite(config.robot, bench, arguments.settings,
                        [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
   if (end == identify::ExciteEnd::kDone) return 0;
-  std::fputs(end == identify::ExciteEnd::kStopped
-                 ? "stopped; the joints are damped\n"
-                 : "a joint is 0.6 rad from where it is to be: is something in its way, or kp too "
-                   "low? The joints are damped\n",
-             stderr);
+  if (end == identify::ExciteEnd::kStopped) {
+    std::fputs("stopped; the joints are damped\n", stderr);
+    return 128 + StopSignal();
+  }
+  std::fputs(
+      "a joint is 0.6 rad from where it is to be: is something in its way, or kp too low? The "
+      "joints are damped\n",
+      stderr);
   return static_cast<int>(ExitCode::kInternal);
 }
 

@@ -125,9 +125,11 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
 }
 
 config::Config Load(const RunArguments& arguments) {
-  return config::LoadConfig(
-      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets},
-      config::DataDir());
+  return config::LoadConfig({.robot = arguments.robot,
+                             .files = arguments.config_files,
+                             .sets = arguments.sets,
+                             .typed = arguments.typed},
+                            config::DataDir());
 }
 
 script::Script LoadScript(const RunArguments& arguments, const config::Config& config) {

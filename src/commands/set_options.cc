@@ -8,8 +8,10 @@ CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::s
   return app
       ->add_option_function<std::string>(
           option,
-          [arguments, key](const std::string& value) {
-            arguments->sets.insert(arguments->sets.begin(), key + "=" + value);
+          [arguments, option, key](const std::string& value) {
+            const std::string set = key + "=" + value;
+            arguments->sets.insert(arguments->sets.begin(), set);
+            arguments->typed[set] = option + " " + value;
           },
           help)
       ->type_name(type);

@@ -1,6 +1,7 @@
 // Adds the options that change the configuration.
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -11,7 +12,8 @@ namespace understudy::commands {
 // The values of these options, as typed.
 struct SetArguments {
   std::vector<std::string> config_files;
-  std::vector<std::string> sets;  // "key=value"; short options come before --set
+  std::vector<std::string> sets;             // "key=value"; short options come before --set
+  std::map<std::string, std::string> typed;  // how such a short option was typed: "--start lying"
 };
 
 // For all functions: parsing fills `arguments`, which must outlive `app`.

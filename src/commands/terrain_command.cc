@@ -22,8 +22,8 @@ struct TerrainArguments : SetArguments {
 int TerrainCommand(const TerrainArguments& arguments) {
   std::vector<std::string> sets = arguments.sets;
   sets.insert(sets.begin(), "scene=" + arguments.scene);
-  const config::Config config =
-      config::LoadScene({.robot = {}, .files = arguments.config_files, .sets = sets});
+  const config::Config config = config::LoadScene(
+      {.robot = {}, .files = arguments.config_files, .sets = sets, .typed = arguments.typed});
   if (!terrain::IsTerrain(config.scene)) {
     std::vector<std::string> scenes = terrain::TerrainKinds();
     scenes.emplace_back(terrain::kPatchesScene);

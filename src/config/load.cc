@@ -24,10 +24,10 @@
 namespace understudy::config {
 namespace {
 
-// "robot.motors.3.slot=4" as the tree {robot: {motors: {3: {slot: 4}}}}.
-YamlValue SetTree(const std::string& set) {
+// "robot.motors.3.slot=4" as the tree {robot: {motors: {3: {slot: 4}}}}. `where` is what its user
+// typed.
+YamlValue SetTree(const std::string& set, const std::string& where) {
   constexpr std::size_t kLongestKey = 200;
-  const std::string where = "--set " + OneLine(set);
   const std::size_t equals = set.find('=');
   const std::string key = set.substr(0, equals);
   if (equals == std::string::npos || key.empty() || key.size() > kLongestKey ||
@@ -47,7 +47,11 @@ YamlValue SetTree(const std::string& set) {
 void AddTrees(const Layers& layers, std::vector<YamlValue>* trees) {
   for (const std::string& file : layers.files) trees->push_back(ReadLayer(file));
   trees->insert(trees->end(), layers.trees.begin(), layers.trees.end());
-  for (const std::string& set : layers.sets) trees->push_back(SetTree(set));
+  for (const std::string& set : layers.sets) {
+    const auto typed = layers.typed.find(set);
+    trees->push_back(SetTree(
+        set, typed == layers.typed.end() ? "--set " + OneLine(set) : OneLine(typed->second)));
+  }
 }
 
 bool IsSceneFile(const std::string& scene) {

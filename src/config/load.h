@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,8 @@ struct Layers {
   std::vector<YamlValue> trees{};    // the same, already parsed: the settings of a scenario
   std::vector<std::string>
       sets{};  // --set KEY=VALUE, in order; keys dotted, list elements by index
+  // What of these was typed otherwise, for messages: "start.pose=lying" as "--start lying".
+  std::map<std::string, std::string> typed{};
 };
 
 // Returns the effective, validated configuration. Layers are read in order, later ones override.

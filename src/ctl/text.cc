@@ -87,12 +87,22 @@ std::string TableText(const ordered_json& list) {
 
 }  // namespace
 
+namespace {
+
+// The places that UTF-8 takes on a screen, for letters as ours.
+std::size_t Width(const std::string& text) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+}  // namespace
+
 std::string Aligned(const std::vector<Cells>& rows) {
   std::vector<std::size_t> widths;
   for (const Cells& row : rows) {
     widths.resize(std::max(widths.size(), row.size()));
     for (std::size_t i = 0; i + 1 < row.size(); ++i) {
-      widths[i] = std::max(widths[i], row[i].size());
+      widths[i] = std::max(widths[i], Width(row[i]));
     }
   }
   std::string text;
@@ -100,7 +110,7 @@ std::string Aligned(const std::vector<Cells>& rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
       const bool last = i + 1 == row.size();
       text += row[i];
-      if (!last) text += std::string(widths[i] - row[i].size() + 2, ' ');
+      if (!last) text += std::string(widths[i] - Width(row[i]) + 2, ' ');
     }
     text.erase(text.find_last_not_of(' ') + 1);  // padding before an empty last cell
     text += "\n";

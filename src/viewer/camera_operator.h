@@ -11,8 +11,9 @@ class CameraOperator {
   // ModelError for a camera or body that the model does not have.
   CameraOperator(const Stage& stage, const CameraChoice& choice, const PictureSize& size);
 
-  // Follows the tracked body, smoothed. Call it after Stage::Show(). `seconds` is the viewer's time
-  // since the last call.
+  // Follows the tracked body, smoothed, and steps back where that leaves the picture, until
+  // somebody chooses a distance. Call it after Stage::Show(). `seconds` is the viewer's time since
+  // the last call.
   void Follow(const Stage& stage, double seconds);
 
   // Tracks that body, or none (-1), from the present view.
@@ -25,6 +26,8 @@ class CameraOperator {
   mjvCamera camera_;
   int tracked_ = -1;
   Point offset_{};  // m, world: from the tracked body to the look-at point
+  PictureSize size_;
+  double fitted_ = -1;  // m, the distance of our own choice; -1 where somebody else has chosen
 };
 
 }  // namespace understudy::viewer

@@ -212,6 +212,15 @@ void Stage::AddDecor(const ShowChoice& show) {
   }
 }
 
+// MuJoCo shows a free joint as a cube as large as a trunk.
+void Stage::HideFreeJoints() {
+  const auto* end =
+      std::remove_if(scene_.geoms, scene_.geoms + scene_.ngeom, [&](const mjvGeom& geom) {
+        return geom.objtype == mjOBJ_JOINT && model_->jnt_type[geom.objid] == mjJNT_FREE;
+      });
+  scene_.ngeom = static_cast<int>(end - scene_.geoms);
+}
+
 // A model's sun stands where its file has it, and its shadow map reaches as far as the whole scene
 // does. It is to follow the camera, and to be as fine as what that sees allows.
 void Stage::MoveSun(const mjvCamera& camera) {
@@ -238,6 +247,7 @@ void Stage::AddLine(const Point& from, const Point& to, const float rgba[4]) {
 void Stage::Compose(mjvCamera* camera, const ShowChoice& show, const mjvPerturb* perturb) {
   Choose(show);
   mjv_updateScene(model_.get(), data_.get(), &option_, perturb, camera, mjCAT_ALL, &scene_);
+  HideFreeJoints();
   AddDecor(show);
   MoveSun(*camera);
 }

@@ -65,6 +65,7 @@ class Stage {
   void Choose(const ShowChoice& show);
   void AddForce(const SceneState::Force& force, const float rgba[4]);
   void AddDecor(const ShowChoice& show);
+  void HideFreeJoints();
   void MoveSun(const mjvCamera& camera);
 
   mjcf::ModelHandle model_;

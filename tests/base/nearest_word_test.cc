@@ -14,6 +14,11 @@ TEST(NearestWordTest, ForgivesALetterTooFewTooManyOrSwapped) {
   EXPECT_EQ(NearestWord("mdoe", kWords), "mode");
 }
 
+TEST(NearestWordTest, ForgivesMoreOfAWordWhoseFirstLetterIsRight) {
+  EXPECT_EQ(NearestWord("ruff", {"flat", "rough", "row"}), "rough");
+  EXPECT_EQ(NearestWord("huff", {"flat", "rough", "row"}), "");
+}
+
 TEST(NearestWordTest, IgnoresLetterCase) { EXPECT_EQ(NearestWord("TIMEOUT", kWords), "timeout"); }
 
 TEST(NearestWordTest, FindsNothingInWordsFarAway) {

@@ -146,6 +146,11 @@ TEST(CtlTextTest, FieldsAreLinesAndListsOfObjectsTables) {
             "rt/x       -\n");
 }
 
+TEST(CtlTextTest, AUnitWithForeignLettersTakesThePlacesThatItShows) {
+  EXPECT_EQ(Aligned({{"rad/s/√s", "x"}, {"m/s²", "x"}, {"N·s/m", "x"}}),
+            "rad/s/√s  x\nm/s²      x\nN·s/m     x\n");
+}
+
 TEST(CtlTextTest, RobotsAreATable) {
   EXPECT_EQ(RobotsText({{.name = "left", .socket = "/r/left.sock", .pid = 7},
                         {.name = "g", .socket = "/r/g.sock", .pid = 0}}),

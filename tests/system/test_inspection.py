@@ -355,6 +355,9 @@ def test_completion_knows_the_robots_that_run_and_their_bodies(play, understudy)
     assert "FR_calf" in bodies and "world" not in bodies
     assert all(f'"{body}"' in names for body in bodies)
     assert understudy("complete", "--", "ctl", "--name", "left", "drag", "FR_t").stdout.split() == ["FR_thigh"]
+    assert understudy("complete", "--", "ctl", "joint", "FR_t").stdout.split() == ["FR_thigh_joint"]
+    assert understudy("complete", "--", "ctl", "fault", "ba").stdout.split() == ["battery"]
+    assert understudy("complete", "--", "ctl", "fault", "RL_calf").stdout.split() == ["RL_calf_joint"]
 
 
 def test_help_is_a_command_too(understudy):

@@ -54,6 +54,18 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
     assert [url for url in page.requests if not url.startswith(host)] == []
 
 
+def test_no_drag_takes_the_view_under_the_ground(page):
+    x, y = page.middle("#canvas")
+    page.mouse("mousePressed", x, y)
+    for i in range(1, 11):
+        page.mouse("mouseMoved", x, y - 30 * i)
+    page.mouse("mouseReleased", x, y - 300, held=False)
+
+    page.becomes("panel.view.controls.getPolarAngle() > 1.5")
+    assert page.evaluate("panel.view.camera.position.z") > 0.02
+    page.evaluate("panel.view.home()")
+
+
 def test_a_drag_in_the_view_pulls_the_robot_until_it_is_let_go(page):
     page.click("#push-tool")
     x, y = page.evaluate(BASE_ON_SCREEN)
@@ -225,6 +237,23 @@ def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
         page.mouse(kind, x, y, held, clickCount=count)
 
     page.becomes("!panel.plots.held")
+
+
+def test_the_time_under_the_pointer_is_marked_in_every_plot(page):
+    page.becomes("panel.plots.history.end - panel.plots.history.begin > 20")
+    if page.evaluate("panel.plots.plots.length") < 2:
+        page.click("#plots-add")
+    page.evaluate("panel.plots.plots[1].addFound('battery voltage'), panel.plots.hold(true)")
+    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph)")
+    x, y = page.middle(".chart")
+    page.mouse("mouseMoved", x, y, held=False)
+
+    marked = "panel.plots.plots.map(({ dygraph }) => dygraph.getValue(dygraph.getSelection(), 0))"
+    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph.getSelection() >= 0)")
+    first, second = page.evaluate(marked)[:2]
+    assert abs(first - second) < 0.1
+    page.mouse("mouseMoved", x, y + 500, held=False)
+    page.evaluate("panel.plots.hold(false)")
 
 
 def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):

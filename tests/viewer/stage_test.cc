@@ -76,6 +76,13 @@ TEST_F(StageTest, DrawsForcesContactsAndTheCrane) {
   EXPECT_EQ(Count(mjGEOM_SPHERE), 1 + 2 + 2) << "the ball, hook and top, and two contacts";
 }
 
+TEST_F(StageTest, DrawsTheAxesOfJointsButNoCubeForTheFreeOne) {
+  stage_.Show(BallAt(0));
+  Compose({.joints = true});
+  EXPECT_EQ(Count(mjGEOM_ARROW1), 1);
+  EXPECT_EQ(Count(mjGEOM_BOX), 0);
+}
+
 TEST_F(StageTest, AlwaysDrawsAPush) {
   SceneState state = BallAt(0);
   state.pushes = {{.at = {0, 0, 5}, .force = {1e5, 0, 0}}};

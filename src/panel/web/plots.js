@@ -128,9 +128,22 @@ class Plot {
       gridLineColor: this.plots.gridColour,
       axisLineColor: this.plots.gridColour,
       zoomCallback: () => this.plots.zoomed(this.dygraph),
-      highlightCallback: (_, time) => this.showValues(this.plots.history.find(time)),
-      unhighlightCallback: () => this.showValues(this.plots.history.end - 1),
+      highlightCallback: (_, time) => this.plots.mark(time, this),
+      unhighlightCallback: () => this.plots.mark(null, this),
     });
+  }
+
+  // Marks the points of that time; null for none.
+  mark(time) {
+    if (!this.dygraph) return;
+    if (time === null) return this.dygraph.clearSelection();
+    let [low, high] = [0, this.dygraph.numRows() - 1];
+    while (low < high) {
+      const middle = (low + high + 1) >> 1;
+      if (this.dygraph.getValue(middle, 0) <= time) low = middle;
+      else high = middle - 1;
+    }
+    this.dygraph.setSelection(low);
   }
 
   showValues(sample) {
@@ -257,6 +270,15 @@ export class Plots {
     this.controls.hold.setAttribute("aria-pressed", on);
     setText(this.controls.hold, on ? "Run" : "Hold");
     this.drawAll();
+  }
+
+  // The time under the pointer in one plot is that of all; null: it has left.
+  mark(time, own) {
+    const sample = time === null ? this.history.end - 1 : this.history.find(time);
+    for (const plot of this.plots) {
+      plot.showValues(sample);
+      if (plot !== own) plot.mark(time);
+    }
   }
 
   // A drag over a plot zooms in, which means to hold; a double click zooms out, which means to run.
