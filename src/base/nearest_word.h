@@ -8,7 +8,8 @@
 namespace understudy {
 
 // Returns the first of `words` with the least edit distance to `typed`; "" if that distance is more
-// than half of the word's letters (one wrong letter is always allowed). Ignores case.
+// than half of the word's letters, rounded up where the first one is right (one wrong letter is
+// always allowed). Ignores case.
 std::string NearestWord(std::string_view typed, const std::vector<std::string>& words);
 
 // Returns the end of an error line: "; did you mean 'timeout'? (valid: mode, timeout)", without the

@@ -27,7 +27,8 @@ TEST_F(ProfileTest, IsTheUsualOneWhereNothingAsksForOne) {
 
 TEST_F(ProfileTest, LiesAboveTheRobotsFileAndBelowWhatTheUserSays) {
   Write("config/robots/tiny.yaml",
-        std::string(test::kTinyRobot) + "sensors: {imu: {gyro_bias: 5, gyro_walk: 5, accel_bias: 5}}\n");
+        std::string(test::kTinyRobot) +
+            "sensors: {imu: {gyro_bias: 5, gyro_walk: 5, accel_bias: 5}}\n");
   const std::string file = Write("run.yaml", "sensors: {imu: {gyro_walk: 7}}\n");
   const Config config = Load({file}, {"profile=worn", "sensors.imu.accel_walk=0.5"});
   EXPECT_EQ(config.profile, "worn");

@@ -37,7 +37,8 @@ TEST(BoundConditionTest, ARunningRobotKnowsTheCommandsItHearsAndWhatItSamples) {
   EXPECT_EQ(WhyNot("gap(arm_sdk) > 0.1"), "");
   EXPECT_EQ(WhyNot("q(knee) > 0.1 and dq(hip) < 1 and tau_est(hip) < 1"), "");
   EXPECT_EQ(WhyNot("lowstate arrives"),
-            "no topic of commands 'rt/lowstate'; valid: rt/arm_sdk, rt/lowcmd");
+            "no topic of commands 'rt/lowstate'; did you mean 'rt/lowcmd'? "
+            "(valid: rt/arm_sdk, rt/lowcmd)");
   EXPECT_THAT(WhyNot("rt/mine arrives"), testing::HasSubstr("no topic of commands 'rt/mine'"));
   EXPECT_THAT(WhyNot("lowstate:tick > 5"), testing::HasSubstr("q, dq and tau_est of a joint"));
   EXPECT_EQ(WhyNot("q(finger) > 1"), "rt/lowstate does not tell of finger_joint");
