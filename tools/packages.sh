@@ -37,6 +37,7 @@ test_packages=(
   "python3-venv:a Python environment for the vendor's SDKs"
   "python3-dev:compiles the SDK's DDS binding"
   "iproute2:puts two hosts on a virtual cable"
+  "iptables:a firewall for the doctor to find"
   "zsh:completions are tried in their shells"
   "fish:completions are tried in their shells"
   "mandoc:checks the manual pages"

@@ -1,7 +1,11 @@
 #include "bus/participant.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
+#include <future>
+#include <system_error>
+#include <thread>
 #include <vector>
 
 #include <dds/dds.h>
@@ -43,7 +47,7 @@ void RefuseWithoutRoom(const std::string& where) {
   ::munmap(room, kBytes);
 }
 
-Entity CreateDomain(const std::string& interface, int domain) {
+Domain CreateDomain(const std::string& interface, int domain) {
   if (domain < 0 || domain > kLastDomain) {
     throw BusError("DDS domain " + std::to_string(domain) + " is out of range: 0.." +
                    std::to_string(kLastDomain));
@@ -68,7 +72,7 @@ Entity CreateDomain(const std::string& interface, int domain) {
         "cannot join " + where + ": " + why +
         (full ? "; without multicast an interface has room for nine programs in a domain" : ""));
   }
-  return Entity(created, "join " + where);
+  return Domain(Entity(created, "join " + where));
 }
 
 QosPtr ParticipantQos(const std::string& announcement) {
@@ -80,6 +84,25 @@ QosPtr ParticipantQos(const std::string& announcement) {
 }
 
 }  // namespace
+
+Domain::~Domain() {
+  constexpr std::chrono::seconds kPatience(5);  // *assumed*: it takes milliseconds
+  if (domain_.handle() == 0) return;
+  std::promise<void> promise;
+  const std::future<void> ended = promise.get_future();
+  try {
+    std::thread thread([domain = std::move(domain_), promise = std::move(promise)]() mutable {
+      { const Entity gone = std::move(domain); }
+      promise.set_value();
+    });
+    if (ended.wait_for(kPatience) == std::future_status::ready) {
+      thread.join();
+    } else {
+      thread.detach();
+    }
+  } catch (const std::system_error&) {  // there is no thread to be had: it was ended here
+  }
+}
 
 Participant::Participant(const std::string& interface, int domain, const std::string& announcement)
     : interface_(FindInterface(interface)),

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "bus/entity.h"
 #include "bus/interfaces.h"
@@ -17,6 +18,20 @@ using ParticipantKey = std::array<std::uint8_t, 16>;
 
 // The last domain whose ports fit into 16 bits (DDSI-RTPS 2.2, section 9.6.1: 7400 + 250 · domain).
 inline constexpr int kLastDomain = 232;
+
+// Owns a domain of Cyclone's. Its destructor takes no longer than 5 s: a thread of Cyclone 0.10.2
+// that receives ends by a packet to itself, and where a firewall drops it, Cyclone waits for ever.
+// Such a domain then ends with the process.
+class Domain {
+ public:
+  explicit Domain(Entity domain) : domain_(std::move(domain)) {}
+  ~Domain();
+  Domain(Domain&&) noexcept = default;
+  Domain& operator=(Domain&&) noexcept = default;
+
+ private:
+  Entity domain_;
+};
 
 // A domain and our participant in it. Configured by explicit XML like the vendor's SDK
 // (docs/sources.md#dds), so CYCLONEDDS_URI has no effect. Must outlive its readers and writers.
@@ -47,7 +62,7 @@ class Participant {
   int domain_id_;
   std::string announcement_;
   std::unique_ptr<Traffic> traffic_ = std::make_unique<Traffic>();
-  Entity domain_;       // outlives participant_
+  Domain domain_;       // outlives participant_
   Entity participant_;  // the parent of all readers and writers
   ParticipantKey key_{};
 };

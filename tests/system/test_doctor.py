@@ -124,6 +124,37 @@ def test_a_network_without_multicast_is_told_from_a_firewall_and_from_a_peer_tha
     assert "IGMP" in rows["peer multicast"]["remedy"]
 
 
+@contextlib.contextmanager
+def firewall(*rule, there=()):
+    """Packets of that rule are dropped, here or on the other host."""
+    def change(verb):
+        subprocess.run([*there, "iptables", verb, *rule, "-j", "DROP"], check=True, timeout=10)
+
+    change("-A")
+    try:
+        yield
+    finally:
+        change("-D")
+
+
+def test_a_firewall_that_forbids_to_send_is_told_and_holds_nobody_up(play):
+    with host_on_a_cable(HERE, THERE) as there, echo(there), firewall("OUTPUT", "-p", "udp"):
+        rows = examine("--interface", "veth0", "--peer", "192.168.123.222")
+        robot = play("go2", "--duration", "0.1", ready=False)
+        assert robot.exit_code() == 0
+
+    assert verdicts(rows, "peer unicast", "peer multicast", "firewall") == ["wrong"] * 3
+    assert "forbids to send" in rows["firewall"]["finding"]
+
+
+def test_a_firewall_of_the_peer_is_told(play):
+    with host_on_a_cable(HERE, THERE) as there, echo(there), \
+            firewall("INPUT", "-p", "udp", "--dport", "7530", there=there):
+        rows = examine("--interface", "veth0", "--peer", "far")
+
+    assert verdicts(rows, "peer", "peer unicast", "firewall") == ["ok", "wrong", "wrong"]
+
+
 def test_a_host_without_an_echo_is_told_with_the_command_to_run_there():
     with host_on_a_cable(HERE, THERE):
         rows = examine("--interface", "veth0", "--peer", "192.168.123.222")

@@ -1,5 +1,7 @@
 """The panel on phones, in light and dark mode, by the Tab key, and without WebGL."""
 
+import pytest
+
 from panel_page import DESK, PHONE, browser, dog, dogs_page, page, show, url_of, visit
 
 
@@ -27,10 +29,31 @@ def test_a_phone_on_its_side_shows_one_part_and_a_desk_all_again(page):
     assert page.evaluate(seen) == ["plots", "motors", "remote"]
 
 
+# What is seen of an element: nothing of it lies beyond the page or, unless that can be moved, beyond what holds it.
+CUT_OFF = """[...document.querySelectorAll('body *')].filter((one) => {
+  const { width, left, right } = one.getBoundingClientRect();
+  if (!one.offsetParent || one.closest('.hidden, option') || !width) return false;
+  const clips = getComputedStyle(one).overflowX !== 'visible' && one.clientWidth > 0 && one.tagName !== 'I';
+  return left < -1 || right > innerWidth + 1 || (clips && one.scrollWidth > one.clientWidth + 1);
+}).map((one) => `${one.tagName} ${one.id} ${one.className} ${one.textContent.slice(0, 40)}`)"""
+
+
+@pytest.mark.parametrize("desk", [{"width": 1024, "height": 768}, PHONE], ids=["a small desk", "a phone"])
+def test_nothing_of_any_part_is_cut_off(play, visit, desk, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    robot = play("g1", "--record", "a_recording_of_this_morning.mcap")
+    page = visit(url_of(robot), **desk)
+    for tab in ("plots", "motors", "actions", "rig", "events", "dds", "services", "recordings", "remote"):
+        show(page, tab)
+        page.evaluate("new Promise((done) => setTimeout(done, 300))")
+        assert page.evaluate(CUT_OFF) == [], tab
+        assert page.text("#ground").endswith(" N")
+
+
 def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
     robot = play("g1")
     page = visit(url_of(robot), **PHONE)
-    for tab in ("plots", "motors", "actions", "rig", "events", "dds", "services", "remote"):
+    for tab in ("plots", "motors", "actions", "rig", "events", "dds", "services", "recordings", "remote"):
         show(page, tab)
         assert page.evaluate("document.documentElement.scrollWidth <= innerWidth"), tab
         assert page.evaluate(
