@@ -57,6 +57,16 @@ def test_its_modules_do_what_they_say(page):
         return { normal: [...mesh.attributes.normal.array.slice(0, 3)], faces: mesh.index.count / 3,
                  top: [ground.getX(top), ground.getY(top), ground.getZ(top)] };
       }""") == {"normal": [0, 0, 1], "faces": 1, "top": [-3, -2, 0.5]}
+    # Relief is seen: high ground is lighter than low, and lines at every 0.5 m, darker, bend with it.
+    assert module("geoms", """{
+        const field = new Uint32Array(2 + 21 * 21);
+        field.set([21, 21]);
+        new Float32Array(field.buffer)[2 + 1 * 21 + 2] = 1;
+        const tint = m.heightFieldGeometry(field.buffer, [1, 1, 0.5, 0.1]).attributes.color;
+        const at = (row, column) => tint.getX((20 - row) * 21 + column);
+        return { high: at(1, 2) > at(1, 1), lines: [...Array(21).keys()].filter((k) => at(3, k) < at(3, 3)),
+                 rows: [...Array(21).keys()].filter((k) => at(k, 3) < at(3, 3)) };
+      }""") == {"high": True, "lines": [0, 5, 10, 15, 20], "rows": [0, 5, 10, 15, 20]}
 
 
 ROW = """{ name: "arm.wave_at", does: "Waves", fields: [

@@ -3,6 +3,8 @@ import * as THREE from "./vendor/three/build/three.module.js";
 
 const ROUND = 24; // segments of a full turn
 const LOWEST_TINT = 0.5; // of a height field's colour, at its lowest; 1.5 at its highest; *assumed*
+const GRID = 0.5; // m between lines on a height field, as the tiles of a floor
+const LINE_TINT = 0.72; // of a line, as a share of the tint beside it; *assumed*
 const HALF_PI = Math.PI / 2;
 
 function capsule(radius, half) {
@@ -57,13 +59,22 @@ export function heightFieldGeometry(buffer, size) {
   const geometry = new THREE.PlaneBufferGeometry(2 * size[0], 2 * size[1], columns - 1, rows - 1);
   const position = geometry.attributes.position;
   const tint = new Float32Array(3 * rows * columns); // high is light: else relief is hardly seen
+  // Lines that bend with the ground, of its vertices; none where these are too far apart.
+  const lines = (count, side) => {
+    const cell = (2 * side) / (count - 1);
+    const on = new Uint8Array(count);
+    for (let at = 0; at <= 2 * side + cell / 2; at += GRID) on[Math.round(at / cell)] = 1;
+    return cell < GRID / 3 ? on : new Uint8Array(count);
+  };
+  const [across, along] = [lines(columns, size[0]), lines(rows, size[1])];
   for (let row = 0; row < rows; ++row) {
     for (let column = 0; column < columns; ++column) {
       // MuJoCo's first row is the one of least y, three.js's that of most.
       const vertex = (rows - 1 - row) * columns + column;
       const height = heights[row * columns + column];
       position.setZ(vertex, height * size[2]);
-      tint.fill(LOWEST_TINT + height, 3 * vertex, 3 * vertex + 3);
+      const line = across[column] || along[row] ? LINE_TINT : 1;
+      tint.fill((LOWEST_TINT + height) * line, 3 * vertex, 3 * vertex + 3);
     }
   }
   geometry.setAttribute("color", new THREE.BufferAttribute(tint, 3));
