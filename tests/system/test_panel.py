@@ -54,6 +54,168 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
     assert [url for url in page.requests if not url.startswith(host)] == []
 
 
+def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
+    page.becomes("panel.plots.history.end - panel.plots.history.begin > 50")
+
+    page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
+                  "(document.querySelector('.plot input'))")
+
+    page.becomes("panel.plots.plots[0].names.includes('battery voltage') &&"
+                 "panel.plots.plots[0].dygraph.numRows() > 20")
+
+
+def test_a_part_of_a_signals_name_is_enough_and_one_that_none_has_is_marked(page):
+    page.evaluate("window.typed = (text) => (s => { s.value = text; s.dispatchEvent(new Event('change')); return s; })"
+                  "(document.querySelector('.plot input'))")
+
+    assert page.evaluate("typed('rl_calf POS').validity.valid")
+    assert page.evaluate("panel.plots.plots[0].names.includes('RL_calf position')")
+    assert not page.evaluate("typed('RL_clf').validity.valid")
+    assert page.evaluate("typed('').validity.valid")
+
+
+def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):
+    before = page.evaluate("panel.plots.history.end")
+
+    page.evaluate("panel.link.snapshots.close(), 0")
+
+    page.becomes("panel.link.snapshots.readyState === 1 && document.getElementById('lost').hidden")
+    page.becomes(f"panel.plots.history.end > {before} + 20")
+
+
+def test_speed_is_chosen_in_the_bar(page):
+    choose = ("(s => {{ s.value = '{}'; s.dispatchEvent(new Event('change')); }})"
+              "(document.getElementById('speed'))")
+
+    page.evaluate(choose.format("0.5"))
+    page.becomes("panel.view.snapshot.speed === 0.5")
+    page.evaluate(choose.format("1"))
+
+    page.becomes("panel.view.snapshot.speed === 1")
+
+
+def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page):
+    page.evaluate("document.getElementById('speed').focus()")
+
+    page.evaluate("panel.link.post('speed', { speed: 2 })")
+    page.becomes("document.getElementById('speed').value === '2'")
+    page.evaluate("panel.link.post('speed', { speed: 1 })")
+
+    page.becomes("document.getElementById('speed').value === '1'")
+    page.evaluate("document.activeElement.blur()")
+
+
+def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
+    page.evaluate("panel.link.post('drag', { body: 'base_link', to: [0, 0, 0.6], for: 60 })")
+    second = visit(url_of(dog))
+    second.becomes("panel.link.requestsOpen")
+
+    step = second.evaluate("panel.view.snapshot.step")
+    second.becomes(f"panel.view.snapshot.step > {step}")
+
+    assert second.evaluate("panel.view.snapshot.pushes.length") == 1
+    page.evaluate("panel.link.post('let_go')")
+
+
+# Requests go nowhere and are all refused; `link.asked` has them.
+REFUSE = """(() => {
+  const { link } = panel;
+  link.asked = [];
+  link.request = async (name) => (link.asked.push(name), { status: 409, error: "not today" });
+})()"""
+REFUSE_NO_MORE = "delete panel.link.request && delete panel.link.asked"
+
+
+def test_what_is_refused_many_times_a_second_is_complained_of_once(page):
+    page.evaluate(REFUSE)
+    page.key("keyDown", "KeyE", "e")
+    page.becomes("panel.link.asked.length > 4")
+    page.key("keyUp", "KeyE", "e")
+    page.evaluate(REFUSE_NO_MORE)
+
+    assert page.evaluate("[...document.querySelectorAll('#event-list li')]"
+                         ".filter((line) => line.textContent.includes('not today')).length") == 1
+
+
+def test_space_pauses_once_however_long_it_is_held(page):
+    page.evaluate(REFUSE)
+    page.key("keyDown", "Space", " ")
+    for _ in range(3):
+        page.call("Input.dispatchKeyEvent", type="keyDown", code="Space", key=" ", autoRepeat=True)
+    page.key("keyUp", "Space", " ")
+    asked = page.evaluate("panel.link.asked")
+    page.evaluate(REFUSE_NO_MORE)
+
+    assert [name for name in asked if name != "remote.set"] == ["pause"]  # keys let go before
+
+
+def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):
+    page.evaluate("window.before = true; panel.link.known.robot = 'g1'; panel.link.snapshots.close()")
+
+    page.becomes("!window.before && window.panel?.view.placed && panel.link.known.robot === 'go2'")
+
+
+def test_without_the_token_one_may_only_look(dog, visit):
+    page = visit(url_of(dog).split("#")[0])
+
+    assert "has no token" in page.text("#token")
+    assert page.evaluate("[...document.querySelectorAll('.requests')].every((one) => one.disabled)")
+    page.becomes("panel.view.snapshot.motors.length === 12")
+
+
+def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play, visit):
+    first = play("go2")
+    page = visit(url_of(first))
+    port = url_of(first).split(":")[2].split("/")[0]
+
+    first.end()
+    page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
+    second = play("go2", "--set", f"control.port={port}", name="other")
+    page.becomes("document.getElementById('token')?.textContent.includes('Open the new URL')")
+    assert page.evaluate("document.getElementById('lost').hidden")
+    page.call("Page.navigate", url=url_of(second))
+
+    page.becomes("document.body && !document.body.classList.contains('looking')")
+    page.errors.clear()  # the browser reports a server that is not there and a token refused
+
+
+# What a picture may ask of a graphics card; *assumed*. 20 us for a call, with what WebGL checks and a laptop's driver does,
+# make 10 ms of 500. A laptop's graphics of ten years ago do some 500 triangles a microsecond.
+MOST_CALLS = 500
+MOST_TRIANGLES = 500_000
+
+
+@pytest.mark.parametrize("options", [["go2"], ["g1_29dof_dex3"], ["go2", "--scene", "rough"]], ids=" ".join)
+def test_a_picture_asks_little_of_the_graphics_card(play, visit, options):
+    drawn = visit(url_of(play(*options))).evaluate("""(() => {
+      const { view } = panel;
+      view.quality.level = 0;
+      view.quality.apply();
+      view.renderer.render(view.scene, view.camera);
+      return view.renderer.info.render;
+    })()""")
+    assert 10 < drawn["calls"] < MOST_CALLS
+    assert 10_000 < drawn["triangles"] < MOST_TRIANGLES
+
+
+def test_the_time_under_the_pointer_is_marked_in_every_plot(page):
+    page.becomes("panel.plots.history.end - panel.plots.history.begin > 20")
+    if page.evaluate("panel.plots.plots.length") < 2:
+        page.click("#plots-add")
+    page.evaluate("panel.plots.plots[1].addFound('battery voltage'), panel.plots.hold(true)")
+    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph)")
+    x, y = page.middle(".chart")
+    page.mouse("mouseMoved", x, y, held=False)
+
+    marked = "panel.plots.plots.map(({ dygraph }) => dygraph.getValue(dygraph.getSelection(), 0))"
+    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph.getSelection() >= 0)")
+    first, second = page.evaluate(marked)[:2]
+    assert abs(first - second) < 0.1
+    page.mouse("mouseMoved", x, y + 500, held=False)
+    page.evaluate("panel.plots.hold(false)")
+
+
+# The last one: the view still swings for a while after it.
 def test_no_drag_takes_the_view_under_the_ground(page):
     x, y = page.middle("#canvas")
     page.mouse("mousePressed", x, y)
@@ -237,164 +399,3 @@ def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
         page.mouse(kind, x, y, held, clickCount=count)
 
     page.becomes("!panel.plots.held")
-
-
-def test_the_time_under_the_pointer_is_marked_in_every_plot(page):
-    page.becomes("panel.plots.history.end - panel.plots.history.begin > 20")
-    if page.evaluate("panel.plots.plots.length") < 2:
-        page.click("#plots-add")
-    page.evaluate("panel.plots.plots[1].addFound('battery voltage'), panel.plots.hold(true)")
-    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph)")
-    x, y = page.middle(".chart")
-    page.mouse("mouseMoved", x, y, held=False)
-
-    marked = "panel.plots.plots.map(({ dygraph }) => dygraph.getValue(dygraph.getSelection(), 0))"
-    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph.getSelection() >= 0)")
-    first, second = page.evaluate(marked)[:2]
-    assert abs(first - second) < 0.1
-    page.mouse("mouseMoved", x, y + 500, held=False)
-    page.evaluate("panel.plots.hold(false)")
-
-
-def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
-    page.becomes("panel.plots.history.end - panel.plots.history.begin > 50")
-
-    page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
-                  "(document.querySelector('.plot input'))")
-
-    page.becomes("panel.plots.plots[0].names.includes('battery voltage') &&"
-                 "panel.plots.plots[0].dygraph.numRows() > 20")
-
-
-def test_a_part_of_a_signals_name_is_enough_and_one_that_none_has_is_marked(page):
-    page.evaluate("window.typed = (text) => (s => { s.value = text; s.dispatchEvent(new Event('change')); return s; })"
-                  "(document.querySelector('.plot input'))")
-
-    assert page.evaluate("typed('rl_calf POS').validity.valid")
-    assert page.evaluate("panel.plots.plots[0].names.includes('RL_calf position')")
-    assert not page.evaluate("typed('RL_clf').validity.valid")
-    assert page.evaluate("typed('').validity.valid")
-
-
-def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):
-    before = page.evaluate("panel.plots.history.end")
-
-    page.evaluate("panel.link.snapshots.close(), 0")
-
-    page.becomes("panel.link.snapshots.readyState === 1 && document.getElementById('lost').hidden")
-    page.becomes(f"panel.plots.history.end > {before} + 20")
-
-
-def test_speed_is_chosen_in_the_bar(page):
-    choose = ("(s => {{ s.value = '{}'; s.dispatchEvent(new Event('change')); }})"
-              "(document.getElementById('speed'))")
-
-    page.evaluate(choose.format("0.5"))
-    page.becomes("panel.view.snapshot.speed === 0.5")
-    page.evaluate(choose.format("1"))
-
-    page.becomes("panel.view.snapshot.speed === 1")
-
-
-def test_a_speed_that_another_sets_is_shown_although_the_list_has_the_focus(page):
-    page.evaluate("document.getElementById('speed').focus()")
-
-    page.evaluate("panel.link.post('speed', { speed: 2 })")
-    page.becomes("document.getElementById('speed').value === '2'")
-    page.evaluate("panel.link.post('speed', { speed: 1 })")
-
-    page.becomes("document.getElementById('speed').value === '1'")
-    page.evaluate("document.activeElement.blur()")
-
-
-def test_a_second_page_lets_go_of_nothing_that_is_held(dog, page, visit):
-    page.evaluate("panel.link.post('drag', { body: 'base_link', to: [0, 0, 0.6], for: 60 })")
-    second = visit(url_of(dog))
-    second.becomes("panel.link.requestsOpen")
-
-    step = second.evaluate("panel.view.snapshot.step")
-    second.becomes(f"panel.view.snapshot.step > {step}")
-
-    assert second.evaluate("panel.view.snapshot.pushes.length") == 1
-    page.evaluate("panel.link.post('let_go')")
-
-
-# Requests go nowhere and are all refused; `link.asked` has them.
-REFUSE = """(() => {
-  const { link } = panel;
-  link.asked = [];
-  link.request = async (name) => (link.asked.push(name), { status: 409, error: "not today" });
-})()"""
-REFUSE_NO_MORE = "delete panel.link.request && delete panel.link.asked"
-
-
-def test_what_is_refused_many_times_a_second_is_complained_of_once(page):
-    page.evaluate(REFUSE)
-    page.key("keyDown", "KeyE", "e")
-    page.becomes("panel.link.asked.length > 4")
-    page.key("keyUp", "KeyE", "e")
-    page.evaluate(REFUSE_NO_MORE)
-
-    assert page.evaluate("[...document.querySelectorAll('#event-list li')]"
-                         ".filter((line) => line.textContent.includes('not today')).length") == 1
-
-
-def test_space_pauses_once_however_long_it_is_held(page):
-    page.evaluate(REFUSE)
-    page.key("keyDown", "Space", " ")
-    for _ in range(3):
-        page.call("Input.dispatchKeyEvent", type="keyDown", code="Space", key=" ", autoRepeat=True)
-    page.key("keyUp", "Space", " ")
-    asked = page.evaluate("panel.link.asked")
-    page.evaluate(REFUSE_NO_MORE)
-
-    assert [name for name in asked if name != "remote.set"] == ["pause"]  # keys let go before
-
-
-def test_another_robot_at_the_same_address_is_another_page_though_its_process_has_the_same_number(page):
-    page.evaluate("window.before = true; panel.link.known.robot = 'g1'; panel.link.snapshots.close()")
-
-    page.becomes("!window.before && window.panel?.view.placed && panel.link.known.robot === 'go2'")
-
-
-def test_without_the_token_one_may_only_look(dog, visit):
-    page = visit(url_of(dog).split("#")[0])
-
-    assert "has no token" in page.text("#token")
-    assert page.evaluate("[...document.querySelectorAll('.requests')].every((one) => one.disabled)")
-    page.becomes("panel.view.snapshot.motors.length === 12")
-
-
-def test_it_says_that_the_robot_has_gone_and_what_to_do_when_another_comes(play, visit):
-    first = play("go2")
-    page = visit(url_of(first))
-    port = url_of(first).split(":")[2].split("/")[0]
-
-    first.end()
-    page.becomes("document.getElementById('lost').textContent.startsWith('Connection lost')")
-    second = play("go2", "--set", f"control.port={port}", name="other")
-    page.becomes("document.getElementById('token')?.textContent.includes('Open the new URL')")
-    assert page.evaluate("document.getElementById('lost').hidden")
-    page.call("Page.navigate", url=url_of(second))
-
-    page.becomes("document.body && !document.body.classList.contains('looking')")
-    page.errors.clear()  # the browser reports a server that is not there and a token refused
-
-
-# What a picture may ask of a graphics card; *assumed*. 20 us for a call, with what WebGL checks and a laptop's driver does,
-# make 10 ms of 500. A laptop's graphics of ten years ago do some 500 triangles a microsecond.
-MOST_CALLS = 500
-MOST_TRIANGLES = 500_000
-
-
-@pytest.mark.parametrize("options", [["go2"], ["g1_29dof_dex3"], ["go2", "--scene", "rough"]], ids=" ".join)
-def test_a_picture_asks_little_of_the_graphics_card(play, visit, options):
-    drawn = visit(url_of(play(*options))).evaluate("""(() => {
-      const { view } = panel;
-      view.quality.level = 0;
-      view.quality.apply();
-      view.renderer.render(view.scene, view.camera);
-      return view.renderer.info.render;
-    })()""")
-    assert 10 < drawn["calls"] < MOST_CALLS
-    assert 10_000 < drawn["triangles"] < MOST_TRIANGLES
