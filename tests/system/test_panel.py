@@ -54,6 +54,179 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
     assert [url for url in page.requests if not url.startswith(host)] == []
 
 
+def test_a_drag_in_the_view_pulls_the_robot_until_it_is_let_go(page):
+    page.click("#push-tool")
+    x, y = page.evaluate(BASE_ON_SCREEN)
+    start = page.evaluate("panel.view.snapshot.bodies[panel.view.base]")
+
+    page.mouse("mousePressed", x, y)
+    for way in range(0, 160, 20):
+        page.mouse("mouseMoved", x + way, y)
+    page.becomes("panel.view.snapshot.pushes.length > 0")
+    page.becomes(f"Math.hypot(panel.view.snapshot.bodies[panel.view.base][0] - {start[0]},"
+                 f"panel.view.snapshot.bodies[panel.view.base][1] - {start[1]}) > 0.02")
+    page.mouse("mouseReleased", x + 140, y, held=False)
+
+    page.becomes("panel.view.snapshot.pushes.length === 0")
+
+
+def test_a_push_in_numbers_pushes_and_one_without_a_number_is_told_why_not(page):
+    show(page, "rig")
+    fill = "Object.assign(document.querySelector('#rig form[aria-label=push] [aria-label=\"{}\"]'), {{ value: '{}' }}), 0"
+    submit = "document.querySelector('#rig form[aria-label=push]').requestSubmit()"
+    page.evaluate(submit)
+    page.becomes("document.getElementById('message').textContent.includes('force or impulse')")
+
+    for called, value in (("body", "base_link"), ("force y", "5"), ("for", "60")):
+        page.evaluate(fill.format(called, value))
+    page.evaluate(submit)
+    page.becomes("panel.view.snapshot.pushes.length === 1 && panel.view.snapshot.pushes[0].force[1] === 5")
+    page.evaluate("panel.link.post('reset')")
+
+    page.becomes("panel.view.snapshot.pushes.length === 0")
+    show(page, "remote")
+
+
+def remote_bytes(samples):
+    """Keys, and sticks in hundredths, as a program reads them from LowState."""
+    def read(message):
+        data = bytes(message.wireless_remote)
+        sticks = [round(100 * struct.unpack_from("<f", data, at)[0]) for at in (4, 8, 12, 20)]
+        return struct.unpack_from("<H", data, 2)[0], dict(zip(("lx", "rx", "ry", "ly"), sticks))
+
+    return [read(sample) for sample in samples]
+
+
+def test_keys_of_the_keyboard_reach_wireless_remote(page):
+    with listener(domain=DOMAIN) as program:
+        page.key("keyDown", "KeyA", "a")
+        page.key("keyDown", "KeyE", "e")
+        eventually(lambda: any(keys == 1 << 8 and sticks["ly"] == 100
+                               for keys, sticks in remote_bytes(program.take())), what="A, forward")
+        page.key("keyUp", "KeyA", "a")
+        page.key("keyUp", "KeyE", "e")
+
+        eventually(lambda: any(keys == 0 and sticks["ly"] == 0
+                               for keys, sticks in remote_bytes(program.take())), what="let go")
+
+
+def events_of(page, kind):
+    events = page.evaluate("fetch('/events').then((reply) => reply.json())")["events"]
+    return [event for event in events if event["kind"] == kind]
+
+
+def presses_of(page, keys):
+    """How often those keys have gone down together so far."""
+    return sum(event["detail"]["keys"] == keys for event in events_of(page, "remote"))
+
+
+STALL = "(() => { const end = performance.now() + %d; while (performance.now() < end); })()"
+
+
+def test_a_chord_is_one_press_however_slow_the_page_is(page):
+    before = presses_of(page, "L2+A")
+    page.key("keyDown", "KeyW", "w")
+    page.key("keyDown", "KeyA", "a")
+    eventually(lambda: presses_of(page, "L2+A") == before + 1)
+    page.evaluate(STALL % 1500)  # meanwhile the robot lets go
+    page.becomes("panel.view.snapshot.remote.keys === ''")
+    page.evaluate("new Promise((done) => setTimeout(done, 600))")  # and the page renews what is held
+    assert page.evaluate("document.querySelector('[data-key=A]').ariaPressed") == "true"
+    assert presses_of(page, "L2+A") == before + 1
+    page.key("keyUp", "KeyA", "a")
+    page.key("keyDown", "KeyA", "a")
+
+    eventually(lambda: presses_of(page, "L2+A") == before + 2)
+    page.key("keyUp", "KeyA", "a")
+    page.key("keyUp", "KeyW", "w")
+    page.becomes("panel.view.snapshot.remote.keys === ''")
+    assert presses_of(page, "L2+A") == before + 2
+
+
+def test_a_tap_is_heard_however_short_it_is(page):
+    before = presses_of(page, "X")
+    for count in range(1, 6):
+        page.evaluate("""["keydown", "keyup"].forEach((kind) => window.dispatchEvent(
+            new KeyboardEvent(kind, { code: "KeyX", key: "x" })))""")
+        eventually(lambda: presses_of(page, "X") == before + count)
+        eventually(lambda: events_of(page, "remote")[-1]["detail"]["keys"] == "")  # it has let go
+
+
+def test_a_gamepad_reaches_wireless_remote(page):
+    # As the browser shows one: L2 (button 6) and B (1) pressed, the right stick to the left.
+    page.evaluate("""navigator.getGamepads = () => [{ mapping: "standard", id: "pad",
+        buttons: Array.from({ length: 16 }, (_, i) => ({ pressed: i === 6 || i === 1 })),
+        axes: [0.01, 0, -1, 0] }], 0""")
+
+    with listener(domain=DOMAIN) as program:
+        eventually(lambda: any(
+            keys == (1 << 5 | 1 << 9) and sticks["rx"] == -100 and sticks["lx"] == 0
+            for keys, sticks in remote_bytes(program.take())), what="L2+B, left")
+    assert page.text("#gamepad") == "gamepad: pad"
+    page.evaluate("navigator.getGamepads = () => [], 0")
+
+
+def test_a_refused_command_is_an_event_with_its_reason(page):
+    said = "document.getElementById('event-list').textContent.includes('LowCmd (crc): its crc')"
+
+    with speaker("rt/lowcmd", GoLowCmd, DOMAIN) as program:
+        program.speak_until(lambda: page.evaluate(said), go_command())
+
+
+def test_the_damage_sheet_opens_under_the_motors_and_goes_on(page):
+    page.evaluate("document.getElementById('damage').open = true")
+    page.becomes("document.querySelectorAll('#damage-rows tr').length === 12")
+    note = "document.getElementById('damage-note').textContent"
+    cell = "document.querySelector('#damage-rows tr {}').textContent"
+
+    assert page.evaluate(cell.format("th")) == "FR_hip"
+    assert 20 <= float(page.evaluate(cell.format("td:nth-child(5)"))) <= 60  # °C
+    before = page.evaluate(note)
+    assert " fall" in before and " J, " in before
+    page.becomes(f"{note} !== {before!r}")  # its energy
+
+
+def test_pause_stops_time_and_a_step_is_one_tick(page):
+    page.click("#pause")
+    page.becomes("panel.view.snapshot.paused && !document.getElementById('step').disabled")
+    step = page.evaluate("panel.view.snapshot.step")
+    page.click("#step")
+    page.becomes(f"panel.view.snapshot.step === {step + 1}")
+    page.click("#pause")
+
+    page.becomes(f"!panel.view.snapshot.paused && panel.view.snapshot.step > {step + 100}")
+
+
+def test_a_recording_is_started_and_ended_by_one_button(page):
+    pressed = "document.getElementById('record').getAttribute('aria-pressed') === '{}'"
+    page.click("#record")
+    page.becomes(pressed.format("true"))
+    file = pathlib.Path(page.evaluate("document.getElementById('record').title").split(", ")[0])
+    try:
+        page.click("#record")
+        page.becomes(pressed.format("false"))
+        assert understudy("recording", file).stdout.startswith(f"{file}: go2, ")
+    finally:
+        file.unlink()
+
+
+def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
+    span = "(([from, to]) => to - from)(panel.plots.plots[0].dygraph.xAxisRange())"
+    page.becomes(f"panel.plots.plots[0].dygraph && {span} > 1")
+    before = page.evaluate(span)
+    x, y = page.middle(".chart")
+
+    page.mouse("mousePressed", x - 30, y)
+    page.mouse("mouseMoved", x + 30, y)
+    page.mouse("mouseReleased", x + 30, y, held=False)
+    page.becomes(f"panel.plots.held && {span} < {0.8 * before}")
+    for kind, held, count in (("mousePressed", True, 1), ("mouseReleased", False, 1),
+                              ("mousePressed", True, 2), ("mouseReleased", False, 2)):
+        page.mouse(kind, x, y, held, clickCount=count)
+
+    page.becomes("!panel.plots.held")
+
+
 def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
     page.becomes("panel.plots.history.end - panel.plots.history.begin > 50")
 
@@ -226,176 +399,3 @@ def test_no_drag_takes_the_view_under_the_ground(page):
     page.becomes("panel.view.controls.getPolarAngle() > 1.5")
     assert page.evaluate("panel.view.camera.position.z") > 0.02
     page.evaluate("panel.view.home()")
-
-
-def test_a_drag_in_the_view_pulls_the_robot_until_it_is_let_go(page):
-    page.click("#push-tool")
-    x, y = page.evaluate(BASE_ON_SCREEN)
-    start = page.evaluate("panel.view.snapshot.bodies[panel.view.base]")
-
-    page.mouse("mousePressed", x, y)
-    for way in range(0, 160, 20):
-        page.mouse("mouseMoved", x + way, y)
-    page.becomes("panel.view.snapshot.pushes.length > 0")
-    page.becomes(f"Math.hypot(panel.view.snapshot.bodies[panel.view.base][0] - {start[0]},"
-                 f"panel.view.snapshot.bodies[panel.view.base][1] - {start[1]}) > 0.02")
-    page.mouse("mouseReleased", x + 140, y, held=False)
-
-    page.becomes("panel.view.snapshot.pushes.length === 0")
-
-
-def test_a_push_in_numbers_pushes_and_one_without_a_number_is_told_why_not(page):
-    show(page, "rig")
-    fill = "Object.assign(document.querySelector('#rig form[aria-label=push] [aria-label=\"{}\"]'), {{ value: '{}' }}), 0"
-    submit = "document.querySelector('#rig form[aria-label=push]').requestSubmit()"
-    page.evaluate(submit)
-    page.becomes("document.getElementById('message').textContent.includes('force or impulse')")
-
-    for called, value in (("body", "base_link"), ("force y", "5"), ("for", "60")):
-        page.evaluate(fill.format(called, value))
-    page.evaluate(submit)
-    page.becomes("panel.view.snapshot.pushes.length === 1 && panel.view.snapshot.pushes[0].force[1] === 5")
-    page.evaluate("panel.link.post('reset')")
-
-    page.becomes("panel.view.snapshot.pushes.length === 0")
-    show(page, "remote")
-
-
-def remote_bytes(samples):
-    """Keys, and sticks in hundredths, as a program reads them from LowState."""
-    def read(message):
-        data = bytes(message.wireless_remote)
-        sticks = [round(100 * struct.unpack_from("<f", data, at)[0]) for at in (4, 8, 12, 20)]
-        return struct.unpack_from("<H", data, 2)[0], dict(zip(("lx", "rx", "ry", "ly"), sticks))
-
-    return [read(sample) for sample in samples]
-
-
-def test_keys_of_the_keyboard_reach_wireless_remote(page):
-    with listener(domain=DOMAIN) as program:
-        page.key("keyDown", "KeyA", "a")
-        page.key("keyDown", "KeyE", "e")
-        eventually(lambda: any(keys == 1 << 8 and sticks["ly"] == 100
-                               for keys, sticks in remote_bytes(program.take())), what="A, forward")
-        page.key("keyUp", "KeyA", "a")
-        page.key("keyUp", "KeyE", "e")
-
-        eventually(lambda: any(keys == 0 and sticks["ly"] == 0
-                               for keys, sticks in remote_bytes(program.take())), what="let go")
-
-
-def events_of(page, kind):
-    events = page.evaluate("fetch('/events').then((reply) => reply.json())")["events"]
-    return [event for event in events if event["kind"] == kind]
-
-
-def presses_of(page, keys):
-    """How often those keys have gone down together so far."""
-    return sum(event["detail"]["keys"] == keys for event in events_of(page, "remote"))
-
-
-STALL = "(() => { const end = performance.now() + %d; while (performance.now() < end); })()"
-
-
-def test_a_chord_is_one_press_however_slow_the_page_is(page):
-    before = presses_of(page, "L2+A")
-    page.key("keyDown", "KeyW", "w")
-    page.key("keyDown", "KeyA", "a")
-    eventually(lambda: presses_of(page, "L2+A") == before + 1)
-    page.evaluate(STALL % 1500)  # meanwhile the robot lets go
-    page.becomes("panel.view.snapshot.remote.keys === ''")
-    page.evaluate("new Promise((done) => setTimeout(done, 600))")  # and the page renews what is held
-    assert page.evaluate("document.querySelector('[data-key=A]').ariaPressed") == "true"
-    assert presses_of(page, "L2+A") == before + 1
-    page.key("keyUp", "KeyA", "a")
-    page.key("keyDown", "KeyA", "a")
-
-    eventually(lambda: presses_of(page, "L2+A") == before + 2)
-    page.key("keyUp", "KeyA", "a")
-    page.key("keyUp", "KeyW", "w")
-    page.becomes("panel.view.snapshot.remote.keys === ''")
-    assert presses_of(page, "L2+A") == before + 2
-
-
-def test_a_tap_is_heard_however_short_it_is(page):
-    before = presses_of(page, "X")
-    for count in range(1, 6):
-        page.evaluate("""["keydown", "keyup"].forEach((kind) => window.dispatchEvent(
-            new KeyboardEvent(kind, { code: "KeyX", key: "x" })))""")
-        eventually(lambda: presses_of(page, "X") == before + count)
-        eventually(lambda: events_of(page, "remote")[-1]["detail"]["keys"] == "")  # it has let go
-
-
-def test_a_gamepad_reaches_wireless_remote(page):
-    # As the browser shows one: L2 (button 6) and B (1) pressed, the right stick to the left.
-    page.evaluate("""navigator.getGamepads = () => [{ mapping: "standard", id: "pad",
-        buttons: Array.from({ length: 16 }, (_, i) => ({ pressed: i === 6 || i === 1 })),
-        axes: [0.01, 0, -1, 0] }], 0""")
-
-    with listener(domain=DOMAIN) as program:
-        eventually(lambda: any(
-            keys == (1 << 5 | 1 << 9) and sticks["rx"] == -100 and sticks["lx"] == 0
-            for keys, sticks in remote_bytes(program.take())), what="L2+B, left")
-    assert page.text("#gamepad") == "gamepad: pad"
-    page.evaluate("navigator.getGamepads = () => [], 0")
-
-
-def test_a_refused_command_is_an_event_with_its_reason(page):
-    said = "document.getElementById('event-list').textContent.includes('LowCmd (crc): its crc')"
-
-    with speaker("rt/lowcmd", GoLowCmd, DOMAIN) as program:
-        program.speak_until(lambda: page.evaluate(said), go_command())
-
-
-def test_the_damage_sheet_opens_under_the_motors_and_goes_on(page):
-    page.evaluate("document.getElementById('damage').open = true")
-    page.becomes("document.querySelectorAll('#damage-rows tr').length === 12")
-    note = "document.getElementById('damage-note').textContent"
-    cell = "document.querySelector('#damage-rows tr {}').textContent"
-
-    assert page.evaluate(cell.format("th")) == "FR_hip"
-    assert 20 <= float(page.evaluate(cell.format("td:nth-child(5)"))) <= 60  # °C
-    before = page.evaluate(note)
-    assert " fall" in before and " J, " in before
-    page.becomes(f"{note} !== {before!r}")  # its energy
-
-
-def test_pause_stops_time_and_a_step_is_one_tick(page):
-    page.click("#pause")
-    page.becomes("panel.view.snapshot.paused && !document.getElementById('step').disabled")
-    step = page.evaluate("panel.view.snapshot.step")
-    page.click("#step")
-    page.becomes(f"panel.view.snapshot.step === {step + 1}")
-    page.click("#pause")
-
-    page.becomes(f"!panel.view.snapshot.paused && panel.view.snapshot.step > {step + 100}")
-
-
-def test_a_recording_is_started_and_ended_by_one_button(page):
-    pressed = "document.getElementById('record').getAttribute('aria-pressed') === '{}'"
-    page.click("#record")
-    page.becomes(pressed.format("true"))
-    file = pathlib.Path(page.evaluate("document.getElementById('record').title").split(", ")[0])
-    try:
-        page.click("#record")
-        page.becomes(pressed.format("false"))
-        assert understudy("recording", file).stdout.startswith(f"{file}: go2, ")
-    finally:
-        file.unlink()
-
-
-def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
-    span = "(([from, to]) => to - from)(panel.plots.plots[0].dygraph.xAxisRange())"
-    page.becomes(f"panel.plots.plots[0].dygraph && {span} > 1")
-    before = page.evaluate(span)
-    x, y = page.middle(".chart")
-
-    page.mouse("mousePressed", x - 30, y)
-    page.mouse("mouseMoved", x + 30, y)
-    page.mouse("mouseReleased", x + 30, y, held=False)
-    page.becomes(f"panel.plots.held && {span} < {0.8 * before}")
-    for kind, held, count in (("mousePressed", True, 1), ("mouseReleased", False, 1),
-                              ("mousePressed", True, 2), ("mouseReleased", False, 2)):
-        page.mouse(kind, x, y, held, clickCount=count)
-
-    page.becomes("!panel.plots.held")
