@@ -86,7 +86,7 @@ QosPtr ParticipantQos(const std::string& announcement) {
 }  // namespace
 
 Domain::~Domain() {
-  constexpr std::chrono::seconds kPatience(5);  // *assumed*: it takes milliseconds
+  constexpr std::chrono::seconds kMostEnding(5);  // *assumed*: it takes milliseconds
   if (domain_.handle() == 0) return;
   std::promise<void> promise;
   const std::future<void> ended = promise.get_future();
@@ -95,7 +95,7 @@ Domain::~Domain() {
       { const Entity gone = std::move(domain); }
       promise.set_value();
     });
-    if (ended.wait_for(kPatience) == std::future_status::ready) {
+    if (ended.wait_for(kMostEnding) == std::future_status::ready) {
       thread.join();
     } else {
       thread.detach();
