@@ -85,10 +85,6 @@ std::string TableText(const ordered_json& list) {
   return Aligned(rows);
 }
 
-}  // namespace
-
-namespace {
-
 // The places that UTF-8 takes on a screen, for letters as ours.
 std::size_t Width(const std::string& text) {
   return static_cast<std::size_t>(
