@@ -70,8 +70,8 @@ void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
     }
     const std::vector<bus::Neighbour> starts = Robots(*watch, news.appeared);
     if (waits && !starts.empty()) {
-      throw NeighbourError("a robot starts at the same moment on " + where +
-                           wire::Describe(starts) + " was first, so this one yields" + kInstead);
+      throw NeighbourError("a robot is already on " + where + wire::Describe(starts) +
+                           " was there first, so this one yields" + kInstead);
     }
     if (now >= until) break;
     clock->SleepUntil(std::min(until, now + std::chrono::milliseconds(10)));

@@ -79,7 +79,7 @@ TEST_F(AloneTest, YieldsToOneThatBeganEarlierOnceThatWrites) {
     std::this_thread::sleep_for(std::chrono::milliseconds(500));  // longer than it would listen
     elder.Start();
   });
-  EXPECT_THAT(Refusal(), HasSubstr("a robot starts at the same moment"));
+  EXPECT_THAT(Refusal(), HasSubstr("was there first, so this one yields"));
 }
 
 TEST_F(AloneTest, StartsAfterAllIfTheOneThatBeganEarlierDoesNot) {
@@ -94,7 +94,7 @@ TEST_F(AloneTest, StartsAfterAllIfTheOneThatBeganEarlierDoesNot) {
 TEST_F(AloneTest, YieldsToOneThatBeganLaterAndWritesAlready) {
   Rival younger(domain_, kSince + 1);
   younger.Start();
-  EXPECT_THAT(Refusal(), HasSubstr("at the same moment"));
+  EXPECT_THAT(Refusal(), HasSubstr("was there first"));
 }
 
 TEST_F(AloneTest, StartsBesideBothIfItIsOnlyToWarn) {

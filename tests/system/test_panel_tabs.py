@@ -150,7 +150,7 @@ def test_events_are_searched_also_those_that_come_later(page):
 
 
 def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play, visit):
-    robot = play("go2", "--released", "--start", "standing")
+    robot = play("go2")
     page = visit(url_of(robot))
     page.evaluate("Object.assign(document.getElementById('camera'), { value: 'top' })"
                   ".dispatchEvent(new Event('change'))")
@@ -158,7 +158,8 @@ def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play
     assert page.evaluate("Math.hypot(panel.view.camera.position.x - panel.view.controls.target.x,"
                          "panel.view.camera.position.y - panel.view.controls.target.y) < 0.1")
     page.click("#trail")
-    page.evaluate("panel.link.post('push', { force: [200, 0, 0], for: 0.3 })")
+    # It walks on for as long as a slow page takes to see four places.
+    page.evaluate("panel.link.post('remote/sticks', { ly: 0.5 })")
     page.becomes("panel.view.trail.points.length > 3")
     page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('.plot input'))")
