@@ -50,11 +50,11 @@ class DamageSheetTest : public testing::Test {
 };
 
 TEST_F(DamageSheetTest, CountsTheTimeAtTheTorqueLimitEitherWay) {
-  torque_[0] = 9.9;
+  torque_[0] = 9.81;
   Step(0.5);
   torque_[0] = -10;
   Step(0.25);
-  torque_[0] = 9.7;
+  torque_[0] = 9.79;
   Step();
   EXPECT_EQ(motor().at_torque_limit, 0.75);
   EXPECT_EQ(other().at_torque_limit, 0);
@@ -80,7 +80,7 @@ TEST_F(DamageSheetTest, KeepsTheHottestWindingAndTheTimeThatItWasTooHot) {
 
 TEST_F(DamageSheetTest, KeepsTheSpeedAtWhichAJointCameToItsEnd) {
   dq_[0] = 3;
-  q_[0] = 0.9;
+  q_[0] = 0.99;
   Step();
   EXPECT_EQ(motor().hardest_stop, 0);
   q_[0] = 1.01;
@@ -153,6 +153,14 @@ TEST_F(DamageSheetTest, CountsAFallOnceUntilItIsUpAgain) {
   }
   EXPECT_EQ(sheet_.damage().falls, 2);
   EXPECT_EQ(sheet_.damage().worst_tilt, 1.3);
+}
+
+TEST_F(DamageSheetTest, CountsAnotherFallOfARobotThatWasPutUpInBetween) {
+  tilt_ = 1.2;
+  Step();
+  sheet_.Restart();
+  Step();
+  EXPECT_EQ(sheet_.damage().falls, 2);
 }
 
 TEST_F(DamageSheetTest, KeepsTheHardestShock) {
