@@ -14,6 +14,10 @@ CLAMPED = ("--start", "clamped", "--profile", "ideal", "--set", "robot.hanging.h
            "--set", "robot.battery.cutoff_v=0", "--set", "robot.battery.capacity_ah=1000")
 # Here what is wrong goes and what it did stays: charge that has gone.
 LASTING = {("battery", "empty")}
+# What hangs on the load, which is another by then, is gone beside what it was.
+RESTORED = {
+    ("battery", "weak"): lambda after, during: mean(after, "volts") > mean(during, "volts") + 0.05,
+}
 
 
 @pytest.fixture(scope="module")
@@ -133,7 +137,10 @@ def test_every_fault_is_gone_once_it_is_taken_away(shown):
             continue
         after = told["after"]
         assert after, row
-        assert row in LASTING or not SHOWS[row](after, sound), row
+        if row in RESTORED:
+            assert RESTORED[row](after, told["during"]), row
+        elif row not in LASTING:
+            assert not SHOWS[row](after, sound), row
         if row[0].startswith("service."):
             assert after[0]["code"] == 0 and after[0]["seconds"] < 0.9, row
             continue

@@ -4,6 +4,8 @@ import json
 import math
 import signal
 
+import pytest
+
 from test_recording import Recording
 
 FIGURES = ["energy", "peak_current", "shock", "worst_tilt", "falls", "at_torque_limit", "at_speed_limit", "tripped",
@@ -36,6 +38,6 @@ def test_the_sheet_has_of_each_figure_the_limit_and_its_source(play, tmp_path):
     assert list(sheet.figures) == FIGURES
     assert list(sheet.sources) == [one["source"] for one in told["limits"]]
     assert list(sheet.units) == [one["unit"] for one in told["limits"]]
-    assert [None if math.isnan(limit) else round(limit, 3) for limit in sheet.limits] == [
-        None if one["limit"] is None else round(one["limit"], 3) for one in told["limits"]]
+    for limit, one in zip(sheet.limits, told["limits"], strict=True):
+        assert math.isnan(limit) if one["limit"] is None else limit == pytest.approx(one["limit"], rel=1e-6)
     assert len(sheet.jump_limit) == len(sheet.largest_jump) == len(sheet.joints) == 12
