@@ -166,7 +166,7 @@ TEST_F(ProtectionTest, EachDangerBeyondItsLimitForItsTimeDoesOnceWhatItsRuleSays
       Endanger(danger, false);
       Step(0.45);
       EXPECT_EQ(does(danger), what) << "for a moment may be chance";
-      Step(0.2);
+      Step(0.08);
       EXPECT_EQ(does(danger), Protection::kNothing);
       EXPECT_EQ(bare_->asked.size(), 1U);
     }
@@ -219,6 +219,59 @@ TEST_F(ProtectionTest, WhileAMotorIsHotOrSilentOnlyWhatRestsItIsTaken) {
     Endanger(danger, false);
     Step(1);
     EXPECT_EQ(motion_->Ask(goal::StandUp{}), MotionVerdict::kTaken);
+  }
+}
+
+TEST_F(ProtectionTest, WhileTheChargeIsLowOnlyWhatSparesItIsTaken) {
+  Endanger(Danger::kCharge);
+  Step(2);
+  for (const MotionGoal& goal :
+       {MotionGoal(goal::StandUp{}), MotionGoal(goal::StandDown{}), MotionGoal(goal::ZeroTorque{}),
+        MotionGoal(goal::Move{1, 0, 0, 1}), MotionGoal(goal::SetFsm{1})}) {
+    EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kNotNow);
+  }
+  for (const MotionGoal& goal :
+       {MotionGoal(goal::Damp{}), MotionGoal(goal::StopMove{}), MotionGoal(goal::RecoveryStand{}),
+        MotionGoal(goal::SpeedLevel{1}), MotionGoal(goal::LastingMoves{})}) {
+    EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kTaken);
+  }
+}
+
+TEST_F(ProtectionTest, AJointIsBeyondItsRangeAtEitherEnd) {
+  const std::array<double, 2> range = world_.robot().ranges()[2];
+  for (const double q : {range[0] - 0.2, range[1] + 0.2}) {
+    Make();
+    readings_[2].q = q;
+    Step(1);
+    EXPECT_EQ(does(Danger::kJointEnd), Protection::kWarn) << q;
+    const robot::DangerReading told =
+        motion_->state().dangers[static_cast<std::size_t>(Danger::kJointEnd)];
+    EXPECT_EQ(told.motor, 2);
+    EXPECT_NEAR(told.value, 0.2, 1e-9);
+  }
+}
+
+TEST_F(ProtectionTest, AMotorIsFaultyThatDoesNotAnswerOrWhoseEncoderErrs) {
+  for (bool robot::MotorReading::*fault :
+       {&robot::MotorReading::silent, &robot::MotorReading::encoder_error}) {
+    Make();
+    readings_[3].*fault = true;
+    Step(1);
+    EXPECT_EQ(does(Danger::kMotor), Protection::kDamp);
+  }
+}
+
+TEST_F(ProtectionTest, ARemoteLedByAnyOfItsSticksMayNotGo) {
+  for (double robot::RemoteReading::*stick :
+       {&robot::RemoteReading::lx, &robot::RemoteReading::ly, &robot::RemoteReading::rx,
+        &robot::RemoteReading::ry}) {
+    Make();
+    input_.remote = {.there = true};
+    input_.remote.*stick = -0.5;
+    Step(1);
+    input_.remote = {};
+    Step(1);
+    EXPECT_EQ(does(Danger::kRemote), Protection::kStop);
   }
 }
 
