@@ -132,6 +132,14 @@ TEST(FaultKindTest, OfTwoChargesThatAreLeftTheLesserHolds) {
   EXPECT_DOUBLE_EQ(effects.battery.most_charge, 0.1);
 }
 
+TEST(FaultKindTest, WhatDriftsIsOffByItsRateTimesItsAge) {
+  Effects effects = Nothing();
+  KindOf(Component::kImu, "drifting").act({.by = 0.5, .age = 3}, &effects);
+  KindOf(Component::kEncoder, "drifting").act({.by = 0.25, .age = 3}, &effects);
+  EXPECT_EQ(effects.imus[0].turn, 1.5);
+  EXPECT_EQ(effects.encoders[0].offset, 0.75);
+}
+
 TEST(FaultKindTest, TimesOfJitterAreOfAnExponentialDistribution) {
   for (const Component of : {Component::kTopic, Component::kBus}) {
     Effects effects = Nothing();
