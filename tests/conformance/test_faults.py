@@ -49,6 +49,11 @@ def mean_rate(samples, axis=0):
     return statistics.mean(sample["rate"][axis] for sample in samples)
 
 
+def missing(samples):
+    """The share of the messages, one every 2 ms, that did not come."""
+    return 1 - (len(samples) - 1) / ((samples[-1]["tick"] - samples[0]["tick"]) / 2)
+
+
 def lateness(samples):
     """s, of the samples, beside those that have the same."""
     return statistics.mean(sample["at"] - sample["tick"] / 1000 for sample in samples)
@@ -100,8 +105,7 @@ SHOWS = {
     ("battery", "empty"): lambda now, sound: now[-1]["soc"] <= 5 < sound[-1]["soc"],
     ("remote", "off"): lambda now, sound: now[-1]["remote"] == [0, 0] and sound[-1]["remote"] == [0x55, 0x51],
     ("rt/lowstate", "off"): lambda now, sound: len(now) == 0,
-    ("rt/lowstate", "lost"): lambda now, sound: any(
-        b["tick"] - a["tick"] > 3 for a, b in zip(now, now[1:])),
+    ("rt/lowstate", "lost"): lambda now, sound: missing(now) > missing(sound) + 0.03,
     ("rt/lowstate", "damaged"): lambda now, sound: 0 < sum(not s["crc"] for s in now) < len(now) / 2,
     ("rt/lowstate", "reordered"): lambda now, sound: any(b["tick"] < a["tick"] for a, b in zip(now, now[1:])),
     ("rt/lowstate", "delayed"): lambda now, sound: 0.03 < lateness(now) - lateness(sound) < 0.2,

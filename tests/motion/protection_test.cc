@@ -211,9 +211,10 @@ TEST_F(ProtectionTest, WhileAMotorIsHotOrSilentOnlyWhatRestsItIsTaken) {
           MotionGoal(goal::SetFsm{500})}) {
       EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kNotNow);
     }
-    for (const MotionGoal& goal : {MotionGoal(goal::Damp{}), MotionGoal(goal::StandDown{}),
-                                   MotionGoal(goal::StopMove{}), MotionGoal(goal::ZeroTorque{}),
-                                   MotionGoal(goal::SpeedLevel{1}), MotionGoal(goal::SetFsm{1})}) {
+    for (const MotionGoal& goal :
+         {MotionGoal(goal::Damp{}), MotionGoal(goal::StandDown{}), MotionGoal(goal::StopMove{}),
+          MotionGoal(goal::ZeroTorque{}), MotionGoal(goal::SpeedLevel{1}),
+          MotionGoal(goal::SetFsm{1}), MotionGoal(goal::SetFsm{0})}) {
       EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kTaken);
     }
     Endanger(danger, false);
@@ -223,6 +224,9 @@ TEST_F(ProtectionTest, WhileAMotorIsHotOrSilentOnlyWhatRestsItIsTaken) {
 }
 
 TEST_F(ProtectionTest, WhileTheChargeIsLowOnlyWhatSparesItIsTaken) {
+  input_.soc = rule(Danger::kCharge).limit;  // not below it
+  Step(2);
+  EXPECT_EQ(does(Danger::kCharge), Protection::kNothing);
   Endanger(Danger::kCharge);
   Step(2);
   for (const MotionGoal& goal :
@@ -298,6 +302,15 @@ TEST_F(ProtectionTest, AStartOfTheServiceForgetsWhatWas) {
   Step(2);
   motion_->Start(input_);
   EXPECT_EQ(does(Danger::kHeat), Protection::kNothing);
+  Step(0.9);  // of the second that it takes
+  EXPECT_EQ(does(Danger::kHeat), Protection::kNothing);
+  Endanger(Danger::kHeat, false);
+  input_.remote = {.there = true, .ly = 1};
+  Step(1);
+  motion_->Start(input_);
+  input_.remote = {};
+  Step(1);
+  EXPECT_EQ(does(Danger::kRemote), Protection::kNothing);
 }
 
 TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
