@@ -14,9 +14,12 @@ CLAMPED = ("--start", "clamped", "--profile", "ideal", "--set", "robot.hanging.h
            "--set", "robot.battery.cutoff_v=0", "--set", "robot.battery.capacity_ah=1000")
 # Here what is wrong goes and what it did stays: charge that has gone.
 LASTING = {("battery", "empty")}
-# What hangs on the load, which is another by then, is gone beside what it was.
+# What hangs on the load, which is another by then, is gone beside what it was; a swing that is not late is so within
+# what the pace of this program scatters by.
 RESTORED = {
-    ("battery", "weak"): lambda after, during: mean(after, "volts") > mean(during, "volts") + 0.05,
+    ("bus.FR", "slow"): lambda after, during, sound: abs((lag(after, sound) + 0.2) % 0.4 - 0.2) < 0.05,
+    ("bus.FR", "jittery"): lambda after, during, sound: abs((lag(after, sound) + 0.2) % 0.4 - 0.2) < 0.05,
+    ("battery", "weak"): lambda after, during, sound: mean(after, "volts") > mean(during, "volts") + 0.05,
 }
 
 
@@ -91,8 +94,8 @@ SHOWS = {
     (ENCODER, "garbage"): lambda now, sound: spread(now, "q") > 6 and now[-1]["errors"] == 0x20,
     # The drive follows its encoder: what it reads is nearly where it was told to be, and the torque
     # against the ground tells that the leg is elsewhere.
-    (ENCODER, "offset"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 2,
-    (ENCODER, "drifting"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 2,
+    (ENCODER, "offset"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 4.5,
+    (ENCODER, "drifting"): lambda now, sound: abs(mean(now, "tau") - mean(sound, "tau")) > 4.5,
     (ENCODER, "noisy"): lambda now, sound: roughness(now, "tau") > 1 > roughness(sound, "tau"),
     ("imu", "off"): lambda now, sound: now[-1]["acceleration"] == [0, 0, 0] and sound[-1]["acceleration"] != [0, 0, 0],
     ("imu", "stuck"): lambda now, sound: all(s["acceleration"] == now[0]["acceleration"] for s in now),
@@ -114,7 +117,7 @@ SHOWS = {
     ("rt/lowstate", "lost"): lambda now, sound: missing(now) > missing(sound) + 0.03,
     ("rt/lowstate", "damaged"): lambda now, sound: 0 < sum(not s["crc"] for s in now) < len(now) / 2,
     ("rt/lowstate", "reordered"): lambda now, sound: any(b["tick"] < a["tick"] for a, b in zip(now, now[1:])),
-    ("rt/lowstate", "delayed"): lambda now, sound: 0.03 < lateness(now) - lateness(sound) < 0.2,
+    ("rt/lowstate", "delayed"): lambda now, sound: 0.06 < lateness(now) - lateness(sound) < 0.3,
     ("rt/lowstate", "jittery"): lambda now, sound: lateness(now) - lateness(sound) > 0.03,
     ("bus.FR", "off"): lambda now, sound: (
         now[-1]["bits"] & 0x80 and now[-1]["lost"] > now[0]["lost"] and spread(now, "q") == 0),
@@ -148,7 +151,7 @@ def test_every_fault_is_gone_once_it_is_taken_away(shown):
         after = told["after"]
         assert after, row
         if row in RESTORED:
-            assert RESTORED[row](after, told["during"]), row
+            assert RESTORED[row](after, told["during"], sound), row
         elif row not in LASTING:
             assert not SHOWS[row](after, sound), row
         if row[0].startswith("service."):

@@ -29,7 +29,7 @@ NAMES = {
 # In place of what is usual: so much that the leg leaves the ground, so fast or so far that it is seen at once.
 BY = {(f"{JOINT}.encoder", "noisy"): "0.02", (f"{JOINT}.encoder", "offset"): "0.3",
       (f"{JOINT}.encoder", "drifting"): "1", ("imu", "drifting"): "1", ("rt/lowstate", "jittery"): "0.05",
-      ("bus.FR", "slow"): "0.1", ("bus.FR", "jittery"): "0.05", ("fan.rear_right", "weak"): "0.1"}
+      ("rt/lowstate", "delayed"): "0.1", ("bus.FR", "slow"): "0.1", ("bus.FR", "jittery"): "0.05", ("fan.rear_right", "weak"): "0.1"}
 
 
 def understudy(*words):
