@@ -19,6 +19,7 @@ LASTING = {("battery", "empty")}
 RESTORED = {
     ("bus.FR", "slow"): lambda after, during, sound: abs((lag(after, sound) + 0.2) % 0.4 - 0.2) < 0.05,
     ("bus.FR", "jittery"): lambda after, during, sound: abs((lag(after, sound) + 0.2) % 0.4 - 0.2) < 0.05,
+    ("rt/lowstate", "lost"): lambda after, during, sound: missing(after) < missing(during),
     ("battery", "weak"): lambda after, during, sound: mean(after, "volts") > mean(during, "volts") + 0.05,
 }
 
@@ -68,6 +69,11 @@ def lateness(samples):
     return statistics.mean(sample["at"] - sample["tick"] / 1000 for sample in samples)
 
 
+def least_late(samples):
+    """s, likewise of that which came first, whatever kept this program from the others."""
+    return min(sample["at"] - sample["tick"] / 1000 for sample in samples)
+
+
 def lag(now, sound):
     """s by which the calf swings later than in `sound`, within its period."""
     period = 0.4  # of faults.py
@@ -114,10 +120,11 @@ SHOWS = {
     ("battery", "empty"): lambda now, sound: now[-1]["soc"] <= 5 < sound[-1]["soc"],
     ("remote", "off"): lambda now, sound: now[-1]["remote"] == [0, 0] and sound[-1]["remote"] == [0x55, 0x51],
     ("rt/lowstate", "off"): lambda now, sound: len(now) == 0,
-    ("rt/lowstate", "lost"): lambda now, sound: missing(now) > missing(sound) + 0.03,
+    ("rt/lowstate", "lost"): lambda now, sound: any(
+        b["tick"] - a["tick"] > 3 for a, b in zip(now, now[1:])),
     ("rt/lowstate", "damaged"): lambda now, sound: 0 < sum(not s["crc"] for s in now) < len(now) / 2,
     ("rt/lowstate", "reordered"): lambda now, sound: any(b["tick"] < a["tick"] for a, b in zip(now, now[1:])),
-    ("rt/lowstate", "delayed"): lambda now, sound: 0.06 < lateness(now) - lateness(sound) < 0.3,
+    ("rt/lowstate", "delayed"): lambda now, sound: 0.08 < least_late(now) - least_late(sound) < 0.15,
     ("rt/lowstate", "jittery"): lambda now, sound: lateness(now) - lateness(sound) > 0.03,
     ("bus.FR", "off"): lambda now, sound: (
         now[-1]["bits"] & 0x80 and now[-1]["lost"] > now[0]["lost"] and spread(now, "q") == 0),
