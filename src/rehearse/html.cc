@@ -238,10 +238,18 @@ std::string DamageTable(const record::Damage& damage) {
          {seconds(motor.at_torque_limit, damage.torque_limit[i], "N·m"),
           seconds(motor.at_speed_limit, damage.speed_limit[i], "rad/s"),
           number(motor.hottest_c, "°C"), number(motor.tripped, "s"),
-          number(motor.hardest_stop, "rad/s"), number(motor.largest_jump, "rad")}) {
+          number(motor.hardest_stop, "rad/s"),
+          number(motor.largest_jump, "rad") +
+              (damage.jump_limit[i] > 0 ? " of " + NumberText(damage.jump_limit[i]) : "")}) {
       html += "<td class=\"number\">" + cell + "</td>";
     }
     html += "</tr>\n";
+  }
+  html += "</table>\n<table><tr><th>Figure</th><th>Limit</th><th>Source</th></tr>\n";
+  for (const robot::DamageLimit& one : damage.limits) {
+    html += "<tr><td>" + Escaped(one.figure) + "</td><td class=\"number\">" +
+            (std::isfinite(one.limit) ? NumberText(one.limit) + " " : std::string()) +
+            Escaped(one.unit) + "</td><td>" + Escaped(one.source) + "</td></tr>\n";
   }
   return html + "</table>\n";
 }

@@ -77,7 +77,13 @@ ordered_json Told(const record::Damage& damage) {
                       {"tripped", motor.tripped},
                       {"hottest", motor.hottest_c},
                       {"hardest_stop", motor.hardest_stop},
-                      {"largest_jump", motor.largest_jump}});
+                      {"largest_jump", motor.largest_jump},
+                      {"jump_limit", damage.jump_limit[i]}});
+  }
+  ordered_json limits = ordered_json::array();
+  for (const robot::DamageLimit& one : damage.limits) {
+    limits.push_back(
+        {{"figure", one.figure}, {"limit", one.limit}, {"unit", one.unit}, {"source", one.source}});
   }
   return {{"time", sheet.time},
           {"energy", sheet.energy},
@@ -86,7 +92,8 @@ ordered_json Told(const record::Damage& damage) {
           {"worst_tilt", sheet.worst_tilt},
           {"falls", sheet.falls},
           {"trip", damage.trip_c},
-          {"motors", motors}};
+          {"motors", motors},
+          {"limits", limits}};
 }
 
 }  // namespace

@@ -67,15 +67,20 @@ TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
   judged_.damage = {.sheet = {.motors = {{.at_torque_limit = 0.25}}, .falls = 2},
                     .joints = {"<hip>"},
                     .torque_limit = {23.7},
-                    .speed_limit = {30}};
+                    .speed_limit = {30},
+                    .jump_limit = {0.4},
+                    .limits = {{"shock", 39, "m/s²", "assumed: <so>"}}};
   const auto damage = nlohmann::json::parse(TellJson(occasion_, expect_, judged_))["damage"];
   EXPECT_EQ(damage["falls"], 2);
   EXPECT_EQ(damage["motors"][0]["joint"], "<hip>");
   EXPECT_EQ(damage["motors"][0]["torque_limit"], 23.7);
+  EXPECT_EQ(damage["motors"][0]["jump_limit"], 0.4);
+  EXPECT_EQ(damage["limits"][0]["source"], "assumed: <so>");
   const std::string html = TellHtml(occasion_, expect_, judged_);
   EXPECT_THAT(html, HasSubstr("2 falls"));
   EXPECT_THAT(html, HasSubstr("<code>&lt;hip&gt;</code>"));
   EXPECT_THAT(html, HasSubstr("<b>0.25 s</b> at 23.7 N·m"));
+  EXPECT_THAT(html, HasSubstr("39 m/s²</td><td>assumed: &lt;so&gt;</td>"));
 }
 
 TEST_F(OutputsTest, JunitHasAFailureForWhatFailedAndASkipForWhatIsNotJudged) {
