@@ -60,7 +60,10 @@ ordered_json Told(const Ladder& ladder) {
     stages.push_back(
         {{"name", ladder.stages[i].name}, {"holds", ladder.Holds(i)}, {"limits", limits}});
   }
-  return {{"held", ladder.held}, {"says", LadderText(ladder)}, {"stages", stages}};
+  return {{"held", ladder.held},
+          {"says", LadderText(ladder)},
+          {"next_settings", ladder.next_settings},
+          {"stages", stages}};
 }
 
 // As GET /snapshot?parts=damage has it.
@@ -137,7 +140,7 @@ std::string TellLines(const Occasion& occasion, const Expectations& expectations
             one.name + "  " + Explain(one, ladder.rulings[i]) +
             (margin.empty() ? "" : "; margin " + margin) + "\n";
   }
-  return text + LadderText(ladder) + "\n";
+  return text + LadderText(ladder) + "\n" + ladder.next_settings;
 }
 
 std::string TellJson(const Occasion& occasion, const Expectations& expectations,

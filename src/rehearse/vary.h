@@ -39,8 +39,8 @@ struct Axis {
 };
 
 // The keys of a scenario that may vary, beside those of its `settings`.
-inline constexpr std::string_view kVariedKeys[] = {"robot", "start", "profile", "seed",
-                                                   "scene", "speed", "duration"};
+inline constexpr std::string_view kVariedKeys[] = {"robot", "revision", "start", "profile",
+                                                   "seed",  "scene",    "speed", "duration"};
 
 // The runs of a campaign, numbered from 1: each combination of the grid and of the rows of the list
 // with each draw. What a run has depends on nothing but the plan and the run's number, so shards

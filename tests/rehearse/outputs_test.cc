@@ -101,6 +101,18 @@ TEST_F(OutputsTest, ThePageNeedsNothingElseAndQuotesAllTexts) {
   }
 }
 
+TEST_F(OutputsTest, ThePageHasThePicturesInItself) {
+  Occasion occasion = occasion_;
+  occasion.pictures = {.drawn = {{.at = 1.5, .png = "Man"}, {2, "Ma"}, {3, "M\xff"}},
+                       .why_not = "one > is missing"};
+  const std::string html = TellHtml(occasion, expect_, judged_);
+  EXPECT_THAT(html, HasSubstr("<img alt=\"The robot at 1.500 s\" "
+                              "src=\"data:image/png;base64,TWFu\">"));
+  EXPECT_THAT(html, HasSubstr("base64,TWE=\""));
+  EXPECT_THAT(html, HasSubstr("base64,Tf8=\""));
+  EXPECT_THAT(html, HasSubstr("No more pictures: one &gt; is missing."));
+}
+
 TEST(SvgPlotTest, DrawsTheLimitTheWindowAndTheInstant) {
   const std::string svg = DrawSvg({.label = "a < b",
                                    .to = 2,
