@@ -181,6 +181,15 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         [](const Event& e, std::uint64_t) { return "following " + MessageOf(e); },
         "the first command of a topic is taken"),
     Row(
+        EventKind::kFirstCommand, "first_command", kSilent, false,
+        {{{"jump", kNumber}, {"joint", kText}}},
+        [](const Event& e, std::uint64_t) {
+          return "the first LowCmd that asks for angles is " + Text("%.3f", e.numbers[0]) +
+                 " rad off at " + What(e);
+        },
+        "the first command of `rt/lowcmd` that asks a joint for an angle is taken; `jump` is the "
+        "largest difference from a joint's own in `rt/lowstate` [rad], `joint` is the one"),
+    Row(
         EventKind::kGate, "gate", kSilent, false, {{{"state", kGate}}},
         [](const Event& e, std::uint64_t) {
           return "gate: " +

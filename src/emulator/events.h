@@ -23,6 +23,7 @@ enum class EventKind : std::uint8_t {
   kUnmatched,
   kTimeout,
   kFollowing,
+  kFirstCommand,
   kGate,
   kMotionService,
   kMotion,

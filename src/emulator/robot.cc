@@ -317,6 +317,9 @@ void Robot::OfferCommand(std::size_t topic, const robot::RobotCommand& command, 
                          double t) {
   const robot::Refusal refusal = router_.Offer(topic, command, form, t);
   events_.AddCommand(topic, form, refusal, router_.counts(topic));
+  if (topic == robot::kLowCmdTopic && refusal == robot::Refusal::kNone) {
+    events_.AddTaken(command, state_);
+  }
 }
 
 void Robot::NoteUnmatched(std::string_view topic, std::string_view writer) {

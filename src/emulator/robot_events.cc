@@ -1,5 +1,8 @@
 #include "emulator/robot_events.h"
 
+#include <algorithm>
+#include <cmath>
+
 namespace understudy::emulator {
 namespace {
 
@@ -130,6 +133,24 @@ void RobotEvents::AddCommand(std::size_t topic, robot::Refusal wire, robot::Refu
   }
   if (counts.accepted == 1) Add(EventKind::kFollowing, {}, name);
   if (wire != robot::Refusal::kNone) Add(EventKind::kTolerated, {Number(wire)}, name);
+}
+
+void RobotEvents::AddTaken(const robot::RobotCommand& command, const robot::RobotState& state) {
+  if (asked_) return;
+  double jump = -1;
+  std::size_t joint = 0;
+  for (std::size_t i = 0; i < std::min(command.motors.size(), state.motors.size()); ++i) {
+    const robot::MotorCommand& motor = command.motors[i];
+    if (!robot::AsksForAngle(motor)) continue;
+    // As the message has it, in single precision.
+    const double off = std::abs(motor.q - static_cast<float>(state.motors[i].q));
+    if (off <= jump) continue;
+    jump = off;
+    joint = i;
+  }
+  if (jump < 0) return;
+  asked_ = true;
+  Add(EventKind::kFirstCommand, {jump}, motors_[joint]->joint);
 }
 
 void RobotEvents::AddFault(const robot::FaultBank& bank, const robot::Fault& fault, bool on) {

@@ -58,6 +58,9 @@ class RobotEvents {
   // A command of that topic: `wire` is wrong with its form, `refusal` why it is not followed.
   void AddCommand(std::size_t topic, robot::Refusal wire, robot::Refusal refusal,
                   const authority::GateCounts& counts);
+  // A taken command of rt/lowcmd; tells the first that asks a joint for an angle. `state` is the
+  // last sample, empty before the first one.
+  void AddTaken(const robot::RobotCommand& command, const robot::RobotState& state);
   // A fault of those that `bank` knows, which begins or is over.
   void AddFault(const robot::FaultBank& bank, const robot::Fault& fault, bool on);
   void AddNews(const robot::PortNews& news);
@@ -90,6 +93,7 @@ class RobotEvents {
   PowerState power_ = PowerState::kOn;
   robot::CutOff cut_off_ = robot::CutOff::kNone;
   bool low_battery_ = false;
+  bool asked_ = false;  // a command has asked a joint for an angle
   std::array<robot::Protection, robot::kDangers> dangers_{};
 };
 

@@ -17,6 +17,9 @@ namespace {
 using nlohmann::json;
 using Source = Signal::Source;
 
+constexpr char kStateTopic[] = "rt/lowstate";
+constexpr std::string_view kFirstCommand = "first_command";
+
 // Of one instant only.
 bool IsPulse(Source source) {
   return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
@@ -57,8 +60,12 @@ Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
     values_.push_back(counts ? 0 : judge::kUnknown);
     if (signal.origin() == Origin::kMessages) by_topic_[signal.topic].push_back(slots_.size());
     const double word = judge::WordNumber(signal.printed);
-    slots_.push_back(
-        {.signal = std::move(signal), .field = {}, .wrong = {}, .word = word, .last = {}});
+    Slot slot{.signal = std::move(signal), .field = {}, .wrong = {}, .word = word, .last = {}};
+    if (source == Source::kFirstJump) {
+      by_topic_[kStateTopic].push_back(slots_.size());
+      slot.jump.emplace(slot.signal.slots);
+    }
+    slots_.push_back(std::move(slot));
   }
 }
 
@@ -87,7 +94,7 @@ void Evidence::TakeTruth(const record::Truth& truth) {
   const signals::Truth view = ViewOf(truth);
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
-    if (signal.source == Source::kTruth) values_[i] = signal.of(view, signal.index);
+    if (signal.source == Source::kTruth) values_[i] = signal.Told(signal.of(view, signal.index));
   }
 }
 
@@ -98,6 +105,9 @@ void Evidence::TakeEvent(const record::Event& event) {
   const double count = fields && detail.contains("count") ? ValueOf(detail["count"]) : 1;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = slots_[i].signal;
+    if (signal.source == Source::kFirstJump && event.kind == kFirstCommand && fields) {
+      values_[i] = ValueOf(detail.value("jump", json()));
+    }
     if (signal.origin() != Origin::kEvents || signal.topic != event.kind) continue;
     const double value =
         fields && detail.contains(signal.field) ? ValueOf(detail[signal.field]) : judge::kUnknown;
@@ -128,6 +138,12 @@ void Evidence::TakeMessage(const std::string& topic, std::string_view ros_type,
         if (!slot.arrived) slot.last = now_;
         slot.arrived = true;
         break;
+      case Source::kRate:
+        slot.recent.Add(*now_, 1);
+        break;
+      case Source::kFirstJump:
+        TakeJump(topic, ros_type, message.data, i);
+        break;
       default:
         if (!slot.field && slot.wrong.empty()) {
           try {
@@ -137,10 +153,27 @@ void Evidence::TakeMessage(const std::string& topic, std::string_view ros_type,
           }
         }
         if (slot.field) {
-          values_[i] = record::ReadField(*slot.field, message.data).value_or(values_[i]);
+          const auto value = record::ReadField(*slot.field, message.data);
+          if (value) values_[i] = slot.signal.Told(*value);
         }
         break;
     }
+  }
+}
+
+// A simulated robot says it itself, since it knows which commands it took.
+void Evidence::TakeJump(const std::string& topic, std::string_view ros_type,
+                        record::ByteSpan message, std::size_t place) {
+  if (truth_ || told_) return;
+  Slot& slot = slots_[place];
+  try {
+    if (topic == kStateTopic) {
+      slot.jump->TakeState(ros_type, message);
+    } else if (const auto jump = slot.jump->TakeCommand(ros_type, message)) {
+      values_[place] = *jump;
+    }
+  } catch (const RecordError& error) {
+    slot.wrong = error.what();
   }
 }
 
@@ -148,6 +181,7 @@ void Evidence::Flush() {
   if (!now_) return;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     Slot& slot = slots_[i];
+    if (slot.signal.source == Source::kRate) values_[i] = slot.recent.RateAt(*now_);
     if (slot.signal.source != Source::kGap) continue;
     if (!slot.arrived && slot.last) values_[i] = 1e-9 * static_cast<double>(*now_ - *slot.last);
     slot.arrived = false;

@@ -14,6 +14,8 @@
 #include "record/cdr_field.h"
 #include "record/mcap_format.h"
 #include "record/truth.h"
+#include "rehearse/first_jump.h"
+#include "signals/recent_arrivals.h"
 #include "signals/signals.h"
 
 namespace understudy::rehearse {
@@ -60,10 +62,14 @@ class Evidence {
     double word = 0;                        // kPrint
     std::optional<judge::Time> last;        // kGap: last message
     bool arrived = false;                   // kGap: at this instant
+    signals::RecentArrivals recent{};       // kRate
+    std::optional<FirstJump> jump{};        // kFirstJump
   };
 
   void TakeTruth(const record::Truth& truth);
   void TakeEvent(const record::Event& event);
+  void TakeJump(const std::string& topic, std::string_view ros_type, record::ByteSpan message,
+                std::size_t place);
   void TakeMessage(const std::string& topic, std::string_view ros_type,
                    const record::McapMessage& message);
   void Flush();

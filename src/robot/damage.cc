@@ -115,7 +115,7 @@ void DamageSheet::StepMotor(std::size_t i, const Wear& wear, double dt) {
   before.ended = ended;
 
   const MotorCommand& command = wear.command.motors[i];
-  const bool commanded = command.enabled && command.kp > 0 && command.q != kNoPosition;
+  const bool commanded = AsksForAngle(command);
   if (commanded && !restarted_) {
     const double from = before.commanded ? before.q : wear.q[i];
     damage.largest_jump = std::max(damage.largest_jump, std::abs(command.q - from));

@@ -35,6 +35,11 @@ struct MotorCommand {
   friend bool operator==(const MotorCommand&, const MotorCommand&) = default;
 };
 
+// Whether it has the motor go to an angle.
+inline bool AsksForAngle(const MotorCommand& command) {
+  return command.enabled && command.kp > 0 && command.q != kNoPosition;
+}
+
 // The space of commands to parallel pairs (ankle, waist): `mode_pr` in hg messages.
 enum class JointSpace : std::uint8_t {
   kPitchRoll = 0,  // PR: the serial joints of the MJCF

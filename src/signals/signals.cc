@@ -14,6 +14,7 @@
 #include "idl/type_table.h"
 #include "judge/margin.h"
 #include "wire/imu_codec.h"
+#include "wire/rounded.h"
 #include "wire/topics.h"
 
 namespace understudy::signals {
@@ -48,6 +49,17 @@ double InLowState(const robot::RobotState& sample, std::size_t joint,
   return static_cast<float>(sample.motors[joint].*value);
 }
 
+// Temperatures of motors as the messages of each family have them.
+double HottestInGoLowState(const robot::RobotState& sample, std::size_t joint) {
+  if (joint >= sample.motors.size()) return judge::kUnknown;
+  const robot::MotorReading& motor = sample.motors[joint];
+  return wire::Rounded<std::uint8_t>(std::max(motor.casing_c, motor.winding_c), 0, 127);
+}
+double WindingInHgLowState(const robot::RobotState& sample, std::size_t joint) {
+  if (joint >= sample.motors.size()) return judge::kUnknown;
+  return wire::Rounded<std::int16_t>(sample.motors[joint].winding_c);
+}
+
 constexpr SignalRow kRows[] = {
     {"base.x", "", "m", Origin::kTruth, "Position of the base in the world",
      [](const Truth& t, std::size_t) { return t.qpos[0]; }},
@@ -77,6 +89,13 @@ constexpr SignalRow kRows[] = {
      }},
     {"torque", "JOINT", "N·m", Origin::kTruth, "Torque that acts at a joint",
      [](const Truth& t, std::size_t joint) { return At(t.tau, joint); }},
+    {.word = "torque_share",
+     .argument = "JOINT",
+     .unit = "",
+     .origin = Origin::kTruth,
+     .says = "likewise its size, as a share of the motor's torque_limit",
+     .of = [](const Truth& t, std::size_t joint) { return At(t.tau, joint); },
+     .share = true},
     {"foot_force", "FOOT", "N", Origin::kTruth, "What presses on a foot",
      [](const Truth& t, std::size_t foot) { return At(t.foot_force, foot); }},
     {"feet.force", "", "N", Origin::kTruth, "What presses on all feet",
@@ -95,6 +114,30 @@ constexpr SignalRow kRows[] = {
      [](const robot::RobotState& s, std::size_t joint) {
        return InLowState(s, joint, &robot::MotorReading::tau);
      }},
+    {.word = "tau_est_share",
+     .argument = "JOINT",
+     .unit = "",
+     .origin = Origin::kMessages,
+     .says = "likewise the size of that torque, as a share of the motor's torque_limit",
+     .of = nullptr,
+     .of_sample = [](const robot::RobotState& s,
+                     std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::tau); },
+     .field = "tau_est",
+     .share = true},
+    {.word = "temperature",
+     .argument = "JOINT",
+     .unit = "°C",
+     .origin = Origin::kMessages,
+     .says = "likewise the motor's temperature; in the hg family that of its winding",
+     .of = nullptr,
+     .of_sample = HottestInGoLowState},
+    {"first_jump", "", "rad", Origin::kMessages,
+     "Largest difference between an angle that the first command of rt/lowcmd asks for and the "
+     "joint's in rt/lowstate; of a simulated robot the first command that is taken, of a recording "
+     "without its events the first that asks for an angle; unknown before",
+     nullptr},
+    {"rate", "TOPIC", "Hz", Origin::kMessages,
+     "Messages of a topic in the last second; unknown until a second after the first one", nullptr},
     {"gap", "TOPIC", "s", Origin::kMessages,
      "Time since the last message of a topic; unknown before "
      "the first one",
@@ -221,8 +264,9 @@ Result<Signal> EventNumber(Signal signal, Signal::Source source, const std::stri
 Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::string& field,
                        const Names& names) {
   if (names.wrong_field == nullptr) {
-    return Error{"a running robot is asked for q, dq and tau_est of a joint, not for '" +
-                 signal.name + "'"};
+    return Error{
+        "a running robot is asked for q, dq, tau_est and temperature of a joint, not for '" +
+        signal.name + "'"};
   }
   const auto found = FindTopic(topic, names);
   if (!found) return found.error();
@@ -261,22 +305,29 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
     const auto joint = FindJoint(argument, names);
     if (!joint) return joint.error();
     signal.index = *joint;
+    if (row.share && !names.any_robot) signal.limit = names.torque_limits[*joint];
     if (row.origin != Origin::kMessages) return signal;
     signal.source = Signal::Source::kField;
     signal.topic = "rt/lowstate";
-    signal.of_sample = row.of_sample;
+    const bool winding = names.hg && row.word == "temperature";
+    signal.of_sample = winding ? WindingInHgLowState : row.of_sample;
     if (names.any_robot) return signal;
     if (*joint >= names.slots.size()) {
       return Error{"rt/lowstate does not tell of " + names.joints[*joint]};
     }
-    signal.field =
-        "motor_state[" + std::to_string(names.slots[*joint]) + "]." + std::string(row.word);
+    signal.field = "motor_state[" + std::to_string(names.slots[*joint]) + "]." +
+                   std::string(row.field.empty() ? row.word : row.field) + (winding ? "[1]" : "");
   }
-  if (row.word == "gap") {
+  if (row.argument == "TOPIC") {
     const auto topic = FindTopic(argument, names);
     if (!topic) return topic.error();
-    signal.source = Signal::Source::kGap;
+    signal.source = row.word == "gap" ? Signal::Source::kGap : Signal::Source::kRate;
     signal.topic = *topic;
+  }
+  if (row.word == "first_jump") {
+    signal.source = Signal::Source::kFirstJump;
+    signal.topic = robot::kCommandTopicNames[robot::kLowCmdTopic];
+    signal.slots = names.slots;
   }
   using enum Signal::Source;
   if (row.word == "count") return EventNumber(std::move(signal), kEventCount, argument);
@@ -294,12 +345,16 @@ std::span<const SignalRow> SignalRows() { return kRows; }
 
 Names RunningNames(const robot::RobotSpec& spec) {
   Names names;
-  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) names.joints.push_back(motor->joint);
+  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
+    names.joints.push_back(motor->joint);
+    names.torque_limits.push_back(motor->torque_limit);
+  }
   for (const robot::MotorSpec& motor : spec.motors) names.slots.push_back(motor.slot);
   for (const robot::FootSpec& foot : spec.feet) names.feet.push_back(foot.name);
   for (const std::string& topic : emulator::CommandTopics(spec)) {
     if (!topic.empty()) names.topics.emplace(topic, "");
   }
+  names.hg = spec.family == robot::WireFamily::kHg;
   return names;
 }
 
@@ -337,6 +392,8 @@ Origin Signal::origin() const {
       return Origin::kTruth;
     case Source::kField:
     case Source::kGap:
+    case Source::kRate:
+    case Source::kFirstJump:
     case Source::kArrival:
       return Origin::kMessages;
     case Source::kEventField:

@@ -1,6 +1,7 @@
 // The signals that conditions speak of: what each is, and where it comes from.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <span>
@@ -38,6 +39,9 @@ struct SignalRow {
   // For Origin::kMessages: its value in the sample of which the message is made; null if it is not
   // there.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
+  // Likewise of a joint: its field in motor_state, where that is not the word.
+  std::string_view field{};
+  bool share = false;  // its size as a share of the motor's torque_limit
 };
 
 // All words, in the order of the documentation. TOPIC:FIELD and EVENT.FIELD are no rows: there are
@@ -50,8 +54,10 @@ struct Names {
   // nothing is.
   using WrongField = std::string (*)(const std::string& type, const std::string& field);
 
-  std::vector<std::string> joints{};  // in motor order
-  std::vector<int> slots{};           // of those joints that have one
+  std::vector<std::string> joints{};    // in motor order
+  std::vector<int> slots{};             // of those joints that have one
+  std::vector<double> torque_limits{};  // N·m, of the joints
+  bool hg = false;                      // of that family
   std::vector<std::string> feet{};
   std::map<std::string, std::string> topics{};  // type on the wire by name, as far as known
   // Null: of a running robot, which knows messages as it has them itself: those that it hears by
@@ -74,6 +80,8 @@ struct Signal {
     kTruth,
     kField,       // of a message
     kGap,         // between the messages of a topic
+    kRate,        // of the messages of a topic (RecentArrivals)
+    kFirstJump,   // of rt/lowcmd's first angles from those of rt/lowstate
     kArrival,     // of a message: their number at this instant
     kEventField,  // of the last event of a kind; a word is its number (judge::WordNumber)
     kEvent,       // their number at this instant
@@ -89,8 +97,12 @@ struct Signal {
   std::size_t index = 0;
   std::string topic{}, field{};  // of messages, on the wire; of events kind and field
   std::string printed{};         // kPrint
+  double limit = 0;              // of whose share it is the size; 0: it is no share
+  std::vector<int> slots{};      // kFirstJump: of the joints
 
   Origin origin() const;
+  // Returns what is said of it in its own unit.
+  double Told(double value) const { return limit > 0 ? std::abs(value) / limit : value; }
 };
 
 // Finds what a comparison is about. An Error has the nearest word.

@@ -1,6 +1,7 @@
 #include "signals/watch.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "emulator/world.h"
@@ -34,6 +35,13 @@ Watch::Watch(signals::Conditions conditions, const emulator::World& world)
         IsPulse(signal.source) || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
     slot.word = judge::WordNumber(signal.printed);
     slot.topic = static_cast<std::size_t>(std::ranges::find(topics, signal.topic) - topics.begin());
+    if (signal.source == Source::kRate) {
+      slot.recent =
+          RecentArrivals(static_cast<std::size_t>(std::ceil(1 / world.physics().timestep())));
+    }
+    if (signal.source == Source::kFirstJump) {
+      slot.row = &emulator::RowOf(emulator::EventKind::kFirstCommand);
+    }
     if (signal.origin() != Origin::kEvents) continue;
     const auto row =
         std::ranges::find(emulator::EventTable(), signal.topic, &emulator::EventRow::name);
@@ -71,6 +79,7 @@ void Watch::Take(const emulator::Event& event) {
     if (slot.request != nullptr && slot.request != event.request.row) continue;
     switch (conditions_.signals[i].source) {
       case Source::kEventField:
+      case Source::kFirstJump:
         values_[i] = emulator::FieldNumber(event, slot.field);
         break;
       case Source::kPrint:
@@ -86,7 +95,7 @@ void Watch::Take(const emulator::Event& event) {
 void Watch::Hear(const emulator::World& world) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Source source = conditions_.signals[i].source;
-    if (source != Source::kArrival && source != Source::kGap) continue;
+    if (source != Source::kArrival && source != Source::kGap && source != Source::kRate) continue;
     Slot& slot = slots_[i];
     const std::uint64_t heard = world.robot().heard(slot.topic);
     const auto arrived = static_cast<double>(heard - slot.heard);
@@ -94,6 +103,11 @@ void Watch::Hear(const emulator::World& world) {
     if (source == Source::kGap && heard > 0) {
       values_[i] = slot.heard == 0 ? 0 : world.time() - slot.last;
       if (heard > slot.heard) slot.last = world.time();
+    }
+    if (source == Source::kRate) {
+      const std::int64_t now = std::llround(world.time() * 1e9);
+      if (heard > slot.heard) slot.recent.Add(now, heard - slot.heard);
+      values_[i] = slot.recent.RateAt(now);
     }
     slot.heard = heard;
   }
@@ -118,9 +132,9 @@ void Watch::Measure(const emulator::World& world) {
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];
-    if (signal.source == Source::kTruth) values_[i] = signal.of(truth, signal.index);
+    if (signal.source == Source::kTruth) values_[i] = signal.Told(signal.of(truth, signal.index));
     if (signal.source == Source::kField) {
-      values_[i] = signal.of_sample(world.robot().sampled(), signal.index);
+      values_[i] = signal.Told(signal.of_sample(world.robot().sampled(), signal.index));
     }
   }
 }

@@ -8,6 +8,7 @@
 #include "emulator/event_table.h"
 #include "emulator/script.h"
 #include "judge/formula.h"
+#include "signals/recent_arrivals.h"
 #include "signals/signals.h"
 
 namespace understudy::signals {
@@ -39,6 +40,7 @@ class Watch final : public emulator::Conditions {
     std::size_t topic = 0;                          // of commands, by number
     std::uint64_t heard = 0;                        // its messages so far
     double last = 0;                                // s: the last one
+    RecentArrivals recent;                          // kRate
   };
 
   void Take(const emulator::Event& event);

@@ -218,7 +218,7 @@ TEST_F(AllocationTest, DoesNotHappenWhileAScriptWaits) {
   StartAs("hanging");
   const std::string joint = config_.robot.motors[0].joint;
   const std::string text =
-      "[{at: 0.1, when: gap(lowcmd) > 1 or q(" + joint +
+      "[{at: 0.1, when: gap(lowcmd) > 1 or rate(lowcmd) < 1 or first_jump > 9 or q(" + joint +
       ") > 9 or base.tilt > 170 deg, clamp: on},"
       " {when: feet.force > 5 and remote.keys is not START+SELECT+UP+RIGHT, remote.hold: L2},"
       " {at: 0.1, when: lowcmd arrives, crane.release: },"

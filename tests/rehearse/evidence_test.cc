@@ -87,6 +87,63 @@ TEST(EvidenceTest, MeasuresGapsAlsoWhileNothingComes) {
   EXPECT_EQ(VerdictOf("{count: lowcmd arrives, least: 3, most: 3}", play).worth.margin, 0);
 }
 
+TEST(EvidenceTest, CountsTheMessagesOfTheLastSecond) {
+  const auto play = [](Stage* stage) {
+    stage->Truth(0, 0.3);
+    for (int i = 0; i < 30; ++i) stage->Message(1 + 0.05 * i, "lowcmd");
+    stage->Truth(2.95, 0.3);
+    stage->Truth(4, 0.3);
+  };
+  EXPECT_EQ(ValueOf("rate(lowcmd) >= 0", play), 0);
+  EXPECT_EQ(VerdictOf("{always: rate(lowcmd) >= 15, to: 2.4}", play).worth.value, 20);
+  EXPECT_EQ(VerdictOf("{always: rate(lowcmd) >= 15, to: 3}", play).worth.value, 10);
+  // Before that there has been no second of them.
+  EXPECT_EQ(VerdictOf("{always: rate(lowcmd) >= 15, to: 1.9}", play).outcome,
+            judge::Outcome::kNotJudged);
+}
+
+TEST(EvidenceTest, ARealRobotsFirstJumpIsThatOfTheFirstCommandThatAsksForAnAngle) {
+  const auto play = [](Stage* stage) {
+    stage->Command(0, 9, 9, 40);  // nobody has said yet where the joints are
+    stage->State(0.1, 0.5F, -1);
+    stage->Command(0.2, 7, 7, 0);  // asks for no angle
+    stage->State(0.3, 0.75F, -1);
+    stage->Command(0.4, 1, -1.5F, 40);
+    stage->Command(0.5, 8, 8, 40);
+  };
+  const judge::Verdict verdict = VerdictOf("{always: first_jump < 0.2}", play);
+  EXPECT_EQ(verdict.outcome, judge::Outcome::kFailed);
+  EXPECT_EQ(verdict.worth.value, 0.5);
+  EXPECT_EQ(verdict.worth.at, 400'000'000);
+}
+
+TEST(EvidenceTest, ASimulatedRobotSaysItselfByWhichCommandItsFirstJumpWas) {
+  const auto play = [](Stage* stage) {
+    stage->Truth(0, 0.3);
+    stage->State(0.1, 0.5F, -1);
+    stage->Command(0.2, 5, 5, 40);  // refused
+    stage->Event(0.3, "first_command", R"({"jump": 0.125, "joint": "knee_joint"})");
+    stage->Truth(1, 0.3);
+  };
+  EXPECT_EQ(ValueOf("first_jump > 0", play), 0.125);
+}
+
+TEST(EvidenceTest, AFirstJumpOfNoCommandIsNotJudged) {
+  const auto play = [](Stage* stage) { stage->State(0.1, 0, 0); };
+  EXPECT_EQ(VerdictOf("{always: first_jump < 0.2}", play).outcome, judge::Outcome::kNotJudged);
+}
+
+TEST(EvidenceTest, MeasuresTorquesByTheirLimitsAndReadsTemperatures) {
+  const auto play = [](Stage* stage) {
+    stage->Truth(0, 0.3);
+    stage->Go(0.1, "lowstate", "unitree_go/msg/LowState",
+              {{"motor_state[0].tau_est", -5}, {"motor_state[1].temperature", 71}});
+  };
+  EXPECT_EQ(ValueOf("torque_share(knee) > 0", play), 0.5);
+  EXPECT_EQ(ValueOf("tau_est_share(hip) > 0", play), 0.25);
+  EXPECT_EQ(ValueOf("temperature(knee) > 0", play), 71);
+}
+
 TEST(EvidenceTest, DoesNotJudgeByATruthThatARecordingDoesNotHave) {
   const Expectations expect = ReadExpect("[{always: base.height > 0.2}, {never: lowcmd arrives}]");
   Jury jury(expect);

@@ -2,13 +2,16 @@
 #pragma once
 
 #include <cmath>
+#include <cstring>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "config/yaml_document.h"
+#include "record/cdr_field.h"
 #include "record/truth.h"
 #include "rehearse/expectations.h"
 #include "rehearse/judged.h"
@@ -19,6 +22,7 @@ namespace understudy::rehearse {
 inline Names TinyNames() {
   return {.joints = {"hip_joint", "knee_joint"},
           .slots = {0, 1},
+          .torque_limits = {20, 40},
           .feet = {"left", "right"},
           .topics = {{"rt/lowcmd", "unitree_go::msg::dds_::LowCmd_"},
                      {"rt/lowstate", "unitree_go::msg::dds_::LowState_"}},
@@ -50,6 +54,35 @@ class Stage {
     record::BytesOut bytes;
     record::EncodeEvent({.time = at, .kind = kind, .text = kind, .detail = detail}, &bytes);
     Tell(Channel(record::kEventTopic), record::kEventType, at, bytes.span());
+  }
+  // A message of the go family in which these fields have values, and all others are 0.
+  using Fields = std::vector<std::pair<std::string, float>>;
+  void Go(double at, const std::string& topic, const std::string& type, const Fields& fields) {
+    std::vector<std::byte> bytes(2048);
+    bytes[1] = std::byte{1};  // little-endian
+    for (const auto& [path, value] : fields) {
+      const record::CdrField field = record::FindField(type, path);
+      if (field.type == "float32") {
+        std::memcpy(bytes.data() + 4 + field.offset, &value, sizeof value);
+      } else {
+        bytes[4 + field.offset] = static_cast<std::byte>(value);
+      }
+    }
+    Tell(Channel("/" + topic), type, at, bytes);
+  }
+  // A LowState and a LowCmd with angles of both joints [rad].
+  void State(double at, float hip, float knee) {
+    Go(at, "lowstate", "unitree_go/msg/LowState",
+       {{"motor_state[0].q", hip}, {"motor_state[1].q", knee}});
+  }
+  void Command(double at, float hip, float knee, float kp) {
+    Go(at, "lowcmd", "unitree_go/msg/LowCmd",
+       {{"motor_cmd[0].mode", 1},
+        {"motor_cmd[0].q", hip},
+        {"motor_cmd[0].kp", kp},
+        {"motor_cmd[1].mode", 1},
+        {"motor_cmd[1].q", knee},
+        {"motor_cmd[1].kp", kp}});
   }
   // An empty message of a topic.
   void Message(double at, const std::string& topic) {

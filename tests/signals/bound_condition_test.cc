@@ -10,6 +10,7 @@ namespace {
 Names TinyNames() {
   return {.joints = {"hip_joint", "knee_joint", "finger_joint"},
           .slots = {3, 4},
+          .torque_limits = {20, 40, 1},
           .feet = {"left", "right"},
           .topics = {{"rt/lowcmd", ""}, {"rt/arm_sdk", ""}}};
 }
@@ -40,8 +41,28 @@ TEST(BoundConditionTest, ARunningRobotKnowsTheCommandsItHearsAndWhatItSamples) {
             "no topic of commands 'rt/lowstate'; did you mean 'rt/lowcmd'? "
             "(valid: rt/arm_sdk, rt/lowcmd)");
   EXPECT_THAT(WhyNot("rt/mine arrives"), testing::HasSubstr("no topic of commands 'rt/mine'"));
-  EXPECT_THAT(WhyNot("lowstate:tick > 5"), testing::HasSubstr("q, dq and tau_est of a joint"));
+  EXPECT_THAT(WhyNot("lowstate:tick > 5"),
+              testing::HasSubstr("q, dq, tau_est and temperature of a joint"));
   EXPECT_EQ(WhyNot("q(finger) > 1"), "rt/lowstate does not tell of finger_joint");
+}
+
+TEST(BoundConditionTest, TorquesCanBeMeasuredByTheirLimitsAndTemperaturesByTheFamily) {
+  std::vector<Signal> signals;
+  Names names = TinyNames();
+  ASSERT_TRUE(
+      BindCondition("torque_share(knee) < 0.9 and tau_est_share(hip) < 0.9", names, &signals));
+  EXPECT_EQ(signals[0].Told(-30), 0.75);
+  EXPECT_EQ(signals[1].Told(5), 0.25);
+  EXPECT_EQ(signals[1].field, "motor_state[3].tau_est");
+  ASSERT_TRUE(BindCondition("temperature(knee) < 60 °C", names, &signals));
+  names.hg = true;
+  ASSERT_TRUE(BindCondition("temperature(hip) < 60", names, &signals));
+  EXPECT_EQ(signals[2].field, "motor_state[4].temperature");
+  EXPECT_EQ(signals[3].field, "motor_state[3].temperature[1]");
+  robot::RobotState sample;
+  sample.motors = {{.casing_c = 50.4, .winding_c = 40.6}, {.casing_c = 30, .winding_c = 40.6}};
+  EXPECT_EQ(signals[2].of_sample(sample, 0), 50);
+  EXPECT_EQ(signals[3].of_sample(sample, 0), 41);
 }
 
 TEST(BoundConditionTest, NamesTheNearestWord) {

@@ -1,5 +1,7 @@
 #include "signals/watch.h"
 
+#include <cmath>
+
 #include "config/yaml_document.h"
 #include "script/script.h"
 #include "tests/emulator/emulator_test.h"
@@ -63,6 +65,51 @@ TEST_F(WatchTest, KnowsHowLongTheCommandsHaveBeenAway) {
   port_.Send(Torque(0));
   Tick(20);
   EXPECT_EQ(Came(*world_), (std::vector<std::int64_t>{41}));  // seen at 31
+}
+
+TEST_F(WatchTest, KnowsHowOftenCommandsComeOnceASecondHasPassed) {
+  StartAs("standing");
+  Play("[{when: rate(lowcmd) >= 100, clamp: on}, {when: rate(lowcmd) < 99, clamp: on}]");
+  const int ticks = static_cast<int>(std::lround(1 / config_.physics.timestep));
+  const int every = ticks / 100;
+  for (int i = 0; i < ticks; ++i) {
+    if (i % every == 0) port_.Send(Torque(0));
+    Tick(1);
+  }
+  EXPECT_TRUE(Came(*world_).empty());  // unknown so far
+  for (int i = 0; i < ticks; ++i) Tick(1);
+  // The first one is seen at 1, and a second later the last hundred without it and one more; none
+  // comes any more.
+  ASSERT_EQ(Came(*world_).size(), 1U);
+  EXPECT_EQ(Came(*world_)[0], ticks + 1 + every);
+}
+
+TEST_F(WatchTest, KnowsHowFarTheFirstTakenAnglesAreFromTheJoints) {
+  StartAs("standing");
+  Play("[{when: first_jump between 0.2999 and 0.3001, clamp: on}]");
+  Tick(5);
+  robot::RobotCommand command = Torque(0);
+  port_.Send(command);  // asks for no angle
+  Tick(2);
+  for (std::size_t i = 0; i < command.motors.size(); ++i) {
+    command.motors[i] = {.enabled = true, .q = world_->robot().sampled().motors[i].q, .kp = 1};
+  }
+  command.motors[1].q += 2;
+  port_.Send(command, robot::Refusal::kCrc);  // is not taken
+  Tick(2);
+  command.motors[1].q = world_->robot().sampled().motors[1].q - 0.3;
+  port_.Send(command);
+  Tick(2);
+  ASSERT_EQ(Came(*world_).size(), 1U);
+  EXPECT_EQ(Came(*world_)[0], 10);
+}
+
+TEST_F(WatchTest, KnowsTorquesByTheirLimitsAndTemperatures) {
+  const std::string joint = config_.robot.motors[0].joint;
+  StartAs("standing");
+  EXPECT_GE(When("torque_share(" + joint + ") between 0 and 1 and tau_est_share(" + joint +
+                 ") between 0 and 1 and temperature(" + joint + ") between 1 and 60"),
+            0);
 }
 
 TEST_F(WatchTest, KnowsTheTruthOfTheInstant) {
