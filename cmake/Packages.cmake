@@ -28,6 +28,7 @@ understudy_package(eigen HEADER Eigen/Core SUFFIX eigen3 DEBIAN libeigen3-dev)
 understudy_package(yaml HEADER yaml-cpp/yaml.h LIBRARIES yaml-cpp DEBIAN libyaml-cpp-dev)
 understudy_package(png HEADER png.h LIBRARIES png DEBIAN libpng-dev)
 understudy_package(zlib HEADER zlib.h LIBRARIES z DEBIAN zlib1g-dev)
+understudy_package(sqlite HEADER sqlite3.h LIBRARIES sqlite3 DEBIAN libsqlite3-dev)
 understudy_package(zstd HEADER zstd.h LIBRARIES zstd DEBIAN libzstd-dev)
 understudy_package(log HEADER spdlog/spdlog.h LIBRARIES spdlog fmt DEBIAN "libspdlog-dev libfmt-dev"
                    DEFINE SPDLOG_COMPILED_LIB SPDLOG_SHARED_LIB SPDLOG_FMT_EXTERNAL)

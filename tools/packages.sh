@@ -13,6 +13,7 @@ build_packages=(
   "libpng-dev:pictures as ground, ground as pictures"
   "libzstd-dev:compresses recordings"
   "zlib1g-dev:checksums of recordings"
+  "libsqlite3-dev:reads ROS 2 bags"
   "libyaml-cpp-dev:reads robot descriptions"
   "libspdlog-dev:log"
   "libfmt-dev:formats the log"

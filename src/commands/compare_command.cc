@@ -20,14 +20,15 @@ struct CompareArguments {
 constexpr double kLongestShift = 1e9;  // s; longer than any recording
 
 int CompareCommand(const CompareArguments& arguments) {
-  const record::McapReader first(arguments.first), second(arguments.second);
-  for (const record::McapReader* reader : {&first, &second}) {
+  const auto first = record::OpenRecording(arguments.first);
+  const auto second = record::OpenRecording(arguments.second);
+  for (const record::RecordingReader* reader : {first.get(), second.get()}) {
     if (reader->contents().cut_short.empty()) continue;
     std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
                  reader->contents().cut_short.c_str());
   }
   const rehearse::Comparison comparison = rehearse::Compare(
-      first, second, arguments.shifted ? std::optional(arguments.shift) : std::nullopt);
+      *first, *second, arguments.shifted ? std::optional(arguments.shift) : std::nullopt);
   std::fputs((arguments.json ? CompareJson(comparison) : CompareText(comparison)).c_str(), stdout);
   if (arguments.out.empty()) return 0;
   record::OutputFile(arguments.out, true).Write(record::AsBytes(CompareHtml(comparison)));
@@ -40,7 +41,9 @@ int CompareCommand(const CompareArguments& arguments) {
 void AddCompareCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<CompareArguments>();
   CLI::App* compare = app->add_subcommand("compare", "Tell where two recordings of a robot differ");
-  compare->add_option("first", arguments->first, "A recording, MCAP: such as of a rehearsal")
+  compare
+      ->add_option("first", arguments->first,
+                   "A recording, MCAP or a ROS 2 bag: such as of a rehearsal")
       ->required()
       ->type_name("FIRST");
   compare->add_option("second", arguments->second, "Another: such as of the real robot")

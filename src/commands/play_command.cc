@@ -146,7 +146,8 @@ int PlayCommand(const PlayArguments& arguments) {
   record::PlayOptions options = arguments.options;
   options.side = arguments.commands ? record::PlayedSide::kClients : record::PlayedSide::kRobot;
   options.speed = SpeedOf(arguments.speed);
-  const record::McapReader reader(arguments.file);
+  const auto opened = record::OpenRecording(arguments.file);
+  const record::RecordingReader& reader = *opened;
   const double end = options.to > 0 ? options.to : record::Duration(reader.contents());
   if (!(options.from < end)) {  // also refuses NaN
     throw RecordError(arguments.file + ": --from is past the end, " + std::to_string(end) + " s");

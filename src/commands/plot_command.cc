@@ -33,8 +33,10 @@ bool IsTable(const PlotArguments& arguments) {
 
 // The file to write: beside the recording unless told.
 std::filesystem::path OutOf(const PlotArguments& arguments, const char* ending) {
-  return arguments.out.empty() ? std::filesystem::path(arguments.file).replace_extension(ending)
-                               : std::filesystem::path(arguments.out);
+  if (!arguments.out.empty()) return arguments.out;
+  std::filesystem::path file = arguments.file;
+  if (!file.has_filename()) file = file.parent_path();  // a bag's folder, written with a slash
+  return file.replace_extension(ending);
 }
 
 constexpr double kLongest = 1e9;  // s; longer than any recording
@@ -59,7 +61,7 @@ constexpr double kMargin = 0.5;
 constexpr double kWorthIt = 1;
 
 // When something moves in either, on the first's clock.
-record::BusySpan BusyIn(const record::McapReader& first, const record::McapReader* second,
+record::BusySpan BusyIn(const record::RecordingReader& first, const record::RecordingReader* second,
                         double shift) {
   record::BusySpan busy = BusySpanOf(first);
   if (second == nullptr) return busy;
@@ -91,11 +93,11 @@ void Trim(const record::BusySpan& busy, record::RunChoice* what) {
 
 int PlotCommand(PlotArguments arguments) {
   record::PlotOptions& options = arguments.options;
-  const record::McapReader first(arguments.file);
-  std::optional<record::McapReader> second;
-  if (!arguments.second.empty()) second.emplace(arguments.second);
-  const record::McapReader* const other = second ? &*second : nullptr;
-  for (const record::McapReader* reader : {&first, other}) {
+  const auto opened = record::OpenRecording(arguments.file);
+  const record::RecordingReader& first = *opened;
+  const auto second = arguments.second.empty() ? nullptr : record::OpenRecording(arguments.second);
+  const record::RecordingReader* const other = second.get();
+  for (const record::RecordingReader* reader : {&first, other}) {
     if (reader == nullptr || reader->contents().cut_short.empty()) continue;
     std::fprintf(stderr, "%s was cut short: %s\n", reader->path().c_str(),
                  reader->contents().cut_short.c_str());
@@ -123,7 +125,9 @@ void AddPlotCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<PlotArguments>();
   record::PlotOptions& options = arguments->options;
   CLI::App* plot = app->add_subcommand("plot", "Plot a recording, or two, or write its numbers");
-  plot->add_option("file", arguments->file, "The recording, MCAP")->required()->type_name("FILE");
+  plot->add_option("file", arguments->file, "The recording, MCAP or a ROS 2 bag")
+      ->required()
+      ->type_name("FILE");
   CLI::Option* second = plot->add_option("second", arguments->second,
                                          "Another of the same robot, drawn over it in dashed lines")
                             ->type_name("SECOND");

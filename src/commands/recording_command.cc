@@ -5,15 +5,15 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/commands.h"
-#include "record/mcap_reader.h"
 #include "record/player.h"
+#include "record/recording_reader.h"
 
 namespace understudy::commands {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json Describe(const record::McapReader& reader) {
+ordered_json Describe(const record::RecordingReader& reader) {
   const record::McapContents& contents = reader.contents();
   ordered_json channels = ordered_json::array();
   for (const auto& [id, channel] : contents.channels) {
@@ -53,8 +53,8 @@ std::string TextOf(const ordered_json& object, const char* key) {
 }
 
 int RecordingCommand(const std::string& file, bool as_json) {
-  const record::McapReader reader(file);
-  const ordered_json told = Describe(reader);
+  const auto reader = record::OpenRecording(file);
+  const ordered_json told = Describe(*reader);
   if (as_json) {
     std::puts(told.dump(2, ' ', false, ordered_json::error_handler_t::replace).c_str());
     return 0;
@@ -64,13 +64,13 @@ int RecordingCommand(const std::string& file, bool as_json) {
   const std::string who =
       about.contains("robot") ? TextOf(about, "robot") : TextOf(told, "library");
   std::printf("%s: %s, %.3f s, %llu messages\n", file.c_str(), who.c_str(), seconds,
-              static_cast<unsigned long long>(reader.contents().messages));
+              static_cast<unsigned long long>(reader->contents().messages));
   if (about.contains("started")) {
     const std::string seed = TextOf(about, "seed");
     std::printf("  begun %s by understudy %s%s\n", TextOf(about, "started").c_str(),
                 TextOf(about, "version").c_str(), seed.empty() ? "" : (", seed " + seed).c_str());
   }
-  if (!reader.contents().cut_short.empty()) {
+  if (!reader->contents().cut_short.empty()) {
     std::printf("  cut short: %s\n", TextOf(told, "cut_short").c_str());
   }
   std::size_t width = 0;
@@ -97,7 +97,9 @@ void AddRecordingCommand(CLI::App* app, Chosen* chosen) {
   const auto file = std::make_shared<std::string>();
   const auto json = std::make_shared<bool>(false);
   CLI::App* recording = app->add_subcommand("recording", "Say what a recording holds");
-  recording->add_option("file", *file, "The recording, MCAP")->required()->type_name("FILE");
+  recording->add_option("file", *file, "The recording: MCAP, or a ROS 2 bag, .db3 or its folder")
+      ->required()
+      ->type_name("FILE");
   recording->add_flag("--json", *json, "As a JSON object");
   recording->footer(
       "Examples:\n"

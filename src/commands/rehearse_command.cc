@@ -63,7 +63,8 @@ fs::path FindScenario(const std::string& written) {
 
 fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t run = 0) {
   if (!out.empty()) return out;
-  const std::string name = scenario.stem().string();
+  // A bag's folder may be written with a slash.
+  const std::string name = (scenario.has_filename() ? scenario : scenario.parent_path()).stem();
   return fs::path("rehearsals") / (run == 0 ? name : name + "-" + std::to_string(run));
 }
 
@@ -102,7 +103,7 @@ int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expec
 }
 
 // Judges the stages, if there are any, and writes the settings of the next into the folder.
-std::optional<rehearse::Ladder> Climb(const record::McapReader& reader,
+std::optional<rehearse::Ladder> Climb(const record::RecordingReader& reader,
                                       const std::vector<rehearse::StageSpec>& stages,
                                       const config::Config& config, const rehearse::Judged& judged,
                                       const fs::path& folder) {
@@ -213,7 +214,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
       .scenario = FileText(file),
       .script = script,
       .stopped = rehearsal.stopped,
-      .ladder = Climb(record::McapReader(recording), scenario.stages, scenario.config,
+      .ladder = Climb(*record::OpenRecording(recording), scenario.stages, scenario.config,
                       rehearsal.judged, folder),
       .pictures = PicturesFor(arguments, rehearsal.judged, recording, folder),
       .wall = rehearsal.wall};
@@ -223,7 +224,8 @@ int RehearseCommand(const RehearseArguments& arguments) {
 
 int JudgeCommand(const JudgeArguments& arguments) {
   const fs::path file = FindScenario(arguments.scenario);
-  const record::McapReader reader(arguments.recording);
+  const auto opened = record::OpenRecording(arguments.recording);
+  const record::RecordingReader& reader = *opened;
   record::StringMap about;
   const auto found = reader.contents().metadata.find("understudy");
   if (found != reader.contents().metadata.end()) about = found->second;
@@ -323,7 +325,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
 
   const auto judged = std::make_shared<JudgeArguments>();
   CLI::App* judge = app->add_subcommand("judge", "Judge a recording by what a scenario expects");
-  judge->add_option("recording", judged->recording, "The recording, MCAP")
+  judge->add_option("recording", judged->recording, "The recording, MCAP or a ROS 2 bag")
       ->required()
       ->type_name("RECORDING");
   judge

@@ -141,7 +141,7 @@ std::pair<std::size_t, std::size_t> Around(const std::vector<double>& times, std
 
 }  // namespace
 
-Samples ReadMcap(const record::McapReader& reader, const robot::RobotSpec& spec) {
+Samples ReadRecording(const record::RecordingReader& reader, const robot::RobotSpec& spec) {
   const std::string file = reader.path().string();
   Samples samples{.file = file};
   std::vector<record::CdrField> angles;
@@ -259,7 +259,7 @@ Samples ReadCsv(std::istream& text, const std::string& name, const robot::RobotS
 }
 
 Samples ReadSamples(const std::filesystem::path& file, const robot::RobotSpec& spec) {
-  if (file.extension() != ".csv") return ReadMcap(record::McapReader(file), spec);
+  if (file.extension() != ".csv") return ReadRecording(*record::OpenRecording(file), spec);
   std::error_code error;
   if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
     throw RecordError(file.string() + ": is not a file");

@@ -8,7 +8,7 @@
 
 #include <Eigen/Core>
 
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -28,7 +28,7 @@ struct Samples {
 // Reads rt/lowstate and rt/lowcmd. The robot's own clock, `tick`, says when a state was; a command
 // is of when it was recorded, by that clock. Throws RecordError where either is missing or of
 // another family than the robot's.
-Samples ReadMcap(const record::McapReader& reader, const robot::RobotSpec& spec);
+Samples ReadRecording(const record::RecordingReader& reader, const robot::RobotSpec& spec);
 
 // Reads comma-separated values: a header, then a row per instant. Columns are `time` [s] and, by
 // joint with or without "_joint", NAME.q [rad] and the command NAME.q_des [rad], NAME.dq_des
@@ -37,7 +37,7 @@ Samples ReadMcap(const record::McapReader& reader, const robot::RobotSpec& spec)
 // with the line that is wrong.
 Samples ReadCsv(std::istream& text, const std::string& name, const robot::RobotSpec& spec);
 
-// Reads a file of either form: by its name a CSV, else MCAP.
+// Reads a file of either form: by its name a CSV, else a recording (record::OpenRecording).
 Samples ReadSamples(const std::filesystem::path& file, const robot::RobotSpec& spec);
 
 // Returns what is commanded on average from `from` to `to` [s]: each command holds until the next.

@@ -43,7 +43,7 @@ std::string Heading(const RunColumn& column) {
 class TableRows final : public RunReader {
  public:
   // `name` stands in the first column; "" for none.
-  TableRows(const McapReader& reader, const RunChoice& choice, double shift,
+  TableRows(const RecordingReader& reader, const RunChoice& choice, double shift,
             const std::string& name, std::ostream* out)
       : RunReader(reader, choice),
         shift_(shift),
@@ -113,7 +113,7 @@ RunChoice OfTheSameSlots(RunChoice choice, const RunReader& first, double shift)
 
 }  // namespace
 
-void WriteCsv(const McapReader& first, const McapReader* second, double shift,
+void WriteCsv(const RecordingReader& first, const RecordingReader* second, double shift,
               const RunChoice& choice, const std::filesystem::path& file) {
   const std::filesystem::path part = file.string() + "." + std::to_string(::getpid()) + ".part";
   std::error_code ignored;

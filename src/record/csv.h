@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 #include "record/run_reader.h"
 
 namespace understudy::record {
@@ -15,7 +15,7 @@ namespace understudy::record {
 // empty. With a `second`, whose robot has the same slots, a column "recording" comes first, and
 // its rows follow with `shift` s added to their times. Replaces an existing file once the new one
 // is whole. Throws as RunReader, and RecordError if the file cannot be written.
-void WriteCsv(const McapReader& first, const McapReader* second, double shift,
+void WriteCsv(const RecordingReader& first, const RecordingReader* second, double shift,
               const RunChoice& choice, const std::filesystem::path& file);
 
 }  // namespace understudy::record

@@ -20,25 +20,25 @@ constexpr std::uint64_t kTail = kMcapRecordHead + kMcapFooter + kMcapMagic.size(
 
 }  // namespace
 
-McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
+McapReader::McapReader(std::filesystem::path file) : RecordingReader(std::move(file)) {
   // O_NONBLOCK: opening a pipe must not wait for its writer.
-  fd_ = UniqueFd(::open(path_.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  fd_ = UniqueFd(::open(path().c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   struct stat status {};
   if (!fd_.valid() || ::fstat(fd_.get(), &status) != 0) {
     const std::string why = std::strerror(errno);  // NOLINT(concurrency-mt-unsafe)
-    throw RecordError(path_.string() + ": " + why);
+    throw RecordError(path().string() + ": " + why);
   }
-  if (!S_ISREG(status.st_mode)) throw RecordError(path_.string() + ": is not a file");
+  if (!S_ISREG(status.st_mode)) throw RecordError(path().string() + ": is not a file");
   size_ = static_cast<std::uint64_t>(status.st_size);
   const auto has_magic = [&](std::uint64_t offset) {
     return std::ranges::equal(Read(offset, kMcapMagic.size()),
                               std::as_bytes(std::span(kMcapMagic)));
   };
   if (size_ < kMcapMagic.size() || !has_magic(0)) {
-    throw RecordError(path_.string() + ": is not an MCAP file: its first bytes are wrong");
+    throw RecordError(path().string() + ": is not an MCAP file: its first bytes are wrong");
   }
   if (size_ < kMcapMagic.size() + kMcapRecordHead) {
-    throw RecordError(path_.string() + ": ends before its header");
+    throw RecordError(path().string() + ": ends before its header");
   }
   const Record header = ReadRecord(kMcapMagic.size());
   if (header.op != McapOp::kHeader) Fail(header.offset, "expected the header");
@@ -46,11 +46,6 @@ McapReader::McapReader(std::filesystem::path path) : path_(std::move(path)) {
   const bool finished = size_ >= kTail + kMcapMagic.size() && has_magic(size_ - kMcapMagic.size());
   if (finished && ReadSummary()) return;
   Scan(kMcapMagic.size() + kMcapRecordHead + header.content.size());
-}
-
-const McapSchema* McapReader::SchemaOf(const McapChannel& channel) const {
-  const auto found = contents_.schemas.find(channel.schema_id);
-  return found == contents_.schemas.end() ? nullptr : &found->second;
 }
 
 // Returns false if there is no summary or it does not list the chunks.
@@ -275,7 +270,7 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
         if (op == McapOp::kMessage && !tell(chunk.offset, content)) return;
       }
     } catch (const RecordError& error) {
-      if (std::string_view(error.what()).starts_with(path_.string())) throw;
+      if (std::string_view(error.what()).starts_with(path().string())) throw;
       Fail(chunk.offset, error.what());
     }
   }
@@ -284,7 +279,7 @@ void McapReader::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit&
 std::vector<std::byte> McapReader::ReadAttachment(std::string_view name) const {
   const auto found = std::ranges::find(contents_.attachments, name, &McapAttachment::name);
   if (found == contents_.attachments.end()) {
-    throw RecordError(path_.string() + ": holds no attachment " + std::string(name));
+    throw RecordError(path().string() + ": holds no attachment " + std::string(name));
   }
   const Record record = ReadRecord(found->offset);
   if (record.op != McapOp::kAttachment) Fail(found->offset, "expected an attachment");
@@ -338,7 +333,7 @@ std::vector<std::byte> McapReader::Read(std::uint64_t offset, std::uint64_t size
 }
 
 void McapReader::Fail(std::uint64_t offset, const std::string& what) const {
-  throw RecordError(path_.string() + ": at byte " + std::to_string(offset) + ": " + what);
+  throw RecordError(path().string() + ": at byte " + std::to_string(offset) + ": " + what);
 }
 
 }  // namespace understudy::record

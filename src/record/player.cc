@@ -49,7 +49,7 @@ double Duration(const McapContents& contents) {
   return static_cast<double>(contents.last_time - contents.first_time) * 1e-9;
 }
 
-Player::Player(const McapReader* reader, PlayOptions options, time::Clock* clock)
+Player::Player(const RecordingReader* reader, PlayOptions options, time::Clock* clock)
     : reader_(reader), options_(std::move(options)), clock_(clock) {
   std::set<std::string> known;
   std::set<std::string> asked(options_.topics.begin(), options_.topics.end());

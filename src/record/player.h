@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 #include "time/clock.h"
 
 namespace understudy::record {
@@ -45,7 +45,7 @@ class Player {
  public:
   // Throws RecordError, with the nearest topic, if the recording has none of the requested
   // messages. `reader` and `clock` must outlive the player.
-  Player(const McapReader* reader, PlayOptions options, time::Clock* clock);
+  Player(const RecordingReader* reader, PlayOptions options, time::Clock* clock);
 
   // By channel id.
   const std::map<std::uint16_t, PlayedTopic>& topics() const { return topics_; }
@@ -59,7 +59,7 @@ class Player {
  private:
   bool PlayOnce(const Say& say);  // false if `say` ended it
 
-  const McapReader* reader_;
+  const RecordingReader* reader_;
   PlayOptions options_;
   time::Clock* clock_;
   std::map<std::uint16_t, PlayedTopic> topics_;

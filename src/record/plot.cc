@@ -32,7 +32,7 @@ std::string LabelOf(const RunColumn& column) { return column.quantity + " [" + c
 // Collects everything for a page in one pass over the recording.
 class PageMaker final : public RunReader {
  public:
-  PageMaker(const McapReader& reader, const PlotOptions& options)
+  PageMaker(const RecordingReader& reader, const PlotOptions& options)
       : RunReader(reader, options.what), options_(options), traces_(columns().size()) {
     page_.from = from();
     page_.to = to();
@@ -164,11 +164,11 @@ class PageMaker final : public RunReader {
 
 }  // namespace
 
-PlotPage MakePage(const McapReader& reader, const PlotOptions& options) {
+PlotPage MakePage(const RecordingReader& reader, const PlotOptions& options) {
   return PageMaker(reader, options).Make();
 }
 
-PlotPage MakePage(const McapReader& first, const McapReader& second, double shift,
+PlotPage MakePage(const RecordingReader& first, const RecordingReader& second, double shift,
                   const PlotOptions& options) {
   PlotPage page = MakePage(first, options);
   PlotOptions others = options;

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 #include "record/run_reader.h"
 
 namespace understudy::record {
@@ -73,12 +73,12 @@ struct PlotPage {
 // Reads the recording and makes panels of base height and attitude, of the motors' fields with
 // their commanded values and of the signals, and marks of the events. Throws RecordError for an
 // unknown motor, field or signal, with the nearest word, and if there is nothing to draw.
-PlotPage MakePage(const McapReader& reader, const PlotOptions& options);
+PlotPage MakePage(const RecordingReader& reader, const PlotOptions& options);
 
 // The same of `first`, with the lines of the same panels of `second`, a robot with the same slots,
 // dashed in the place of what was commanded, and its marks under its file's name; `shift` s are
 // added to its time. Throws as above, and where the two have no time in common.
-PlotPage MakePage(const McapReader& first, const McapReader& second, double shift,
+PlotPage MakePage(const RecordingReader& first, const RecordingReader& second, double shift,
                   const PlotOptions& options);
 
 // Returns the gnuplot script that draws a page as SVG or PNG into the file `picture`. Texts of the

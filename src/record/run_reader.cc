@@ -51,7 +51,7 @@ int SlotOf(const std::string& word) {
 
 }  // namespace
 
-RunReader::RunReader(const McapReader& reader, const RunChoice& choice) : reader_(reader) {
+RunReader::RunReader(const RecordingReader& reader, const RunChoice& choice) : reader_(reader) {
   const McapContents& contents = reader.contents();
   from_ = choice.from;
   beginning_ = contents.first_time;
@@ -219,7 +219,7 @@ namespace {
 // A value has moved once it is further than `still` from where it was when it last had.
 class BusyFinder final : public RunReader {
  public:
-  explicit BusyFinder(const McapReader& reader)
+  explicit BusyFinder(const RecordingReader& reader)
       : RunReader(reader, {.fields = {"q"}}), rests_(columns().size()) {
     span_.end = to();
     Read();
@@ -256,6 +256,6 @@ class BusyFinder final : public RunReader {
 
 }  // namespace
 
-BusySpan BusySpanOf(const McapReader& reader) { return BusyFinder(reader).span(); }
+BusySpan BusySpanOf(const RecordingReader& reader) { return BusyFinder(reader).span(); }
 
 }  // namespace understudy::record

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "record/cdr_field.h"
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 #include "record/truth.h"
 
 namespace understudy::record {
@@ -54,7 +54,7 @@ class RunReader {
  public:
   // `reader` must outlive it. Throws RecordError for an unknown motor, field or signal, with the
   // nearest word, and for a span in which there is nothing.
-  RunReader(const McapReader& reader, const RunChoice& choice);
+  RunReader(const RecordingReader& reader, const RunChoice& choice);
   virtual ~RunReader() = default;
   RunReader(const RunReader&) = delete;
   RunReader& operator=(const RunReader&) = delete;
@@ -76,7 +76,7 @@ class RunReader {
   virtual void Note(double at, double value, std::size_t column) = 0;
   virtual void NoteEvent(double at, const Event& event) = 0;
 
-  const McapReader& reader() const { return reader_; }
+  const RecordingReader& reader() const { return reader_; }
 
  private:
   void FindMotors(std::vector<RunMotor>* known);
@@ -87,7 +87,7 @@ class RunReader {
   void NoteTruth(double at, const Truth& truth);
   void Tell(double at, double value, std::size_t column);
 
-  const McapReader& reader_;
+  const RecordingReader& reader_;
   StringMap about_;
   std::uint64_t beginning_ = 0;               // log time of simulated time 0
   std::map<std::string, std::string> types_;  // by topic on the wire
@@ -111,6 +111,6 @@ struct Still {
   double height = 0.01, attitude = 1, q = 0.02;
 };
 inline constexpr Still kStill;
-BusySpan BusySpanOf(const McapReader& reader);
+BusySpan BusySpanOf(const RecordingReader& reader);
 
 }  // namespace understudy::record

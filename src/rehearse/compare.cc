@@ -211,8 +211,8 @@ void CheckTheyAreOfOneRobot(const Recorded& first, const Recorded& second) {
 
 }  // namespace
 
-Comparison Compare(const record::McapReader& first_reader, const record::McapReader& second_reader,
-                   std::optional<double> shift) {
+Comparison Compare(const record::RecordingReader& first_reader,
+                   const record::RecordingReader& second_reader, std::optional<double> shift) {
   const double longer = std::max(SecondsOfStates(first_reader), SecondsOfStates(second_reader));
   const double step = std::max(kStep, longer / kMostSteps);
   Recorded first = ReadRecorded(first_reader, step);

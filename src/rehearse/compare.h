@@ -48,7 +48,7 @@ struct Comparison {
 // compares what both say then. The likeness is the sum over joints of the covariance of their
 // angles over the root of the product of the sums of variances. Throws RecordError for recordings
 // of different robots, and where less than a second is left in common.
-Comparison Compare(const record::McapReader& first, const record::McapReader& second,
+Comparison Compare(const record::RecordingReader& first, const record::RecordingReader& second,
                    std::optional<double> shift);
 
 // For a terminal, for programs (docs/rehearsing.md), and as one page that needs nothing else.

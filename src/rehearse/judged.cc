@@ -29,7 +29,7 @@ std::uint64_t StartOf(const record::McapContents& contents) {
   return std::min(start, contents.first_time);
 }
 
-std::string TypeOf(const record::McapReader& reader, const record::McapChannel& channel) {
+std::string TypeOf(const record::RecordingReader& reader, const record::McapChannel& channel) {
   const record::McapSchema* schema = reader.SchemaOf(channel);
   return schema == nullptr ? "" : schema->name;
 }
@@ -44,7 +44,7 @@ void AddStep(double at, double value, record::TracePoints* points) {
 }
 
 // Collects the values of all signals, and those around the deciding instants.
-void Draw(const record::McapReader& reader, const Expectations& expectations, Judged* judged) {
+void Draw(const record::RecordingReader& reader, const Expectations& expectations, Judged* judged) {
   std::vector<record::Trace> traces(expectations.signals.size());
   judged->closeups.resize(expectations.list.size());
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
@@ -174,7 +174,7 @@ std::size_t Judged::Count(Outcome outcome) const {
       rulings, [outcome](const Ruling& ruling) { return ruling.verdict.outcome == outcome; }));
 }
 
-Judged JudgeRecording(const record::McapReader& reader, const Expectations& expectations) {
+Judged JudgeRecording(const record::RecordingReader& reader, const Expectations& expectations) {
   const record::McapContents& contents = reader.contents();
   Jury jury(expectations);
   jury.Begin(StartOf(contents));

@@ -10,8 +10,8 @@
 
 #include "judge/judge.h"
 #include "record/audience.h"
-#include "record/mcap_reader.h"
 #include "record/plot.h"
+#include "record/recording_reader.h"
 #include "record/truth.h"
 #include "rehearse/evidence.h"
 #include "rehearse/expectations.h"
@@ -76,7 +76,7 @@ struct Judged {
 };
 
 // Throws RecordError.
-Judged JudgeRecording(const record::McapReader& reader, const Expectations& expectations);
+Judged JudgeRecording(const record::RecordingReader& reader, const Expectations& expectations);
 
 // Returns seconds.
 inline double SecondsOf(judge::Time time) { return 1e-9 * static_cast<double>(time); }

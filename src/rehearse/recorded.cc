@@ -49,7 +49,7 @@ std::map<int, std::string> JointsOf(const record::StringMap& about) {
 
 // Calls visit(topic, type, message) with the messages of the robot and its clients.
 template <class Visit>
-void ReadTopics(const record::McapReader& reader, const Visit& visit) {
+void ReadTopics(const record::RecordingReader& reader, const Visit& visit) {
   reader.ReadMessages([&](const record::McapChannel& channel, const record::McapMessage& message) {
     const record::McapSchema* schema = reader.SchemaOf(channel);
     if (schema != nullptr) visit(record::TopicOnWire(channel), schema->name, message);
@@ -90,7 +90,7 @@ const Series* Recorded::Find(std::string_view quantity, int slot) const {
   return nullptr;
 }
 
-double SecondsOfStates(const record::McapReader& reader) {
+double SecondsOfStates(const record::RecordingReader& reader) {
   std::optional<std::uint64_t> first;
   std::uint64_t last = 0;
   ReadTopics(reader,
@@ -105,7 +105,7 @@ double SecondsOfStates(const record::McapReader& reader) {
   return 1e-9 * static_cast<double>(last - *first);
 }
 
-Recorded ReadRecorded(const record::McapReader& reader, double step) {
+Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
   Recorded recorded{.file = reader.path().filename().string(), .step = step};
   if (const auto about = reader.contents().metadata.find("understudy");
       about != reader.contents().metadata.end()) {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "record/mcap_reader.h"
+#include "record/recording_reader.h"
 
 namespace understudy::rehearse {
 
@@ -44,10 +44,10 @@ struct Recorded {
 
 // Returns the s from the first message of rt/lowstate to the last. Throws RecordError if there are
 // not two.
-double SecondsOfStates(const record::McapReader& reader);
+double SecondsOfStates(const record::RecordingReader& reader);
 
 // Reads a recording from its first message of rt/lowstate on, at steps of `step` [s]. A command's
 // kNoPosition is no value. Throws RecordError.
-Recorded ReadRecorded(const record::McapReader& reader, double step);
+Recorded ReadRecorded(const record::RecordingReader& reader, double step);
 
 }  // namespace understudy::rehearse

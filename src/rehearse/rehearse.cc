@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/errors.h"
+#include "record/mcap_reader.h"
 #include "run/run.h"
 
 namespace understudy::rehearse {

@@ -206,7 +206,7 @@ bool Ladder::Holds(std::size_t stage) const {
   return true;
 }
 
-Ladder JudgeLadder(const record::McapReader& reader, const std::vector<StageSpec>& stages,
+Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<StageSpec>& stages,
                    const config::Config& config, const Judged& judged) {
   Ladder ladder{.stages = stages};
   const signals::Names names = signals::RecordedNames(config.robot, WrongField);

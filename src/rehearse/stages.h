@@ -41,7 +41,7 @@ struct Ladder {
 
 // Judges the recording of a rehearsal by its stages. No stage holds if one of its expectations,
 // judged in `judged`, failed or is open. Throws RecordError, ModelError.
-Ladder JudgeLadder(const record::McapReader& reader, const std::vector<StageSpec>& stages,
+Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<StageSpec>& stages,
                    const config::Config& config, const Judged& judged);
 
 // Returns "may go up to stage 'crawl', 1 of 3; next is 'walk'".

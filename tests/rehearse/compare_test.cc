@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "record/cdr_field.h"
+#include "record/mcap_reader.h"
 #include "record/mcap_writer.h"
 #include "record/ros2msg.h"
 #include "rehearse/svg_plot.h"

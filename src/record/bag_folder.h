@@ -1,0 +1,35 @@
+// Reads the folder of a ROS 2 bag.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "record/recording_reader.h"
+
+namespace understudy::record {
+
+// The files that its metadata.yaml names, .db3 or .mcap, one after the other. What is no such
+// folder, is compressed as a whole, or lacks a file throws RecordError.
+class BagFolder final : public RecordingReader {
+ public:
+  explicit BagFolder(const std::filesystem::path& path);
+
+  using RecordingReader::ReadMessages;
+  void ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const override;
+
+ private:
+  struct Part {
+    std::unique_ptr<RecordingReader> reader;
+    std::map<std::uint16_t, std::uint16_t> channels;  // of the folder, by those of the file
+  };
+
+  void Add(std::unique_ptr<RecordingReader> reader);
+  std::uint16_t ChannelLike(const RecordingReader& reader, const McapChannel& channel);
+
+  std::vector<Part> parts_;
+};
+
+}  // namespace understudy::record

@@ -1,0 +1,131 @@
+"""ROS 2 bags, as rosbags writes them, are read as the MCAP recording of the same messages is."""
+
+import json
+import pathlib
+import shutil
+import sys
+
+import pytest
+from mcap.reader import make_reader
+from mcap.writer import Writer as McapWriter
+from rosbags.rosbag2 import CompressionFormat, CompressionMode, StoragePlugin, Writer
+from rosbags.typesys import Stores, get_types_from_msg, get_typestore
+
+from robots import understudy
+
+ROOT = pathlib.Path(__file__).parents[2]
+TOPICS = ("/lowstate", "/lowcmd")
+OPEN = 11
+
+EXPECT = """
+robot: go2
+expect:
+  - {always: rate(lowstate) between 490 and 510, name: states come}
+  - {final: rate(lowcmd) > 50, to: 4, name: commands come}
+  - {always: first_jump < 0.1, name: begins where it is}
+  - {always: tau_est_share(FR_calf) <= 1, name: within its torque}
+  - {always: temperature(FR_calf) < 90, name: stays cool}
+  - {always: base.height > 0, name: truth}
+"""
+
+
+def messages_of(path):
+    with open(path, "rb") as file:
+        yield from make_reader(file).iter_messages(topics=TOPICS)
+
+
+def bag_of(recording, folder, storage=StoragePlugin.SQLITE3, packed=False):
+    """What a real robot's bag has: the two topics, nothing of the simulation's."""
+    store = get_typestore(Stores.EMPTY)
+    writer = Writer(folder, version=9, storage_plugin=storage)
+    if packed:
+        writer.set_compression(CompressionMode.MESSAGE, CompressionFormat.ZSTD)
+    with writer:
+        connections = {}
+        for schema, channel, message in messages_of(recording):
+            if channel.topic not in connections:
+                store.register({name: one for name, one in get_types_from_msg(schema.data.decode(), schema.name).items()
+                                if name not in store.types})
+                connections[channel.topic] = writer.add_connection(channel.topic, schema.name, typestore=store)
+            writer.write(connections[channel.topic], message.log_time, message.data)
+    return folder
+
+
+@pytest.fixture(scope="module", name="made")
+def made_fixture(tmp_path_factory):
+    """The same messages as MCAP, as a folder of a bag in SQLite, its file alone, and a folder with MCAP."""
+    folder = tmp_path_factory.mktemp("bags")
+    done = understudy("rehearse", "sdk_stand", "--out", folder / "out", "--", sys.executable,
+                      ROOT / "examples" / "python" / "stand.py", "lo", timeout=240)
+    recording = folder / "out" / "recording.mcap"
+    assert recording.exists(), done.stderr
+    plain = folder / "plain.mcap"
+    with plain.open("wb") as target:
+        writer = McapWriter(target)
+        writer.start()
+        ids = {}
+        for schema, channel, message in messages_of(recording):
+            if channel.topic not in ids:
+                ids[channel.topic] = writer.register_channel(
+                    channel.topic, "cdr", writer.register_schema(schema.name, schema.encoding, schema.data))
+            writer.add_message(ids[channel.topic], message.log_time, message.data, message.log_time)
+        writer.finish()
+    sqlite = bag_of(recording, folder / "sqlite")
+    file = next(sqlite.glob("*.db3"))
+    shutil.copy(file, folder / "alone.db3")
+    mcap = bag_of(recording, folder / "mcap", StoragePlugin.MCAP)
+    return {"recording": recording, "plain": plain, "sqlite": sqlite, "file": folder / "alone.db3", "mcap": mcap}
+
+
+BAGS = ("sqlite", "file", "mcap")
+
+
+@pytest.mark.parametrize("form", BAGS)
+def test_a_bag_holds_what_the_recording_does(made, form):
+    plain, bag = (json.loads(understudy("recording", made[one], "--json").stdout) for one in ("plain", form))
+    assert bag["messages"] == plain["messages"] and bag["seconds"] == plain["seconds"]
+    assert ([(one["topic"], one["type"], one["messages"]) for one in sorted(bag["channels"], key=str)]
+            == [(one["topic"], one["type"], one["messages"]) for one in sorted(plain["channels"], key=str)])
+    assert {one["topic"] for one in bag["channels"]} == {"rt/lowstate", "rt/lowcmd"}
+
+
+@pytest.mark.parametrize("form", BAGS)
+def test_a_bag_is_judged_as_the_recording_is_bit_for_bit(made, form, tmp_path):
+    (tmp_path / "expect.yaml").write_text(EXPECT)
+    told = {}
+    for one in ("plain", form):
+        done = understudy("judge", made[one], tmp_path / "expect.yaml", "--out", tmp_path / one)
+        assert done.returncode == OPEN, done.stdout + done.stderr
+        told[one] = json.loads((tmp_path / one / "verdict.json").read_text())["verdicts"]
+    assert told[form] == told["plain"]
+    outcomes = {one["name"]: one["outcome"] for one in told[form]}
+    assert outcomes.pop("truth") == "not judged"
+    assert set(outcomes.values()) == {"passed"}, outcomes
+
+
+@pytest.mark.parametrize("form", BAGS)
+def test_a_bag_is_compared_plotted_and_fitted_as_the_recording_is(made, form, tmp_path):
+    apart = [json.loads(understudy("compare", made["recording"], made[one], "--json").stdout)
+             for one in ("plain", form)]
+    assert apart[0]["motors"] == apart[1]["motors"] and apart[1]["motors"]
+    tables = []
+    for one in ("plain", form):
+        table = tmp_path / f"{one}.csv"
+        done = understudy("plot", made[one], "--out", table)
+        assert done.returncode == 0, done.stderr
+        tables.append(table.read_text())
+    assert tables[0] == tables[1] and len(tables[0].splitlines()) > 1000
+    found = [understudy("identify", made[one], "--robot", "go2", "--json", "--parameters", "delay", timeout=240)
+             for one in ("plain", form)]
+    assert found[0].returncode == found[1].returncode == 0, found[1].stderr
+    figures = [json.loads(one.stdout)["figures"] for one in found]
+    assert figures[0] == figures[1]
+
+
+def test_what_cannot_be_read_is_told(made, tmp_path):
+    refused = understudy("recording", bag_of(made["recording"], tmp_path / "packed", packed=True))
+    assert refused.returncode != 0 and "is compressed (message)" in refused.stderr.lower(), refused.stderr
+    torn = tmp_path / "torn.db3"
+    torn.write_bytes(made["file"].read_bytes()[:200_000])
+    refused = understudy("judge", torn, "stand_up", "--out", tmp_path / "out")
+    assert refused.returncode != 0 and "torn.db3: " in refused.stderr, refused.stderr
