@@ -8,6 +8,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "rehearse/run_campaign.h"
 #include "rehearse/scenario.h"
 
 namespace understudy::commands {
@@ -18,10 +19,11 @@ struct CampaignArguments {
   std::string shard;
   std::string keep = "failures";
   bool again = false;
-  std::vector<std::string> merge;  // folders
+  double limit = rehearse::kRunLimit;  // wall s
+  std::vector<std::string> merge;      // folders
 };
 
-// Adds --jobs, --shard, --keep, --again and --merge. `arguments` must outlive parsing.
+// Adds --jobs, --shard, --keep, --again, --run-limit and --merge. `arguments` must outlive parsing.
 void AddCampaignOptions(CLI::App* app, CampaignArguments* arguments);
 
 // Throws ConfigError if an option is given that only a campaign has: `file` is none.

@@ -79,6 +79,18 @@ bool IsOfAll(int exit_code) {
   return exit_code >= exec::kExitOwnFailure && exit_code <= exec::kExitNotFound;
 }
 
+// The result of a run that did not end by itself.
+RunResult Overlong(std::size_t number, const std::vector<Setting>& settings, double limit,
+                   const std::string& last_words) {
+  std::array<char, 64> why{};
+  std::snprintf(why.data(), why.size(), "did not end within %g s of wall time", limit);
+  RunResult result{.number = number, .settings = settings};
+  result.outcome = judge::Outcome::kFailed;
+  result.broken = why.data();
+  if (!last_words.empty()) result.broken += ": " + last_words;
+  return result;
+}
+
 // A rehearsal that is being played.
 class Running {
  public:
@@ -104,13 +116,22 @@ class Running {
   }
 
   std::size_t number() const { return number_; }
-  std::optional<int> Poll() { return child_->Poll(); }
+  // Its exit code once it has ended. It is ended after `limit` [wall s].
+  std::optional<int> Poll(double limit) {
+    if (!too_long_ && std::chrono::duration<double>(steady_clock::now() - begun_).count() > limit) {
+      too_long_ = true;
+      child_->Terminate(kWindDown);
+    }
+    return child_->Poll();
+  }
 
   // Its result; nullopt if it was interrupted. Throws CommandError.
-  std::optional<RunResult> Result(int exit_code, const std::vector<Setting>& settings) const {
+  std::optional<RunResult> Result(int exit_code, const std::vector<Setting>& settings,
+                                  double limit) const {
     const std::string verdict = FileText(folder_ / "verdict.json");
-    if (WasInterrupted(verdict, exit_code)) return std::nullopt;
     const std::string last_words = LastWords(folder_ / kLogFile);
+    if (too_long_) return Overlong(number_, settings, limit, last_words);
+    if (WasInterrupted(verdict, exit_code)) return std::nullopt;
     if (verdict.empty() && IsOfAll(exit_code)) {
       throw exec::CommandError("run " + std::to_string(number_) + " could not begin: " + last_words,
                                exit_code);
@@ -131,6 +152,8 @@ class Running {
  private:
   std::size_t number_;
   fs::path folder_;
+  steady_clock::time_point begun_ = steady_clock::now();
+  bool too_long_ = false;  // it did not end within the limit
   std::unique_ptr<exec::ChildProcess> child_;
 };
 
@@ -242,7 +265,7 @@ Played PlayCampaign(const CampaignHead& head, const Plan& plan, const CampaignOp
   };
   std::vector<std::unique_ptr<Running>> running;
   const auto finish = [&](const Running& run, int exit_code) {
-    std::optional<RunResult> result = run.Result(exit_code, plan.Of(run.number()));
+    std::optional<RunResult> result = run.Result(exit_code, plan.Of(run.number()), options.limit);
     if (!result) {
       run.RemoveFolder();
       return;
@@ -262,7 +285,7 @@ Played PlayCampaign(const CampaignHead& head, const Plan& plan, const CampaignOp
     if (running.empty()) break;
     bool any = false;
     for (std::unique_ptr<Running>& run : running) {
-      const std::optional<int> code = run->Poll();
+      const std::optional<int> code = run->Poll(options.limit);
       if (!code) continue;
       any = true;
       finish(*run, *code);

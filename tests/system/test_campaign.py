@@ -9,6 +9,7 @@ import shlex
 import signal
 import socket
 import subprocess
+import time
 from xml.etree import ElementTree
 
 import kubernetes_validate
@@ -140,6 +141,26 @@ vary: {grid: {$sleep: [600, 0]}}
     assert done.returncode == FAILED, done.stderr
     assert verdict("out")["failed_runs"] == [1] and verdict("out")["passed"] == 1
     assert "the program ends within 2 s" in done.stdout
+
+
+def test_a_run_whose_time_stands_still_fails_at_its_limit_and_the_others_go_on(understudy, shoves, tmp_path):
+    """Its program stops it by SIGSTOP, so that it ticks no more, and waits beside it."""
+    hang = tmp_path / "hang.sh"
+    hang.write_text("#!/bin/sh\n[ $1 = 1 ] || exit 0\necho about to hang >&2\nkill -STOP $PPID\nexec sleep 60\n")
+    hang.chmod(0o755)
+    (tmp_path / "hangs.yaml").write_text(
+        "scenario: One hangs\nrobot: go2\nduration: 0.6\nprogram: {command: [./hang.sh, $hang]}\n"
+        "expect: [{always: base.height > 0, name: is there}]\nvary: {list: [{$hang: 1}, {$hang: 0}]}\n")
+    begun = time.monotonic()
+    done = understudy("rehearse", "hangs.yaml", "--out", "out", "--jobs", 2, "--run-limit", 8, timeout=60)
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    assert 8 < time.monotonic() - begun < 40
+    told = verdict("out")
+    assert (told["passed"], told["failed"], told["failed_runs"]) == (1, 1, [1])
+    run = json.loads((tmp_path / "out/runs/000001.json").read_text())
+    assert run["broken"].startswith("did not end within 8 s of wall time")
+    assert "did not end within 8 s of wall time" in done.stdout
+    assert "did not end within 8 s" in (tmp_path / "out/junit.xml").read_text()
 
 
 def test_mistakes_are_explained_before_anything_starts(understudy, shoves, tmp_path):
