@@ -13,6 +13,7 @@
 #include "base/nearest_word.h"
 #include "doctor/echo_topics.h"
 #include "doctor/vendor_topics.h"
+#include "robot/command_topics.h"
 
 namespace understudy::doctor {
 namespace {
@@ -250,10 +251,6 @@ bool IsOf(const std::vector<std::string_view>& types, const std::string& type) {
   return std::ranges::find(types, type) != types.end();
 }
 
-bool TakesCommands(const std::string& topic) {
-  return topic == "rt/lowcmd" || topic == "rt/arm_sdk" || topic == "rt/user_lowcmd";
-}
-
 // The family of the one who writes rt/lowstate, "" if there is none, or if they differ.
 std::string_view FamilyHere(const Evidence& seen) {
   std::string_view family;
@@ -294,7 +291,7 @@ std::string WhyNotType(const Evidence& seen, const bus::Endpoint& one, std::stri
   const std::string_view its = FamilyOf(one.who.type);
   const bool deaf =
       one.topic == "rt/lowstate" && !one.writes && !HearsFamily(seen, one.who.participant, family);
-  if ((TakesCommands(one.topic) || deaf) && !family.empty() && its != family) {
+  if ((robot::IsBodyCommandTopic(one.topic) || deaf) && !family.empty() && its != family) {
     return fmt::format(" the {} type, and the robot here is of {}", its, family);
   }
   return "";

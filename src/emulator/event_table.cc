@@ -66,10 +66,7 @@ std::string Amount(const robot::FaultKind& kind, double by) {
   return Text(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
 }
 
-bool IsOfHand(const Event& event) {
-  return std::ranges::find(robot::kCommandTopicNames, What(event)) ==
-         robot::kCommandTopicNames.end();
-}
+bool IsOfHand(const Event& event) { return !robot::IsBodyCommandTopic(event.text.data()); }
 
 // What brings the commands of the topic that `text` names.
 std::string MessageOf(const Event& event) {

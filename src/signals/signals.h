@@ -58,14 +58,14 @@ struct Names {
   // their arrival, its LowState by what it samples.
   WrongField wrong_field = nullptr;
   bool program = true;     // a program runs beside it, whose lines are heard
-  bool any_robot = false;  // it is not known which: any joint and any foot will do
+  bool any_robot = false;  // it is not known which: any joint, foot and hand will do
 };
 
 // Of a running robot. Its topics are those of commands.
 Names RunningNames(const robot::RobotSpec& spec);
 // The same where nobody knows yet which robot it will be.
 Names RunningNames();
-// Of a recording, with the topics of the robot's publications.
+// Of a recording, with the topics of commands and those of the robot's publications.
 Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field);
 
 // A signal that a condition names.
