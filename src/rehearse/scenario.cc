@@ -8,6 +8,7 @@
 #include "base/nearest_word.h"
 #include "config/data_dir.h"
 #include "rehearse/evidence.h"
+#include "rehearse/with_settings.h"
 #include "rehearse/yaml_values.h"
 
 namespace understudy::rehearse {
