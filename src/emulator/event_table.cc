@@ -1,9 +1,8 @@
 #include "emulator/event_table.h"
 
-#include <cstdio>
-
 #include "authority/command_gate.h"
 #include "authority/unheeded.h"
+#include "base/printed.h"
 #include "motion/protection.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
@@ -17,16 +16,10 @@ namespace {
 using enum EventFieldType;
 using enum EventLevel;
 
-std::string Text(const char* format, double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), format, number);
-  return digits.data();
-}
-
 std::string What(const Event& event) { return event.text.data(); }
 
 // "lying (1004)": a state of a motion service with the vendor's id.
-std::string StateText(const std::string& name, double id) { return name + Text(" (%.0f)", id); }
+std::string StateText(const std::string& name, double id) { return name + Printed(" (%.0f)", id); }
 
 bool On(const Event& event) { return event.numbers[0] != 0; }
 
@@ -54,7 +47,7 @@ const motion::DangerRow& DangerOf(const Event& event) {
 
 std::string Amount(const robot::FaultKind& kind, double by) {
   if (!kind.has_magnitude()) return "";
-  return Text(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
+  return Printed(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
 }
 
 bool IsOfHand(const Event& event) { return !robot::IsBodyCommandTopic(event.text.data()); }
@@ -77,8 +70,8 @@ std::string SayProtection(const Event& event, std::uint64_t) {
   const std::string where = What(event).empty() ? "" : " of " + What(event);
   std::string text = "protection: " + std::string(danger.name);
   if (event.numbers[1] == 0) return text + where + " is within its limit again";
-  if (!danger.unit.empty()) text += Text(" %.2f ", event.numbers[2]) + std::string(danger.unit);
-  if (danger.below) text += Text(" %.2f", event.numbers[2]);
+  if (!danger.unit.empty()) text += Printed(" %.2f ", event.numbers[2]) + std::string(danger.unit);
+  if (danger.below) text += Printed(" %.2f", event.numbers[2]);
   constexpr std::array<std::string_view, 5> kDoes = {
       "", "", "; the robot stops", "; the robot lies down, if it can", "; the motors damp"};
   return text + where + std::string(kDoes[static_cast<std::size_t>(event.numbers[3])]);
@@ -90,8 +83,8 @@ std::string SayCallRefusal(const Event& event, std::uint64_t) {
   std::string text = "refused " + Plural(event.numbers[3], "call") + " of " + What(event) + " (" +
                      std::string(services::Name(reason)) +
                      "): " + std::string(services::Explain(reason));
-  if (reason == services::CallRefusal::kState) text += ", " + Text("%.0f", event.numbers[2]);
-  return text + (answered ? "; code " + Text("%.0f", event.numbers[1]) : "; not answered");
+  if (reason == services::CallRefusal::kState) text += ", " + Printed("%.0f", event.numbers[2]);
+  return text + (answered ? "; code " + Printed("%.0f", event.numbers[1]) : "; not answered");
 }
 
 std::string SayTimeout(const Event& event, std::uint64_t count) {
@@ -122,7 +115,7 @@ std::string SayUnheeded(const Event& event, std::uint64_t) {
     case authority::Unheeded::Reason::kNotSimulated:
       text = who +
              (sticks      ? " ask the robot to walk"
-              : wish >= 0 ? " asks for state " + Text("%.0f", wish) + " of the real robot"
+              : wish >= 0 ? " asks for state " + Printed("%.0f", wish) + " of the real robot"
                           : " asks for a motion") +
              ", which is not modelled: it stays in " + StateText(What(event), event.numbers[3]);
       break;
@@ -232,7 +225,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kMotorHeat, "motor_heat", kWarning, false,
         {{{"state", kInteger}, {"winding", kNumber}, {"joint", kText}}},
         [](const Event& e, std::uint64_t) {
-          return What(e) + ": the winding is at " + Text("%.0f °C", e.numbers[1]) +
+          return What(e) + ": the winding is at " + Printed("%.0f °C", e.numbers[1]) +
                  (e.numbers[0] == 2   ? ", and the motor gives no torque until it has cooled"
                   : e.numbers[0] == 1 ? ", and the motor gives less torque"
                                       : ", and the motor gives all of its torque again");
@@ -258,7 +251,8 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kLowBattery, "low_battery", kWarning, false, {{{"charge", kNumber}}},
         [](const Event& e, std::uint64_t) {
-          return "the battery is down to " + Text("%.0f %%", 100 * e.numbers[0]) + " of its charge";
+          return "the battery is down to " + Printed("%.0f %%", 100 * e.numbers[0]) +
+                 " of its charge";
         },
         "the charge falls below robot.battery.low_soc, the first time"),
     Row(EventKind::kProtection, "protection", kWarning, false,
@@ -273,13 +267,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
-          return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";
+          return (On(e) ? "paused at " : "resumed at ") + Printed("%.3f", e.time) + " s";
         },
         "the robot is paused or resumed"),
     Row(
         EventKind::kSpeed, "speed", kInfo, false, {{{"speed", kNumber}}},
         [](const Event& e, std::uint64_t) {
-          return "speed " + (On(e) ? Text("%g", e.numbers[0]) : "as fast as possible");
+          return "speed " + (On(e) ? Printed("%g", e.numbers[0]) : "as fast as possible");
         },
         "another speed is wanted"),
     Row(
@@ -294,13 +288,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
           return "script: '" + What(e) + (e.numbers[2] != 0 ? "' came" : "' had not come") +
-                 " after " + Text("%.3f", e.numbers[1]) + " s";
+                 " after " + Printed("%.3f", e.numbers[1]) + " s";
         },
         "a script has what it waited for, or waits no longer"),
     Row(
         EventKind::kDivergence, "divergence", kError, true, {},
         [](const Event& e, std::uint64_t n) {
-          return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
+          return "the physics diverged at " + Printed("%.3f", e.time) + " s" + Times(n);
         },
         "the physics diverges"),
     Row(
@@ -312,7 +306,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kWriters, "writers", kWarning, true, {{{"writers", kInteger}}},
         [](const Event& e, std::uint64_t) {
-          return Text("%.0f", e.numbers[0]) +
+          return Printed("%.0f", e.numbers[0]) +
                  " programs write rt/lowcmd; the robot follows whichever wrote last";
         },
         "two programs or more write rt/lowcmd"),
@@ -339,13 +333,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
         [](const Event& e, std::uint64_t n) {
           return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
-                 Text("%.1f", e.numbers[0] * 1e3) + " ms";
+                 Printed("%.1f", e.numbers[0] * 1e3) + " ms";
         },
         "a tick begins more than one period late"),
     Row(
         EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
         [](const Event& e, std::uint64_t) {
-          return Text("%.1f", e.numbers[0]) +
+          return Printed("%.1f", e.numbers[0]) +
                  " s behind wall time, which is not made up for: simulated time goes on late";
         },
         "a tick begins so late that it is not made up for"),
@@ -373,7 +367,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
         [](const Event& e, std::uint64_t) {
-          return "the program has ended with " + Text("%.0f", e.numbers[0]);
+          return "the program has ended with " + Printed("%.0f", e.numbers[0]);
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
     Row(

@@ -1,7 +1,6 @@
 #include "rehearse/stages.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
@@ -9,6 +8,7 @@
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "base/printed.h"
 #include "physics/scene_reader.h"
 #include "rehearse/yaml_values.h"
 #include "run/make_world.h"
@@ -40,11 +40,7 @@ constexpr StageLimit kStageLimits[] = {
      "Of `rt/lowcmd` at least, from its first message until the program ends"},
 };
 
-std::string Digits(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
+std::string Digits(double number) { return Printed("%.6g", number); }
 
 StageSpec ReadStage(const YamlValue& value) {
   if (value.kind != Kind::kMap) {

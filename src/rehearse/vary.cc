@@ -1,15 +1,14 @@
 #include "rehearse/vary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <set>
 #include <string_view>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
+#include "base/printed.h"
 #include "rehearse/yaml_values.h"
 #include "robot/randomization.h"
 
@@ -57,11 +56,7 @@ std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t 
 }
 
 // Six digits, so that the line that repeats a run has all of the value.
-std::string Written(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
+std::string Written(double number) { return Printed("%.6g", number); }
 std::string Written(double number, bool whole) {
   if (!whole) return Written(number);
   return std::to_string(std::llround(number));
