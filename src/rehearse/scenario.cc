@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "config/data_dir.h"
 #include "rehearse/evidence.h"
 #include "rehearse/with_settings.h"
@@ -56,11 +55,7 @@ template <std::size_t kCount>
 void RefuseUnknown(const YamlValue& map, const ScenarioKey (&rows)[kCount]) {
   std::vector<std::string> known;
   for (const ScenarioKey& row : rows) known.emplace_back(row.key);
-  for (const YamlValue& key : map.keys) {
-    if (std::ranges::find(known, key.text) != known.end()) continue;
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, known));
-  }
+  RefuseOthers(map, known);
 }
 
 const YamlValue& Needed(const YamlValue& map, const std::string& key) {

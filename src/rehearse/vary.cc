@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "base/printed.h"
 #include "rehearse/yaml_values.h"
 #include "robot/randomization.h"
@@ -37,14 +36,6 @@ constexpr VaryKey kVaryKeys[] = {
     {"seed", "a whole number", "Of these draws; 1 unless given"},
 };
 constexpr std::string_view kRangeKeys[] = {"from", "to", "count", "whole"};
-
-void RefuseOthers(const YamlValue& map, const std::vector<std::string>& known) {
-  for (const YamlValue& key : map.keys) {
-    if (std::ranges::find(known, key.text) != known.end()) continue;
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, known));
-  }
-}
 
 std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t most) {
   const std::optional<double> number = NumberOf(value);
