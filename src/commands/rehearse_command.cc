@@ -263,15 +263,8 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
   AddShortOption(rehearse, arguments.get(), "--seed", "randomization.seed", "N",
                  "Seed of randomization, in place of the scenario's");
   AddProfileOption(rehearse, arguments.get());
-  rehearse
-      ->add_option_function<std::vector<std::string>>(
-          "--set",
-          [arguments](const std::vector<std::string>& sets) {
-            arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-          },
-          "Sets one key of the configuration, e.g. --set terrain.friction=0.3; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  AddSetOption(rehearse, arguments.get(),
+               "one key of the configuration, e.g. --set terrain.friction=0.3");
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
   AddCampaignOptions(rehearse, &arguments->campaign);
