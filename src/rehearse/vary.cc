@@ -346,10 +346,6 @@ std::vector<Setting> Plan::Of(std::size_t run) const {
   return settings;
 }
 
-bool Plan::Varies(std::string_view key) const {
-  return std::ranges::find(axes_, key, &Axis::key) != axes_.end();
-}
-
 std::vector<std::size_t> Plan::Samples() const {
   std::set<std::size_t> samples;
   std::vector<std::set<std::string>> seen(axes_.size());

@@ -54,7 +54,6 @@ class Plan {
   // In the order of axes(). `run` is from 1 to size().
   std::vector<Setting> Of(std::size_t run) const;
   const std::vector<Axis>& axes() const { return axes_; }
-  bool Varies(std::string_view key) const;
 
   // Returns runs that have, of every key, each listed value and the least and the greatest of a
   // range; ascending. Where these can be played, those that differ by values alone can, too.

@@ -287,8 +287,6 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
 
 }  // namespace
 
-std::span<const SignalRow> SignalRows() { return kRows; }
-
 Names RunningNames(const robot::RobotSpec& spec) {
   Names names;
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) names.joints.push_back(motor->joint);

@@ -26,7 +26,8 @@ struct Truth {
 // What a recording must have for a signal to be known.
 enum class Origin : std::uint8_t { kTruth, kMessages, kEvents };
 
-// A word of conditions.
+// A word of conditions. TOPIC:FIELD and EVENT.FIELD are no rows: there are as many as messages and
+// events have fields.
 struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
   std::string_view argument;  // "", JOINT, FOOT, TOPIC or EVENT
@@ -39,10 +40,6 @@ struct SignalRow {
   // there.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
 };
-
-// All words, in the order of the documentation. TOPIC:FIELD and EVENT.FIELD are no rows: there are
-// as many as messages and events have fields.
-std::span<const SignalRow> SignalRows();
 
 // What a robot has, of whose run or recording conditions speak.
 struct Names {
