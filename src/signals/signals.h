@@ -88,6 +88,9 @@ struct Signal {
   std::string printed{};         // kPrint
 
   Origin origin() const;
+  bool of_one_instant() const {
+    return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
+  }
 };
 
 // Finds what a comparison is about. An Error has the nearest word.
