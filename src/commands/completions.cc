@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -86,13 +85,7 @@ Words Scenes(const Typed&) {
 }
 
 Words Scenarios(const Typed&) {
-  Words names;
-  std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(config::DataDir() / "config" / "scenarios", error)) {
-    names.push_back(entry.path().stem());
-  }
-  return names;
+  return config::YamlNames(config::DataDir() / "config" / "scenarios");
 }
 
 Words Keys(const Typed&) {

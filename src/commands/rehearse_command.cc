@@ -52,24 +52,14 @@ fs::path FindScenario(const std::string& written) {
   fs::path file = folder / (written + ".yaml");
   std::error_code error;
   if (fs::is_regular_file(file, error)) return file;
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    names.push_back(entry.path().stem());
-  }
-  throw ConfigError("no scenario '" + written + "'" + DidYouMean(written, names));
+  throw ConfigError("no scenario '" + written + "'" +
+                    DidYouMean(written, config::YamlNames(folder)));
 }
 
 fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t run = 0) {
   if (!out.empty()) return out;
   const std::string name = scenario.stem().string();
   return fs::path("rehearsals") / (run == 0 ? name : name + "-" + std::to_string(run));
-}
-
-fs::path MakeFolder(fs::path folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());
-  return folder;
 }
 
 // The options that a run of a campaign has as the campaign has them.
