@@ -12,6 +12,7 @@ namespace understudy::authority {
 // The result of a goal, from good to bad. Services answer with the robot's code for it.
 enum class MotionVerdict : std::uint8_t {
   kTaken,    // started; it may still fail
+  kIgnored,  // answered as taken and without effect, as on the real robot
   kNotNow,   // not possible in the present state
   kUnknown,  // no such id
   kUnable,   // not simulated, though the real robot has it

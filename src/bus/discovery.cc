@@ -179,7 +179,9 @@ const std::vector<Announcement>& AnnouncementWatch::Poll() {
 }
 
 std::string Describe(const Mismatch& mismatch) {
-  const Neighbour short_name{.process = mismatch.writer.process, .pid = mismatch.writer.pid};
+  constexpr std::size_t kRoom = 32;  // so that what follows fits in a line
+  const Neighbour short_name{.process = mismatch.writer.process.substr(0, kRoom),
+                             .pid = mismatch.writer.pid};
   return mismatch.topic + " by " + Describe(short_name) + ": " + mismatch.why;
 }
 

@@ -61,7 +61,7 @@ void DescribeQuadrupedMotion(Archive& a, robot::QuadrupedMotionSpec& m) {
         {"Whether a lying robot stands up by itself when its motion service starts"});
   a.Key(UNDERSTUDY_NVP(m.gestures_from_lock),
         {"Whether gestures, Sit and Pose are taken in the locked stand, out of which it balances "
-         "first; else they are refused there"});
+         "first, and StandUp while it sits; else they are refused there"});
   a.Key(UNDERSTUDY_NVP(m.kp), {"N·m/rad", {1, 1e5}, "Gain of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.kd), {"N·m·s/rad", kNotNegative, "Damping of the legs' joints"});
   a.Key(UNDERSTUDY_NVP(m.damping_kd),

@@ -5,18 +5,22 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstring>
-#include <fstream>
 #include <map>
+#include <span>
 #include <sstream>
-#include <system_error>
 #include <utility>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
 #include <yaml-cpp/parser.h>
 
 #include "base/errors.h"
+#include "base/unique_fd.h"
 
 namespace understudy::config {
 namespace {
@@ -24,6 +28,16 @@ namespace {
 constexpr std::size_t kMaxBytes = 1 << 20;
 constexpr std::size_t kMaxDepth = 32;
 constexpr std::size_t kMaxValues = 20000;
+
+// As read(2), but waits for what is still to be written into a pipe.
+ssize_t ReadSome(int file, std::span<char> to) {
+  while (true) {
+    const ssize_t count = ::read(file, to.data(), to.size());
+    if (count >= 0 || (errno != EAGAIN && errno != EINTR)) return count;
+    pollfd wanted{.fd = file, .events = POLLIN, .revents = 0};
+    ::poll(&wanted, 1, -1);
+  }
+}
 
 std::size_t Count(const YamlValue& value) {
   std::size_t n = 1;
@@ -266,17 +280,24 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
 
 YamlValue ReadYamlFile(const std::filesystem::path& path) {
   const std::string name = path.string();
-  std::error_code ignored;  // what cannot be looked at cannot be opened either, which says why
-  if (std::filesystem::is_directory(path, ignored)) throw ConfigError(name + ": is a directory");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw ConfigError(name + ": cannot be read: " + std::strerror(errno));
+  // A pipe that somebody writes is read, as a shell's <(command). O_NONBLOCK: opening one that
+  // nobody writes must not wait.
+  const UniqueFd file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  struct stat about {};
+  if (!file.valid() || ::fstat(file.get(), &about) != 0) {
+    throw ConfigError(name + ": cannot be read: " + std::strerror(errno));
+  }
+  if (S_ISDIR(about.st_mode)) throw ConfigError(name + ": is a directory");
   std::string text;
   std::array<char, 1U << 14U> piece;
-  do {
-    file.read(piece.data(), piece.size());
-    text.append(piece.data(), static_cast<std::size_t>(file.gcount()));
-  } while (file && text.size() <= kMaxBytes);
-  if (file.bad()) throw ConfigError(name + ": reading failed: " + std::strerror(errno));
+  ssize_t count = 0;
+  while ((count = ReadSome(file.get(), piece)) > 0 && text.size() <= kMaxBytes) {
+    text.append(piece.data(), static_cast<std::size_t>(count));
+  }
+  if (count < 0) throw ConfigError(name + ": reading failed: " + std::strerror(errno));
+  if (text.empty() && S_ISFIFO(about.st_mode)) {
+    throw ConfigError(name + ": is a pipe into which nobody writes");
+  }
   if (text.size() > kMaxBytes) throw ConfigError(name + ": larger than 1 MiB, no configuration");
   return ParseYaml(text, name);
 }

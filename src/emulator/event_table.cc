@@ -83,7 +83,8 @@ std::string SayCallRefusal(const Event& event, std::uint64_t) {
   std::string text = "refused " + Plural(event.numbers[3], "call") + " of " + What(event) + " (" +
                      std::string(services::Name(reason)) +
                      "): " + std::string(services::Explain(reason));
-  if (reason == services::CallRefusal::kState) text += ", " + Printed("%.0f", event.numbers[2]);
+  if (reason == services::CallRefusal::kState || reason == services::CallRefusal::kIgnored)
+    text += ", " + Printed("%.0f", event.numbers[2]);
   return text + (answered ? "; code " + Printed("%.0f", event.numbers[1]) : "; not answered");
 }
 

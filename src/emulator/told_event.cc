@@ -86,17 +86,17 @@ bool SameCause(const Event& a, const Event& b) {
   return same;
 }
 
-// `held`, with one event more.
-void Add(const Event& event, ToldEvent* held) {
-  Event both = event;
+// Adds events to those that are held, of the same cause.
+void Add(const ToldEvent& more, ToldEvent* held) {
+  Event both = more.event;
   if (held->count > 0) {
-    ForEachField(RowOf(event.kind), [&](const EventField& field, std::size_t i) {
+    ForEachField(RowOf(both.kind), [&](const EventField& field, std::size_t i) {
       const double before = held->event.numbers[i];
-      if (field.type == kWorst) both.numbers[i] = std::max(before, event.numbers[i]);
-      if (field.type == kSum) both.numbers[i] = before + event.numbers[i];
+      if (field.type == kWorst) both.numbers[i] = std::max(before, both.numbers[i]);
+      if (field.type == kSum) both.numbers[i] += before;
     });
   }
-  *held = {.event = both, .count = held->count + 1};
+  *held = {.event = both, .count = held->count + more.count};
 }
 
 }  // namespace
@@ -131,8 +131,9 @@ EventLevel ToldEvent::level() const {
   return too_slow ? EventLevel::kWarning : RowOf(event.kind).level;
 }
 
-std::optional<ToldEvent> EventDigest::Take(const Event& event, double now) {
-  if (!RowOf(event.kind).bursts) return ToldEvent{.event = event};
+std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
+  const Event& event = told.event;
+  if (!RowOf(event.kind).bursts) return told;
   auto cause = std::ranges::find_if(
       causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
   if (cause == causes_.end() && causes_.size() >= kMostCauses) {
@@ -144,14 +145,14 @@ std::optional<ToldEvent> EventDigest::Take(const Event& event, double now) {
   }
   if (cause == causes_.end()) {
     causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now});
-    return ToldEvent{.event = event};
+    return told;
   }
-  Add(event, &cause->held);
+  Add(told, &cause->held);
   if (now < cause->told_at + period_) return std::nullopt;
-  const ToldEvent told = cause->held;
+  const ToldEvent all = cause->held;
   cause->held.count = 0;
   cause->told_at = now;
-  return told;
+  return all;
 }
 
 std::vector<ToldEvent> EventDigest::Due(double now) {

@@ -41,8 +41,11 @@ class EventDigest {
 
   explicit EventDigest(double period) : period_(period) {}  // s, of the clock that `now` is of
 
-  // Returns `event` if it is to be reported at once; otherwise keeps it. `now` never decreases.
-  std::optional<ToldEvent> Take(const Event& event, double now);
+  // Returns what is to be reported at once; otherwise keeps it. `now` never decreases.
+  std::optional<ToldEvent> Take(const ToldEvent& told, double now);
+  std::optional<ToldEvent> Take(const Event& event, double now) {
+    return Take(ToldEvent{.event = event}, now);
+  }
   // Return the events kept for long enough, and all kept events.
   std::vector<ToldEvent> Due(double now);
   std::vector<ToldEvent> Rest();

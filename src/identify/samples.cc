@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
 #include <optional>
+#include <system_error>
 
 #include <Eigen/QR>
 
@@ -248,6 +250,10 @@ Samples ReadCsv(std::istream& text, const std::string& name, const robot::RobotS
 
 Samples ReadSamples(const std::filesystem::path& file, const robot::RobotSpec& spec) {
   if (file.extension() != ".csv") return ReadMcap(record::McapReader(file), spec);
+  std::error_code error;
+  if (std::filesystem::exists(file, error) && !std::filesystem::is_regular_file(file, error)) {
+    throw RecordError(file.string() + ": is not a file");
+  }
   std::ifstream text(file, std::ios::binary);
   if (!text) throw RecordError(file.string() + ": cannot be read");
   return ReadCsv(text, file.string(), spec);

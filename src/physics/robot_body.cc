@@ -66,11 +66,12 @@ RobotBody::RobotBody(mjModel* model, mjData* data, const PlacedRobot& robot, con
     base_q_ = model_->jnt_qposadr[joint];
     base_dq_ = model_->jnt_dofadr[joint];
   }
-  imu_ = FindImu(spec_.imu.site, kImuGyroName, kImuAccelName);
-  secondary_imu_ = FindImu(spec_.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName);
-  if (imu_.site >= 0) {
+  imu_ = FindImu(spec_.imu.site);
+  secondary_imu_ = FindImu(spec_.imu.secondary_site);
+  imu_.ReadMotion(*model_, *data_);
+  if (!spec_.imu.site.empty()) {
     const mjtNum* base = data_->xmat + 9 * base_body_;
-    imu_up_ = Read(imu_).R_WI.conjugate() * Eigen::Vector3d(base[2], base[5], base[8]);
+    imu_up_ = Imu().R_WI.conjugate() * Eigen::Vector3d(base[2], base[5], base[8]);
   }
 }
 
@@ -92,7 +93,8 @@ void RobotBody::Reset(const robot::PoseSpec& pose) {
     data_->qpos[base_q_ + 2] += LiftOntoGround(*model_, data_, base_body_, base_q_);
   }
   mj_forward(model_, data_);
-  ReadKinematics();
+  ReadMotion();
+  ReadAcceleration();
 }
 
 // Resets the joints of the base's kinematic tree as mj_resetData does.
@@ -207,41 +209,29 @@ double RobotBody::weight() const {
 
 Eigen::Vector3d RobotBody::gravity() const { return Vector(model_->opt.gravity); }
 
-RobotBody::ImuAddress RobotBody::FindImu(const std::string& site, const char* gyro,
-                                         const char* accel) const {
-  if (site.empty()) return {};
-  const auto address = [this](const char* name) {
-    return model_->sensor_adr[mj_name2id(model_, mjOBJ_SENSOR, (prefix_ + name).c_str())];
-  };
-  return {mj_name2id(model_, mjOBJ_SITE, site.c_str()), address(gyro), address(accel)};
+InertialUnit RobotBody::FindImu(const std::string& site) const {
+  const int id = site.empty() ? -1 : mj_name2id(model_, mjOBJ_SITE, site.c_str());
+  return id < 0 ? InertialUnit() : InertialUnit(*model_, id);
 }
 
-robot::ImuReading RobotBody::Read(const ImuAddress& address) const {
-  robot::ImuReading imu;
-  if (address.site < 0) return imu;
-  mjtNum quat[4];
-  mju_mat2Quat(quat, data_->site_xmat + 9 * address.site);
-  imu.R_WI = Eigen::Quaterniond(quat[0], quat[1], quat[2], quat[3]);
-  imu.w_WI_I = Vector(data_->sensordata + address.gyro);
-  imu.f_WI_I = Vector(data_->sensordata + address.accel);
-  // MuJoCo 3 has the accelerometer of a body that cannot move at 0.
-  if (model_->body_weldid[model_->site_bodyid[address.site]] == 0) {
-    imu.f_WI_I = imu.R_WI.conjugate() * -Vector(model_->opt.gravity);
-  }
-  return imu;
-}
-
-void RobotBody::ReadKinematics() {
+void RobotBody::ReadMotion() {
   for (std::size_t i = 0; i < q_.size(); ++i) {
     q_[i] = data_->qpos[q_address_[i]];
     dq_[i] = data_->qvel[dq_address_[i]];
   }
+  imu_.ReadMotion(*model_, *data_);
+  secondary_imu_.ReadMotion(*model_, *data_);
   if (has_fixed_base()) {
     base_.p_WB = Vector(data_->xpos + 3 * base_body_);
     return;
   }
   base_.p_WB = Vector(data_->qpos + base_q_);
   base_.v_WB_W = Vector(data_->qvel + base_dq_);
+}
+
+void RobotBody::ReadAcceleration() {
+  imu_.ReadAcceleration(*model_, data_);
+  secondary_imu_.ReadAcceleration(*model_, data_);
 }
 
 }  // namespace understudy::physics

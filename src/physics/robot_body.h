@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mjcf/mujoco_handles.h"
+#include "physics/inertial_unit.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
 
@@ -64,9 +65,9 @@ class RobotBody {
   // The acceleration of gravity [m/s²] in the world.
   Eigen::Vector3d gravity() const;
   double tilt() const;  // rad between the base's up and the world's
-  robot::ImuReading Imu() const { return Read(imu_); }
+  const robot::ImuReading& Imu() const { return imu_.reading(); }
   // Returns default values if there is none.
-  robot::ImuReading SecondaryImu() const { return Read(secondary_imu_); }
+  const robot::ImuReading& SecondaryImu() const { return secondary_imu_.reading(); }
   // Computes the force of the contacts on each foot [N], in spec order: the component of their
   // normal forces along FootSpec::axis, never negative.
   void FootForces(std::span<double> force) const;
@@ -90,21 +91,15 @@ class RobotBody {
  private:
   friend class World;
 
-  struct ImuAddress {
-    int site = -1;
-    int gyro = -1;  // in sensordata
-    int accel = -1;
-  };
-
   struct JointFriction {
     double torque = 0;                  // N·m
     std::array<double, 2> impedance{};  // dmin and dmax of MuJoCo's solimp
   };
   static const JointFriction kJammed;
 
-  ImuAddress FindImu(const std::string& site, const char* gyro, const char* accel) const;
-  robot::ImuReading Read(const ImuAddress& address) const;
-  void ReadKinematics();
+  InertialUnit FindImu(const std::string& site) const;
+  void ReadMotion();        // once mj_step1 has computed it
+  void ReadAcceleration();  // once mj_step2 has
   void Forget();
   bool has_fixed_base() const { return clamp_ < 0; }
 
@@ -121,7 +116,7 @@ class RobotBody {
   int base_body_ = 0;
   int base_q_ = -1, base_dq_ = -1;  // of the free joint; -1 where the base is fixed
   int clamp_ = -1;                  // likewise
-  ImuAddress imu_, secondary_imu_;
+  InertialUnit imu_, secondary_imu_;
   Eigen::Vector3d imu_up_{0, 0, 1};
   std::vector<double> q_, dq_;
   robot::BaseReading base_;

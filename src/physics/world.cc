@@ -25,7 +25,10 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
                          nominal_ == nullptr ? model_.get() : nominal_.get());
   }
   mj_forward(model_.get(), data_.get());
-  for (RobotBody& robot : robots_) robot.ReadKinematics();
+  for (RobotBody& robot : robots_) {
+    robot.ReadMotion();
+    robot.ReadAcceleration();
+  }
   for (int geom = 0; geom < model_->ngeom; ++geom) {
     if (model_->geom_bodyid[geom] != 0) continue;
     const double friction = model_->geom_friction[3 * geom];
@@ -49,16 +52,20 @@ void World::SetGroundFriction(double friction) {
 void World::Reset() {
   mj_resetData(model_.get(), data_.get());
   mj_forward(model_.get(), data_.get());
-  for (RobotBody& robot : robots_) robot.ReadKinematics();
+  for (RobotBody& robot : robots_) {
+    robot.ReadMotion();
+    robot.ReadAcceleration();
+  }
 }
 
 void World::BeginStep() {
   mj_step1(model_.get(), data_.get());
-  for (RobotBody& robot : robots_) robot.ReadKinematics();
+  for (RobotBody& robot : robots_) robot.ReadMotion();
 }
 
 StepHealth World::EndStep() {
   mj_step2(model_.get(), data_.get());
+  for (RobotBody& robot : robots_) robot.ReadAcceleration();
   mju_zero(data_->xfrc_applied, 6 * static_cast<int>(model_->nbody));
   StepHealth health = StepHealth::kFine;
   for (const int warning : kDivergenceWarnings) {

@@ -33,28 +33,13 @@ mjcf::MjcfElement Element(const std::string& name,
   return {.name = name, .attributes = std::move(attributes), .children = {}, .place = {}};
 }
 
-void AddImuSensors(const std::string& site, const char* gyro, const char* accel,
-                   mjcf::MjcfElement* section) {
-  if (site.empty()) return;
-  section->children.push_back(Element("gyro", {{"name", gyro}, {"site", site}}));
-  section->children.push_back(Element("accelerometer", {{"name", accel}, {"site", site}}));
-}
-
-// Adds the elements that the emulator needs to the robot's tree.
-void AddOurs(const robot::RobotSpec& spec, bool has_free_base, mjcf::MjcfElement* root) {
-  if (has_free_base) {
-    // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
-    mjcf::MjcfElement equality = Element("equality", {});
-    equality.children.push_back(Element("weld", {{"name", kClampName},
-                                                 {"body1", spec.base_body},
-                                                 {"active", "false"},
-                                                 {"solref", "0.004 1"}}));
-    root->children.push_back(std::move(equality));
-  }
-  mjcf::MjcfElement sensor = Element("sensor", {});
-  AddImuSensors(spec.imu.site, kImuGyroName, kImuAccelName, &sensor);
-  AddImuSensors(spec.imu.secondary_site, kSecondaryGyroName, kSecondaryAccelName, &sensor);
-  root->children.push_back(std::move(sensor));
+// Adds what fixes a free base to the robot's tree.
+void AddClamp(const std::string& base, mjcf::MjcfElement* root) {
+  // Stiffness of the clamp, a time constant of 4 ms without overshoot: assumed.
+  mjcf::MjcfElement equality = Element("equality", {});
+  equality.children.push_back(Element(
+      "weld", {{"name", kClampName}, {"body1", base}, {"active", "false"}, {"solref", "0.004 1"}}));
+  root->children.push_back(std::move(equality));
 }
 
 // Reserves memory for contacts, which MuJoCo 2 allocates in advance and MuJoCo 3 as needed. The
@@ -236,14 +221,13 @@ LoadedRobot LoadRobot(const PlacedRobot& robot, Looks looks, LoadNotes* notes) {
   return {std::move(tree), std::move(model)};
 }
 
-// Checks the robot against its description, adds the emulator's elements, and moves it to its
-// place.
+// Checks the robot against its description, adds its clamp, and moves it to its place.
 void Prepare(const PlacedRobot& placed, LoadedRobot* robot) {
   const robot::RobotSpec& spec = placed.spec;
   RequireWhatSpecNames(*robot->model, spec, NameCheck(*robot->model, placed.file));
   const int base = mj_name2id(robot->model.get(), mjOBJ_BODY, spec.base_body.c_str());
   robot->tree.Set("model", spec.name);
-  AddOurs(spec, HasFreeBase(*robot->model, base), &robot->tree);
+  if (HasFreeBase(*robot->model, base)) AddClamp(spec.base_body, &robot->tree);
   mjcf::MoveBodies(placed.x, placed.y, &robot->tree);
 }
 
@@ -307,7 +291,7 @@ mjcf::ModelHandle Compose(const std::vector<PlacedRobot>& placed, std::vector<Lo
     UseFittedDynamics(mjcf::WithPrefix(robot.prefix, robot.spec), model.get());
   }
   model->opt.timestep = timestep;
-  model->opt.disableflags |= mjDSBL_ACTUATION;
+  model->opt.disableflags |= mjDSBL_ACTUATION | mjDSBL_SENSOR;
   return model;
 }
 

@@ -11,12 +11,8 @@
 
 namespace understudy::physics {
 
-// Names that composing adds to the user's model.
+// A name that composing adds to the user's model.
 inline constexpr char kClampName[] = "understudy_clamp";
-inline constexpr char kImuGyroName[] = "understudy_imu_gyro";
-inline constexpr char kImuAccelName[] = "understudy_imu_accel";
-inline constexpr char kSecondaryGyroName[] = "understudy_secondary_gyro";
-inline constexpr char kSecondaryAccelName[] = "understudy_secondary_accel";
 
 // Notes for the user about a model.
 struct LoadNotes {
@@ -28,15 +24,14 @@ struct LoadNotes {
 };
 
 // Compiles the robots in the scene at the given time step [s]: each where its `x` and `y` say,
-// where its description differs from its file as the description has it (mjcf/revise.h), with gyro
-// and accelerometer at the sites that the description names and, where the base has a free joint,
-// an inactive weld of the base to the world. Joints have the figures that the description's
-// `dynamics` ask for (physics/joint_dynamics.h). MuJoCo's own actuators are switched off: the
-// motors are ours. Several robots have their prefixes before their names, and the options of the
-// first (mjcf/join.h). When a robot's file brings ground of its own (a plane or height field of the
-// world), the scene is left out, which is noted. Before MuJoCo 3 a file written for MuJoCo 3 is
-// rewritten first (mjcf/rewrite.h), and visual-only elements are left out (mjcf/looks.h). `notes`
-// may be null.
+// where its description differs from its file as the description has it (mjcf/revise.h) and, where
+// the base has a free joint, with an inactive weld of the base to the world. Joints have the
+// figures that the description's `dynamics` ask for (physics/joint_dynamics.h). MuJoCo's own
+// actuators and sensors are switched off: motors and readings are ours. Several robots have their
+// prefixes before their names, and the options of the first (mjcf/join.h). When a robot's file
+// brings ground of its own (a plane or height field of the world), the scene is left out, which is
+// noted. Before MuJoCo 3 a file written for MuJoCo 3 is rewritten first (mjcf/rewrite.h), and
+// visual-only elements are left out (mjcf/looks.h). `notes` may be null.
 //
 // Throws ModelError, naming the file and what was expected, when a file is missing or malformed or
 // cannot be rewritten, when the base body, a motor's joint, a site or a foot geom is not in the

@@ -6,6 +6,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 
 namespace understudy::record {
 namespace {
@@ -16,7 +17,13 @@ std::string Why() { return std::strerror(errno); }  // NOLINT(concurrency-mt-uns
 
 OutputFile::OutputFile(std::filesystem::path path, bool overwrite) : path_(std::move(path)) {
   const int may_exist = overwrite ? 0 : O_EXCL;
-  fd_ = UniqueFd(::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | may_exist, 0666));
+  // O_NONBLOCK: opening a pipe must not wait for its reader; without one the error is ENXIO.
+  fd_ = UniqueFd(
+      ::open(path_.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NONBLOCK | may_exist, 0666));
+  struct stat about {};
+  if (fd_.valid() ? ::fstat(fd_.get(), &about) == 0 && S_ISFIFO(about.st_mode) : errno == ENXIO) {
+    throw RecordError(path_.string() + ": is not a file");
+  }
   if (!fd_.valid() && errno == EEXIST) {
     throw RecordError(path_.string() +
                       ": exists already; name another file, or replace it with --overwrite");

@@ -31,7 +31,9 @@ Reporter::Reporter(const emulator::EventRing* events, double expected_hz, bool s
 
 Reporter::~Reporter() {
   LogEvents(updated_at_);
-  for (const emulator::ToldEvent& told : digest_.Rest()) Log(told);
+  const double seconds = std::chrono::duration<double>(updated_at_).count();
+  for (const emulator::ToldEvent& told : digest_.Rest()) Say(told, seconds);
+  for (const emulator::ToldEvent& told : slowness_.Rest()) Log(told);
   if (line_drawn_) WriteToStandardError("\r\033[K");
 }
 
@@ -44,9 +46,19 @@ void Reporter::Update(const emulator::Status& status, WallTime now) {
 void Reporter::LogEvents(WallTime now) {
   const double seconds = std::chrono::duration<double>(now).count();
   for (emulator::Event event; events_.Next(&event);) {
-    if (const auto told = digest_.Take(event, seconds)) Log(*told);
+    if (const auto told = digest_.Take(event, seconds)) Say(*told, seconds);
   }
-  for (const emulator::ToldEvent& told : digest_.Due(seconds)) Log(told);
+  for (const emulator::ToldEvent& told : digest_.Due(seconds)) Say(told, seconds);
+  for (const emulator::ToldEvent& told : slowness_.Due(seconds)) Log(told);
+}
+
+void Reporter::Say(const emulator::ToldEvent& told, double now) {
+  using emulator::EventKind;
+  // A machine that is too slow loses less than a second each second, one that stood still more.
+  const bool slow = told.event.kind == EventKind::kOverrun ||
+                    (told.event.kind == EventKind::kStall && told.event.numbers[0] < 1);
+  if (!slow || told.level() == EventLevel::kSilent) return Log(told);
+  if (const auto all = slowness_.Take(told, now)) Log(*all);
 }
 
 void Reporter::DrawStatusLine(const emulator::Status& status, WallTime now) {

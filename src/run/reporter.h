@@ -8,7 +8,8 @@
 
 namespace understudy::run {
 
-// Logs events, in a burst each cause at most once a second. Used by the housekeeping thread.
+// Logs events, in a burst each cause at most once a second; that the machine is too slow, which
+// would be each second, at most once a minute. Used by the housekeeping thread.
 class Reporter {
  public:
   // `events` must outlive the reporter. `expected_hz` is the number of LowState samples per
@@ -24,10 +25,13 @@ class Reporter {
 
  private:
   void LogEvents(WallTime now);
+  // Logs it, or keeps it if it is a slow machine's.
+  void Say(const emulator::ToldEvent& told, double now);
   void DrawStatusLine(const emulator::Status& status, WallTime now);
 
   emulator::EventRing::Reader events_;
   emulator::EventDigest digest_{1.0};
+  emulator::EventDigest slowness_{60.0};  // s, *assumed*
   double expected_hz_;
   bool status_line_;
   bool line_drawn_ = false;

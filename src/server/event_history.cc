@@ -11,6 +11,7 @@ void EventHistory::Update(std::chrono::nanoseconds now) {
   const double seconds = std::chrono::duration<double>(now).count();
   for (emulator::Event event; reader_->Next(&event);) {
     ++counts_[static_cast<std::size_t>(event.kind)];
+    if (event.kind == emulator::EventKind::kUnmatched) ++unmatched_[event.text.data()];
     if (const auto told = digest_.Take(event, seconds)) Add(*told);
   }
   for (const emulator::ToldEvent& told : digest_.Due(seconds)) Add(told);

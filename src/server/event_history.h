@@ -6,7 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
+#include <string>
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -37,6 +39,9 @@ class EventHistory {
   std::uint64_t next() const { return next_; }                      // the number of the next event
   // Returns the number of events of each kind since the start, including all of a burst.
   const std::array<std::uint64_t, emulator::kEventKinds>& counts() const { return counts_; }
+  // Returns the number of writers that do not match a topic, by who they are and why not, as the
+  // events have it. A run tells of a bounded number.
+  const std::map<std::string, std::uint64_t>& unmatched() const { return unmatched_; }
 
  private:
   void Add(const emulator::ToldEvent& told);
@@ -46,6 +51,7 @@ class EventHistory {
   std::deque<KnownEvent> newest_;
   std::uint64_t next_ = 0;
   std::array<std::uint64_t, emulator::kEventKinds> counts_{};
+  std::map<std::string, std::uint64_t> unmatched_;
 };
 
 // {"number": 3, "step": 20, "time": 0.02, "robot": 0, "kind": "refused", "level": "warning",

@@ -31,6 +31,14 @@ std::string Escaped(std::string_view value) {
   return text;
 }
 
+// Of what others on the network call themselves, which need not be the format's UTF-8.
+std::string Ascii(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) > 0x7e) c = '?';
+  }
+  return text;
+}
+
 std::string Label(std::string_view name, std::string_view value) {
   return std::string{name} + "=\"" + Escaped(value) + "\"";
 }
@@ -134,6 +142,19 @@ void AddCommands(const emulator::Status& status, const emulator::Snapshot& snaps
                 status.services.lost_replies);
 }
 
+void AddEvents(const EventHistory& events, Page* page) {
+  page->Family("events_total", "counter", "Events by kind.");
+  for (const emulator::EventRow& row : emulator::EventTable()) {
+    page->Add(events.counts()[static_cast<std::size_t>(row.kind)], Label("kind", row.name));
+  }
+  page->Family(
+      "unmatched_writers_total", "counter",
+      "Writers from which nothing arrives, with the policy or type that keeps them apart.");
+  for (const auto& [writer, count] : events.unmatched()) {
+    page->Add(count, Label("writer", Ascii(writer)));
+  }
+}
+
 void AddMotors(const emulator::Snapshot& snapshot, Page* page) {
   const auto all = [&](std::string_view name, std::string_view help,
                        double robot::MotorReading::*value) {
@@ -158,18 +179,14 @@ void AddBattery(const robot::BatteryReading& battery, Page* page) {
 }  // namespace
 
 std::string MetricsText(const RobotIdentity& identity, const emulator::Status& status,
-                        const emulator::Snapshot& snapshot,
-                        std::span<const std::uint64_t, emulator::kEventKinds> events) {
+                        const emulator::Snapshot& snapshot, const EventHistory& events) {
   Page page;
   page.Family("info", "gauge", "Which robot this is; always 1.");
   page.Add(std::uint64_t{1},
            Label("robot", identity.robot) + "," + Label("version", identity.version));
   AddPace(status, &page);
   AddCommands(status, snapshot, &page);
-  page.Family("events_total", "counter", "Events by kind.");
-  for (const emulator::EventRow& row : emulator::EventTable()) {
-    page.Add(events[static_cast<std::size_t>(row.kind)], Label("kind", row.name));
-  }
+  AddEvents(events, &page);
   AddMotors(snapshot, &page);
   AddBattery(snapshot.battery, &page);
   return page.Take();

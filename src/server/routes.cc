@@ -84,9 +84,9 @@ Routed GetMetrics(const HttpRequest&, std::string_view, Plane&) {
       .parts = kMetricsParts,
       .reply = [](const emulator::Snapshot& snapshot, emulator::SnapshotParts, Plane& plane) {
         plane.events.Update();
-        return HttpReply{.body = MetricsText(plane.identity, plane.board->Read(), snapshot,
-                                             plane.events.counts()),
-                         .type = kMetricsType};
+        return HttpReply{
+            .body = MetricsText(plane.identity, plane.board->Read(), snapshot, plane.events),
+            .type = kMetricsType};
       }};
 }
 

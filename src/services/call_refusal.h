@@ -14,6 +14,7 @@ enum class CallRefusal : std::uint8_t {
   kLease,         // another client holds the lease, or this one's is over
   kParameter,     // not JSON, or a field is missing, of another type, out of range or too long
   kState,         // the motion service does not do it in its present state
+  kIgnored,       // answered as taken, and without effect as on the real robot
   kGoal,          // the motion service has no such state, action or number
   kName,          // the robot has no program, motion service or word of that name
   kProtected,     // the program cannot be switched
@@ -35,9 +36,9 @@ using CallRefusalCounts = std::array<std::uint64_t, kCallRefusals>;
 // Returns the word for logs, counters and the control plane.
 constexpr std::string_view Name(CallRefusal refusal) {
   constexpr std::array<std::string_view, kCallRefusals> kNames = {
-      "none", "unknown_api", "lease",     "parameter",     "state",
-      "goal", "name",        "protected", "not_simulated", "failed",
-      "code", "not_served",  "undecoded", "too_many",      "unmatched"};
+      "none",       "unknown_api", "lease",     "parameter",     "state",  "ignored",
+      "goal",       "name",        "protected", "not_simulated", "failed", "code",
+      "not_served", "undecoded",   "too_many",  "unmatched"};
   return kNames[static_cast<std::size_t>(refusal)];
 }
 
@@ -53,6 +54,8 @@ constexpr std::string_view Explain(CallRefusal refusal) {
              "too long";
     case CallRefusal::kState:
       return "the motion service does not do it in its present state";
+    case CallRefusal::kIgnored:
+      return "it is taken without effect, as by the real robot in that state";
     case CallRefusal::kGoal:
       return "the motion service has no such state, action or number";
     case CallRefusal::kName:

@@ -47,6 +47,8 @@ CallRefusal RefusalOf(authority::MotionVerdict verdict, std::int32_t code) {
       return CallRefusal::kGoal;
     case authority::MotionVerdict::kUnable:
       return CallRefusal::kNotSimulated;
+    case authority::MotionVerdict::kIgnored:
+      return CallRefusal::kIgnored;
     case authority::MotionVerdict::kTaken:
       break;
   }
@@ -161,6 +163,7 @@ ServiceReply Service::Ask(const ApiRow& row, const AskGoal& effect, const json& 
                           authority::MotorOwner* owner) {
   switch (owner->Ask(GoalOf(row, effect, parameter))) {
     case authority::MotionVerdict::kTaken:
+    case authority::MotionVerdict::kIgnored:
       if (!effect.keep.empty()) {
         settings_[std::string(effect.keep)] = parameter.at(std::string(row.fields.front().key));
       }

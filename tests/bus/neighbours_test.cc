@@ -182,6 +182,13 @@ TEST_F(MismatchWatchTest, NamesThePolicy) {
   EXPECT_EQ(told[0].why, "ownership");
 }
 
+TEST(MismatchTest, HasItsReasonInALineHoweverLongTheProcessIsCalled) {
+  const Mismatch mismatch{.topic = "rt/lowcmd",
+                          .why = "ownership",
+                          .writer = {.process = std::string(500, 'p'), .pid = "7"}};
+  EXPECT_EQ(Describe(mismatch), "rt/lowcmd by process 7 (" + std::string(32, 'p') + "): ownership");
+}
+
 TEST(NeighbourTest, IsDescribedByWhatIsKnown) {
   EXPECT_EQ(Describe(Neighbour{}), "a participant");
   EXPECT_EQ(Describe(Neighbour{

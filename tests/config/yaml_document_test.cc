@@ -1,5 +1,12 @@
 #include "config/yaml_document.h"
 
+#include <chrono>
+#include <string>
+#include <thread>
+
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include "config_fixture.h"
 
 namespace understudy::config {
@@ -119,6 +126,22 @@ TEST_F(YamlFileTest, RefusesANameTooLongForAFile) {
 TEST_F(YamlFileTest, RefusesADirectory) {
   EXPECT_EQ(Relative(ErrorOf([&] { ReadYamlFile(directory_ / "config"); })),
             "config: is a directory");
+}
+
+TEST_F(YamlFileTest, ReadsAPipeAndDoesNotWaitForOneIntoWhichNobodyWrites) {
+  const std::string pipe = directory_ / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(Relative(ErrorOf([&] { ReadYamlFile(pipe); })),
+            "pipe: is a pipe into which nobody writes");
+  int ends[2];
+  ASSERT_EQ(::pipe(ends), 0);
+  const std::jthread writer([&] {
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_EQ(::write(ends[1], "a: 1\n", 5), 5);
+    ::close(ends[1]);
+  });
+  EXPECT_EQ(ReadYamlFile("/proc/self/fd/" + std::to_string(ends[0])).items.size(), 1U);
+  ::close(ends[0]);
 }
 
 TEST_F(YamlFileTest, RefusesAHugeFile) {

@@ -133,6 +133,10 @@ TEST_F(CommandsTest, ToServicesThatComeToNothingAreToldWithReasonAndCode) {
                    .refusal = CallRefusal::kState,
                    .name = "Move"});
   services_.Bring({.service = "sport",
+                   .api_id = 7104,
+                   .refusal = CallRefusal::kIgnored,
+                   .name = "SetStandHeight"});
+  services_.Bring({.service = "sport",
                    .code = services::Call::kNoCode,
                    .refusal = CallRefusal::kTooMany,
                    .times = 7});
@@ -142,9 +146,12 @@ TEST_F(CommandsTest, ToServicesThatComeToNothingAreToldWithReasonAndCode) {
       testing::ElementsAre(
           "refused 1 call of sport 1008 Move (state): the motion service does not do it in "
           "its present state, 0; code 4206",
+          "refused 1 call of sport 7104 SetStandHeight (ignored): it is taken without effect, as "
+          "by "
+          "the real robot in that state, 0; code 0",
           "refused 7 calls of sport (too_many): more came than the robot serves; the oldest "
           "are dropped; not answered"));
-  EXPECT_THAT(Told(EventKind::kCall), testing::SizeIs(1));
+  EXPECT_THAT(Told(EventKind::kCall), testing::SizeIs(2));
 }
 
 TEST_F(CommandsTest, AreCutToWhatTheMotorGives) {

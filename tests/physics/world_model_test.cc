@@ -105,11 +105,12 @@ TEST_F(WorldModelTest, HasRoomForManyContactsWhateverTheFilesSay) {
 }
 #endif
 
-TEST_F(WorldModelTest, AddsTheInertialUnit) {
+TEST_F(WorldModelTest, ComputesNoSensorOfTheModels) {
+  UseRobot(Robot(R"(<joint name="knee_joint"/>)",
+                 R"(<sensor><jointpos joint="knee_joint"/></sensor>)"));
   const mjcf::ModelHandle model = Load();
-  EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuGyroName), 0);
-  EXPECT_GE(mj_name2id(model.get(), mjOBJ_SENSOR, kImuAccelName), 0);
-  EXPECT_EQ(mj_name2id(model.get(), mjOBJ_SENSOR, kSecondaryGyroName), -1);
+  EXPECT_EQ(model->nsensor, 1);
+  EXPECT_NE(model->opt.disableflags & mjDSBL_SENSOR, 0);
 }
 
 TEST_F(WorldModelTest, AddsAClampThatIsOff) {

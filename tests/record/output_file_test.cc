@@ -2,9 +2,12 @@
 
 #include <csignal>
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
 
+#include "base/unique_fd.h"
 #include "tests/record/mcap_files.h"
 
 namespace understudy::record {
@@ -37,6 +40,15 @@ TEST_F(OutputFileTest, DoesNotReplaceWhatIsBeingWritten) {
   EXPECT_THAT([&] { OutputFile(File(), true); },
               ThrowsMessage<RecordError>(HasSubstr("another run is writing it")));
   EXPECT_EQ(FileText(File()), "precious");
+}
+
+TEST_F(OutputFileTest, IsNoPipeAndDoesNotWaitForItsReader) {
+  const std::string pipe = File("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const auto is_refused = ThrowsMessage<RecordError>(HasSubstr("pipe: is not a file"));
+  EXPECT_THAT([&] { OutputFile(pipe, true); }, is_refused);
+  const UniqueFd reader(::open(pipe.c_str(), O_RDONLY | O_NONBLOCK));
+  EXPECT_THAT([&] { OutputFile(pipe, true); }, is_refused);
 }
 
 TEST_F(OutputFileTest, NamesAFolderThatIsNotThere) {

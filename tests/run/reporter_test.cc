@@ -64,6 +64,42 @@ TEST_F(ReporterTest, SaysEachCauseAtMostOnceASecond) {
   EXPECT_THAT(Said(), HasSubstr("warning: refused 49 LowCmd (crc): "));
 }
 
+TEST_F(ReporterTest, SaysThatTheMachineIsTooSlowAtOnceAndThenOnceAMinute) {
+  Reporter dut(&ring_, 500, false);
+  std::string said;
+  for (int ms = 0; ms < 125'000; ms += 20) {
+    for (int i = 0; i < 5; ++i) ring_.Add(EventKind::kOverrun, 0, {ms == 30'000 ? 0.05 : 0.004});
+    if (ms % 1000 == 0) ring_.Add(EventKind::kStall, 0, {0.25});
+    dut.Update({}, milliseconds(ms));
+    const std::string now = Said();
+    const bool quiet = (ms >= 2000 && ms < 60'000) || (ms >= 62'000 && ms < 120'000);
+    EXPECT_TRUE(!quiet || now.empty()) << ms << ": " << now;
+    said += now;
+  }
+  EXPECT_THAT(said, HasSubstr("250 ticks began late, the worst by 4.0 ms"));
+  EXPECT_THAT(said, HasSubstr("15000 ticks began late, the worst by 50.0 ms"));
+  EXPECT_THAT(said, HasSubstr("0.2 s behind wall time"));
+  EXPECT_THAT(said, HasSubstr("15.0 s behind wall time"));
+}
+
+TEST_F(ReporterTest, SaysEachTimeThatTheMachineStoodStill) {
+  Reporter dut(&ring_, 500, false);
+  for (int ms = 0; ms < 10'000; ms += 2000) {
+    ring_.Add(EventKind::kStall, 0, {1.5});
+    dut.Update({}, milliseconds(ms));
+    EXPECT_THAT(Said(), HasSubstr("1.5 s behind wall time"));
+  }
+}
+
+TEST_F(ReporterTest, SaysNothingOfAFewLateTicksEachSecond) {
+  Reporter dut(&ring_, 500, false);
+  for (int ms = 0; ms < 125'000; ms += 100) {
+    ring_.Add(EventKind::kOverrun, 0, {0.004});
+    dut.Update({}, milliseconds(ms));
+  }
+  EXPECT_EQ(Said(), "");
+}
+
 TEST_F(ReporterTest, SaysTheLastRefusalOfARun) {
   {
     Reporter dut(&ring_, 500, false);

@@ -21,17 +21,31 @@ class MetricsTest : public ::testing::Test {
     snapshot_.command_topics = {"rt/lowcmd", "rt/arm_sdk", "", "rt/dex3/left/cmd"};
   }
   std::string Dut() const {
-    return MetricsText({.robot = "g1", .version = "0.1"}, status_, snapshot_, events_);
+    EventHistory events(&ring_);
+    events.Update(std::chrono::nanoseconds(0));
+    return MetricsText({.robot = "g1", .version = "0.1"}, status_, snapshot_, events);
   }
 
   emulator::Status status_;
   emulator::Snapshot snapshot_;
-  std::array<std::uint64_t, emulator::kEventKinds> events_{};
+  emulator::EventRing ring_;
 };
 
 TEST_F(MetricsTest, CountsEventsByKind) {
-  events_[static_cast<std::size_t>(emulator::EventKind::kRequest)] = 7;
-  EXPECT_THAT(Dut(), testing::HasSubstr("\nunderstudy_events_total{kind=\"request\"} 7\n"));
+  for (int i = 0; i < 7; ++i) ring_.Add(emulator::EventKind::kClamp);
+  EXPECT_THAT(Dut(), testing::HasSubstr("\nunderstudy_events_total{kind=\"clamp\"} 7\n"));
+}
+
+TEST_F(MetricsTest, NamesThePolicyOfAWriterThatDoesNotMatch) {
+  ring_.Add(emulator::EventKind::kUnmatched, 0, {}, "rt/lowcmd by process 7 (a): ownership");
+  EXPECT_THAT(Dut(), HasSubstr("\nunderstudy_unmatched_writers_total{writer=\"rt/lowcmd by process "
+                               "7 (a): ownership\"} 1\n"));
+}
+
+TEST_F(MetricsTest, StaysUtf8WhateverAWriterIsCalled) {
+  ring_.Add(emulator::EventKind::kUnmatched, 0, {}, "rt/lowcmd by process 7 (\xff\xfe): ownership");
+  EXPECT_THAT(Dut(), HasSubstr("rt/lowcmd by process 7 (?"
+                               "?): ownership"));
 }
 
 TEST_F(MetricsTest, TellsCommandsByTopicAndReason) {

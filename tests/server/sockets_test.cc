@@ -86,6 +86,15 @@ TEST_F(SocketsTest, TheSameRoutesAreOnTcp) {
   EXPECT_THAT(Ask("GET /nothing", HostLine()), StartsWith("HTTP/1.1 404"));
 }
 
+TEST_F(SocketsTest, AHeadOfAPublicRouteNeedsNoToken) {
+  for (const char* route : {"HEAD /", "HEAD /status", "HEAD /requests"}) {
+    const std::string reply = Ask(route, HostLine());
+    EXPECT_THAT(reply, StartsWith("HTTP/1.1 200")) << route;
+    EXPECT_TRUE(reply.ends_with("\r\n\r\n")) << route << ": it has a body";
+  }
+  EXPECT_THAT(Ask("HEAD /panel", HostLine()), StartsWith("HTTP/1.1 401"));
+}
+
 TEST_F(SocketsTest, RefusesAWriteWithoutTheToken) {
   const test::Ticking ticking(&inbox_, [](const emulator::Request&) { return emulator::Answer{}; });
   EXPECT_THAT(Ask("POST /reset", HostLine()), StartsWith("HTTP/1.1 401"));
@@ -98,6 +107,9 @@ TEST_F(SocketsTest, RefusesAWriteWithoutTheToken) {
 TEST_F(SocketsTest, RefusesAPageThatIsNotItsOwn) {
   EXPECT_THAT(Ask("GET /status", "Host: evil.example\r\n"), StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /status", ""), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(Ask("GET /status", HostLine() + HostLine()), StartsWith("HTTP/1.1 403"));
+  EXPECT_THAT(Ask("GET /status", HostLine() + "Host: evil.example\r\n"),
+              StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /status", HostLine() + "Origin: http://evil.example\r\n"),
               StartsWith("HTTP/1.1 403"));
   EXPECT_THAT(Ask("GET /snapshots", HostLine() + "Origin: null\r\n" + std::string{kUpgrade}),

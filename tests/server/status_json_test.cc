@@ -90,7 +90,7 @@ TEST(StatusJsonTest, HoldsEveryFieldInAFixedOrder) {
           R"("hands":[{"name":"left","accepted":21,"timeouts":23,"refused":{"crc":0,"head":0,"mode_machine":0,)"
           R"("mode_pr":0,"motor_mode":22,"motor_count":0,"not_finite":0,"gain":0,"motion_service":0,)"
           R"("no_motion_service":0,"not_handed_over":0,"undecoded":0,"lost":0,"unmatched":0}}],)"
-          R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"goal":0,)"
+          R"("services":{"requests":51,"refused":{"unknown_api":0,"lease":0,"parameter":0,"state":52,"ignored":0,"goal":0,)"
           R"("name":0,"protected":0,"not_simulated":0,"failed":0,"code":0,"not_served":0,"undecoded":0,)"
           R"("too_many":0,"unmatched":0},"lost_replies":53},)"
           R"("power":"booting",)"

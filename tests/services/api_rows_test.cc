@@ -181,8 +181,9 @@ TEST(ApiRowsTest, SayWhyTheMotionServiceDidNothingAlsoWhereTheAnswerIsZero) {
 TEST(ApiRowsTest, SayWhyForEveryCodeButZero) {
   using authority::MotionVerdict;
   ForEachRow([](Caller* caller, const ServiceTable&, const ApiRow& row) {
-    for (const MotionVerdict verdict : {MotionVerdict::kTaken, MotionVerdict::kNotNow,
-                                        MotionVerdict::kUnknown, MotionVerdict::kUnable}) {
+    for (const MotionVerdict verdict :
+         {MotionVerdict::kTaken, MotionVerdict::kIgnored, MotionVerdict::kNotNow,
+          MotionVerdict::kUnknown, MotionVerdict::kUnable}) {
       caller->robot.book.verdict = verdict;
       for (const std::string& parameter : {GoodParameter(row).dump(), std::string("{")}) {
         const ServiceReply reply = caller->Ask(row.id, parameter);

@@ -1,4 +1,5 @@
 // Tests sport, loco and arm: the goals of their calls, and the codes for verdicts.
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -221,6 +222,20 @@ TEST(G1SportTest, KeepsNothingOfAGoalThatWasNotTaken) {
   caller.robot.book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(7102, R"({"data":1})").code, 0);
   EXPECT_EQ(caller.Ask(7003).data, R"({"data":0})");
+}
+
+// A G1's SetStandHeight, a Go2's Move after StandUp.
+TEST(MotionServicesTest, AnswerZeroAndTellWhatIsTakenWithoutEffect) {
+  for (const auto& [robot, api, parameter] :
+       {std::tuple("g1", 7104, R"({"data":0.5})"), std::tuple("g1", 7101, R"({"data":0})"),
+        std::tuple("go2", 1008, R"({"x":1,"y":0,"z":0})"),
+        std::tuple("r1", 7101, R"({"data":4})")}) {
+    Caller caller(TableOf(robot, "sport"));
+    caller.robot.book.verdict = authority::MotionVerdict::kIgnored;
+    const ServiceReply reply = caller.Ask(api, parameter);
+    EXPECT_EQ(reply.code, 0) << robot << " " << api;
+    EXPECT_EQ(reply.refusal, CallRefusal::kIgnored) << robot << " " << api;
+  }
 }
 
 TEST(G1SportTest, SendsHeightsWithACodeWhileItWalksAsSeenOnOne) {

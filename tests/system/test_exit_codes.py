@@ -184,10 +184,37 @@ def test_output_that_a_full_disk_does_not_take_is_an_error():
             assert "standard output cannot be written" in done.stderr
 
 
-def test_a_pipe_is_no_recording(understudy, tmp_path):
+@pytest.mark.parametrize("arguments", [
+    ["recording", "PIPE"], ["play", "PIPE"], ["plot", "PIPE"], ["compare", "PIPE", "PIPE"],
+    ["picture", "a.png", "--recording", "PIPE"], ["film", "a.mp4", "--recording", "PIPE"],
+    ["identify", "PIPE", "--robot", "go2"], ["judge", "PIPE", "stand_up"],
+    ["run", "go2", "--record", "PIPE", "--overwrite"],
+])
+def test_a_pipe_is_no_recording(understudy, tmp_path, arguments):
     pipe = tmp_path / "pipe.mcap"
     os.mkfifo(pipe)
-    for command in ("recording", "play", "plot"):
-        done = understudy(command, pipe, timeout=5)
-        assert done.returncode == 9
-        assert f"{pipe}: is not a file" in done.stderr
+    done = understudy(*[pipe if word == "PIPE" else word for word in arguments], timeout=10, cwd=tmp_path)
+
+    assert done.returncode == 9
+    assert f"{pipe}: is not a file" in done.stderr
+
+
+@pytest.mark.parametrize("arguments", [
+    ["run", "PIPE"], ["run", "go2", "--config", "PIPE"], ["run", "go2", "--script", "PIPE"],
+    ["run", "go2", "--scene", "PIPE"], ["check", "PIPE"], ["rehearse", "PIPE"],
+])
+def test_a_pipe_into_which_nobody_writes_is_not_waited_for(understudy, tmp_path, arguments):
+    pipe = tmp_path / "pipe.yaml"
+    os.mkfifo(pipe)
+    done = understudy(*[pipe if word == "PIPE" else word for word in arguments], timeout=10)
+
+    assert 0 < done.returncode < 10
+    assert str(pipe) in done.stderr + done.stdout
+
+
+def test_a_layer_comes_through_a_pipe(understudy, tmp_path):
+    shell = '"$UNDERSTUDY" run go2 --print-config --config <(sleep 0.2; echo "gate: {timeout: 0.75}")'
+    done = subprocess.run(["bash", "-c", shell], capture_output=True, text=True, timeout=15)
+
+    assert done.returncode == 0, done.stderr
+    assert "timeout: 0.75" in done.stdout

@@ -13,7 +13,7 @@ import time
 import pytest
 
 from peers import GoLowState as GoState
-from peers import speaker
+from peers import GoLowCmd, go_command, listener, speaker
 
 
 @pytest.fixture(name="stuck")
@@ -36,11 +36,30 @@ def test_a_log_that_nobody_reads_does_not_hold_up_the_end(play, stuck):
     assert robot.exit_code(2) == 0
 
 
-def test_exec_returns_the_commands_code_although_nobody_reads_its_log(stuck):
+def test_exec_returns_the_commands_code_at_once_although_nobody_reads_its_log(stuck, tmp_path):
+    ended = tmp_path / "ended"
     done = subprocess.run([os.environ["UNDERSTUDY"], "exec", "go2", "--log-level", "info", "--",
-                           "sh", "-c", "exit 7"], stderr=stuck[1], timeout=10)
+                           "sh", "-c", f"touch {ended}; exit 7"], stderr=stuck[1], timeout=10)
 
+    assert time.time() - ended.stat().st_mtime < 1
     assert done.returncode == 7
+
+
+def test_states_commands_and_calls_go_on_although_nobody_reads_the_log(play, stuck):
+    robot = play("go2", "--released", stderr=stuck[1])
+    good, bad = go_command(), go_command()
+    with listener() as ear, speaker("rt/lowcmd", GoLowCmd) as client:
+        ear.wait()
+        for _ in range(100):  # each of the second a line for the log
+            client.write_signed(good)
+            client.write(bad)
+            time.sleep(0.01)
+        counts = robot.becomes(lambda now: now["commands"]["accepted"] > 50)["commands"]
+        heard = len(ear.take())
+
+    assert counts["refused"]["crc"] > 50
+    assert heard > 200
+    robot.ctl("service", "call", "motion_switcher", "1001")
 
 
 def test_a_full_pipe_that_cannot_be_opened_anew_does_not_hold_up_the_end_either(stuck):

@@ -46,15 +46,17 @@ def test_the_robot_of_a_recording_speaks_again(file):
     assert "501 messages were played" in said
 
 
-def test_ctrl_c_ends_it(file):
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_stop_signal_ends_it(file, number):
     with listener() as ear:
         player = played(file, "--loop", "--speed", "4")
         eventually(lambda: [state for state in ear.take() if state.tick > 1500])
         eventually(lambda: [state for state in ear.take() if state.tick < 500])
-        player.send_signal(signal.SIGINT)
+        player.send_signal(number)
         said = player.communicate(timeout=20)[1]
 
     assert player.returncode == 0, said
+    assert "messages were played" in said
 
 
 def test_it_does_not_speak_beside_a_robot(play, file):

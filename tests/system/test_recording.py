@@ -99,6 +99,17 @@ def test_a_recording_has_all_that_was_said(play, folder):
     assert recording.about["robot"] == "go2"
 
 
+@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
+def test_a_stop_signal_finishes_the_recording(play, folder, number):
+    file = folder / f"stopped_by_{number}.mcap"
+    robot = play("go2", "--record", file)
+    robot.send(number)
+    assert robot.exit_code() == 0
+    ticks = Recording(file).ticks()
+
+    assert ticks == list(range(0, 2 * len(ticks), 2)) and ticks
+
+
 def test_requests_are_events(play, folder):
     file = folder / "requests.mcap"
     robot = play("go2", "--record", file)

@@ -1,8 +1,11 @@
 """Rehearsals and judgements from a shell: shipped scenarios, exit codes, the files that are left, CI's view."""
 
 import json
+import os
 import pathlib
 import re
+import signal
+import subprocess
 import sys
 from xml.etree import ElementTree
 
@@ -10,6 +13,8 @@ import pytest
 import xmlschema
 from mcap.reader import make_reader
 from mcap.writer import Writer
+
+from robots import eventually
 
 ROOT = pathlib.Path(__file__).parents[2]
 SCENARIOS = sorted(file.stem for file in (ROOT / "config" / "scenarios").glob("*.yaml"))
@@ -168,6 +173,24 @@ def test_lost_lowcmd_holds_with_a_program_that_writes_it(rehearse, tmp_path):
     done = rehearse("lost_lowcmd", program=[sys.executable, "-c", "import time; time.sleep(60)"])
     assert done.returncode == FAILED
     assert outcomes(tmp_path / "out")["the program is heard"] == "failed"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_stop_signal_has_it_judge_what_there_is_and_finish_the_recording(runtime_dir, tmp_path, number):
+    file = tmp_path / "long.yaml"
+    file.write_text("scenario: It stands\nrobot: go2\nduration: 100000\n"
+                    "expect:\n  - {always: base.height > 0.2, name: stands}\n")
+    out = tmp_path / "out"
+    with subprocess.Popen([os.environ["UNDERSTUDY"], "rehearse", file, "--out", out], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True) as process:
+        eventually(lambda: (out / "recording.mcap").exists() and (out / "recording.mcap").stat().st_size > 3_000_000)
+        process.send_signal(number)
+        _, said = process.communicate(timeout=30)
+    assert process.returncode in (0, OPEN), said
+    assert verdicts(out)["stopped"] == "interrupted"
+    with open(out / "recording.mcap", "rb") as recording:
+        assert make_reader(recording, validate_crcs=True).get_summary().statistics.message_count > 1000
+    assert list(runtime_dir.iterdir()) == []
 
 
 def test_a_real_robots_recording_is_not_judged_by_a_truth_that_it_does_not_have(rehearse, understudy, tmp_path):

@@ -26,6 +26,9 @@ def tmp_fixture(tmp_path, monkeypatch):
     ["run", "go2", "--scene", "rough", "--interface", "l0"],
     ["run", "go2", "--scene", "rough", "--set", "terrain.difficulty=7"],
     ["exec", "go2", "--scene", "rough", "--network", "host", "--", "true"],
+    ["exec", "go2", "--scene", "rough", "--interface-name", "eth0", "--", "true"],
+    ["rehearse", "stand_up", "--out", "OUT/rehearsal"],
+    ["doctor"],
     ["terrain", "rough", "OUT/ground"],
     ["completions", "bash"],
     ["robots"],
@@ -42,6 +45,8 @@ def test_a_recording_that_is_played_plotted_and_drawn_leaves_nothing(play, under
                       file).returncode == 0
     understudy("play", file)
     understudy("recording", file)
+    understudy("compare", file, file)
+    understudy("judge", file, "stand_up", "--out", tmp_path / "judged")
     understudy("plot", file)
     understudy("picture", tmp_path / "a.png", "--recording", file)
     understudy("film", tmp_path / "a.mp4", "--recording", file, "--size", "64x64")
@@ -51,6 +56,7 @@ def test_a_recording_that_is_played_plotted_and_drawn_leaves_nothing(play, under
     robot.exit_code()
 
     assert [name for name in os.listdir(tmp) if "understudy" in name] == []
+    assert (tmp_path / "judged").is_dir()
 
 
 @pytest.mark.parametrize("number", ENDS)

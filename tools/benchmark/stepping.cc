@@ -26,6 +26,12 @@ struct Speed {
   double cpu = 0;   // steps per s of CPU of the stepping thread
 };
 
+// What the bare loop makes of a step.
+enum class Bare {
+  kStep,     // mj_step
+  kWithImu,  // and what the bodies feel, which MuJoCo computes for an accelerometer
+};
+
 // MuJoCo and nothing else, over the steps of another run: with the forces that acted on each joint
 // in each of them. Which steps matters: one that stands takes one iteration of the solver for
 // seconds, then two.
@@ -59,13 +65,13 @@ class BareLoop {
     next_ = 0;
   }
 
-  Speed Run(double window) {
+  Speed Run(Bare what, double window) {
     const double cpu = ThreadCpu();
     const Wall::time_point start = Wall::now();
     double wall = 0;
     std::int64_t steps = 0;
     do {
-      for (int i = 0; i < kTogether; ++i) Step();
+      for (int i = 0; i < kTogether; ++i) Step(what);
       steps += kTogether;
       wall = std::chrono::duration<double>(Wall::now() - start).count();
     } while (wall < window);
@@ -77,7 +83,7 @@ class BareLoop {
   static constexpr int kSecond = 1000, kTogether = 100;  // steps
 
   // Each second begins as in the run: a robot that walks by forces alone soon falls.
-  void Step() {
+  void Step(Bare what) {
     if (next_ % kSecond == 0) {
       const double* const state = states_.col(next_ / kSecond).data();
       mju_copy(data_->qpos, state, model_.nq);
@@ -86,6 +92,7 @@ class BareLoop {
     }
     mju_copy(data_->qfrc_applied, forces_.col(next_).data(), model_.nv);
     mj_step(&model_, data_.get());
+    if (what == Bare::kWithImu) mj_rnePostConstraint(&model_, data_.get());
     next_ = (next_ + 1) % forces_.cols();
   }
 
@@ -136,11 +143,12 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
   while (daemon.Steps() < settled) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   daemon.process().Stop();
 
-  std::vector<double> bare_wall, daemon_wall, share_wall, share_cpu;
+  std::vector<double> bare_wall, daemon_wall, share_wall, share_cpu, share_step;
   for (int round = 0; round < rounds; ++round) {
     const auto [from, to, ours] = Run(daemon, window);
     bare.Follow(from, to);
-    const Speed theirs = bare.Run(window);
+    const Speed theirs = bare.Run(Bare::kWithImu, window);
+    share_step.push_back(ours.wall / bare.Run(Bare::kStep, window).wall);
     bare_wall.push_back(theirs.wall);
     daemon_wall.push_back(ours.wall);
     share_wall.push_back(ours.wall / theirs.wall);
@@ -154,6 +162,7 @@ std::vector<Figure> MeasureStepping(const std::string& understudy, const Doing& 
   };
   if (!listener) add("bare MuJoCo", "steps/s", bare_wall);
   add("whole daemon", "steps/s", daemon_wall);
+  add("daemon / bare without an IMU", "", share_step);
   add("daemon / bare per CPU", "", share_cpu);
   add("daemon / bare", "", share_wall);
   if (!listener) {

@@ -90,9 +90,9 @@ authority::MotionVerdict HumanoidMotion::Ask(const authority::MotionGoal& goal) 
 authority::MotionVerdict HumanoidMotion::SetFsm(int id) {
   const authority::MotionVerdict verdict = MayGo(ids_, id_, id, moving());
   if (verdict != authority::MotionVerdict::kTaken) return verdict;
-  if (id == kZeroTorqueId && id_ != kDampingId)
-    return verdict;  // no effect in states that bear load
   if (id == id_ && id != ids_.balanced_squat) return verdict;
+  // States that bear load.
+  if (id == kZeroTorqueId && id_ != kDampingId) return authority::MotionVerdict::kIgnored;
   if (id == kZeroTorqueId || id == kDampingId) {
     Slacken(id);
   } else if (id == ids_.lock_stand) {
@@ -136,7 +136,8 @@ authority::MotionVerdict HumanoidMotion::SetStandHeight(double height) {
   if (!balanced()) return authority::MotionVerdict::kNotNow;
   if (ids_.squat_q.empty()) return authority::MotionVerdict::kUnable;
   if (moving() || id_ == ids_.balanced_squat) return authority::MotionVerdict::kNotNow;
-  if (ids_.stand_heights) stand_.StandAt(height);
+  if (!ids_.stand_heights) return authority::MotionVerdict::kIgnored;
+  stand_.StandAt(height);
   return authority::MotionVerdict::kTaken;
 }
 

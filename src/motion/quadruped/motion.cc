@@ -90,8 +90,10 @@ authority::MotionVerdict QuadrupedMotion::Ask(const authority::MotionGoal& goal)
       return row->verdict;
     }
   }
-  if (row == nullptr && state_ == kLocked && figures_.gestures_from_lock && IsGesture(goal)) {
-    Enter(stand_ = kBalance);
+  const bool rises = kSits.Has(state_) && std::holds_alternative<goal::StandUp>(goal);
+  if (row == nullptr && figures_.gestures_from_lock &&
+      (rises || (state_ == kLocked && IsGesture(goal)))) {
+    Enter(rises ? kRisingSit : stand_ = kBalance);
     then_ = goal;
     return authority::MotionVerdict::kTaken;
   }

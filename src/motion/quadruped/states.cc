@@ -107,8 +107,8 @@ std::span<const QuadrupedTransition> QuadrupedTransitions() {
       {kGoal<goal::StopMove>, {kGesturing}, kAlways, kTaken, kEndingGesture},
       {kGoal<goal::StopMove>, {kStanding, kBalance, kPosing}, kAlways, kTaken, kStanding},
       {kGoal<goal::StopMove>, kAny, kAlways, kTaken},
-      // After StandUp taken and without effect, as on a real Go2.
-      {kGoal<goal::Move>, {kRising, kRisingOn, kLocked}, kAlways, kTaken},
+      // After StandUp, as on a real Go2.
+      {kGoal<goal::Move>, {kRising, kRisingOn, kLocked}, kAlways, kIgnored},
       {kGoal<goal::Move>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},
       {kGoal<goal::GoTo>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},
       {kGoal<goal::FollowPath>, {kStanding, kBalance, kWalking, kDriving}, kAlways, kTaken},

@@ -37,6 +37,8 @@ inline constexpr StateSet<QuadrupedState> kGestureStates{
     QuadrupedState::kGesturing, QuadrupedState::kEndingGesture, QuadrupedState::kRisingSit};
 inline constexpr StateSet<QuadrupedState> kStands{QuadrupedState::kStanding,
                                                   QuadrupedState::kBalance};
+inline constexpr StateSet<QuadrupedState> kSits{QuadrupedState::kSittingDown,
+                                                QuadrupedState::kSitting};
 // In which the stance leads the legs.
 inline constexpr StateSet<QuadrupedState> kStanceStates{
     QuadrupedState::kStanding,    QuadrupedState::kBalance,       QuadrupedState::kPosing,

@@ -30,6 +30,7 @@ ServiceReply Answer(authority::MotionVerdict verdict, const robot::MotionState& 
   constexpr std::array kStates = {200, 500, 501, 801, 802};
   switch (verdict) {
     case authority::MotionVerdict::kTaken:
+    case authority::MotionVerdict::kIgnored:
       return {};
     case authority::MotionVerdict::kUnknown:
       return {.code = kBadAction};

@@ -52,6 +52,7 @@ ServiceReply AvoidingMove(const ServiceCall& call) {
     *call.notice = "obstacles_avoid Move: walks without seeing obstacles, no lidar is modelled";
     return {};
   }
+  if (verdict == authority::MotionVerdict::kIgnored) return {};
   return {.code = kRpcServerInternal};
 }
 

@@ -173,6 +173,7 @@ ServiceReply SetR1Id(const ServiceCall& call) {
   if (id == now || (id == kWalk && now == kWalkWithArms)) return {.code = kAlready};
   switch (call.owner->Ask(goal::SetFsm{id})) {
     case authority::MotionVerdict::kTaken:
+    case authority::MotionVerdict::kIgnored:
     case authority::MotionVerdict::kNotNow:
       return {};
     case authority::MotionVerdict::kUnknown:

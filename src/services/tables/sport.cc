@@ -37,6 +37,7 @@ ServiceReply SwitchSticks(const ServiceCall& call) {
 ServiceReply CodeOf(authority::MotionVerdict verdict) {
   switch (verdict) {
     case authority::MotionVerdict::kTaken:
+    case authority::MotionVerdict::kIgnored:
       return {};
     case authority::MotionVerdict::kNotNow:
       return {.code = kActionTimeout};

@@ -11,6 +11,7 @@ namespace understudy::motion {
 namespace {
 
 constexpr auto kTaken = authority::MotionVerdict::kTaken;
+constexpr auto kIgnored = authority::MotionVerdict::kIgnored;
 constexpr auto kNotNow = authority::MotionVerdict::kNotNow;
 
 class HumanoidMotionTest : public test::MujocoTest {
@@ -198,11 +199,11 @@ TEST(HumanoidArmsTest, AnR1TellsAStateOfItsOwnWhileArmSdkHasAWeight) {
 
 TEST_F(HumanoidMotionTest, TakesZeroTorqueOnItsFeetAndStaysAsItIs) {
   rig_.Start("standing");
-  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  EXPECT_EQ(rig_.SetFsm(0), kIgnored);
   EXPECT_EQ(rig_.state().id, 4);
   rig_.Run(1);
   rig_.SetFsm(501);
-  EXPECT_EQ(rig_.SetFsm(0), kTaken);
+  EXPECT_EQ(rig_.SetFsm(0), kIgnored);
   rig_.Run(1);
   EXPECT_EQ(rig_.state().id, 501);
   EXPECT_TRUE(rig_.standing());
@@ -277,7 +278,7 @@ TEST(HumanoidHeightTest, StandsLowerAndHigher) {
 TEST_F(HumanoidMotionTest, TakesAStandHeightAndStaysAsItIs) {
   Balance();
   const double high = rig_.height();
-  EXPECT_EQ(rig_.Ask(goal::SetStandHeight{0}), kTaken);
+  EXPECT_EQ(rig_.Ask(goal::SetStandHeight{0}), kIgnored);
   rig_.Run(2.5);
   EXPECT_NEAR(rig_.height(), high, 0.005);
 }

@@ -80,7 +80,7 @@ TEST_F(Go2MotionTest, DoesNotMoveAfterStandUpUntilItBalances) {
   EXPECT_EQ(rig_.Ask(goal::Move{0.3}), authority::MotionVerdict::kNotNow);
   rig_.StandUp();
   const double x = rig_.world().robot().base().p_WB.x();
-  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), authority::MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.3, 0, 0, 1}), authority::MotionVerdict::kIgnored);
   rig_.Run(1);
   EXPECT_NEAR(rig_.world().robot().base().p_WB.x(), x, 0.01);
   EXPECT_EQ(rig_.state().id, kLocked);

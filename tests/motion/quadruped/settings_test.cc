@@ -81,6 +81,25 @@ TEST(QuadrupedSettingsTest, GesturesFromLock) {
   }
 }
 
+// A course's program (Dylan-vrl/com304-go2): StandUp, Sit, StandUp, a second apart.
+TEST(QuadrupedSettingsTest, StandsUpOutOfSitWhereGesturesAreTakenFromLock) {
+  for (const double sits : {1.0, 3.0}) {  // s: on the way, and there
+    QuadrupedRig usual("go2"), rig("go2", {"robot.motion.quadruped.gestures_from_lock=true"});
+    for (QuadrupedRig* one : {&usual, &rig}) {
+      one->BalanceStand();
+      ASSERT_EQ(one->Ask(goal::Sit{}), authority::MotionVerdict::kTaken);
+      one->Run(sits);
+    }
+    EXPECT_EQ(usual.Ask(goal::StandUp{}), authority::MotionVerdict::kNotNow);
+    EXPECT_EQ(rig.Ask(goal::StandUp{}), authority::MotionVerdict::kTaken);
+    EXPECT_TRUE(rig.RunUntil(1002, 5));
+    rig.Run(2);
+    EXPECT_EQ(rig.state().id, 1002);
+    EXPECT_NEAR(rig.height(), 0.33, 0.02);
+    EXPECT_LT(rig.tilt(), 0.05);
+  }
+}
+
 TEST(QuadrupedSettingsTest, Charge) {
   QuadrupedRig rig("go2", {"robot.battery.start_soc=0.19"});
   rig.Start("standing");

@@ -56,7 +56,7 @@ TEST_P(SportTest, TellsItsGaitFromWhenItMoves) {
 
 TEST_P(SportTest, AGaitFreesAStandThatIsLocked) {
   rig_.StandUp();
-  EXPECT_EQ(rig_.Ask(goal::Move{0.4, 0, 0, 1}), MotionVerdict::kTaken);
+  EXPECT_EQ(rig_.Ask(goal::Move{0.4, 0, 0, 1}), MotionVerdict::kIgnored);
   rig_.Run(1);
   EXPECT_EQ(rig_.state().id, kLocked);
   EXPECT_EQ(rig_.Ask(goal::Gait{GaitName::kFree}), MotionVerdict::kTaken);
