@@ -15,16 +15,11 @@
 
 namespace understudy::commands {
 
-namespace {
-
-// The path of a companion, which may not exist.
 std::filesystem::path CompanionFile(const std::string& program) {
   std::error_code ignored;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", ignored);
   return self.parent_path().parent_path() / "libexec" / "understudy" / program;
 }
-
-}  // namespace
 
 void BecomeCompanion(const Companion& companion, char** argv) {
   const std::filesystem::path file = CompanionFile(companion.program);

@@ -1,6 +1,7 @@
 // Runs the companion programs, which link libraries that the daemon does not.
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ struct Companion {
   const char* program;      // its name in libexec/understudy, beside bin
   const char* missing;      // how to install it
 };
+
+// Returns the path of a companion, which may not exist.
+std::filesystem::path CompanionFile(const std::string& program);
 
 // Replaces this process by the companion, with the same command line: the command's name is its
 // first argument. Throws SetupError if it is missing or cannot be run.

@@ -105,8 +105,9 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   const bool is_played =
       std::ranges::any_of(kPlayed, [&](const char* key) { return document.Find(key) != nullptr; });
   if (!is_played) {
-    return count(rehearse::LoadExpectations(
-        file, document.Find("robot") == nullptr ? robot : std::string(), {}));
+    return count(
+        rehearse::LoadStandard(file, document.Find("robot") == nullptr ? robot : std::string(), {})
+            .expect);
   }
   const rehearse::Scenario scenario = rehearse::LoadScenario(file);
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),

@@ -15,6 +15,7 @@
 #include "commands/commands.h"
 #include "commands/log.h"
 #include "commands/network_options.h"
+#include "commands/report_pictures.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
 #include "rehearse/outputs.h"
@@ -34,6 +35,7 @@ struct JudgeArguments {
   std::string recording;  // judge only
   std::size_t run = 0;    // of a campaign; 0: none was chosen
   bool json = false;
+  bool pictures = true;
 };
 
 struct RehearseArguments : JudgeArguments, SetArguments {
@@ -87,6 +89,24 @@ int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expec
   if (judged.Count(judge::Outcome::kFailed) > 0) return static_cast<int>(ExitCode::kFailed);
   if (judged.Count(judge::Outcome::kNotJudged) > 0) return static_cast<int>(ExitCode::kOpen);
   return 0;
+}
+
+// Judges the stages, if there are any, and writes the settings of the next into the folder.
+std::optional<rehearse::Ladder> Climb(const record::McapReader& reader,
+                                      const std::vector<rehearse::StageSpec>& stages,
+                                      const config::Config& config, const rehearse::Judged& judged,
+                                      const fs::path& folder) {
+  if (stages.empty()) return std::nullopt;
+  rehearse::Ladder ladder = rehearse::JudgeLadder(reader, stages, config, judged);
+  if (!ladder.next_settings.empty()) WriteFile(folder / "next_stage.yaml", ladder.next_settings);
+  return ladder;
+}
+
+// Of a recording that has the simulation's truth, where they are asked for.
+rehearse::Pictures PicturesFor(const JudgeArguments& arguments, const rehearse::Judged& judged,
+                               const fs::path& recording, const fs::path& folder) {
+  if (!arguments.pictures || judged.about.empty()) return {};
+  return DrawPictures(judged, recording, folder);
 }
 
 int RehearseCommand(const RehearseArguments& arguments) {
@@ -165,14 +185,6 @@ int RehearseCommand(const RehearseArguments& arguments) {
   for (const emulator::ScriptEvent& event : scenario.script.events) {
     script.push_back(emulator::Describe(event.request));
   }
-  std::optional<rehearse::Ladder> ladder;
-  if (!scenario.stages.empty()) {
-    ladder = rehearse::JudgeLadder(record::McapReader(folder / "recording.mcap"), scenario.stages,
-                                   scenario.config, rehearsal.judged);
-    if (!ladder->next_settings.empty()) {
-      WriteFile(folder / "next_stage.yaml", ladder->next_settings);
-    }
-  }
   const std::string recording = folder / "recording.mcap";
   std::vector<std::string> again{"understudy", "judge", recording, arguments.scenario};
   std::string title = scenario.name;
@@ -180,18 +192,21 @@ int RehearseCommand(const RehearseArguments& arguments) {
     again.insert(again.end(), {"--run", std::to_string(arguments.run)});
     title += ", run " + std::to_string(arguments.run) + ": " + SettingsText(scenario.settings);
   }
-  const rehearse::Occasion occasion{.title = title,
-                                    .about = scenario.about,
-                                    .robot = scenario.config.robot.name,
-                                    .source = file,
-                                    .recording = recording,
-                                    .judge = rehearse::ShellText(again),
-                                    .repeat = rehearse::ShellText(words),
-                                    .scenario = FileText(file),
-                                    .script = script,
-                                    .stopped = rehearsal.stopped,
-                                    .ladder = ladder,
-                                    .wall = rehearsal.wall};
+  const rehearse::Occasion occasion{
+      .title = title,
+      .about = scenario.about,
+      .robot = scenario.config.robot.name,
+      .source = file,
+      .recording = recording,
+      .judge = rehearse::ShellText(again),
+      .repeat = rehearse::ShellText(words),
+      .scenario = FileText(file),
+      .script = script,
+      .stopped = rehearsal.stopped,
+      .ladder = Climb(record::McapReader(recording), scenario.stages, scenario.config,
+                      rehearsal.judged, folder),
+      .pictures = PicturesFor(arguments, rehearsal.judged, recording, folder),
+      .wall = rehearsal.wall};
   const int code = Tell(occasion, scenario.expect, rehearsal.judged, folder, arguments.json);
   return rehearsal.robot == ExitCode::kOk ? code : static_cast<int>(rehearsal.robot);
 }
@@ -202,29 +217,31 @@ int JudgeCommand(const JudgeArguments& arguments) {
   record::StringMap about;
   const auto found = reader.contents().metadata.find("understudy");
   if (found != reader.contents().metadata.end()) about = found->second;
-  const rehearse::Expectations expect =
-      rehearse::LoadExpectations(file, about["robot"], about["revision"], arguments.run);
-  const rehearse::Judged judged = rehearse::JudgeRecording(reader, expect);
+  const rehearse::Standard standard =
+      rehearse::LoadStandard(file, about["robot"], about["revision"], arguments.run);
+  const rehearse::Judged judged = rehearse::JudgeRecording(reader, standard.expect);
   if (!judged.cut_short.empty()) {
     std::fprintf(stderr, "the recording was cut short: %s\n", judged.cut_short.c_str());
   }
   std::vector<std::string> words{"understudy", "judge", arguments.recording, arguments.scenario};
   if (arguments.run > 0) words.insert(words.end(), {"--run", std::to_string(arguments.run)});
   const std::string repeat = rehearse::ShellText(words);
-  const rehearse::Occasion occasion{.title = fs::path(arguments.recording).filename(),
-                                    .about = {},
-                                    .robot = about["robot"],
-                                    .source = file,
-                                    .recording = arguments.recording,
-                                    .judge = repeat,
-                                    .repeat = repeat,
-                                    .scenario = FileText(file),
-                                    .script = {},
-                                    .stopped = {},
-                                    .ladder = {},
-                                    .wall = 0};
-  return Tell(occasion, expect, judged, MakeFolder(FolderOf(arguments.out, arguments.recording)),
-              arguments.json);
+  const fs::path folder = MakeFolder(FolderOf(arguments.out, arguments.recording));
+  const rehearse::Occasion occasion{
+      .title = fs::path(arguments.recording).filename(),
+      .about = {},
+      .robot = about["robot"],
+      .source = file,
+      .recording = arguments.recording,
+      .judge = repeat,
+      .repeat = repeat,
+      .scenario = FileText(file),
+      .script = {},
+      .stopped = {},
+      .ladder = Climb(reader, standard.stages, standard.config, judged, folder),
+      .pictures = PicturesFor(arguments, judged, arguments.recording, folder),
+      .wall = 0};
+  return Tell(occasion, standard.expect, judged, folder, arguments.json);
 }
 
 void AddJudgeOptions(CLI::App* app, JudgeArguments* arguments) {
@@ -232,6 +249,7 @@ void AddJudgeOptions(CLI::App* app, JudgeArguments* arguments) {
                   "Folder for report.html, junit.xml, verdict.json [rehearsals/NAME]")
       ->type_name("DIR");
   app->add_flag("--json", arguments->json, "Print the verdicts as JSON");
+  app->add_flag("!--no-pictures", arguments->pictures, "No pictures of the robot in the report");
   app->add_option("--run", arguments->run, "Only this run of a scenario with `vary`, from 1")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);

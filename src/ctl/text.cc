@@ -37,6 +37,15 @@ std::string Refused(const ordered_json& commands) {
   return total == 0 ? "0" : std::to_string(total) + " (" + ReasonsText(commands) + ")";
 }
 
+// The dangers from which the motion service protects the robot now: "heat, charge".
+std::string ProtectsText(const ordered_json& motion) {
+  std::string dangers;
+  for (const ordered_json& danger : motion.at("protects")) {
+    dangers += (dangers.empty() ? "" : ", ") + danger.get<std::string>();
+  }
+  return dangers;
+}
+
 // Formats a value of any type as one cell.
 std::string CellOf(const ordered_json& value) {
   if (value.is_null()) return "-";
@@ -192,6 +201,9 @@ std::string StatusText(const ordered_json& status) {
       {"service calls", Count(status.at("services").at("requests"))},
       {"calls refused", Refused(status.at("services"))},
   };
+  if (const std::string dangers = ProtectsText(status.at("motion")); !dangers.empty()) {
+    rows.push_back({"protects from", dangers});
+  }
   for (const ordered_json& hand : status.at("hands")) {
     const auto name = hand.at("name").get<std::string>() + " hand";
     rows.push_back({name + " taken", Count(hand.at("accepted"))});

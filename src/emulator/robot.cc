@@ -378,6 +378,7 @@ Result<> Robot::SwitchPower(bool on, double t) {
 void Robot::SwitchPowerOff() {
   if (power_.state() == PowerState::kOff) return;
   power_.SwitchOff();
+  battery_.SwitchOff();
   before_off_ = router_.owner().active();
   router_.GoLimp();
   Suffer();

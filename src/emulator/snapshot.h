@@ -82,12 +82,6 @@ struct SnapshotFault {
   double from = 0;  // s, simulated time
 };
 
-// What a motor's damage is measured by.
-struct SnapshotLimits {
-  double torque = 0;  // N·m
-  double speed = 0;   // rad/s; 0 = not known
-};
-
 // *Assumed*, a robot on its side among stones has about 60.
 inline constexpr std::size_t kMostSnapshotContacts = 256;
 inline constexpr std::size_t kMostSnapshotPushes = 24;
@@ -101,9 +95,10 @@ struct Snapshot {
   std::vector<std::string> motor_names;     // in motor order
   std::vector<std::string> command_topics;  // by number; "" where there is none
   std::vector<std::string> components;      // that can have faults
-  std::vector<SnapshotLimits> limits;       // in motor order
-  double trip_c = 0;                        // °C
-  std::vector<SettingKey> setting_keys;     // that can change
+  std::vector<robot::MotorLimits> limits;   // in motor order
+  std::vector<robot::DamageLimit> damage_limits;
+  double trip_c = 0;                     // °C
+  std::vector<SettingKey> setting_keys;  // that can change
   std::int64_t step = 0;
   double time = 0;   // simulated s
   double speed = 1;  // wanted; 0 = as fast as possible

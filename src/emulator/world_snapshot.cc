@@ -35,9 +35,8 @@ Snapshot World::MakeSnapshot(std::size_t robot) const {
   snapshot.feet.resize(spec.feet.size());
   snapshot.command.resize(snapshot.motor_names.size());
   snapshot.components = robots_[robot].faults().components();
-  for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
-    snapshot.limits.push_back({.torque = motor->torque_limit, .speed = motor->no_load_speed});
-  }
+  snapshot.limits = robot::MotorLimitsOf(spec);
+  snapshot.damage_limits = robot::DamageLimitsOf(spec);
   snapshot.trip_c = spec.thermal.trip_c;
   snapshot.setting_keys = settings_.keys;
   snapshot.settings.resize(settings_.keys.size());

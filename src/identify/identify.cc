@@ -10,6 +10,7 @@
 #include <unsupported/Eigen/NonLinearOptimization>
 
 #include "base/errors.h"
+#include "identify/uncertainty.h"
 
 namespace understudy::identify {
 namespace {
@@ -171,41 +172,6 @@ std::optional<double> Solve(Problem* problem, VectorXd* x) {
   }
   if (status == Status::UserAsked) return std::nullopt;
   return solver.fnorm / std::sqrt(static_cast<double>(problem->count));
-}
-
-// Standard errors and correlations of the values. Residuals of one limb within a window hang
-// together, since one error of its start moves all of them, and count as one: the sandwich
-// (JᵀJ)⁻¹ (Σ s sᵀ) (JᵀJ)⁻¹ with s = Jᵀr of each such cluster.
-MatrixXd Covariance(const Problem& problem, const MatrixXd& slopes, const VectorXd& residuals) {
-  const Index p = slopes.cols();
-  MatrixXd meat = MatrixXd::Zero(p, p);
-  const auto motors = static_cast<Index>(problem.replay.motors());
-  std::size_t limbs = 0;
-  for (std::size_t i = 0; i < problem.replay.motors(); ++i) {
-    limbs = std::max(limbs, problem.replay.bench().limb(i) + 1);
-  }
-  double clusters = 0;
-  Index begin = 0;
-  for (const Window& window : problem.windows) {
-    MatrixXd scores = MatrixXd::Zero(p, static_cast<Index>(limbs));
-    const Index end = begin + static_cast<Index>(window.count - 1) * motors;
-    for (Index row = begin; row < end; ++row) {
-      const std::size_t limb = problem.replay.bench().limb(static_cast<std::size_t>(row % motors));
-      scores.col(static_cast<Index>(limb)) += residuals[row] * slopes.row(row).transpose();
-    }
-    meat += scores * scores.transpose();
-    clusters += static_cast<double>(limbs);
-    begin = end;
-  }
-  // Scaled, since values are of very different size.
-  const VectorXd norms = slopes.colwise().norm().cwiseMax(1e-300);
-  const MatrixXd scaled = slopes * norms.cwiseInverse().asDiagonal();
-  const MatrixXd bread = (scaled.transpose() * scaled).ldlt().solve(MatrixXd::Identity(p, p));
-  const MatrixXd inner =
-      norms.cwiseInverse().asDiagonal() * meat * norms.cwiseInverse().asDiagonal();
-  const double few = clusters / std::max(1.0, clusters - static_cast<double>(p));
-  const MatrixXd covariance = few * bread * inner * bread;
-  return norms.cwiseInverse().asDiagonal() * covariance * norms.cwiseInverse().asDiagonal();
 }
 
 // The parameters of a direction along which nothing changes; empty if there is none.
@@ -406,7 +372,8 @@ std::optional<Result> Identify(const Replay& replay, const Basis& basis,
   result.held_out.windows = split.held_out.size();
 
   std::vector<double> values;
-  MatrixXd covariance;
+  Uncertainty uncertainty;
+  const MatrixXd& covariance = uncertainty.covariance;
   std::vector<VectorXd> starts;
   while (!telling.kept.empty()) {
     Problem problem{
@@ -435,7 +402,7 @@ std::optional<Result> Identify(const Replay& replay, const Basis& basis,
       starts.clear();
       continue;
     }
-    covariance = Covariance(problem, slopes, residuals);
+    uncertainty = UncertaintyOf(replay, split.fitted, slopes, residuals);
     std::vector<std::size_t> refused = TooUncertain(telling.kept, values, covariance);
     if (refused.empty()) break;
     // The others go on from where they are.
@@ -454,7 +421,8 @@ std::optional<Result> Identify(const Replay& replay, const Basis& basis,
     result.found.push_back({.parameter = telling.kept[i],
                             .name = basis.NameOf(telling.kept[i]),
                             .value = values[i],
-                            .error = std::sqrt(std::max(0.0, covariance(at, at)))});
+                            .error = std::sqrt(std::max(0.0, covariance(at, at))),
+                            .freedom = uncertainty.freedom[at]});
     for (Index other = 0; other < at; ++other) {
       const double by = Correlation(covariance, at, other);
       if (std::abs(by) <= kHighCorrelation) continue;

@@ -25,7 +25,11 @@ struct Found {
   std::string name{};
   bool told = true;  // false: it stays what it was before
   double value = 0, error = 0;
-  std::string why{};  // it is not told
+  double freedom = 0;  // degrees of freedom of the standard error
+  std::string why{};   // it is not told
+
+  // Half the width of the interval that holds the truth with a probability: Student's.
+  double Bar(double probability) const;
 };
 
 struct Correlated {

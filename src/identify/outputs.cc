@@ -5,9 +5,12 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "identify/identify.h"
+#include "identify/uncertainty.h"
 
 namespace understudy::identify {
 namespace {
+
+constexpr double kSure = 0.95;  // of the intervals that are told
 
 std::string Names(std::span<const Samples> recordings) {
   std::string names;
@@ -29,15 +32,19 @@ nlohmann::json FitJson(const Fit& fit) {
 
 }  // namespace
 
+double Found::Bar(double probability) const {
+  return StudentQuantile(probability, freedom) * error;
+}
+
 std::string ResultText(const Result& result, std::span<const Samples> recordings) {
-  std::string text =
-      fmt::format("{}, in windows of {} s\n\n{:<24} {:>10} {:>10} {:>12}\n", Names(recordings),
-                  result.window, "", "before", "after", "std. error");
+  std::string text = fmt::format("{}, in windows of {} s\n\n{:<24} {:>10} {:>10} {:>12} {:>12}\n",
+                                 Names(recordings), result.window, "", "before", "after",
+                                 "std. error", "95 %: +-");
   for (const Found& found : result.found) {
     if (!found.told) continue;
-    text +=
-        fmt::format("{:<24} {:>10.4g} {:>10.4g} {:>12.2g} {}\n", found.name, found.parameter.before,
-                    found.value, found.error, found.parameter.quantity->unit);
+    text += fmt::format("{:<24} {:>10.4g} {:>10.4g} {:>12.2g} {:>12.2g} {}\n", found.name,
+                        found.parameter.before, found.value, found.error, found.Bar(kSure),
+                        found.parameter.quantity->unit);
   }
   text += "\n" + FitText("fitted", result.fitted) + FitText("held out", result.held_out);
   for (const Correlated& pair : result.correlated) {
@@ -58,6 +65,7 @@ std::string ResultJson(const Result& result, std::span<const Samples> recordings
                       {"correlated", nlohmann::json::array()}};
   for (const Samples& samples : recordings) json["recordings"].push_back(samples.file);
   for (const Found& found : result.found) {
+    const double bar = found.told ? found.Bar(kSure) : 0;
     json["figures"].push_back(
         {{"name", found.name},
          {"unit", found.parameter.quantity->unit},
@@ -65,6 +73,9 @@ std::string ResultJson(const Result& result, std::span<const Samples> recordings
          {"told", found.told},
          {"value", found.value},
          {"standard_error", found.told ? nlohmann::json(found.error) : nullptr},
+         {"freedom", found.told ? nlohmann::json(found.freedom) : nullptr},
+         {"interval_95", found.told ? nlohmann::json{found.value - bar, found.value + bar}
+                                    : nlohmann::json(nullptr)},
          {"why", found.why}});
   }
   for (const Correlated& pair : result.correlated) {
@@ -92,8 +103,8 @@ std::string ResultYaml(const Result& result, const Basis& basis,
     values.push_back(found.value);
     moved_gains = moved_gains || found.parameter.quantity->motor != nullptr;
     moved_mass = moved_mass || found.parameter.quantity->name == "mass";
-    yaml +=
-        fmt::format("# {} {:.5g}, standard error {:.2g}\n", found.name, found.value, found.error);
+    yaml += fmt::format("# {} {:.5g}, standard error {:.2g}, with 95 % within {:.2g}\n", found.name,
+                        found.value, found.error, found.Bar(kSure));
   }
   const Figures figures = basis.With(kept, values);
   const robot::DynamicsSpec& dynamics = figures.spec.dynamics;

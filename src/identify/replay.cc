@@ -9,16 +9,15 @@
 #include "robot/motor.h"
 
 namespace understudy::identify {
-namespace {
-
-constexpr double kLongestPause = 0.05;  // s between states
-
-}  // namespace
 
 std::vector<Window> WindowsOf(const Samples& samples, double seconds, double timestep) {
   std::vector<Window> windows;
   const std::vector<double>& times = samples.times;
   for (std::size_t first = 0; first + 1 < times.size();) {
+    if (!IsAmongStates(samples, first)) {
+      ++first;
+      continue;
+    }
     std::size_t end = first + 1;
     bool whole = true;
     while (end < times.size() && times[end] - times[first] <= seconds) {

@@ -23,7 +23,8 @@ struct Window {
 
 // Cuts a recording into windows of `seconds`, one after the other, for steps of `timestep` [s].
 // Those with a pause of more than 50 ms between two states, or without a command at their start,
-// are left out.
+// are left out; none starts where the state is not known well, at the ends of the recording and
+// beside such a pause (IsAmongStates).
 std::vector<Window> WindowsOf(const Samples& samples, double seconds, double timestep);
 
 // The figures of a simulation.

@@ -8,7 +8,11 @@
 #include <limits>
 #include <map>
 #include <optional>
+<<<<<<< HEAD
 #include <system_error>
+=======
+#include <utility>
+>>>>>>> h14
 
 #include <Eigen/QR>
 
@@ -127,6 +131,15 @@ Column ColumnOf(const std::string& header, const robot::RobotSpec& spec) {
     if (WithoutJoint(spec.motors[i].joint) == joint) return column;
   }
   return {};
+}
+
+// The first and the last of the states that tell where the joints were at one and how fast.
+std::pair<std::size_t, std::size_t> Around(const std::vector<double>& times, std::size_t state) {
+  const double t = times[state];
+  std::size_t from = state, to = state;
+  while (from > 0 && (state - from < kLeastReach || t - times[from - 1] <= kReach)) --from;
+  while (to + 1 < times.size() && (to - state < kLeastReach || times[to + 1] - t <= kReach)) ++to;
+  return {from, to};
 }
 
 }  // namespace
@@ -284,12 +297,20 @@ robot::RobotCommand MeanCommand(const Samples& samples, double from, double to,
   return mean;
 }
 
+bool IsAmongStates(const Samples& samples, std::size_t state) {
+  const auto [from, to] = Around(samples.times, state);
+  // Those around it reach as far as they are to where there is one more beyond them.
+  if (from == 0 || to + 1 == samples.times.size()) return false;
+  for (std::size_t i = from; i <= to + 1; ++i) {
+    if (samples.times[i] - samples.times[i - 1] > kLongestPause) return false;
+  }
+  return true;
+}
+
 JointState StateAt(const Samples& samples, std::size_t state, double timestep) {
   const std::vector<double>& times = samples.times;
   const double t = times[state];
-  std::size_t from = state, to = state;
-  while (from > 0 && (state - from < kLeastReach || t - times[from - 1] <= kReach)) --from;
-  while (to + 1 < times.size() && (to - state < kLeastReach || times[to + 1] - t <= kReach)) ++to;
+  const auto [from, to] = Around(times, state);
   const Eigen::Index count = At(to - from + 1);
   Eigen::MatrixXd powers(count, 4);
   for (Eigen::Index i = 0; i < count; ++i) {

@@ -14,6 +14,8 @@
 
 namespace understudy::identify {
 
+inline constexpr double kLongestPause = 0.05;  // s between two states that belong together
+
 // The angles of joints, and the commands to the body's motors. Times are s of one clock, ascending.
 struct Samples {
   std::string file{};
@@ -50,6 +52,9 @@ robot::RobotCommand MeanCommand(const Samples& samples, double from, double to,
 struct JointState {
   std::vector<double> q, dq;
 };
+// Whether the states on either side of one reach far enough for that, without a pause of more than
+// 50 ms: the rate of a cubic at its end is many times as uncertain as in its middle.
+bool IsAmongStates(const Samples& samples, std::size_t state);
 JointState StateAt(const Samples& samples, std::size_t state, double timestep);
 
 }  // namespace understudy::identify

@@ -96,6 +96,22 @@ void PutFigures(const Damage& damage, Figure figure, BytesOut* out) {
   for (const robot::MotorDamage& motor : damage.sheet.motors) PutNumber(motor.*figure, out);
 }
 
+using robot::DamageLimit;
+using Text = std::string DamageLimit::*;
+
+void PutTexts(const std::vector<DamageLimit>& limits, Text text, BytesOut* out) {
+  PutCount(limits.size(), out);
+  for (const DamageLimit& one : limits) PutText(one.*text, out);
+}
+
+// As many as there are limits.
+void TakeTexts(BytesIn* in, Text text, Damage* damage) {
+  if (TakeNumber<std::uint32_t>(in) != damage->limits.size()) {
+    throw RecordError("expected a text of each figure");
+  }
+  for (DamageLimit& one : damage->limits) one.*text = TakeText(in);
+}
+
 void CheckCount(std::size_t count, const Damage& damage) {
   if (count != damage.sheet.motors.size()) throw RecordError("expected as many figures as joints");
 }
@@ -128,6 +144,12 @@ void EncodeDamage(const Damage& damage, BytesOut* out) {
         &MotorDamage::hardest_stop, &MotorDamage::largest_jump}) {
     PutFigures(damage, figure, out);
   }
+  PutNumbers(damage.jump_limit, out);
+  PutTexts(damage.limits, &DamageLimit::figure, out);
+  PutCount(damage.limits.size(), out);
+  for (const DamageLimit& one : damage.limits) PutNumber(one.limit, out);
+  PutTexts(damage.limits, &DamageLimit::unit, out);
+  PutTexts(damage.limits, &DamageLimit::source, out);
 }
 
 Damage DecodeDamage(ByteSpan bytes) {
@@ -155,6 +177,18 @@ Damage DecodeDamage(ByteSpan bytes) {
         &MotorDamage::hardest_stop, &MotorDamage::largest_jump}) {
     TakeFigures(&in, figure, &damage);
   }
+  damage.jump_limit = TakeNumbers(&in);
+  CheckCount(damage.jump_limit.size(), damage);
+  for (auto left = TakeNumber<std::uint32_t>(&in); left > 0; --left) {
+    damage.limits.push_back({.figure = TakeText(&in)});
+  }
+  const std::vector<double> limits = TakeNumbers(&in);
+  if (limits.size() != damage.limits.size()) {
+    throw RecordError("expected a limit of each figure");
+  }
+  for (std::size_t i = 0; i < limits.size(); ++i) damage.limits[i].limit = limits[i];
+  TakeTexts(&in, &DamageLimit::unit, &damage);
+  TakeTexts(&in, &DamageLimit::source, &damage);
   return damage;
 }
 

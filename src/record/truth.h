@@ -74,7 +74,12 @@ inline constexpr char kDamageText[] =
     "float64[] hottest_c\n"
     "float64[] tripped\n"
     "float64[] hardest_stop\n"
-    "float64[] largest_jump\n";
+    "float64[] largest_jump\n"
+    "float64[] jump_limit\n"
+    "string[] figures\n"
+    "float64[] limits\n"
+    "string[] units\n"
+    "string[] sources\n";
 
 // What the run would have done to the robot, from its start to `time`, with the limits by which it
 // is measured. Vectors are in motor order.
@@ -85,6 +90,8 @@ struct Damage {
   std::vector<std::string> joints{};   // never change, nor do the limits
   std::vector<double> torque_limit{};  // N·m
   std::vector<double> speed_limit{};   // rad/s; 0 = not known
+  std::vector<double> jump_limit{};    // rad; 0 = not known
+  std::vector<robot::DamageLimit> limits{};
 };
 
 // Encode to and decode from little-endian XCDR1 with the four bytes of the encoding. Encoding

@@ -48,7 +48,7 @@ section.passed { border-left-color: var(--good); } section.failed { border-left-
 section.none { border-left-color: var(--none); }
 section.claim h3 { margin: 0 0 4px; font-size: 16px; } .plots { display: flex; flex-wrap: wrap; gap: 8px; }
 figure { margin: 8px 0 0; } figcaption { color: var(--dim); font-size: 12px; }
-svg { max-width: 100%; height: auto; display: block; }
+svg, img { max-width: 100%; height: auto; display: block; }
 svg text { fill: var(--dim); font: 11px system-ui, "DejaVu Sans", sans-serif; }
 .ylabel { text-anchor: end; } .xlabel, .axis { text-anchor: middle; }
 .grid { stroke: var(--line); stroke-width: 1; } .window { fill: var(--signal); opacity: .07; }
@@ -208,6 +208,35 @@ std::string LadderTable(const Ladder& ladder) {
   return html;
 }
 
+// The bytes as base64 (RFC 4648), as a data URL has them.
+std::string Base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const auto byte = [&](std::size_t at) {
+      return at < bytes.size() ? static_cast<unsigned char>(bytes[at]) : 0U;
+    };
+    const unsigned all = byte(i) << 16U | byte(i + 1) << 8U | byte(i + 2);
+    text += kDigits[all >> 18U & 63U];
+    text += kDigits[all >> 12U & 63U];
+    text += i + 1 < bytes.size() ? kDigits[all >> 6U & 63U] : '=';
+    text += i + 2 < bytes.size() ? kDigits[all & 63U] : '=';
+  }
+  return text;
+}
+
+std::string PicturesHtml(const Pictures& pictures) {
+  std::string html = "<div class=\"plots\">";
+  for (const Pictures::Picture& picture : pictures.drawn) {
+    const std::string when = TimeText(picture.at);
+    html += "<figure><img alt=\"The robot at " + when + "\" src=\"data:image/png;base64," +
+            Base64(picture.png) + "\"><figcaption>" + when + "</figcaption></figure>";
+  }
+  html += "</div>\n";
+  if (pictures.why_not.empty()) return html;
+  return html + "<p class=\"dim\">No more pictures: " + Escaped(pictures.why_not) + ".</p>\n";
+}
+
 // The most that it would have done to the robot, and to each motor; a figure that is none is left
 // out.
 std::string DamageTable(const record::Damage& damage) {
@@ -234,10 +263,18 @@ std::string DamageTable(const record::Damage& damage) {
          {seconds(motor.at_torque_limit, damage.torque_limit[i], "N·m"),
           seconds(motor.at_speed_limit, damage.speed_limit[i], "rad/s"),
           number(motor.hottest_c, "°C"), number(motor.tripped, "s"),
-          number(motor.hardest_stop, "rad/s"), number(motor.largest_jump, "rad")}) {
+          number(motor.hardest_stop, "rad/s"),
+          number(motor.largest_jump, "rad") +
+              (damage.jump_limit[i] > 0 ? " of " + NumberText(damage.jump_limit[i]) : "")}) {
       html += "<td class=\"number\">" + cell + "</td>";
     }
     html += "</tr>\n";
+  }
+  html += "</table>\n<table><tr><th>Figure</th><th>Limit</th><th>Source</th></tr>\n";
+  for (const robot::DamageLimit& one : damage.limits) {
+    html += "<tr><td>" + Escaped(one.figure) + "</td><td class=\"number\">" +
+            (std::isfinite(one.limit) ? NumberText(one.limit) + " " : std::string()) +
+            Escaped(one.unit) + "</td><td>" + Escaped(one.source) + "</td></tr>\n";
   }
   return html + "</table>\n";
 }
@@ -305,6 +342,9 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
           (occasion.stopped.empty() ? "" : " · " + Escaped(occasion.stopped)) + "</p></header>\n";
   html += "<h2>Verdicts</h2>\n" + Summary(expectations, judged);
   if (occasion.ladder) html += "<h2>Stages</h2>\n" + LadderTable(*occasion.ladder);
+  if (!occasion.pictures.drawn.empty() || !occasion.pictures.why_not.empty()) {
+    html += "<h2>When it was decided</h2>\n" + PicturesHtml(occasion.pictures);
+  }
   html += "<h2>Evidence</h2>\n";
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     html += ClaimHtml(i, occasion, expectations, judged);

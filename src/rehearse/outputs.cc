@@ -55,7 +55,10 @@ ordered_json Told(const Ladder& ladder) {
     stages.push_back(
         {{"name", ladder.stages[i].name}, {"holds", ladder.Holds(i)}, {"limits", limits}});
   }
-  return {{"held", ladder.held}, {"says", LadderText(ladder)}, {"stages", stages}};
+  return {{"held", ladder.held},
+          {"says", LadderText(ladder)},
+          {"next_settings", ladder.next_settings},
+          {"stages", stages}};
 }
 
 // As GET /snapshot?parts=damage has it.
@@ -72,7 +75,13 @@ ordered_json Told(const record::Damage& damage) {
                       {"tripped", motor.tripped},
                       {"hottest", motor.hottest_c},
                       {"hardest_stop", motor.hardest_stop},
-                      {"largest_jump", motor.largest_jump}});
+                      {"largest_jump", motor.largest_jump},
+                      {"jump_limit", damage.jump_limit[i]}});
+  }
+  ordered_json limits = ordered_json::array();
+  for (const robot::DamageLimit& one : damage.limits) {
+    limits.push_back(
+        {{"figure", one.figure}, {"limit", one.limit}, {"unit", one.unit}, {"source", one.source}});
   }
   return {{"time", sheet.time},
           {"energy", sheet.energy},
@@ -81,7 +90,8 @@ ordered_json Told(const record::Damage& damage) {
           {"worst_tilt", sheet.worst_tilt},
           {"falls", sheet.falls},
           {"trip", damage.trip_c},
-          {"motors", motors}};
+          {"motors", motors},
+          {"limits", limits}};
 }
 
 }  // namespace
@@ -125,7 +135,7 @@ std::string TellLines(const Occasion& occasion, const Expectations& expectations
             one.name + "  " + Explain(one, ladder.rulings[i]) +
             (margin.empty() ? "" : "; margin " + margin) + "\n";
   }
-  return text + LadderText(ladder) + "\n";
+  return text + LadderText(ladder) + "\n" + ladder.next_settings;
 }
 
 std::string TellJson(const Occasion& occasion, const Expectations& expectations,

@@ -12,6 +12,16 @@
 
 namespace understudy::rehearse {
 
+// Pictures of the robot.
+struct Pictures {
+  struct Picture {
+    double at = 0;      // simulated s
+    std::string png{};  // the file
+  };
+  std::vector<Picture> drawn{};
+  std::string why_not{};  // there are no more; else ""
+};
+
 // What was rehearsed, as the outputs name it.
 struct Occasion {
   std::string title{};
@@ -25,6 +35,7 @@ struct Occasion {
   std::vector<std::string> script{};  // what its events ask for
   std::string stopped{};              // why it ended before its time; else ""
   std::optional<Ladder> ladder{};     // of a scenario with stages
+  Pictures pictures{};                // for the report
   double wall = 0;                    // s that it took; 0 if it was not run now
 };
 

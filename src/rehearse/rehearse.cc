@@ -18,6 +18,7 @@ using emulator::EventKind;
 constexpr std::chrono::milliseconds kGrace(500);  // from SIGTERM to SIGKILL
 constexpr double kAftermath = 0.5;                // s that are still played after a failure
 constexpr double kAfterProgram = 0.5;             // s, likewise after the program has ended
+constexpr double kPastLimit = 0.1;                // s, so that its end counts as too late
 
 // Decides in the loop's thread when the program starts and ends, and the rehearsal with it.
 class StageManager {
@@ -63,6 +64,8 @@ class StageManager {
       child_->Release();
       events->Add(EventKind::kProgramStart, 0, {}, ShellText(program.command));
       started_ = true;
+      ends_at_ = program.until;
+      if (!ends_at_ && program.limit) ends_at_ = t + *program.limit + kPastLimit;
     }
     if (!started_ || ended_) return;
     if (options_.output != nullptr) {
@@ -70,7 +73,7 @@ class StageManager {
         events->Add(EventKind::kProgramPrints, 0, {}, text);
       });
     }
-    if (program.until && t >= *program.until && !asked_) {
+    if (ends_at_ && t >= *ends_at_ && !asked_) {
       if (program.kill) {
         child_->Forward(SIGKILL);
       } else {
@@ -90,8 +93,9 @@ class StageManager {
   exec::ChildProcess* child_;
   double timestep_;
   bool started_ = false, asked_ = false;
-  std::optional<double> ended_;   // s: the program
-  std::optional<double> failed_;  // s: an expectation
+  std::optional<double> ends_at_;  // s: the program is ended
+  std::optional<double> ended_;    // s: the program
+  std::optional<double> failed_;   // s: an expectation
   std::string stopped_;
 };
 

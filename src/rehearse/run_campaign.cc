@@ -84,8 +84,9 @@ class Running {
     const UniqueFd log(::open((folder_ / kLogFile).c_str(),
                               O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
     if (!log.valid()) throw SetupError((folder_ / kLogFile).string() + ": cannot be written");
-    std::vector<std::string> words{options.program,        "rehearse", head.scenario,   "--run",
-                                   std::to_string(number), "--out",    folder_.string()};
+    std::vector<std::string> words{
+        options.program,        "rehearse", head.scenario,    "--run",
+        std::to_string(number), "--out",    folder_.string(), "--no-pictures"};
     words.insert(words.end(), head.options.begin(), head.options.end());
     if (!head.command.empty()) {
       words.emplace_back("--");

@@ -1,6 +1,8 @@
 #include "rehearse/scenario.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <system_error>
 #include <utility>
 
@@ -19,6 +21,7 @@ using Kind = YamlValue::Kind;
 // Letters; *assumed*.
 constexpr std::size_t kMostTitle = 80;
 constexpr std::size_t kMostText = 400;
+constexpr double kLongestProgram = 600;  // s of a program that nothing else ends; *assumed*
 
 struct ScenarioKey {
   std::string_view key, takes, says;
@@ -27,6 +30,9 @@ constexpr ScenarioKey kScenarioKeys[] = {
     {"scenario", "a text", "Its title; needed"},
     {"about", "a sentence", "What it shows"},
     {"robot", "a robot's name or YAML file", "Needed"},
+    {"revision", "a revision's name",
+     "Of the robot's hardware, as `understudy robots` lists them; the robot's default unless "
+     "given"},
     {"start", "lying, standing, hanging, clamped", "Start pose; the robot's default unless given"},
     {"seed", "a whole number", "Of randomization: randomization.seed"},
     {"profile", "ideal, nominal, worn, harsh",
@@ -49,6 +55,9 @@ constexpr ScenarioKey kProgramKeys[] = {
     {"at", "seconds", "When it starts; 0 unless given"},
     {"until", "seconds", "When it is ended; it ends by itself unless given"},
     {"by", "term or kill", "How: SIGTERM, and SIGKILL 0.5 s later, unless given; or SIGKILL"},
+    {"limit", "seconds",
+     "From its start, in which it has to end by itself: an expectation like the others; 600 unless "
+     "given, and none beside `until` or `duration`"},
 };
 
 template <std::size_t kCount>
@@ -111,11 +120,43 @@ Program ReadProgram(const YamlValue& value) {
       throw ConfigError(until->where + ": program.until: it would end before it starts");
     }
   }
+  if (const YamlValue* limit = value.Find("limit")) {
+    program.limit = SecondsOf(*limit, "program.limit");
+  }
   if (const YamlValue* by = value.Find("by")) {
     if (by->text != "term" && by->text != "kill") Refuse(*by, "program.by", "term or kill");
     program.kill = by->text == "kill";
   }
   return program;
+}
+
+// In which the program has to end by itself; nullopt where something else ends the rehearsal.
+std::optional<double> LimitOf(const Program& program, const config::Config& config) {
+  if (program.limit || program.until || config.time.duration > 0) return program.limit;
+  return kLongestProgram;
+}
+
+// What is expected: what the file says, and that the program ends in its time.
+Expectations ExpectationsOf(const YamlValue& document, const Names& names,
+                            const std::optional<double>& limit) {
+  YamlValue list = Needed(document, "expect");
+  if (limit && list.kind == Kind::kSequence && !list.items.empty()) {
+    const YamlValue* program = document.Find("program");
+    const std::string where = program == nullptr ? document.where : program->where;
+    std::array<char, 32> seconds{};
+    std::snprintf(seconds.data(), seconds.size(), "%.9g", *limit);
+    YamlValue ends = config::MapOf("eventually", ScalarOf("program_end happens", where));
+    const auto add = [&](const char* key, const std::string& text) {
+      ends.keys.push_back(ScalarOf(key, where));
+      ends.items.push_back(ScalarOf(text, where));
+    };
+    add("from", "program_start happens");
+    add("within", seconds.data());
+    add("name", "the program ends within " + std::string(seconds.data()) + " s");
+    ends.where = where;
+    list.items.push_back(std::move(ends));
+  }
+  return ReadExpectations(list, names);
 }
 
 // The configuration that a scenario describes; `run` as Scenario has it.
@@ -139,6 +180,7 @@ config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& 
     const YamlValue* value = document.Find(key);
     if (value != nullptr) layers.trees.push_back(TreeOf(outer, inner, *value));
   };
+  add("revision", "robot", "revision");
   add("start", "start", "pose");
   add("profile", "profile", "");
   add("faults", "faults", "");
@@ -240,7 +282,9 @@ Scenario LoadScenario(const std::filesystem::path& file, const ScenarioOptions& 
   }
   Names names = signals::RecordedNames(scenario.config.robot, WrongField);
   names.program = scenario.program.has_value();
-  scenario.expect = ReadExpectations(Needed(document, "expect"), names);
+  if (scenario.program) scenario.program->limit = LimitOf(*scenario.program, scenario.config);
+  scenario.expect =
+      ExpectationsOf(document, names, scenario.program ? scenario.program->limit : std::nullopt);
   if (const YamlValue* stages = document.Find("stages")) scenario.stages = ReadStages(*stages);
   scenario.plan = std::move(chosen.plan);
   scenario.run = chosen.run;
@@ -278,22 +322,32 @@ void CheckRuns(const std::filesystem::path& file, const Plan& plan,
   }
 }
 
-Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
-                              const std::string& revision, std::size_t run) {
+Standard LoadStandard(const std::filesystem::path& file, const std::string& robot,
+                      const std::string& revision, std::size_t run) {
   const Chosen chosen = Choose(ReadDocument(file), {.run = run}, false);
-  const YamlValue& expect = Needed(chosen.document, "expect");
-  if (chosen.document.Find("robot") != nullptr) {
-    return ReadExpectations(expect,
-                            signals::RecordedNames(ConfigOf(chosen, file, true).robot, WrongField));
+  const YamlValue& document = chosen.document;
+  Standard standard;
+  std::optional<double> limit;
+  if (document.Find("robot") != nullptr) {
+    standard.config = ConfigOf(chosen, file, true);
+    // A scenario without a duration was played with a program, whoever named it.
+    const YamlValue* program = document.Find("program");
+    if (program != nullptr || document.Find("scenario") != nullptr) {
+      limit = LimitOf(program == nullptr ? Program{} : ReadProgram(*program), standard.config);
+    }
+  } else {
+    if (robot.empty()) {
+      throw ConfigError(document.where +
+                        ": robot: missing, and the recording does not say which it is of");
+    }
+    config::Layers layers{.robot = robot};
+    if (!revision.empty()) layers.sets.push_back("robot.revision=" + revision);
+    standard.config = config::LoadConfig(layers, config::DataDir());
   }
-  if (robot.empty()) {
-    throw ConfigError(chosen.document.where +
-                      ": robot: missing, and the recording does not say which it is of");
-  }
-  config::Layers layers{.robot = robot};
-  if (!revision.empty()) layers.sets.push_back("robot.revision=" + revision);
-  const config::Config config = config::LoadConfig(layers, config::DataDir());
-  return ReadExpectations(expect, signals::RecordedNames(config.robot, WrongField));
+  standard.expect =
+      ExpectationsOf(document, signals::RecordedNames(standard.config.robot, WrongField), limit);
+  if (const YamlValue* stages = document.Find("stages")) standard.stages = ReadStages(*stages);
+  return standard;
 }
 
 std::string ScenarioReference() {

@@ -22,6 +22,7 @@ struct Program {
   double at = 0;                       // simulated s of its start
   std::optional<double> until{};       // simulated s at which it is ended
   bool kill = false;                   // by SIGKILL; else by SIGTERM, and SIGKILL 0.5 s after that
+  std::optional<double> limit{};  // simulated s from its start in which it has to end by itself
 };
 
 struct Scenario {
@@ -70,11 +71,18 @@ Plan PlanOf(const std::string& text, const std::string& name);
 // it starts. Throws ConfigError with the number of the run.
 void CheckRuns(const std::filesystem::path& file, const Plan& plan, const ScenarioOptions& options);
 
+// What a recording is judged by.
+struct Standard {
+  Expectations expect{};
+  std::vector<StageSpec> stages{};  // may be empty
+  config::Config config{};          // of the robot
+};
+
 // Reads only what is expected, of a scenario or of a file with nothing else; of one with `vary` by
 // run `run`, 0 for the first. If it names no robot, `robot` with its revision is meant, "" if that
 // is not known either. Throws ConfigError.
-Expectations LoadExpectations(const std::filesystem::path& file, const std::string& robot,
-                              const std::string& revision, std::size_t run = 0);
+Standard LoadStandard(const std::filesystem::path& file, const std::string& robot,
+                      const std::string& revision, std::size_t run = 0);
 
 // Returns the keys of a scenario as Markdown.
 std::string ScenarioReference();

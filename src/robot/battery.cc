@@ -66,6 +66,11 @@ void Battery::Step(double power, double dt, const BatteryEffects& fault) {
   if (cut_off_ == CutOff::kNone) Protect(dt);
 }
 
+void Battery::SwitchOff() {
+  reading_.voltage = OpenVoltage();
+  reading_.current = 0;
+}
+
 void Battery::Restart() {
   if (cut_off_ == CutOff::kNone || reading_.soc <= 0) return;
   cut_off_ = CutOff::kNone;
@@ -128,7 +133,6 @@ void Battery::Protect(double dt) {
   if (cut_off_ == CutOff::kNone) return;
   reading_.on = false;
   Load(0);
-  bus_v_ = 0;
 }
 
 }  // namespace understudy::robot

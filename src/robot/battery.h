@@ -22,8 +22,7 @@ enum class CutOff : std::uint8_t { kNone, kOvercurrent, kUndervoltage, kEmpty };
 // (*assumed*). It gives no more than most_a and no more power than at half of its voltage, which
 // limits the motors (supply). Means over cutoff_time of too much current, or of too little voltage
 // at the weakest cell, cut it off, as a charge of 0 does at once; then there is no torque until
-// Restart. On a real robot everything else would be dark, too; here its computers go on
-// (docs/fidelity.md).
+// Restart, and all that lives on it is dark.
 class Battery {
  public:
   // `ambient_c` is the temperature of the air, °C. By the seed cells differ from each other.
@@ -33,6 +32,8 @@ class Battery {
   // temperature over dt [s].
   void Step(double power, double dt, const BatteryEffects& fault = {});
 
+  // The robot's switch takes the load off until the next Step.
+  void SwitchOff();
   // Switches a pack on that has cut off, as its button does, unless it is empty.
   void Restart();
 

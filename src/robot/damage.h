@@ -3,6 +3,7 @@
 
 #include <array>
 #include <span>
+#include <string>
 #include <vector>
 
 #include <Eigen/Core>
@@ -12,7 +13,7 @@
 
 namespace understudy::robot {
 
-// Of a motor and its joint. Limits are those of MotorSpec, ThermalSpec and the model's joint range.
+// Of a motor and its joint. What the figures are held against: MotorLimits, DamageLimit.
 struct MotorDamage {
   double at_torque_limit = 0;  // s with 98 % of torque_limit or more
   double at_speed_limit = 0;   // s at no_load_speed or faster
@@ -32,6 +33,25 @@ struct Damage {
   double worst_tilt = 0;    // rad between the base's up and the world's
   int falls = 0;            // how often it has tilted by more than 1 rad
 };
+
+// What the figures of a motor are held against.
+struct MotorLimits {
+  double torque = 0;  // N·m
+  double speed = 0;   // rad/s; 0 = not known
+  double jump = 0;    // rad; 0 = not known
+};
+// Returns those of all motors, in motor order.
+std::vector<MotorLimits> MotorLimitsOf(const RobotSpec& spec);
+
+// What a figure of the sheet is held against, and where that comes from.
+struct DamageLimit {
+  std::string figure{};  // as JSON and recordings call it
+  double limit = 0;      // NaN: each motor's own, or none is known
+  std::string unit{};
+  std::string source{};  // its grade, then the key that has it or who says so
+};
+// Returns those of all figures, in the order of JSON.
+std::vector<DamageLimit> DamageLimitsOf(const RobotSpec& spec);
 
 // One instant of a robot, in motor order.
 struct Wear {
@@ -65,14 +85,8 @@ class DamageSheet {
 
   void StepMotor(std::size_t i, const Wear& wear, double dt);
 
-  // Of a motor: those of MotorSpec, side by side, since every step reads all of them.
-  struct Limits {
-    double torque;  // N·m
-    double speed;   // rad/s, 0: none
-  };
-
   const ThermalSpec& thermal_;
-  std::vector<Limits> limits_;
+  std::vector<MotorLimits> limits_;
   std::vector<std::array<double, 2>> ranges_;
   std::vector<Before> before_;
   bool down_ = false;

@@ -46,10 +46,12 @@ record::Damage SheetOf(const emulator::World& world) {
   const emulator::Snapshot snapshot = world.MakeSnapshot();
   record::Damage damage{
       .sheet = snapshot.damage, .trip_c = snapshot.trip_c, .joints = snapshot.motor_names};
-  for (const emulator::SnapshotLimits& limits : snapshot.limits) {
+  for (const robot::MotorLimits& limits : snapshot.limits) {
     damage.torque_limit.push_back(limits.torque);
     damage.speed_limit.push_back(limits.speed);
+    damage.jump_limit.push_back(limits.jump);
   }
+  damage.limits = snapshot.damage_limits;
   return damage;
 }
 

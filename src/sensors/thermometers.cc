@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sensors/chance.h"
+
 namespace understudy::sensors {
 
 Thermometers::Thermometers(const SensorConfig& config, const std::vector<std::string>& names,

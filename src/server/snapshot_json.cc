@@ -179,7 +179,8 @@ class Writer {
   void Put(const robot::Damage& damage) {
     PutObject("time", Exact{damage.time}, "energy", damage.energy, "peak_current",
               damage.peak_current, "shock", damage.shock, "worst_tilt", damage.worst_tilt, "falls",
-              damage.falls, "trip", snapshot_.trip_c, "motors", damage.motors);
+              damage.falls, "trip", snapshot_.trip_c, "motors", damage.motors, "limits",
+              snapshot_.damage_limits);
   }
   void Put(const robot::MotorDamage& motor) {
     const auto i = static_cast<std::size_t>(&motor - snapshot_.damage.motors.data());
@@ -187,7 +188,11 @@ class Writer {
               "torque_limit", snapshot_.limits[i].torque, "at_speed_limit", motor.at_speed_limit,
               "speed_limit", snapshot_.limits[i].speed, "tripped", motor.tripped, "hottest",
               motor.hottest_c, "hardest_stop", motor.hardest_stop, "largest_jump",
-              motor.largest_jump);
+              motor.largest_jump, "jump_limit", snapshot_.limits[i].jump);
+  }
+  void Put(const robot::DamageLimit& limit) {
+    PutObject("figure", limit.figure, "limit", limit.limit, "unit", limit.unit, "source",
+              limit.source);
   }
 
   template <class Value>

@@ -89,6 +89,12 @@ TEST(CommandTransportTest, DrawsTheTimeOfEachCommandOfABusFromItsRangeAndKeepsTh
   EXPECT_GE(ages.size(), 3U);
 }
 
+TEST(CommandTransportTest, DrawsForEachBusByItself) {
+  robot::RobotSpec spec = Spec(0, {0.001, 0.009});
+  spec.buses.push_back({.name = "other", .slots = {1}, .delay = {0.001, 0.009}});
+  EXPECT_NE(Sender(spec).Send(200, 0), Sender(spec).Send(200, 1));
+}
+
 TEST(CommandTransportTest, DelaysOnlyTheMotorsOfTheBus) {
   Sender sender(Spec(0, {0.003, 0.003}));
   sender.Send(10);

@@ -168,7 +168,9 @@ std::vector<Row> Values() {
       not_finite("`kd` is not a number", First([](Slot* m) { m->kd = kNan; })),
       not_finite("`q` is infinite", First([](Slot* m) { m->q = kInfinity; })),
       not_finite("`tau` is minus infinite", First([](Slot* m) { m->tau = -kInfinity; })),
+      not_finite("`dq` is infinite", First([](Slot* m) { m->dq = kInfinity; })),
       not_finite("`kp` is infinite", First([](Slot* m) { m->kp = kInfinity; })),
+      not_finite("`kd` is infinite", First([](Slot* m) { m->kd = kInfinity; })),
       not_finite("one value of the last motor alone is not a number",
                  Last([](Slot* m) { m->dq = kNan; })),
       not_finite("a motor that is off (`mode` 0) has a `q` that is not a number",
@@ -523,7 +525,8 @@ std::string Reference() {
       "no motor gives more than its limit, the physics goes well, and `rt/lowstate` goes on with "
       "finite values. The word is that of `understudy ctl status` under which it is counted "
       "(`unmatched` by the "
-      "daemon, which looks for such writers, and in its own test, `tests/system/test_log.py`). "
+      "daemon, which looks for such writers, and in its own test, `tests/system/test_log.py`; "
+      "`tests/system/test_stopped_program.py` stops and kills programs as processes). "
       "Grades and sources are those of [fidelity.md](fidelity.md).\n\n"
       "Where no robot is named it is all of them; go and hg are the families of messages. Times "
       "are simulated.\n";

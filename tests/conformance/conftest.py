@@ -17,7 +17,7 @@ import sys
 import pytest
 
 PROGRAMS = pathlib.Path(__file__).parent / "programs"
-PATIENCE = 60.0  # s; no program runs longer than 30 s
+PATIENCE = 60.0  # s; few programs run longer than 30 s, and say so
 
 # Runs a command, then leaves the robot's status in the file named first; keeps the exit code.
 THEN_STATUS = 'file=$1; shift; "$@"; code=$?; "$UNDERSTUDY" ctl status --json > "$file"; exit $code'
@@ -57,8 +57,8 @@ def command_of(program):
 
 @pytest.fixture(scope="session")
 def rehearse(tmp_path_factory):
-    """rehearse(robot, program, *arguments, options=()): starts that robot, runs the program on it:
-    the name of one in programs/, or the path of one that is no Python.
+    """rehearse(robot, program, *arguments, options=(), patience=PATIENCE): starts that robot, runs the
+    program on it: the name of one in programs/, or the path of one that is no Python.
 
     The same rehearsal is run once per session: tests that ask for it again get the same Run.
     """
@@ -66,14 +66,14 @@ def rehearse(tmp_path_factory):
     tmp_path_factory.getbasetemp()  # its first caller makes it; callers may be threads
 
     @functools.cache
-    def run(robot, program, *arguments, options=()):
+    def run(robot, program, *arguments, options=(), patience=PATIENCE):
         status = tmp_path_factory.mktemp("status") / "status.json"
         command = [
             os.environ["UNDERSTUDY"], "exec", robot, *options, "--",
             "sh", "-c", THEN_STATUS, "then-status", str(status),
             *command_of(program), *arguments,
         ]  # fmt: skip
-        done = subprocess.run(command, capture_output=True, text=True, timeout=PATIENCE)
+        done = subprocess.run(command, capture_output=True, text=True, timeout=patience)
         said = f"{done.stdout}\n{done.stderr}"
         assert status.exists() and status.stat().st_size, f"no status from the robot\n{said}"
         told = json.loads(status.read_text())

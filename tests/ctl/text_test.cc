@@ -9,6 +9,7 @@ namespace understudy::ctl {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::string TextOf(const emulator::Status& status) {
   return StatusText(server::StatusJson({.robot = "g1", .version = "1.2.3", .pid = 42}, status));
@@ -86,6 +87,16 @@ TEST(CtlTextTest, NamesTheMotionServiceAndItsState) {
   status.motion.id = 1004;
   status.motion.name = "lying";
   EXPECT_THAT(TextOf(status), HasSubstr("motion service     mcf, lying (1004)\n"));
+}
+
+TEST(CtlTextTest, SaysFromWhichDangersTheMotionServiceProtectsTheRobot) {
+  emulator::Status status;
+  status.motion_service = {'m', 'c', 'f'};
+  EXPECT_THAT(TextOf(status), Not(HasSubstr("protects")));
+  for (const robot::Danger danger : {robot::Danger::kHeat, robot::Danger::kCharge}) {
+    status.motion.dangers[static_cast<std::size_t>(danger)].does = robot::Protection::kStop;
+  }
+  EXPECT_THAT(TextOf(status), HasSubstr("protects from      heat, charge\n"));
 }
 
 TEST(CtlTextTest, SaysWhomTheMotorsFollow) {

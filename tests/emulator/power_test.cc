@@ -122,6 +122,21 @@ TEST_F(PowerTest, SwitchedOffItIsDarkAndLimpAndDeaf) {
   EXPECT_EQ(Told(EventKind::kPower), std::vector<std::string>{"power: off"});
 }
 
+TEST_F(PowerTest, SwitchedOffItTakesNothingFromItsPack) {
+  config_.robot.battery.idle_a = 2;
+  Start();
+  Tick(10);
+  EXPECT_GT(robot().damage().energy, 0);
+  Ask("power", {{"on", false}});
+  Tick();
+  const double before = robot().damage().energy;
+  Tick(100);
+  EXPECT_EQ(robot().damage().energy, before);
+  Ask("power", {{"on", true}});
+  Tick(10);
+  EXPECT_GT(robot().damage().energy, before);
+}
+
 TEST_F(PowerTest, SwitchedOnItComesUpStepByStep) {
   config_.robot.boot = {.states = 0.1, .services = 0.2, .motion = 0.3};
   Start();

@@ -33,20 +33,20 @@ const Found& Of(const Result& result, const std::string& name) {
 
 class RecoveryTest : public test::MujocoTest, public testing::WithParamInterface<int> {};
 
-TEST_P(RecoveryTest, FindsWhatWasDrawnAsNearAsItsStandardErrorsSay) {
+TEST_P(RecoveryTest, FindsWhatWasDrawnWithinItsErrorBars) {
   const Drawn drawn = Draw("go2", GetParam(), kShortExcitation);
   const Result result = IdentifiedBy(drawn, {}, true);
   ASSERT_EQ(result.found.size(), 37u);
-  int far = 0;
+  int outside = 0;
   for (const Found& found : result.found) {
     ASSERT_TRUE(found.told) << found.name << ": " << found.why;
-    const double errors = std::abs(found.value - drawn.truth.at(found.name)) / found.error;
-    if (errors > 3) ++far;
-    EXPECT_LT(errors, 6) << found.name << ", standard error " << found.error;
+    const double error = std::abs(found.value - drawn.truth.at(found.name));
+    outside += error > found.Bar(0.95) ? 1 : 0;
+    // Chance puts one figure of 10 000 outside this.
+    EXPECT_LT(error, found.Bar(0.9999)) << found.name << ", standard error " << found.error;
   }
-  // Chance alone puts one in 370 further off than three. Seed 9 has one 5.3 off, which is not
-  // chance: an error of dry friction can be told too small (docs/identify.md).
-  EXPECT_LE(far, 1);
+  // Chance puts two of 37 outside their bars; those of a limb hang together, so at times many are.
+  EXPECT_LE(outside, 9);
   EXPECT_LT(result.held_out.after, 0.2 * result.held_out.before);
 }
 

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "base/errors.h"
+#include "identify/replay.h"
 
 namespace understudy::identify {
 namespace {
@@ -85,6 +86,31 @@ TEST(StateAtTest, TakesTheRateOfHalfAStepBeforeFromAngles) {
     EXPECT_NEAR(state.q[0], angle(samples.times[i]), 1e-5);
     EXPECT_NEAR(state.dq[0], 6 * std::cos(20 * (samples.times[i] - 0.0005)), 0.01);
   }
+}
+
+TEST(IsAmongStatesTest, IsFalseAtTheEndsAndBesideAPause) {
+  Samples samples;
+  for (int i = 0; i < 50; ++i) samples.times.push_back(0.0021 * i + (i >= 25 ? 1 : 0));
+  std::vector<std::size_t> among;
+  for (std::size_t i = 0; i < samples.times.size(); ++i) {
+    if (IsAmongStates(samples, i)) among.push_back(i);
+  }
+  std::vector<std::size_t> expected;
+  for (std::size_t i = 5; i <= 19; ++i) expected.push_back(i);
+  for (std::size_t i = 30; i <= 44; ++i) expected.push_back(i);
+  EXPECT_EQ(among, expected);
+}
+
+TEST(WindowsOfTest, StartWhereTheRateIsKnownFromBothSides) {
+  Samples samples;
+  for (int i = 0; i < 100; ++i) samples.times.push_back(0.0021 * i);
+  samples.q = Eigen::MatrixXd::Zero(1, 100);
+  samples.command_times = {0};
+  samples.commands = {{.motors = {{}}}};
+  const std::vector<Window> windows = WindowsOf(samples, 0.05, 0.001);
+  ASSERT_EQ(windows.size(), 4U);
+  EXPECT_EQ(windows[0].first, 5U);
+  EXPECT_EQ(windows[1].first, 28U);
 }
 
 }  // namespace

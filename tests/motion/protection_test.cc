@@ -166,7 +166,7 @@ TEST_F(ProtectionTest, EachDangerBeyondItsLimitForItsTimeDoesOnceWhatItsRuleSays
       Endanger(danger, false);
       Step(0.45);
       EXPECT_EQ(does(danger), what) << "for a moment may be chance";
-      Step(0.2);
+      Step(0.08);
       EXPECT_EQ(does(danger), Protection::kNothing);
       EXPECT_EQ(bare_->asked.size(), 1U);
     }
@@ -211,14 +211,71 @@ TEST_F(ProtectionTest, WhileAMotorIsHotOrSilentOnlyWhatRestsItIsTaken) {
           MotionGoal(goal::SetFsm{500})}) {
       EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kNotNow);
     }
-    for (const MotionGoal& goal : {MotionGoal(goal::Damp{}), MotionGoal(goal::StandDown{}),
-                                   MotionGoal(goal::StopMove{}), MotionGoal(goal::ZeroTorque{}),
-                                   MotionGoal(goal::SpeedLevel{1}), MotionGoal(goal::SetFsm{1})}) {
+    for (const MotionGoal& goal :
+         {MotionGoal(goal::Damp{}), MotionGoal(goal::StandDown{}), MotionGoal(goal::StopMove{}),
+          MotionGoal(goal::ZeroTorque{}), MotionGoal(goal::SpeedLevel{1}),
+          MotionGoal(goal::SetFsm{1}), MotionGoal(goal::SetFsm{0})}) {
       EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kTaken);
     }
     Endanger(danger, false);
     Step(1);
     EXPECT_EQ(motion_->Ask(goal::StandUp{}), MotionVerdict::kTaken);
+  }
+}
+
+TEST_F(ProtectionTest, WhileTheChargeIsLowOnlyWhatSparesItIsTaken) {
+  input_.soc = rule(Danger::kCharge).limit;  // not below it
+  Step(2);
+  EXPECT_EQ(does(Danger::kCharge), Protection::kNothing);
+  Endanger(Danger::kCharge);
+  Step(2);
+  for (const MotionGoal& goal :
+       {MotionGoal(goal::StandUp{}), MotionGoal(goal::StandDown{}), MotionGoal(goal::ZeroTorque{}),
+        MotionGoal(goal::Move{1, 0, 0, 1}), MotionGoal(goal::SetFsm{1})}) {
+    EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kNotNow);
+  }
+  for (const MotionGoal& goal :
+       {MotionGoal(goal::Damp{}), MotionGoal(goal::StopMove{}), MotionGoal(goal::RecoveryStand{}),
+        MotionGoal(goal::SpeedLevel{1}), MotionGoal(goal::LastingMoves{})}) {
+    EXPECT_EQ(motion_->Ask(goal), MotionVerdict::kTaken);
+  }
+}
+
+TEST_F(ProtectionTest, AJointIsBeyondItsRangeAtEitherEnd) {
+  const std::array<double, 2> range = world_.robot().ranges()[2];
+  for (const double q : {range[0] - 0.2, range[1] + 0.2}) {
+    Make();
+    readings_[2].q = q;
+    Step(1);
+    EXPECT_EQ(does(Danger::kJointEnd), Protection::kWarn) << q;
+    const robot::DangerReading told =
+        motion_->state().dangers[static_cast<std::size_t>(Danger::kJointEnd)];
+    EXPECT_EQ(told.motor, 2);
+    EXPECT_NEAR(told.value, 0.2, 1e-9);
+  }
+}
+
+TEST_F(ProtectionTest, AMotorIsFaultyThatDoesNotAnswerOrWhoseEncoderErrs) {
+  for (bool robot::MotorReading::*fault :
+       {&robot::MotorReading::silent, &robot::MotorReading::encoder_error}) {
+    Make();
+    readings_[3].*fault = true;
+    Step(1);
+    EXPECT_EQ(does(Danger::kMotor), Protection::kDamp);
+  }
+}
+
+TEST_F(ProtectionTest, ARemoteLedByAnyOfItsSticksMayNotGo) {
+  for (double robot::RemoteReading::*stick :
+       {&robot::RemoteReading::lx, &robot::RemoteReading::ly, &robot::RemoteReading::rx,
+        &robot::RemoteReading::ry}) {
+    Make();
+    input_.remote = {.there = true};
+    input_.remote.*stick = -0.5;
+    Step(1);
+    input_.remote = {};
+    Step(1);
+    EXPECT_EQ(does(Danger::kRemote), Protection::kStop);
   }
 }
 
@@ -245,6 +302,15 @@ TEST_F(ProtectionTest, AStartOfTheServiceForgetsWhatWas) {
   Step(2);
   motion_->Start(input_);
   EXPECT_EQ(does(Danger::kHeat), Protection::kNothing);
+  Step(0.9);  // of the second that it takes
+  EXPECT_EQ(does(Danger::kHeat), Protection::kNothing);
+  Endanger(Danger::kHeat, false);
+  input_.remote = {.there = true, .ly = 1};
+  Step(1);
+  motion_->Start(input_);
+  input_.remote = {};
+  Step(1);
+  EXPECT_EQ(does(Danger::kRemote), Protection::kNothing);
 }
 
 TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {

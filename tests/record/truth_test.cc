@@ -57,7 +57,9 @@ Damage SomeDamage() {
           .trip_c = 9,
           .joints = {"hip", "knee"},
           .torque_limit = {10, 11},
-          .speed_limit = {12, 13}};
+          .speed_limit = {12, 13},
+          .jump_limit = {14, 15},
+          .limits = {{"shock", 16, "m/s²", "assumed: so"}, {"falls", 17, "", "vendor: so"}}};
 }
 
 TEST(DamageTest, IsReadAsItWasWritten) {
@@ -76,6 +78,12 @@ TEST(DamageTest, IsReadAsItWasWritten) {
   EXPECT_THAT(damage.joints, ElementsAre("hip", "knee"));
   EXPECT_THAT(damage.torque_limit, ElementsAre(10, 11));
   EXPECT_THAT(damage.speed_limit, ElementsAre(12, 13));
+  EXPECT_THAT(damage.jump_limit, ElementsAre(14, 15));
+  ASSERT_EQ(damage.limits.size(), 2U);
+  EXPECT_EQ(damage.limits[0].figure, "shock");
+  EXPECT_EQ(damage.limits[0].unit, "m/s²");
+  EXPECT_EQ(damage.limits[1].limit, 17);
+  EXPECT_EQ(damage.limits[1].source, "vendor: so");
 }
 
 TEST(DamageTest, RefusesEveryPartOfIt) {

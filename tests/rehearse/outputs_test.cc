@@ -67,15 +67,20 @@ TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
   judged_.damage = {.sheet = {.motors = {{.at_torque_limit = 0.25}}, .falls = 2},
                     .joints = {"<hip>"},
                     .torque_limit = {23.7},
-                    .speed_limit = {30}};
+                    .speed_limit = {30},
+                    .jump_limit = {0.4},
+                    .limits = {{"shock", 39, "m/s²", "assumed: <so>"}}};
   const auto damage = nlohmann::json::parse(TellJson(occasion_, expect_, judged_))["damage"];
   EXPECT_EQ(damage["falls"], 2);
   EXPECT_EQ(damage["motors"][0]["joint"], "<hip>");
   EXPECT_EQ(damage["motors"][0]["torque_limit"], 23.7);
+  EXPECT_EQ(damage["motors"][0]["jump_limit"], 0.4);
+  EXPECT_EQ(damage["limits"][0]["source"], "assumed: <so>");
   const std::string html = TellHtml(occasion_, expect_, judged_);
   EXPECT_THAT(html, HasSubstr("2 falls"));
   EXPECT_THAT(html, HasSubstr("<code>&lt;hip&gt;</code>"));
   EXPECT_THAT(html, HasSubstr("<b>0.25 s</b> at 23.7 N·m"));
+  EXPECT_THAT(html, HasSubstr("39 m/s²</td><td>assumed: &lt;so&gt;</td>"));
 }
 
 TEST_F(OutputsTest, JunitHasAFailureForWhatFailedAndASkipForWhatIsNotJudged) {
@@ -94,6 +99,18 @@ TEST_F(OutputsTest, ThePageNeedsNothingElseAndQuotesAllTexts) {
   for (const char* outside : {"http:", "https:", "<script", "<link", "<img", "url("}) {
     EXPECT_THAT(html, Not(HasSubstr(outside)));
   }
+}
+
+TEST_F(OutputsTest, ThePageHasThePicturesInItself) {
+  Occasion occasion = occasion_;
+  occasion.pictures = {.drawn = {{.at = 1.5, .png = "Man"}, {2, "Ma"}, {3, "M\xff"}},
+                       .why_not = "one > is missing"};
+  const std::string html = TellHtml(occasion, expect_, judged_);
+  EXPECT_THAT(html, HasSubstr("<img alt=\"The robot at 1.500 s\" "
+                              "src=\"data:image/png;base64,TWFu\">"));
+  EXPECT_THAT(html, HasSubstr("base64,TWE=\""));
+  EXPECT_THAT(html, HasSubstr("base64,Tf8=\""));
+  EXPECT_THAT(html, HasSubstr("No more pictures: one &gt; is missing."));
 }
 
 TEST(SvgPlotTest, DrawsTheLimitTheWindowAndTheInstant) {

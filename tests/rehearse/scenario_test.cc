@@ -44,6 +44,14 @@ TEST_F(ScenarioTest, SetsWhatARunDoes) {
   EXPECT_EQ(scenario.script.events.size(), 1U);
 }
 
+TEST_F(ScenarioTest, ChoosesARevisionOfTheRobot) {
+  const std::string text =
+      "scenario: S\nrobot: g1\nrevision: 6\nduration: 1\nexpect: [{always: base.height > 0}]\n";
+  EXPECT_EQ(Load(text).config.robot.revision, "6");
+  EXPECT_THAT(ErrorIn("revision: 99\n" + std::string(kSmall)),
+              HasSubstr("s.yaml:1: robot.revision"));
+}
+
 TEST_F(ScenarioTest, GoesAtTheSpeedOfAClockWithAProgram) {
   EXPECT_EQ(Load(std::string(kSmall) + "program: {command: ['true']}\n").config.time.speed, 1);
   EXPECT_EQ(Load(kSmall, {.command = {"true"}}).config.time.speed, 1);
@@ -87,10 +95,39 @@ TEST_F(ScenarioTest, SaysWhereAndWhatIsWrongWithTheNearestWord) {
 
 TEST_F(ScenarioTest, ItsExpectationsAloneNeedARobotFromSomewhere) {
   const auto file = folder_.Write("e.yaml", "expect: [{always: torque(FR_calf) < 50}]\n");
-  EXPECT_EQ(LoadExpectations(file, "go2", "").list.size(), 1U);
-  EXPECT_THAT(config::ErrorOf([&] { LoadExpectations(file, "", ""); }),
-              HasSubstr("robot: missing"));
-  EXPECT_THAT(config::ErrorOf([&] { LoadExpectations(file, "g1", "29"); }), HasSubstr("revision"));
+  EXPECT_EQ(LoadStandard(file, "go2", "").expect.list.size(), 1U);
+  EXPECT_THAT(config::ErrorOf([&] { LoadStandard(file, "", ""); }), HasSubstr("robot: missing"));
+  EXPECT_THAT(config::ErrorOf([&] { LoadStandard(file, "g1", "29"); }), HasSubstr("revision"));
+}
+
+TEST_F(ScenarioTest, GivesAProgramThatNothingElseEndsALimit) {
+  const auto asks = [](const std::string& seconds) {
+    return "eventually program_end happens, within " + seconds + " s, from program_start happens";
+  };
+  const std::string program =
+      "scenario: P\nrobot: go2\nexpect: [{always: base.height > 0}]\nprogram: {command: [a]";
+  const Scenario usual = Load(program + "}\n");
+  ASSERT_EQ(usual.expect.list.size(), 2U);
+  EXPECT_EQ(usual.expect.list[1].name, "the program ends within 600 s");
+  EXPECT_EQ(usual.expect.list[1].asks, asks("600"));
+  EXPECT_EQ(usual.program->limit, 600);
+  EXPECT_EQ(Load(program + ", limit: 7.5}\n").expect.list[1].asks, asks("7.5"));
+  EXPECT_EQ(Load(program + ", until: 3}\n").expect.list.size(), 1U);
+  EXPECT_EQ(Load(program + "}\nduration: 3\n").expect.list.size(), 1U);
+  EXPECT_EQ(Load(program + ", limit: 2}\nduration: 3\n").expect.list.size(), 2U);
+  EXPECT_THAT(ErrorIn(program + ", limit: -1}\n"), HasSubstr("program.limit"));
+}
+
+TEST_F(ScenarioTest, JudgesARecordingByTheLimitToo) {
+  const char* const kRows[] = {"program: {limit: 7}\n", "program: {command: [a], limit: 7}\n"};
+  const std::string rest = "scenario: P\nrobot: go2\nexpect: [{always: base.height > 0}]\n";
+  for (const char* program : kRows) {
+    const auto file = folder_.Write("p.yaml", rest + program);
+    EXPECT_EQ(LoadStandard(file, "", "").expect.list.back().name, "the program ends within 7 s");
+  }
+  // Its program was named on the command line.
+  EXPECT_EQ(LoadStandard(folder_.Write("p.yaml", rest), "", "").expect.list.size(), 2U);
+  EXPECT_EQ(LoadStandard(folder_.Write("p.yaml", kSmall), "", "").expect.list.size(), 1U);
 }
 
 TEST(ReferenceTest, IsThatOfTheDocument) {

@@ -237,7 +237,7 @@ TEST_F(VariedScenarioTest, ARecordingIsJudgedByTheRunThatItIsOf) {
                                   "scenario: S\nrobot: go2\nduration: 1\n"
                                   "expect: [{always: base.height > $least}]\n"
                                   "vary: {grid: {$least: [0.1, 0.3], $of_the_program: [1]}}\n");
-  EXPECT_EQ(LoadExpectations(file, "", "", 2).list[0].asks, "always base.height > 0.3");
+  EXPECT_EQ(LoadStandard(file, "", "", 2).expect.list[0].asks, "always base.height > 0.3");
 }
 
 }  // namespace

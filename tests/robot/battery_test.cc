@@ -177,6 +177,18 @@ TEST(BatteryTest, CutsOffAfterTooMuchCurrentForTooLong) {
   battery.Restart();
   EXPECT_EQ(battery.cut_off(), CutOff::kNone);
   EXPECT_TRUE(battery.supply().on);
+  battery.Step(300, 0.001);
+  EXPECT_EQ(battery.cut_off(), CutOff::kNone) << "its mean begins anew";
+}
+
+TEST(BatteryTest, TakesNoLoadWhileItIsSwitchedOff) {
+  Battery battery(Pack());
+  battery.Step(300, 0.001);
+  battery.SwitchOff();
+  EXPECT_EQ(battery.reading().current, 0);
+  EXPECT_NEAR(battery.reading().voltage, 40, 1e-3);
+  battery.Step(300, 0.001);
+  EXPECT_NEAR(battery.reading().current, -10, 1e-3);
 }
 
 TEST(BatteryTest, BearsShortPeaksOfCurrent) {

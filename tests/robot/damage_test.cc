@@ -1,7 +1,10 @@
 #include "robot/damage.h"
 
 #include <array>
+#include <cmath>
 #include <limits>
+#include <map>
+#include <string>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -47,11 +50,11 @@ class DamageSheetTest : public testing::Test {
 };
 
 TEST_F(DamageSheetTest, CountsTheTimeAtTheTorqueLimitEitherWay) {
-  torque_[0] = 9.9;
+  torque_[0] = 9.81;
   Step(0.5);
   torque_[0] = -10;
   Step(0.25);
-  torque_[0] = 9.7;
+  torque_[0] = 9.79;
   Step();
   EXPECT_EQ(motor().at_torque_limit, 0.75);
   EXPECT_EQ(other().at_torque_limit, 0);
@@ -77,7 +80,7 @@ TEST_F(DamageSheetTest, KeepsTheHottestWindingAndTheTimeThatItWasTooHot) {
 
 TEST_F(DamageSheetTest, KeepsTheSpeedAtWhichAJointCameToItsEnd) {
   dq_[0] = 3;
-  q_[0] = 0.9;
+  q_[0] = 0.99;
   Step();
   EXPECT_EQ(motor().hardest_stop, 0);
   q_[0] = 1.01;
@@ -152,12 +155,69 @@ TEST_F(DamageSheetTest, CountsAFallOnceUntilItIsUpAgain) {
   EXPECT_EQ(sheet_.damage().worst_tilt, 1.3);
 }
 
+TEST_F(DamageSheetTest, CountsAnotherFallOfARobotThatWasPutUpInBetween) {
+  tilt_ = 1.2;
+  Step();
+  sheet_.Restart();
+  Step();
+  EXPECT_EQ(sheet_.damage().falls, 2);
+}
+
 TEST_F(DamageSheetTest, KeepsTheHardestShock) {
   f_ = {30, 0, -40};
   Step();
   f_ = {0, 0, 9.81};
   Step();
   EXPECT_EQ(sheet_.damage().shock, 50);
+}
+
+TEST(DamageLimitsTest, AreOfEveryFigureWithUnitAndSource) {
+  RobotSpec spec = test::FixtureRobot();
+  spec.battery = {.cells = 10, .capacity_ah = 2, .cutoff_a = 60};
+  spec.battery.cell_v.fill(4);
+  spec.imu.accel_step = 0.001;
+  std::map<std::string, DamageLimit> limits;
+  for (const DamageLimit& one : DamageLimitsOf(spec)) limits[one.figure] = one;
+  EXPECT_EQ(limits.size(), 11U);
+  EXPECT_EQ(limits["energy"].limit, 2 * 3600 * 10 * 4);
+  EXPECT_EQ(limits["peak_current"].limit, 60);
+  EXPECT_EQ(limits["shock"].limit, 32.768);
+  EXPECT_EQ(limits["worst_tilt"].limit, 1);
+  EXPECT_EQ(limits["falls"].limit, 0);
+  EXPECT_EQ(limits["tripped"].limit, spec.thermal.trip_c);
+  EXPECT_EQ(limits["hottest"].limit, spec.thermal.derate_c);
+  EXPECT_EQ(limits["hardest_stop"].limit, 1);
+  for (const char* own : {"at_torque_limit", "at_speed_limit", "largest_jump"}) {
+    EXPECT_TRUE(std::isnan(limits[own].limit)) << own;
+  }
+  for (const auto& [figure, one] : limits) {
+    EXPECT_EQ(one.unit.empty(), figure == "falls") << figure;
+    EXPECT_NE(one.source.find(": "), std::string::npos) << figure;
+  }
+}
+
+TEST(DamageLimitsTest, AreNoneWhereTheRobotsFileHasNone) {
+  RobotSpec spec = test::FixtureRobot();
+  spec.battery = {};
+  spec.imu.accel_step = 0;
+  for (const DamageLimit& one : DamageLimitsOf(spec)) {
+    if (one.figure == "energy" || one.figure == "peak_current" || one.figure == "shock") {
+      EXPECT_TRUE(std::isnan(one.limit)) << one.figure;
+    }
+  }
+}
+
+TEST(DamageLimitsTest, OfAJumpIsWhatTakesAllOfTheTorqueWithTheGainThatHolds) {
+  RobotSpec spec = test::FixtureRobot();
+  spec.motors[0].torque_limit = 24;
+  spec.motors[0].no_load_speed = 30;
+  spec.motors[0].hold_kp = 60;
+  spec.motors[1].hold_kp = 0;
+  const std::vector<MotorLimits> limits = MotorLimitsOf(spec);
+  EXPECT_EQ(limits[0].torque, 24);
+  EXPECT_EQ(limits[0].speed, 30);
+  EXPECT_EQ(limits[0].jump, 0.4);
+  EXPECT_EQ(limits[1].jump, 0);
 }
 
 }  // namespace

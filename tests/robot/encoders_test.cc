@@ -84,6 +84,8 @@ TEST_F(EncodersTest, ReadAnotherAngleEachTimeWithGarbage) {
     seen.insert(q());
   }
   EXPECT_EQ(seen.size(), 100U);
+  EXPECT_GT(*seen.rbegin(), 5);
+  EXPECT_LT(*seen.begin(), -5);
 }
 
 }  // namespace

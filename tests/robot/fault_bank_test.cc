@@ -135,6 +135,22 @@ TEST_F(FaultBankTest, DrawsTheSameForEqualSeedsAndOtherwiseForOthers) {
   EXPECT_NE(drawn(7), drawn(8));
 }
 
+// Of two alike in everything but that, over 200 ticks.
+TEST_F(FaultBankTest, DrawsForEachComponentAndKindByItself) {
+  ASSERT_EQ(BeginBy("rt/lowcmd", "lost", 0.5), "");
+  ASSERT_EQ(BeginBy("rt/lowstate", "lost", 0.5), "");
+  ASSERT_EQ(BeginBy("rt/lowstate", "doubled", 0.5), "");
+  std::string lost, of_another, doubled;
+  for (int ms = 0; ms < 200; ++ms) {
+    bank_.Step(ms * 1e-3);
+    lost += bank_.effects().links[2].drops ? 'x' : '.';
+    of_another += bank_.effects().links[0].drops ? 'x' : '.';
+    doubled += bank_.effects().links[2].doubles ? 'x' : '.';
+  }
+  EXPECT_NE(lost, of_another);
+  EXPECT_NE(lost, doubled);
+}
+
 TEST_F(FaultBankTest, RefusesAComponentThatIsNotThereWithTheNearest) {
   EXPECT_EQ(Begin("imv", "off"), "the robot has no 'imv'; did you mean 'imu'?");
   EXPECT_EQ(Begin("flux capacitor", "off"),
@@ -167,6 +183,15 @@ TEST_F(FaultBankTest, RefusesMoreFaultsThanItHasRoomFor) {
   EXPECT_EQ(Begin("rt/lowstate", "off"), "as many faults as there can be are there");
 }
 
+TEST_F(FaultBankTest, KeepsRoomForWhatIsPlanned) {
+  for (std::size_t i = 0; i + 1 < FaultBank::kMost; ++i) {
+    ASSERT_TRUE(bank_.Plan({.component = "imu", .fault = "off", .at = 9}).ok());
+  }
+  EXPECT_EQ(Begin("battery", "weak"), "");
+  EXPECT_EQ(Begin("battery", "empty"), "as many faults as there can be are there");
+  EXPECT_EQ(Begin("battery", "weak"), "") << "that one is there";
+}
+
 TEST_F(FaultBankTest, BeginsWhatIsPlannedInItsOrderAndSaysSoOnce) {
   ASSERT_TRUE(bank_.Plan({.component = "imu", .fault = "off", .at = 2}).ok());
   ASSERT_TRUE(bank_.Plan({.component = joint_, .fault = "weak", .by = 0.25, .at = 1}).ok());
@@ -180,6 +205,16 @@ TEST_F(FaultBankTest, BeginsWhatIsPlannedInItsOrderAndSaysSoOnce) {
   bank_.Step(3);
   ASSERT_EQ(bank_.begun().size(), 1U);
   EXPECT_EQ(bank_.components()[bank_.begun()[0].component], "imu");
+}
+
+TEST_F(FaultBankTest, BeginsWhatIsPlannedForOneTimeAsItWasPlanned) {
+  for (const char* fault : {"weak", "hot", "limp"}) {
+    ASSERT_TRUE(bank_.Plan({.component = joint_, .fault = fault, .at = 1}).ok());
+  }
+  bank_.Step(1);
+  std::string begun;
+  for (const Fault& fault : bank_.begun()) begun += std::string(fault.kind->name) + " ";
+  EXPECT_EQ(begun, "weak hot limp ");
 }
 
 TEST_F(FaultBankTest, RefusesToPlanWhatItWouldNotBegin) {

@@ -115,6 +115,15 @@ TEST_F(MotorBankTest, LimitsTheMotorsOfAPairAndNotItsJoints) {
   EXPECT_EQ(TorquesOf(&weaker, Torques(0, 0, 90)), (std::vector<double>{0, 0, 30}));
 }
 
+// At twice the joint's torque per motor, and half of what they are meant to give.
+TEST_F(MotorBankTest, LimitsTheJointOfAPairByWhatItsMotorIsMadeToGive) {
+  RobotSpec spec = Spec();
+  spec.motors[2].torque_limit = 30;
+  for (MotorSpec& motor : spec.motors) motor.strength = 0.5;
+  MotorBank bank(spec, kDt);
+  EXPECT_EQ(TorquesOf(&bank, Torques(0, 0, 90)), (std::vector<double>{0, 0, 15}));
+}
+
 // At pitch 6, roll 4 rad/s A turns at 14 and B at -2: half of A's torque is left beyond its knee.
 TEST_F(MotorBankTest, LimitsAMotorOfAPairByItsOwnSpeed) {
   RobotSpec spec = Spec();
@@ -140,8 +149,8 @@ TEST_F(MotorBankTest, TripsAMotorThatIsTooHotUntilItHasCooled) {
   EXPECT_EQ(torque_at(trip + 1), 0);
   EXPECT_TRUE(bank_.tripped(0));
   EXPECT_FALSE(bank_.tripped(1));
-  EXPECT_EQ(torque_at(trip - 5), 0);
-  EXPECT_EQ(torque_at(trip - 11), 1e-3);
+  EXPECT_EQ(torque_at(trip - 9.5), 0);
+  EXPECT_EQ(torque_at(trip - 10.5), 1e-3);
 }
 
 TEST_F(MotorBankTest, GivesLessTorqueTheHotterItIsDownToHalfWhereItTrips) {
@@ -438,6 +447,17 @@ TEST_F(MotorBankTest, TakesNoMorePowerThanThereIs) {
     EXPECT_NEAR(tau[1], 0.4 * tau[0], 1e-12);
     EXPECT_NEAR(3 * tau[0] + 0.1 * (tau[0] * tau[0] + tau[1] * tau[1] / 2), most, 1e-9);
   }
+}
+
+TEST_F(MotorBankTest, WarmsByTheCurrentThatItsShareOfThePowerLeavesIt) {
+  const auto winding_with = [&](double most) {
+    MotorBank bank(spec_, kDt);
+    for (int i = 0; i < 200; ++i) {
+      bank.Step({.command = Torques(20, 0, 0), .q = q_, .dq = dq_, .supply = {.most_power = most}});
+    }
+    return bank.winding_c()[0] - 25;
+  };
+  EXPECT_NEAR(winding_with(10) / winding_with(1000), 0.25, 0.01);
 }
 
 TEST_F(MotorBankTest, GivesNothingOnceTheBusIsOff) {

@@ -149,6 +149,13 @@ TEST_F(ImuUnitTest, HasWhiteNoiseOnAllThatItReads) {
   EXPECT_NEAR(Deviation([this] { return Vector3d(AtRest().f_WI_I + kGravity); }), 0.1, 0.008);
 }
 
+TEST_F(ImuUnitTest, HasTheNoiseOfAFaultTenTimesAsMuchInItsAccelerations) {
+  config_.noise = false;
+  fault_.noise = 0.1;
+  EXPECT_NEAR(Deviation([this] { return AtRest().w_WI_I; }), 0.1, 0.0075);
+  EXPECT_NEAR(Deviation([this] { return Vector3d(AtRest().f_WI_I + kGravity); }), 1, 0.08);
+}
+
 TEST_F(ImuUnitTest, TurnsItsHeadingAwayByItsBiasTimesTime) {
   config_.imu.attitude = AttitudeSource::kFilter;
   config_.imu.gyro_bias = 0.002;

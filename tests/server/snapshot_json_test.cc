@@ -41,6 +41,28 @@ emulator::Snapshot SomeSnapshot() {
   return snapshot;
 }
 
+TEST(SnapshotJsonTest, HasEachFigureOfDamageWithItsLimitAndSource) {
+  emulator::Snapshot shown = SomeSnapshot();
+  shown.motor_names = {"knee", "wheel"};
+  shown.damage.motors = {{.largest_jump = 0.75}, {}};
+  shown.limits = {{.torque = 24, .speed = 30, .jump = 0.5}, {}};
+  shown.damage_limits = {{"shock", 39, "m/s²", "derived: its range"},
+                         {"at_torque_limit", std::nan(""), "N·m", "vendor: \"URDF\""}};
+  const json damage = json::parse(SnapshotJson(shown, emulator::kPartDamage))["damage"];
+  EXPECT_EQ(damage["motors"][0]["joint"], "knee");
+  EXPECT_EQ(damage["motors"][0]["torque_limit"], 24.0);
+  EXPECT_EQ(damage["motors"][0]["speed_limit"], 30.0);
+  EXPECT_EQ(damage["motors"][0]["largest_jump"], 0.75);
+  EXPECT_EQ(damage["motors"][0]["jump_limit"], 0.5);
+  EXPECT_EQ(damage["motors"][1]["jump_limit"], 0.0);
+  EXPECT_EQ(damage["limits"][0], json({{"figure", "shock"},
+                                       {"limit", 39.0},
+                                       {"unit", "m/s²"},
+                                       {"source", "derived: its range"}}));
+  EXPECT_EQ(damage["limits"][1]["limit"], nullptr);
+  EXPECT_EQ(damage["limits"][1]["source"], "vendor: \"URDF\"");
+}
+
 TEST(SnapshotJsonTest, HasEveryPart) {
   const json snapshot = json::parse(SnapshotJson(SomeSnapshot(), emulator::kAllSnapshotParts));
   EXPECT_EQ(snapshot["step"], 7);

@@ -29,6 +29,7 @@ from robots import eventually
 CONFIG = ('<CycloneDDS><Domain Id="any"><General><Interfaces><NetworkInterface name="{}"/>'
           "</Interfaces></General></Domain></CycloneDDS>")
 KEEP_ALL = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepAll)
+KEEP_NEWEST = Qos(Policy.Reliability.Reliable(duration(seconds=1)), Policy.History.KeepLast(1))
 
 
 @functools.cache
@@ -40,13 +41,13 @@ def join(domain, interface="lo"):
 
 
 class Listener:
-    """Keeps every sample of a topic from its construction on."""
+    """Keeps every sample of a topic from its construction on, or what `qos` says."""
 
-    def __init__(self, topic="rt/lowstate", message=GoLowState, domain=0):
+    def __init__(self, topic="rt/lowstate", message=GoLowState, domain=0, qos=KEEP_ALL):
         join(domain)
         self._participant = DomainParticipant(domain)
         topic = Topic(self._participant, topic, message)
-        self._reader = DataReader(self._participant, topic, qos=KEEP_ALL)
+        self._reader = DataReader(self._participant, topic, qos=qos)
 
     def take(self):
         """What has arrived since the last call."""
@@ -145,5 +146,5 @@ def hg_command(mode_machine, mode_pr=0):
     return message
 
 
-__all__ = ["GoLowCmd", "GoLowState", "HgLowCmd", "HgLowState", "go_command", "go_state",
+__all__ = ["KEEP_NEWEST", "GoLowCmd", "GoLowState", "HgLowCmd", "HgLowState", "go_command", "go_state",
            "hg_command", "join", "listener", "speaker", "stranger"]

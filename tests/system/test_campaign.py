@@ -128,6 +128,20 @@ vary: {grid: {$code: [0, 3]}}
     assert verdict("out")["failed_runs"] == [2]
 
 
+def test_a_run_whose_program_hangs_fails_and_the_others_go_on(understudy, shoves, tmp_path):
+    (tmp_path / "hangs.yaml").write_text("""
+scenario: It may hang
+robot: go2
+program: {limit: 2}
+expect: [{always: base.height > 0, name: is there}]
+vary: {grid: {$sleep: [600, 0]}}
+""")
+    done = understudy("rehearse", "hangs.yaml", "--out", "out", "--jobs", 1, "--", "sh", "-c", "sleep $sleep")
+    assert done.returncode == FAILED, done.stderr
+    assert verdict("out")["failed_runs"] == [1] and verdict("out")["passed"] == 1
+    assert "the program ends within 2 s" in done.stdout
+
+
 def test_mistakes_are_explained_before_anything_starts(understudy, shoves, tmp_path):
     (tmp_path / "bad.yaml").write_text(SHOVES.replace("terrain.friction: [0.5, 0.8]", "terrain.friction: [0.5, 8]"))
     for done in (understudy("rehearse", "bad.yaml"), understudy("check", "bad.yaml")):

@@ -4,9 +4,12 @@ import json
 import os
 import signal
 import subprocess
+import time
 
+import pytest
+from unitree_sdk2py.utils.crc import CRC
 
-from peers import GoLowState, go_state, speaker
+from peers import KEEP_NEWEST, GoLowCmd, GoLowState, go_state, listener, speaker
 
 ON_A_STAND = ("--start", "clamped")
 
@@ -51,6 +54,40 @@ def test_a_stranger_is_not_moved_unless_that_is_meant(understudy):
         robot.speak_until(lambda: excite.poll() is not None, go_state())
     assert excite.returncode == 6
     assert "--on-a-real-robot" in excite.stderr.read()
+
+
+def test_a_robot_that_is_not_understudys_is_moved_where_that_is_meant():
+    """It stands for a real one on a stand: no announcement, no services, joints that go where they are told."""
+    state, begin = go_state(), [0.1, 1.2, -2.4] * 4
+    for motor, q in zip(state.motor_state, begin):
+        motor.mode, motor.q = 1, q
+    commands, crc = [], CRC()
+    with speaker("rt/lowstate", GoLowState) as robot, listener("rt/lowcmd", GoLowCmd, qos=KEEP_NEWEST) as heard:
+        excite = subprocess.Popen([os.environ["UNDERSTUDY"], "excite", "--robot", "go2", "--seconds", "3", "--amplitude",
+                                   "0.3", "--on-a-real-robot"], stderr=subprocess.PIPE, text=True)
+        while excite.poll() is None:
+            new = heard.take()
+            commands += new
+            if new:
+                for motor, command in zip(state.motor_state[:12], new[-1].motor_cmd):
+                    motor.q, motor.dq = command.q, 0
+            state.tick += 5
+            robot.write(state)
+            time.sleep(0.005)
+        commands += heard.take()
+    said = excite.stderr.read()
+    assert excite.returncode == 0, said
+    assert "motion_switcher does not answer" in said
+    assert len(commands) > 50
+    for command in commands:
+        assert command.crc == crc.Crc(command) and list(command.head) == [0xFE, 0xEF]
+        assert [motor.mode for motor in command.motor_cmd[:13]] == [1] * 12 + [0]
+    angles = [[motor.q for motor in command.motor_cmd[:12]] for command in commands]
+    assert angles[0] == pytest.approx(begin, abs=0.1)
+    chirp = angles[len(angles) // 2:]
+    assert all(max(row[i] for row in chirp) - min(row[i] for row in chirp) > 0.1 for i in range(12))
+    last = commands[-1].motor_cmd[:12]
+    assert all(motor.kp < 0.1 and motor.kd > 0 for motor in last)
 
 
 def test_ctrl_c_ends_in_damping(play):

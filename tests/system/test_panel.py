@@ -181,6 +181,14 @@ def test_the_damage_sheet_opens_under_the_motors_and_goes_on(page):
 
     assert page.evaluate(cell.format("th")) == "FR_hip"
     assert 20 <= float(page.evaluate(cell.format("td:nth-child(5)"))) <= 60  # °C
+    assert page.evaluate("document.querySelector('#damage-rows td').title") == "limit 23.7 N·m"
+    limits = page.evaluate("[...document.querySelectorAll('#damage-limits tr')].map((row) => "
+                           "[...row.cells].map((cell) => cell.textContent))")
+    assert [row for row in limits if row[0] != "falls" and not all(row)] == []
+    limit_of = {row[0]: row[1:] for row in limits}
+    assert limit_of["at torque limit"][:2] == ["23.7, 45.43", "N·m"]
+    assert "robot.motors[].torque_limit" in limit_of["at torque limit"][2]
+    assert limit_of["hardest stop"] == ["1", "rad/s", "assumed: none is published"]
     before = page.evaluate(note)
     assert " fall" in before and " J, " in before
     page.becomes(f"{note} !== {before!r}")  # its energy

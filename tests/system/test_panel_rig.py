@@ -1,5 +1,6 @@
 """What the panel does to a robot that is held, to its settings, by touch, and when its run has ended."""
 
+import json
 import os
 import stat
 
@@ -143,3 +144,27 @@ def test_one_finger_turns_the_view_two_zoom_it_and_a_finger_holds_a_stick(play, 
     robot.becomes(lambda now: now["remote"]["ly"] > 0.3)
     touch(page, "touchEnd")
     robot.becomes(lambda now: now["remote"]["ly"] == 0)
+
+
+def test_the_form_for_faults_causes_one_and_takes_it_away(play, visit):
+    robot = play("go2", "--start", "clamped", "--released")
+    page = visit(url_of(robot))
+    show(page, "rig")
+
+    def ask(**values):
+        page.evaluate("""(values => {
+            const form = document.querySelector('#rig form[aria-label="fault"]');
+            for (const [key, value] of Object.entries(values)) form.querySelector(`[aria-label="${key}"]`).value = value;
+            form.requestSubmit();
+        })(%s)""" % json.dumps(values))
+
+    def faults():
+        return [(one["component"], one["fault"], one["by"])
+                for one in page.evaluate("fetch('/snapshot?parts=faults').then((reply) => reply.json())")["faults"]]
+
+    ask(component="FR_calf_joint", fault="weak", by="0.25")
+    eventually(lambda: faults() == [("FR_calf_joint", "weak", 0.25)], what="the fault is there")
+    robot.heard("FR_calf_joint is weak")
+    ask(component="FR_calf_joint", fault="none", by="")
+    eventually(lambda: faults() == [], what="the fault has gone")
+    robot.heard("FR_calf_joint is no longer weak")

@@ -1,5 +1,6 @@
 """Rehearsals and judgements from a shell: shipped scenarios, exit codes, the files that are left, CI's view."""
 
+import base64
 import json
 import os
 import pathlib
@@ -18,6 +19,7 @@ from robots import eventually
 
 ROOT = pathlib.Path(__file__).parents[2]
 SCENARIOS = sorted(file.stem for file in (ROOT / "config" / "scenarios").glob("*.yaml"))
+PROGRAMMED = ("lost_lowcmd", "sdk_stand")  # need a program
 FAILED, OPEN = 10, 11
 
 # Falls when its motors go limp, so that an expectation fails early.
@@ -57,7 +59,7 @@ def rehearse_fixture(understudy, tmp_path):
     return play
 
 
-@pytest.mark.parametrize("scenario", [name for name in SCENARIOS if name != "lost_lowcmd"])
+@pytest.mark.parametrize("scenario", [name for name in SCENARIOS if name not in PROGRAMMED])
 def test_a_shipped_scenario_holds_faster_than_the_clock(rehearse, tmp_path, scenario):
     done = rehearse(scenario)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -117,8 +119,17 @@ def test_the_report_needs_no_other_file(rehearse, tmp_path):
     assert rehearse("stand_up").returncode == 0
     html = (tmp_path / "out" / "report.html").read_text()
     assert html.count("<svg") > 4 and "understudy rehearse stand_up" in html
-    for outside in ("http:", "https:", "<script", "<link", "<img", "url("):
+    for outside in ("http:", "https:", "<script", "<link", "url("):
         assert outside not in html
+    pictures = re.findall(r'<img alt="The robot at ([0-9.]+) s" src="data:image/png;base64,([^"]*)"', html)
+    assert 1 < len(pictures) <= 4 and html.count("<img") == len(pictures)
+    decided = [one["at"] for one in verdicts(tmp_path / "out")["verdicts"]]
+    for at, picture in pictures:
+        assert base64.b64decode(picture).startswith(b"\x89PNG") and len(picture) > 10_000
+        assert min(abs(float(at) - instant) for instant in decided) < 0.001
+    assert not (tmp_path / "out" / "picture.png").exists()
+    assert rehearse("stand_up", "--no-pictures").returncode == 0
+    assert "<img" not in (tmp_path / "out" / "report.html").read_text()
 
 
 def test_a_program_is_started_ended_and_its_exit_code_judged(rehearse, tmp_path):
@@ -193,6 +204,12 @@ def test_a_stop_signal_has_it_judge_what_there_is_and_finish_the_recording(runti
     assert list(runtime_dir.iterdir()) == []
 
 
+def test_the_example_with_the_vendors_sdk_stands_up_and_lies_down(rehearse, tmp_path):
+    done = rehearse("sdk_stand", program=[sys.executable, ROOT / "examples" / "python" / "stand.py", "lo"])
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert len(outcomes(tmp_path / "out")) == 6 and set(outcomes(tmp_path / "out").values()) == {"passed"}
+
+
 def test_a_real_robots_recording_is_not_judged_by_a_truth_that_it_does_not_have(rehearse, understudy, tmp_path):
     rehearse("stand_up")
     real = tmp_path / "real.mcap"
@@ -237,6 +254,7 @@ def test_the_documents_ladder_says_up_to_where_and_gives_the_next_settings(rehea
     torque = ladder["stages"][2]["limits"][0]
     assert torque["outcome"] == "failed" and torque["margin"] < 0 and torque["unit"] == "N·m"
     assert "torque(" in torque["explanation"]
+    assert ladder["next_settings"] in done.stdout and "torque_limit: 2.37" in done.stdout
     # The next settings are a layer: a robot that is so weak does not stand up, and goes to no stage.
     layer = tmp_path / "out" / "next_stage.yaml"
     assert "torque_limit: 2.37" in layer.read_text()
@@ -246,6 +264,65 @@ def test_the_documents_ladder_says_up_to_where_and_gives_the_next_settings(rehea
     file.write_text(weak)
     done = rehearse(file)
     assert done.returncode == FAILED and "may go up to no stage" in done.stdout, done.stdout + done.stderr
+
+
+# Stands by LowCmd every 5 ms; its knees are at about -1.3 rad, of a range from -2.72 to -0.84.
+RATES = """
+scenario: It stands by LowCmd
+robot: go2
+start: standing
+settings: {motion: {service: none}}
+program: {at: 0.5, until: 4}
+expect:
+  - {eventually: gate is following, name: is followed}
+stages:
+  - {name: at ease, joint_margin: 0.1, command_rate: 5}
+  - {name: far from its ends, joint_margin: 0.6}
+  - {name: too often, command_rate: 1000}
+"""
+
+
+def test_stages_limit_how_near_joints_come_to_their_ends_and_how_often_commands_come(rehearse, understudy, tmp_path):
+    file = tmp_path / "rates.yaml"
+    file.write_text(RATES)
+    program = pathlib.Path(__file__).parent / "writes_lowcmd.py"
+    done = rehearse(file, program=[sys.executable, program])
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert "may go up to stage 'at ease', 1 of 3; next is 'far from its ends'" in done.stdout
+    ladder = verdicts(tmp_path / "out")["ladder"]
+    ease, far, often = ladder["stages"]
+    assert [one["holds"] for one in (ease, far, often)] == [True, False, False]
+    assert {one["name"]: one["unit"] for one in ease["limits"]} == {
+        "at ease: joint_margin": "rad", "at ease: command_rate": "s"}
+    assert 0.1 < ease["limits"][1]["margin"] < 0.2  # of the 0.2 s between two of 5 Hz
+    knee, = far["limits"]
+    assert knee["outcome"] == "failed" and "_calf_joint)" in knee["explanation"]
+    assert -0.3 < knee["margin"] < 0
+    assert "gap(rt/lowcmd)" in often["limits"][0]["explanation"] and often["limits"][0]["margin"] < 0
+    assert "# Joints keep within" in ladder["next_settings"]
+    assert "FR_calf_joint -2.1227 to -1.43776" in ladder["next_settings"]
+
+    # A recording is judged by the stages as the run was.
+    done = understudy("judge", tmp_path / "out" / "recording.mcap", file, "--out", tmp_path / "judged")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert verdicts(tmp_path / "judged")["ladder"] == ladder
+    assert (tmp_path / "judged" / "next_stage.yaml").read_text() == ladder["next_settings"]
+
+
+def test_a_program_that_hangs_ends_at_its_limit_and_has_failed(rehearse, understudy, tmp_path):
+    file = tmp_path / "hangs.yaml"
+    file.write_text("scenario: It hangs\nrobot: go2\nprogram: {limit: 1.5}\n"
+                    "expect: [{always: base.height > 0.05, name: is there}]\n")
+    hangs = [sys.executable, "-c", "import signal, time; signal.signal(15, signal.SIG_IGN); time.sleep(600)"]
+    for options in ((), ("--to-the-end",)):
+        done = rehearse(file, *options, program=hangs)
+        assert done.returncode == FAILED, done.stdout + done.stderr
+        assert outcomes(tmp_path / "out") == {"is there": "passed", "the program ends within 1.5 s": "failed"}
+        assert verdicts(tmp_path / "out")["seconds"] < 4
+    again = understudy("judge", tmp_path / "out" / "recording.mcap", file, "--out", tmp_path / "judged")
+    assert again.returncode == FAILED
+    assert verdicts(tmp_path / "judged")["verdicts"] == verdicts(tmp_path / "out")["verdicts"]
+    assert rehearse(file, program=["true"]).returncode == 0
 
 
 def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp_path):
