@@ -8,11 +8,8 @@
 #include <limits>
 #include <map>
 #include <optional>
-<<<<<<< HEAD
 #include <system_error>
-=======
 #include <utility>
->>>>>>> h14
 
 #include <Eigen/QR>
 
