@@ -1,8 +1,12 @@
 #include "physics/world.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <mujoco/mujoco.h>
 
 #include "mjcf/eigen_views.h"
+#include "physics/geom_extent.h"
 
 namespace understudy::physics {
 
@@ -44,6 +48,16 @@ void World::SetGroundFriction(double friction) {
     model_->geom_friction[3 * ground.geom] = own ? ground.friction : friction * ground.factor;
     model_->geom_priority[ground.geom] = own ? ground.priority : 1;
   }
+}
+
+std::array<double, 2> World::GroundFriction() const {
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0};
+  for (const Ground& ground : ground_) {
+    if (!Collides(*model_, ground.geom)) continue;
+    const double friction = model_->geom_friction[3 * ground.geom];
+    range = {std::min(range[0], friction), std::max(range[1], friction)};
+  }
+  return range;
 }
 
 void World::Reset() {
