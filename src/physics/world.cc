@@ -31,7 +31,7 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
   mj_forward(model_.get(), data_.get());
   for (RobotBody& robot : robots_) robot.ReadKinematics();
   for (int geom = 0; geom < model_->ngeom; ++geom) {
-    if (model_->geom_bodyid[geom] != 0) continue;
+    if (!IsGround(geom)) continue;
     const double friction = model_->geom_friction[3 * geom];
     const double before = nominal_ == nullptr ? friction : nominal_->geom_friction[3 * geom];
     ground_.push_back({.geom = geom,
@@ -39,6 +39,15 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
                        .factor = before > 0 ? friction / before : 1,
                        .priority = model_->geom_priority[geom]});
   }
+}
+
+// What cannot move and is no robot's, such as the base of one that is bolted down.
+bool World::IsGround(int geom) const {
+  const int body = model_->geom_bodyid[geom];
+  return model_->body_weldid[body] == 0 &&
+         std::none_of(robots_.begin(), robots_.end(), [&](const RobotBody& robot) {
+           return model_->body_rootid[body] == model_->body_rootid[robot.base_body_];
+         });
 }
 
 // Of two geoms that touch MuJoCo uses the friction of that with the higher priority.

@@ -80,6 +80,8 @@ class World {
     int priority;
   };
 
+  bool IsGround(int geom) const;
+
   mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;
   std::vector<RobotBody> robots_;
