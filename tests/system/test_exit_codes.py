@@ -53,7 +53,7 @@ def test_a_value_that_does_not_do_is_named_with_the_nearest_that_does(understudy
 
 @pytest.mark.parametrize("arguments", [
     ("run", "go2", "--profile", "wron"), ("rehearse", "push", "--profile", "wron"),
-    ("rehearse", "push", "--seed", "-1"), ("export", "urdf", "g1", "--revision", "99"),
+    ("rehearse", "push", "--seed", "one"), ("export", "urdf", "g1", "--revision", "99"),
     ("terrain", "rough", "--out", "ground", "--difficulty", "2"),
 ])
 def test_a_refusal_names_the_option_as_it_was_typed(understudy, arguments):

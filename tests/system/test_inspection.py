@@ -299,7 +299,6 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy run g1 --set robot.revision=15", ["robot.revision=15"]),
     ("understudy run g1 --set motion.service=", ["motion.service=ai", "motion.service=none"]),
     ("understudy run go2 --set=start.pose=l", ["--set=start.pose=lying"]),
-    ("understudy run go2 --set gate.timeout=", []),
     ("understudy run go2 --scene=ro", ["--scene=rough", "--scene=row"]),
     ("understudy run go2 --sceen=ro", []),
     ("understudy run go2 --name go", []),
