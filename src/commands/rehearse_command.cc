@@ -118,8 +118,10 @@ int RehearseCommand(const RehearseArguments& arguments) {
   if (!arguments.campaign.merge.empty())
     return MergeCommand(arguments.campaign, arguments.out, arguments.json);
   const fs::path file = FindScenario(arguments.scenario);
-  const rehearse::ScenarioOptions options{
-      .command = arguments.command, .sets = arguments.sets, .run = arguments.run};
+  const rehearse::ScenarioOptions options{.command = arguments.command,
+                                          .sets = arguments.sets,
+                                          .run = arguments.run,
+                                          .typed = arguments.typed};
   if (arguments.run == 0) {
     if (const auto varied = rehearse::LoadVaried(file)) {
       return CampaignCommand({.file = file,

@@ -247,11 +247,13 @@ std::string SettingsText(const ordered_json& reply) {
   std::vector<Cells> rows = {{"KEY", "VALUE", "UNIT", "TAKES"}};
   for (const ordered_json& setting : reply.at("settings")) {
     const ordered_json& value = setting.at("value");
-    rows.push_back({setting.at("key"),
-                    value.is_string()    ? value.get<std::string>()
-                    : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
-                                         : emulator::NumberText(value.get<double>()),
-                    setting.at("unit"), setting.at("takes")});
+    std::string shown = value.is_string()    ? value.get<std::string>()
+                        : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
+                                             : emulator::NumberText(value.get<double>());
+    if (const auto real = setting.find("stands_for"); real != setting.end()) {
+      shown += ": " + real->get<std::string>();
+    }
+    rows.push_back({setting.at("key"), shown, setting.at("unit"), setting.at("takes")});
   }
   return Aligned(rows);
 }

@@ -161,9 +161,10 @@ Expectations ExpectationsOf(const YamlValue& document, const Names& names,
 
 // The configuration that a scenario describes; `run` as Scenario has it.
 config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& file,
-                        const std::vector<std::string>& sets, bool has_program, std::size_t run) {
+                        const ScenarioOptions& options, bool has_program, std::size_t run) {
   config::Layers layers{.robot = LineOf(Needed(document, "robot"), "robot", kMostText),
-                        .sets = sets};
+                        .sets = options.sets,
+                        .typed = options.typed};
   const std::string& where = document.where;
   if (run > 0) {
     layers.trees.push_back(TreeOf("randomization", "seed", ScalarOf(std::to_string(run), where)));
@@ -233,7 +234,7 @@ Chosen Choose(const YamlValue& document, const ScenarioOptions& options, bool kn
 // Reads the configuration; errors of the robot and of a varied key name their lines.
 config::Config ConfigOf(const Chosen& chosen, const std::filesystem::path& file, bool has_program) {
   try {
-    return ConfigOf(chosen.document, file, chosen.options.sets, has_program, chosen.run);
+    return ConfigOf(chosen.document, file, chosen.options, has_program, chosen.run);
   } catch (const ConfigError& error) {
     const std::string what = error.what();
     const YamlValue* robot = chosen.document.Find("robot");
