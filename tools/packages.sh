@@ -58,6 +58,7 @@ package_packages=(
 installation_packages=(
   "lintian:checks the package"
   "mmdebstrap:a Debian to install it on"
+  "buildah:builds an image with it, and runs that"
   "python3-yaml:reads the recipes of containers"
   "systemd:checks the units"
 )

@@ -31,4 +31,11 @@ void WriteFile(const std::filesystem::path& file, const std::string& text) {
   }
 }
 
+std::filesystem::path MakeFolder(std::filesystem::path folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());
+  return folder;
+}
+
 }  // namespace understudy

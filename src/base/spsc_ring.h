@@ -40,7 +40,6 @@ class SpscRing {
     const std::uint64_t read = read_.load(std::memory_order_acquire);
     return written_.load(std::memory_order_acquire) - read;
   }
-  std::size_t capacity() const { return slots_.size(); }
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
 
  private:

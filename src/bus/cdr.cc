@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory>
 
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_cdrstream.h>
@@ -24,14 +23,6 @@ CdrReader::CdrReader(const Participant& participant, const std::string& topic,
       reader_(dds_create_reader(participant.handle(), topic_.handle(),
                                 ReaderQos({.depth = kKeepAll}).get(), nullptr),
               "read topic " + topic) {}
-
-std::optional<ParticipantKey> CdrReader::ParticipantOf(WriterHandle writer) const {
-  const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
-      endpoint(dds_get_matched_publication_data(reader_.handle(), writer),
-               &dds_builtintopic_free_endpoint);
-  if (endpoint == nullptr) return std::nullopt;
-  return std::to_array(endpoint->participant_key.v);
-}
 
 int CdrReader::TakeSome(std::array<CdrSample, kAtOnce>* samples, int* valid) {
   std::array<ddsi_serdata*, kAtOnce> taken{};

@@ -39,7 +39,9 @@ class CdrReader {
   }
 
   // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
-  std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const;
+  std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const {
+    return bus::ParticipantOf(reader_, writer);
+  }
 
  private:
   static constexpr std::size_t kAtOnce = 32;

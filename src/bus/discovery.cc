@@ -25,6 +25,11 @@ constexpr std::size_t kMostSuspects = 64, kMostTold = 32;
 constexpr std::size_t kMostEndpoints = 1024, kMostParticipants = 256;
 constexpr std::chrono::milliseconds kPatience(500);  // several times the duration of discovery
 
+// Reads one of Cyclone's own topics.
+Entity Watch(const Participant& participant, dds_entity_t topic, const std::string& what) {
+  return {dds_create_reader(participant.handle(), topic, nullptr, nullptr), "watch the " + what};
+}
+
 std::string Printable(const char* text) {
   std::string printable(text, std::min(std::strlen(text), kLongestText));
   for (char& letter : printable) {
@@ -120,12 +125,8 @@ std::string Describe(const Neighbour& neighbour) {
 NeighbourWatch::NeighbourWatch(const Participant& participant, std::string topic)
     : ours_(participant.key()),
       topic_(std::move(topic)),
-      publications_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
-                                      nullptr, nullptr),
-                    "watch the writers of " + topic_),
-      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
-                                      nullptr, nullptr),
-                    "watch the participants") {}
+      publications_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers of " + topic_)),
+      participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
 
 const std::vector<Neighbour>& NeighbourWatch::Poll() {
   ForEachChange(publications_.handle(), [&](const void* sample, bool there) {
@@ -154,9 +155,7 @@ void NeighbourWatch::Note(const void* publication) {
 
 AnnouncementWatch::AnnouncementWatch(const Participant& participant)
     : ours_(participant.key()),
-      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
-                                      nullptr, nullptr),
-                    "watch the participants") {}
+      participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
 
 const std::vector<Announcement>& AnnouncementWatch::Poll() {
   ForEachChange(participants_.handle(), [&](const void* sample, bool there) {
@@ -189,12 +188,8 @@ std::string Describe(const Mismatch& mismatch) {
 MismatchWatch::MismatchWatch(const Participant& participant, std::vector<const ReaderCore*> readers)
     : ours_(participant.key()),
       readers_(std::move(readers)),
-      publications_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION,
-                                      nullptr, nullptr),
-                    "watch the writers"),
-      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
-                                      nullptr, nullptr),
-                    "watch the participants") {}
+      publications_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers")),
+      participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
 
 std::vector<Mismatch> MismatchWatch::Poll(std::chrono::nanoseconds now) {
   ForEachChange(publications_.handle(), [&](const void* sample, bool there) {
@@ -320,15 +315,9 @@ std::string WhyNotMatched(const Endpoint& writer, const Endpoint& reader) {
 EndpointSurvey::EndpointSurvey(const Participant& participant, SurveyOf whose)
     : ours_(participant.key()),
       whose_(whose),
-      writers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr,
-                                 nullptr),
-               "watch the writers"),
-      readers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, nullptr,
-                                 nullptr),
-               "watch the readers"),
-      participants_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPARTICIPANT,
-                                      nullptr, nullptr),
-                    "watch the participants") {}
+      writers_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers")),
+      readers_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, "readers")),
+      participants_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPARTICIPANT, "participants")) {}
 
 void EndpointSurvey::Poll() {
   ForEachChange(participants_.handle(), [&](const void* sample, bool there) {
@@ -376,12 +365,8 @@ void EndpointSurvey::Note(const void* endpoint, bool there, bool writes) {
 
 EndpointWatch::EndpointWatch(const Participant& participant)
     : ours_(participant.key()),
-      writers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSPUBLICATION, nullptr,
-                                 nullptr),
-               "watch the writers"),
-      readers_(dds_create_reader(participant.handle(), DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, nullptr,
-                                 nullptr),
-               "watch the readers") {}
+      writers_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSPUBLICATION, "writers")),
+      readers_(Watch(participant, DDS_BUILTIN_TOPIC_DCPSSUBSCRIPTION, "readers")) {}
 
 std::vector<TopicOnBus> EndpointWatch::Poll() {
   std::vector<TopicOnBus> topics;

@@ -117,4 +117,12 @@ Participant::Participant(const std::string& interface, int domain, const std::st
   std::ranges::copy(guid.v, key_.begin());
 }
 
+std::optional<ParticipantKey> ParticipantOf(const Entity& reader, std::uint64_t writer) {
+  const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
+      endpoint(dds_get_matched_publication_data(reader.handle(), writer),
+               &dds_builtintopic_free_endpoint);
+  if (endpoint == nullptr) return std::nullopt;
+  return std::to_array(endpoint->participant_key.v);
+}
+
 }  // namespace understudy::bus

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -15,6 +16,9 @@ namespace understudy::bus {
 
 // The DDS GUID of a participant, unique on the network.
 using ParticipantKey = std::array<std::uint8_t, 16>;
+
+// Returns whose a writer is that matches the reader, by its handle; nullopt if it no longer does.
+std::optional<ParticipantKey> ParticipantOf(const Entity& reader, std::uint64_t writer);
 
 // The last domain whose ports fit into 16 bits (DDSI-RTPS 2.2, section 9.6.1: 7400 + 250 · domain).
 inline constexpr int kLastDomain = 232;

@@ -103,14 +103,6 @@ bool ReaderCore::IsMatched(const std::array<std::uint8_t, 16>& writer) const {
   });
 }
 
-std::optional<ParticipantKey> ReaderCore::ParticipantOf(WriterHandle writer) const {
-  const std::unique_ptr<dds_builtintopic_endpoint_t, decltype(&dds_builtintopic_free_endpoint)>
-      endpoint(dds_get_matched_publication_data(reader_.handle(), writer),
-               &dds_builtintopic_free_endpoint);
-  if (endpoint == nullptr) return std::nullopt;
-  return std::to_array(endpoint->participant_key.v);
-}
-
 std::string_view ReaderCore::refused_policy() const {
   switch (reports_->policy.load(std::memory_order_relaxed)) {
     case DDS_INVALID_QOS_POLICY_ID:

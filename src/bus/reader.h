@@ -67,7 +67,9 @@ class ReaderCore {
 
   // Returns the participant of a sample's writer; nullopt if the writer has gone meanwhile.
   // Allocates.
-  std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const;
+  std::optional<ParticipantKey> ParticipantOf(WriterHandle writer) const {
+    return bus::ParticipantOf(reader_, writer);
+  }
 
   const std::string& topic() const { return name_; }
   const std::string& type() const { return type_; }

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <system_error>
 
 #include <nlohmann/json.hpp>
 
@@ -12,9 +11,10 @@
 #include "bus/interfaces.h"
 #include "client/client.h"
 #include "client/robot_choice.h"
-#include "commands/command_path.h"
 #include "commands/commands.h"
+#include "commands/typed.h"
 #include "config/data_dir.h"
+#include "config/load.h"
 #include "config/profile.h"
 #include "config/reference.h"
 #include "config/robot_file.h"
@@ -29,46 +29,6 @@
 
 namespace understudy::commands {
 namespace {
-
-using Words = std::vector<std::string>;
-
-// A command line that is being typed.
-struct Typed {
-  CommandPath path;
-  std::string command;                       // "ctl crane"; "" for the program itself
-  Words places;                              // the words of the last command that are no options
-  std::map<std::string, std::string> given;  // values of options
-  const CLI::Option* option = nullptr;       // whose value the last word is; null for none
-  std::string last;                          // may be ""
-  bool free = false;                         // the words of another program follow
-};
-
-// Words that take a value are followed by it. A shell gives "--speed=2" in three words.
-Typed Read(const CLI::App& app, const Words& words) {
-  Typed typed;
-  typed.path = {&app};
-  if (!words.empty()) typed.last = words.back();
-  for (std::size_t i = 0; i + 1 < words.size(); ++i) {
-    const std::string& word = words[i];
-    if (word == "--") typed.free = true;
-    if (typed.free) break;
-    if (word.starts_with('-')) {
-      if (!TakesNext(typed.path, word)) continue;
-      if (words[i + 1] == "=" && i + 2 < words.size()) ++i;
-      if (i + 2 < words.size()) {
-        typed.given[word] = words[++i];
-      } else {
-        typed.option = FindOption(typed.path, word);
-      }
-    } else if (const CLI::App* child = FindCommand(*typed.path.back(), word)) {
-      typed.path.push_back(child);
-      typed.command += (typed.command.empty() ? "" : " ") + word;
-    } else {
-      typed.places.push_back(word);
-    }
-  }
-  return typed;
-}
 
 // ---- the values of options and places
 
@@ -86,21 +46,7 @@ Words Scenes(const Typed&) {
 }
 
 Words Scenarios(const Typed&) {
-  Words names;
-  std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(config::DataDir() / "config" / "scenarios", error)) {
-    names.push_back(entry.path().stem());
-  }
-  return names;
-}
-
-Words Keys(const Typed&) {
-  Words keys;
-  for (const std::string& key : config::ConfigKeys()) {
-    if (key.find("[]") == std::string::npos) keys.push_back(key + "=");
-  }
-  return keys;
+  return config::YamlNames(config::DataDir() / "config" / "scenarios");
 }
 
 Words Interfaces(const Typed&) {
@@ -115,6 +61,22 @@ Words RunningRobots(const Typed& typed) {
   for (const client::RunningRobot& robot : client::FindRobots()) names.push_back(robot.name);
   return names;
 }
+
+Words Profiles(const Typed&) { return config::ProfileNames(config::DataDir()); }
+
+Words MotionServices(const Typed& typed) {
+  if (typed.places.empty()) return {};
+  Words names{"none"};
+  const config::Layers layers{.robot = typed.places.front()};
+  for (const robot::ServiceSpec& service :
+       config::LoadConfig(layers, config::DataDir()).robot.services) {
+    if (!service.alias.empty()) names.push_back(service.alias);
+  }
+  return names;
+}
+
+// Keys of the configuration with "=", or behind that the values of one.
+Words Settings(const Typed& typed);
 
 Words Poses(const Typed&) { return {robot::kStartPoses.begin(), robot::kStartPoses.end()}; }
 
@@ -174,7 +136,7 @@ constexpr ValueRow kValues[] = {
     {"scene", Scenes},
     {"--scene", Scenes},
     {"scenario", Scenarios},
-    {"--set", Keys},
+    {"--set", Settings},
     {"--interface", Interfaces},
     {"--name", RunningRobots},
     {"--start", Poses},
@@ -185,7 +147,7 @@ constexpr ValueRow kValues[] = {
      [](const Typed&) {
        return Words{"go", "hg"};
      }},
-    {"--profile", [](const Typed&) { return config::ProfileNames(config::DataDir()); }},
+    {"--profile", Profiles},
     {"--dynamics",
      [](const Typed&) {
        return Words{"catalogue", "fitted"};
@@ -203,6 +165,32 @@ constexpr ValueRow kValues[] = {
        return Words{"bash", "zsh", "fish"};
      }},
 };
+
+// Those of keys that take names.
+constexpr ValueRow kKeyValues[] = {
+    {"profile", Profiles},
+    {"scene", Scenes},
+    {"robot.revision", Revisions},
+    {"network.interface", Interfaces},
+    {"motion.service", MotionServices},
+};
+
+Words Settings(const Typed& typed) {
+  Words words;
+  const std::size_t equals = typed.last.find('=');
+  if (equals == std::string::npos) {
+    for (const std::string& key : config::ConfigKeys()) {
+      if (key.find("[]") == std::string::npos) words.push_back(key + "=");
+    }
+    return words;
+  }
+  const std::string key = typed.last.substr(0, equals);
+  const auto* row = std::ranges::find(kKeyValues, key, &ValueRow::name);
+  words = row == std::end(kKeyValues) ? config::WordsOfKey(key) : row->values(typed);
+  std::erase(words, "");
+  for (std::string& word : words) word.insert(0, key + "=");
+  return words;
+}
 
 // Chords that continue the last word: "L2+A", "L2+B" ...
 Words Chords(const Typed& typed) {
@@ -290,18 +278,21 @@ const CLI::Option* PlaceOf(const Typed& typed) {
 Words Candidates(const Typed& typed) {
   if (typed.free) return {};
   if (typed.option != nullptr) return ValuesOf(*typed.option, typed);
+  if (!typed.before.empty()) return {};  // of an option that is not there
   if (typed.last.starts_with('-')) return OptionNames(typed.path);
   if (Words commands = CommandNames(*typed.path.back()); !commands.empty()) return commands;
   const CLI::Option* const place = PlaceOf(typed);
   return place == nullptr ? Words() : ValuesOf(*place, typed);
 }
 
-// Prints those that begin as the last word does, one a line. Nobody wants to read of an error.
+// Prints those that begin as the last word does, one a line, of a word that the shell has broken
+// the last part. Nobody wants to read of an error.
 int CompleteCommand(const CLI::App& app, const Words& words) {
   try {
-    const Typed typed = Read(app, words);
+    const Typed typed = ReadTyped(app, words);
     for (const std::string& word : Candidates(typed)) {
-      if (word.starts_with(typed.last)) std::puts(word.c_str());
+      if (!word.starts_with(typed.last)) continue;
+      std::puts((typed.before + word).substr(typed.broken).c_str());
     }
   } catch (const std::exception&) {
   }
@@ -351,7 +342,8 @@ void AddCompletionsCommand(CLI::App* app, Chosen* chosen) {
       "  understudy completions bash > ~/.local/share/bash-completion/completions/understudy\n"
       "  understudy completions fish > ~/.config/fish/completions/understudy.fish\n"
       "  source <(understudy completions zsh)          in ~/.zshrc\n"
-      "They ask the program: names of robots, scenes, keys of --set, bodies of a running robot.");
+      "They ask the program: names of robots, scenes, keys of --set and their words, bodies of a\n"
+      "running robot.");
   const auto print = [=] {
     const std::string script = *shell == "fish"  ? kFish
                                : *shell == "zsh" ? std::string(kZshPreamble) + kBash + kZshEnd

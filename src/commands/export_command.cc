@@ -21,9 +21,11 @@ struct ExportArguments : SetArguments {
 };
 
 int ExportUrdf(const ExportArguments& arguments) {
-  config::Config config = config::LoadConfig(
-      {.robot = arguments.robot, .files = arguments.config_files, .sets = arguments.sets},
-      config::DataDir());
+  config::Config config = config::LoadConfig({.robot = arguments.robot,
+                                              .files = arguments.config_files,
+                                              .sets = arguments.sets,
+                                              .typed = arguments.typed},
+                                             config::DataDir());
   run::MakeWorld(&config);  // which fits the names to those of another's model
   std::map<std::string, mjcf::UrdfLimits> limits;
   for (const robot::MotorSpec* motor : robot::AllMotors(config.robot)) {

@@ -7,7 +7,6 @@
 #include <sstream>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <vector>
 
 #include <CLI/CLI.hpp>
@@ -304,9 +303,7 @@ std::string Page(const CLI::App& app, const CLI::App& command) {
 }
 
 int WritePages(const CLI::App& app, const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) throw SetupError("cannot make " + folder.string() + ": " + error.message());
+  MakeFolder(folder);
   WriteFile(folder / (PageName("") + ".1"), Page(app, app));
   for (const std::string& name : CommandNames(app)) {
     WriteFile(folder / (PageName(name) + ".1"), Page(app, *FindCommand(app, name)));

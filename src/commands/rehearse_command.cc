@@ -54,11 +54,8 @@ fs::path FindScenario(const std::string& written) {
   fs::path file = folder / (written + ".yaml");
   std::error_code error;
   if (fs::is_regular_file(file, error)) return file;
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(folder, error)) {
-    names.push_back(entry.path().stem());
-  }
-  throw ConfigError("no scenario '" + written + "'" + DidYouMean(written, names));
+  throw ConfigError("no scenario '" + written + "'" +
+                    DidYouMean(written, config::YamlNames(folder)));
 }
 
 fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t run = 0) {
@@ -66,13 +63,6 @@ fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t 
   // A bag's folder may be written with a slash.
   const std::string name = (scenario.has_filename() ? scenario : scenario.parent_path()).stem();
   return fs::path("rehearsals") / (run == 0 ? name : name + "-" + std::to_string(run));
-}
-
-fs::path MakeFolder(fs::path folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());
-  return folder;
 }
 
 // The options that a run of a campaign has as the campaign has them.
@@ -129,8 +119,10 @@ int RehearseCommand(const RehearseArguments& arguments) {
   if (!arguments.campaign.merge.empty())
     return MergeCommand(arguments.campaign, arguments.out, arguments.json);
   const fs::path file = FindScenario(arguments.scenario);
-  const rehearse::ScenarioOptions options{
-      .command = arguments.command, .sets = arguments.sets, .run = arguments.run};
+  const rehearse::ScenarioOptions options{.command = arguments.command,
+                                          .sets = arguments.sets,
+                                          .run = arguments.run,
+                                          .typed = arguments.typed};
   if (arguments.run == 0) {
     if (const auto varied = rehearse::LoadVaried(file)) {
       return CampaignCommand({.file = file,
@@ -283,15 +275,8 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
   AddShortOption(rehearse, arguments.get(), "--seed", "randomization.seed", "N",
                  "Seed of randomization, in place of the scenario's");
   AddProfileOption(rehearse, arguments.get());
-  rehearse
-      ->add_option_function<std::vector<std::string>>(
-          "--set",
-          [arguments](const std::vector<std::string>& sets) {
-            arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-          },
-          "Sets one key of the configuration, e.g. --set terrain.friction=0.3; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all();
+  AddSetOption(rehearse, arguments.get(),
+               "one key of the configuration, e.g. --set terrain.friction=0.3");
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
   AddCampaignOptions(rehearse, &arguments->campaign);

@@ -22,21 +22,25 @@ void AddProfileOption(CLI::App* app, SetArguments* arguments) {
                  "How good the sensors are: ideal, nominal, worn or harsh [nominal]");
 }
 
+void AddSetOption(CLI::App* app, SetArguments* arguments, const std::string& what) {
+  app->add_option_function<std::vector<std::string>>(
+         "--set",
+         [arguments](const std::vector<std::string>& sets) {
+           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
+         },
+         "Sets " + what + "; may be repeated")
+      ->type_name("KEY=VALUE")
+      ->take_all()
+      ->allow_extra_args(false);
+}
+
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example) {
   app->add_option("--config", arguments->config_files, config_help + "; may be repeated")
       ->type_name("FILE")
       ->take_all()
       ->allow_extra_args(false);  // else it swallows the -- before a command
-  app->add_option_function<std::vector<std::string>>(
-         "--set",
-         [arguments](const std::vector<std::string>& sets) {
-           arguments->sets.insert(arguments->sets.end(), sets.begin(), sets.end());
-         },
-         "Sets one key, e.g. --set " + example + "; may be repeated")
-      ->type_name("KEY=VALUE")
-      ->take_all()
-      ->allow_extra_args(false);
+  AddSetOption(app, arguments, "one key, e.g. --set " + example);
 }
 
 }  // namespace understudy::commands

@@ -26,6 +26,9 @@ CLI::Option* AddShortOption(CLI::App* app, SetArguments* arguments, const std::s
 // Adds --profile.
 void AddProfileOption(CLI::App* app, SetArguments* arguments);
 
+// Adds --set KEY=VALUE, which sets `what`, as in "one key".
+void AddSetOption(CLI::App* app, SetArguments* arguments, const std::string& what);
+
 // Adds --config FILE and --set KEY=VALUE, with an example of the latter.
 void AddSetOptions(CLI::App* app, SetArguments* arguments, const std::string& config_help,
                    const std::string& example);

@@ -17,6 +17,7 @@ const std::vector<std::string>& StartPoses();
 
 void Describe(Archive& archive, Config& config);
 void Describe(Archive& archive, robot::RobotSpec& robot);
+void DescribeMotionService(Archive& archive, robot::MotionSpec& motion);
 void DescribeSensors(Archive& archive, sensors::SensorConfig& sensors);
 // Only `scene` and `terrain`, which are the keys that a scene's YAML file may have.
 void DescribeScene(Archive& archive, Config& config);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "base/nearest_word.h"
+#include "base/printed.h"
 #include "config/yaml_document.h"
 #include "physics/stature.h"
 
@@ -130,11 +131,7 @@ std::string Plain(const std::string& name) {
   return plain;
 }
 
-std::string Number(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.5g", number == 0 ? 0.0 : number);
-  return text.data();
-}
+std::string Number(double number) { return Printed("%.5g", number == 0 ? 0.0 : number); }
 
 // A name as YAML: in quotes where it could be taken for something else.
 std::string Quoted(const std::string& name) {

@@ -1,7 +1,6 @@
 #include "config/profile.h"
 
 #include <algorithm>
-#include <system_error>
 
 #include "base/errors.h"
 #include "base/nearest_word.h"
@@ -15,15 +14,7 @@ path Folder(const path& data_dir) { return data_dir / "config" / "profiles"; }
 
 }  // namespace
 
-std::vector<std::string> ProfileNames(const path& data_dir) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(Folder(data_dir), error)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
+std::vector<std::string> ProfileNames(const path& data_dir) { return YamlNames(Folder(data_dir)); }
 
 std::string AddProfile(const path& data_dir, std::size_t own, std::vector<YamlValue>* trees) {
   const YamlValue* asked = nullptr;

@@ -1,6 +1,8 @@
 #include "config/reference.h"
 
+#include <map>
 #include <string_view>
+#include <variant>
 
 #include "config/archive.h"
 #include "config/keys.h"
@@ -29,11 +31,14 @@ class ReferenceArchive : public Archive {
     return text;
   }
   const std::vector<std::string>& keys() const { return keys_; }
+  const std::map<std::string, std::vector<std::string>>& words() const { return words_; }
 
  protected:
   void Visit(const Row& row, const Slot& slot) override {
     const std::string key = path_ + std::string(row.name);
     keys_.push_back(key);
+    if (std::holds_alternative<bool*>(slot)) words_[key] = {"true", "false"};
+    if (const auto* words = std::get_if<WordSlot>(&slot)) words_[key] = words->words;
     tables_[open_.back()].rows += "| `" + key + "` | " + Cell(row.unit) + " | " +
                                   Cell(Allowed(row, slot)) + " | `" + Cell(ValueText(slot)) +
                                   "` | " + Cell(row.meaning) + " |\n";
@@ -75,6 +80,7 @@ class ReferenceArchive : public Archive {
   std::vector<Table> tables_{Table{}};
   std::vector<std::size_t> open_{0};
   std::vector<std::string> keys_;
+  std::map<std::string, std::vector<std::string>> words_;  // of those that take words
 };
 
 ReferenceArchive Described() {
@@ -89,5 +95,11 @@ ReferenceArchive Described() {
 std::string ConfigReference() { return Described().Text(); }
 
 std::vector<std::string> ConfigKeys() { return Described().keys(); }
+
+std::vector<std::string> WordsOfKey(const std::string& key) {
+  const ReferenceArchive archive = Described();
+  const auto found = archive.words().find(key);
+  return found == archive.words().end() ? std::vector<std::string>() : found->second;
+}
 
 }  // namespace understudy::config

@@ -13,4 +13,8 @@ std::string ConfigReference();
 // Returns all keys of those tables, in their order.
 std::vector<std::string> ConfigKeys();
 
+// Returns the words that this key takes, of a switch true and false; none for one that takes
+// numbers or any text, and for one that there is not.
+std::vector<std::string> WordsOfKey(const std::string& key);
+
 }  // namespace understudy::config

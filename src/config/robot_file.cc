@@ -147,14 +147,7 @@ const RobotVariant* RobotFile::FindFirmware(const std::string& version) const {
 std::vector<std::string> RobotFile::FirmwareNames() const { return NamesOf(firmwares); }
 
 std::vector<std::string> RobotNames(const path& data_dir) {
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(data_dir / "config" / "robots", error)) {
-    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
-  }
-  std::sort(names.begin(), names.end());
-  return names;
+  return YamlNames(data_dir / "config" / "robots");
 }
 
 YamlValue ReadLayer(const path& file) {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "authority/onboard.h"
@@ -88,7 +88,9 @@ void CheckMotionService(const Config& config, const Checker& checker) {
 void CheckFaults(const Config& config, const Checker& checker) {
   if (config.faults.empty()) return;
   std::vector<std::string> topics = emulator::CommandTopics(config.robot);
-  std::ranges::copy(wire::StateTopics(config.robot), std::back_inserter(topics));
+  for (wire::StateTopic& topic : wire::StateTopics(config.robot)) {
+    topics.push_back(std::move(topic.name));
+  }
   std::vector<std::string> services;
   for (const services::ServiceTable& table : services::ServicesOf(config.robot.apis)) {
     services.emplace_back(table.name);

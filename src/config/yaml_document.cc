@@ -302,4 +302,14 @@ YamlValue ReadYamlFile(const std::filesystem::path& path) {
   return ParseYaml(text, name);
 }
 
+std::vector<std::string> YamlNames(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
 }  // namespace understudy::config

@@ -47,4 +47,8 @@ YamlValue ParseYaml(const std::string& text, const std::string& name, bool numbe
 // exist or cannot be read.
 YamlValue ReadYamlFile(const std::filesystem::path& path);
 
+// Returns the names of the YAML files in a folder, without ".yaml", in alphabetical order; none if
+// it cannot be read.
+std::vector<std::string> YamlNames(const std::filesystem::path& folder);
+
 }  // namespace understudy::config

@@ -1,13 +1,12 @@
 #include "ctl/text.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <utility>
 
+#include "base/printed.h"
 #include "emulator/request.h"
 
 namespace understudy::ctl {
@@ -18,9 +17,7 @@ using nlohmann::ordered_json;
 // Returns "-" for null, which JSON has for a number that is not finite.
 std::string Fixed(const ordered_json& value, int digits, double scale = 1) {
   if (value.is_null()) return "-";
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value.get<double>() * scale);
-  return text;
+  return Printed("%.*f", digits, value.get<double>() * scale);
 }
 
 std::string Count(const ordered_json& value) { return std::to_string(value.get<std::int64_t>()); }
@@ -54,11 +51,7 @@ std::string CellOf(const ordered_json& value) {
   if (value.is_null()) return "-";
   if (value.is_string()) return value.get<std::string>();
   if (value.is_boolean()) return value.get<bool>() ? "yes" : "no";
-  if (value.is_number_float()) {
-    char text[64];
-    std::snprintf(text, sizeof text, "%.6g", value.get<double>());
-    return text;
-  }
+  if (value.is_number_float()) return Printed("%.6g", value.get<double>());
   return value.dump();
 }
 
@@ -254,19 +247,20 @@ std::string SettingsText(const ordered_json& reply) {
   std::vector<Cells> rows = {{"KEY", "VALUE", "UNIT", "TAKES"}};
   for (const ordered_json& setting : reply.at("settings")) {
     const ordered_json& value = setting.at("value");
-    rows.push_back({setting.at("key"),
-                    value.is_string()    ? value.get<std::string>()
-                    : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
-                                         : emulator::NumberText(value.get<double>()),
-                    setting.at("unit"), setting.at("takes")});
+    std::string shown = value.is_string()    ? value.get<std::string>()
+                        : value.is_boolean() ? (value.get<bool>() ? "true" : "false")
+                                             : emulator::NumberText(value.get<double>());
+    if (const auto real = setting.find("stands_for"); real != setting.end()) {
+      shown += ": " + real->get<std::string>();
+    }
+    rows.push_back({setting.at("key"), shown, setting.at("unit"), setting.at("takes")});
   }
   return Aligned(rows);
 }
 
 std::string EventText(const ordered_json& event) {
-  std::array<char, 32> time{};
-  std::snprintf(time.data(), time.size(), "%.3f s  ", event.at("time").get<double>());
-  return time.data() + event.at("text").get<std::string>() + "\n";
+  return Printed("%.3f s  ", event.at("time").get<double>()) + event.at("text").get<std::string>() +
+         "\n";
 }
 
 std::string EventsText(const ordered_json& reply) {

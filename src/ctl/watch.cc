@@ -1,9 +1,9 @@
 #include "ctl/watch.h"
 
 #include <cstdint>
-#include <cstdio>
 #include <vector>
 
+#include "base/printed.h"
 #include "ctl/text.h"
 
 namespace understudy::ctl {
@@ -14,9 +14,7 @@ using Pointer = ordered_json::json_pointer;
 
 std::string Number(const char* format, const ordered_json& value) {
   if (value.is_null()) return "-";
-  char text[64];
-  std::snprintf(text, sizeof text, format, value.get<double>());
-  return text;
+  return Printed(format, value.get<double>());
 }
 
 // Returns a count, or the sum of an object of counts.

@@ -16,11 +16,13 @@ enum class Verdict { kOk, kWarning, kWrong, kNotSeen };
 // Returns "ok", "warning", "wrong" or "not seen".
 std::string_view Word(Verdict verdict);
 
+using Figures = std::vector<std::pair<std::string_view, double>>;  // by name, SI
+
 struct Finding {
   Verdict verdict = Verdict::kOk;
   std::string text{};    // what was found, with figures and units
   std::string remedy{};  // what to do; "" where there is nothing to do
-  std::vector<std::pair<std::string_view, double>> figures{};  // SI, for programs
+  Figures figures{};     // for programs
 };
 
 struct Check {
@@ -31,5 +33,10 @@ struct Check {
 
 // All of them, in the order in which they are shown: a cause stands before what follows from it.
 std::span<const Check> Checks();
+// Their groups, in that order: the interface, the domain, another machine, this machine.
+std::span<const Check> NetworkChecks();
+std::span<const Check> DomainChecks();
+std::span<const Check> PeerChecks();
+std::span<const Check> MachineChecks();
 
 }  // namespace understudy::doctor

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <ctime>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <limits>
 #include <memory>
 #include <sstream>
@@ -25,6 +23,7 @@
 #include <sys/socket.h>
 #include <sys/timex.h>
 
+#include "base/files.h"
 #include "base/unique_fd.h"
 #include "doctor/probe.h"
 #include "time/realtime.h"
@@ -52,13 +51,8 @@ std::uint32_t Number(const sockaddr* address) {
   return ntohl(ipv4.sin_addr.s_addr);
 }
 
-std::string Read(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string FirstWord(const std::filesystem::path& file) {
-  std::istringstream text(Read(file));
+  std::istringstream text(FileText(file));
   std::string word;
   text >> word;
   return word;
@@ -103,7 +97,7 @@ std::uint32_t OwnAddress(const std::vector<Address>& addresses, const std::strin
 }
 
 std::optional<std::string> ReadMulticastRoute() {
-  const std::string table = Read("/proc/net/route");
+  const std::string table = FileText("/proc/net/route");
   if (table.empty()) return std::nullopt;
   return RouteTo(kDiscoveryGroup, table);
 }
@@ -149,7 +143,7 @@ std::optional<DropCounts> ReadDropCounts(const std::string& interface) {
         DropCounts{.interface_errors = std::uint64_t{stats.rx_errors} + stats.tx_errors,
                    .interface_dropped = std::uint64_t{stats.rx_missed_errors} + stats.tx_dropped};
   });
-  const auto full = FullBuffers(Read("/proc/net/snmp"));
+  const auto full = FullBuffers(FileText("/proc/net/snmp"));
   if (!counts || !full) return std::nullopt;
   counts->buffer_full = *full;
   return counts;

@@ -45,6 +45,7 @@ const std::vector<Row>& Rows() {
       Of(wire::kUserLowCmd),
       Of(wire::kLfMainBoardState),
       Of(wire::kArmActionState),
+      Of(wire::kErrorList),
       Of(wire::kWirelessController),
       {"rt/config_change_status", "unitree_go::msg::dds_::ConfigChangeStatus_"},
       {"rt/servicestate", kText},

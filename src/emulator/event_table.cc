@@ -1,15 +1,8 @@
 #include "emulator/event_table.h"
 
-#include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <limits>
-
-#include <nlohmann/json.hpp>
-
 #include "authority/command_gate.h"
 #include "authority/unheeded.h"
-#include "judge/condition.h"
+#include "base/printed.h"
 #include "motion/protection.h"
 #include "robot/command_topics.h"
 #include "robot/fault.h"
@@ -20,22 +13,13 @@
 namespace understudy::emulator {
 namespace {
 
-using nlohmann::json;
 using enum EventFieldType;
-
-// Late ticks in one burst that are worth a line; *assumed*: a few are made up for unnoticed.
-constexpr std::uint64_t kManyOverruns = 50;
-
-std::string Text(const char* format, double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), format, number);
-  return digits.data();
-}
+using enum EventLevel;
 
 std::string What(const Event& event) { return event.text.data(); }
 
 // "lying (1004)": a state of a motion service with the vendor's id.
-std::string StateText(const std::string& name, double id) { return name + Text(" (%.0f)", id); }
+std::string StateText(const std::string& name, double id) { return name + Printed(" (%.0f)", id); }
 
 bool On(const Event& event) { return event.numbers[0] != 0; }
 
@@ -63,13 +47,10 @@ const motion::DangerRow& DangerOf(const Event& event) {
 
 std::string Amount(const robot::FaultKind& kind, double by) {
   if (!kind.has_magnitude()) return "";
-  return Text(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
+  return Printed(" by %g", by) + (kind.unit.empty() ? "" : " ") + std::string(kind.unit);
 }
 
-bool IsOfHand(const Event& event) {
-  return std::ranges::find(robot::kCommandTopicNames, What(event)) ==
-         robot::kCommandTopicNames.end();
-}
+bool IsOfHand(const Event& event) { return !robot::IsBodyCommandTopic(event.text.data()); }
 
 // What brings the commands of the topic that `text` names.
 std::string MessageOf(const Event& event) {
@@ -89,8 +70,8 @@ std::string SayProtection(const Event& event, std::uint64_t) {
   const std::string where = What(event).empty() ? "" : " of " + What(event);
   std::string text = "protection: " + std::string(danger.name);
   if (event.numbers[1] == 0) return text + where + " is within its limit again";
-  if (!danger.unit.empty()) text += Text(" %.2f ", event.numbers[2]) + std::string(danger.unit);
-  if (danger.below) text += Text(" %.2f", event.numbers[2]);
+  if (!danger.unit.empty()) text += Printed(" %.2f ", event.numbers[2]) + std::string(danger.unit);
+  if (danger.below) text += Printed(" %.2f", event.numbers[2]);
   constexpr std::array<std::string_view, 5> kDoes = {
       "", "", "; the robot stops", "; the robot lies down, if it can", "; the motors damp"};
   return text + where + std::string(kDoes[static_cast<std::size_t>(event.numbers[3])]);
@@ -103,8 +84,8 @@ std::string SayCallRefusal(const Event& event, std::uint64_t) {
                      std::string(services::Name(reason)) +
                      "): " + std::string(services::Explain(reason));
   if (reason == services::CallRefusal::kState || reason == services::CallRefusal::kIgnored)
-    text += ", " + Text("%.0f", event.numbers[2]);
-  return text + (answered ? "; code " + Text("%.0f", event.numbers[1]) : "; not answered");
+    text += ", " + Printed("%.0f", event.numbers[2]);
+  return text + (answered ? "; code " + Printed("%.0f", event.numbers[1]) : "; not answered");
 }
 
 std::string SayTimeout(const Event& event, std::uint64_t count) {
@@ -135,16 +116,13 @@ std::string SayUnheeded(const Event& event, std::uint64_t) {
     case authority::Unheeded::Reason::kNotSimulated:
       text = who +
              (sticks      ? " ask the robot to walk"
-              : wish >= 0 ? " asks for state " + Text("%.0f", wish) + " of the real robot"
+              : wish >= 0 ? " asks for state " + Printed("%.0f", wish) + " of the real robot"
                           : " asks for a motion") +
              ", which is not modelled: it stays in " + StateText(What(event), event.numbers[3]);
       break;
   }
   return text;
 }
-
-constexpr EventLevel kSilent = EventLevel::kSilent, kInfo = EventLevel::kInfo,
-                     kWarning = EventLevel::kWarning, kError = EventLevel::kError;
 
 constexpr EventRow Row(EventKind kind, std::string_view name, EventLevel level, bool bursts,
                        const std::array<EventField, 5>& fields,
@@ -184,7 +162,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kFirstCommand, "first_command", kSilent, false,
         {{{"jump", kNumber}, {"joint", kText}}},
         [](const Event& e, std::uint64_t) {
-          return "the first LowCmd that asks for angles is " + Text("%.3f", e.numbers[0]) +
+          return "the first LowCmd that asks for angles is " + Printed("%.3f", e.numbers[0]) +
                  " rad off at " + What(e);
         },
         "the first command of `rt/lowcmd` that asks a joint for an angle is taken; `jump` is the "
@@ -257,7 +235,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kMotorHeat, "motor_heat", kWarning, false,
         {{{"state", kInteger}, {"winding", kNumber}, {"joint", kText}}},
         [](const Event& e, std::uint64_t) {
-          return What(e) + ": the winding is at " + Text("%.0f °C", e.numbers[1]) +
+          return What(e) + ": the winding is at " + Printed("%.0f °C", e.numbers[1]) +
                  (e.numbers[0] == 2   ? ", and the motor gives no torque until it has cooled"
                   : e.numbers[0] == 1 ? ", and the motor gives less torque"
                                       : ", and the motor gives all of its torque again");
@@ -283,7 +261,8 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kLowBattery, "low_battery", kWarning, false, {{{"charge", kNumber}}},
         [](const Event& e, std::uint64_t) {
-          return "the battery is down to " + Text("%.0f %%", 100 * e.numbers[0]) + " of its charge";
+          return "the battery is down to " + Printed("%.0f %%", 100 * e.numbers[0]) +
+                 " of its charge";
         },
         "the charge falls below robot.battery.low_soc, the first time"),
     Row(EventKind::kProtection, "protection", kWarning, false,
@@ -298,13 +277,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kPause, "pause", kInfo, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) {
-          return (On(e) ? "paused at " : "resumed at ") + Text("%.3f", e.time) + " s";
+          return (On(e) ? "paused at " : "resumed at ") + Printed("%.3f", e.time) + " s";
         },
         "the robot is paused or resumed"),
     Row(
         EventKind::kSpeed, "speed", kInfo, false, {{{"speed", kNumber}}},
         [](const Event& e, std::uint64_t) {
-          return "speed " + (On(e) ? Text("%g", e.numbers[0]) : "as fast as possible");
+          return "speed " + (On(e) ? Printed("%g", e.numbers[0]) : "as fast as possible");
         },
         "another speed is wanted"),
     Row(
@@ -319,13 +298,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
           return "script: '" + What(e) + (e.numbers[2] != 0 ? "' came" : "' had not come") +
-                 " after " + Text("%.3f", e.numbers[1]) + " s";
+                 " after " + Printed("%.3f", e.numbers[1]) + " s";
         },
         "a script has what it waited for, or waits no longer"),
     Row(
         EventKind::kDivergence, "divergence", kError, true, {},
         [](const Event& e, std::uint64_t n) {
-          return "the physics diverged at " + Text("%.3f", e.time) + " s" + Times(n);
+          return "the physics diverged at " + Printed("%.3f", e.time) + " s" + Times(n);
         },
         "the physics diverges"),
     Row(
@@ -337,7 +316,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kWriters, "writers", kWarning, true, {{{"writers", kInteger}}},
         [](const Event& e, std::uint64_t) {
-          return Text("%.0f", e.numbers[0]) +
+          return Printed("%.0f", e.numbers[0]) +
                  " programs write rt/lowcmd; the robot follows whichever wrote last";
         },
         "two programs or more write rt/lowcmd"),
@@ -364,13 +343,13 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
         [](const Event& e, std::uint64_t n) {
           return Plural(static_cast<double>(n), "tick") + " began late, the worst by " +
-                 Text("%.1f", e.numbers[0] * 1e3) + " ms";
+                 Printed("%.1f", e.numbers[0] * 1e3) + " ms";
         },
         "a tick begins more than one period late"),
     Row(
         EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
         [](const Event& e, std::uint64_t) {
-          return Text("%.1f", e.numbers[0]) +
+          return Printed("%.1f", e.numbers[0]) +
                  " s behind wall time, which is not made up for: simulated time goes on late";
         },
         "a tick begins so late that it is not made up for"),
@@ -398,7 +377,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
         [](const Event& e, std::uint64_t) {
-          return "the program has ended with " + Text("%.0f", e.numbers[0]);
+          return "the program has ended with " + Printed("%.0f", e.numbers[0]);
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
     Row(
@@ -432,153 +411,10 @@ static_assert([] {
   return true;
 }());
 
-// The word of a field, in `room` if it is none of ours; nullopt for a number.
-std::optional<std::string_view> WordOf(const Event& event, EventFieldType type, std::size_t number,
-                                       robot::RemoteKeyText* room) {
-  switch (type) {
-    case kText:
-      return event.text.data();
-    case kCallReason:
-      return services::Name(static_cast<services::CallRefusal>(event.numbers[number]));
-    case kReason:
-      return robot::Name(static_cast<robot::Refusal>(event.numbers[number]));
-    case kGate:
-      return authority::Name(static_cast<authority::GateState>(event.numbers[number]));
-    case kFault:
-      return FaultOf(event).name;
-    case kDanger:
-      return DangerOf(event).name;
-    case kProtects:
-      return robot::Name(static_cast<robot::Protection>(event.numbers[number]));
-    case kWish:
-      return authority::Name(static_cast<authority::Unheeded::Reason>(event.numbers[number]));
-    case kKeys:
-      return robot::WriteRemoteKeyNames(static_cast<std::uint16_t>(event.numbers[number]), room);
-    case kBool:
-    case kInteger:
-    case kCause:
-    case kNumber:
-    case kWorst:
-    case kSum:
-      break;
-  }
-  return std::nullopt;
-}
-
-json Value(const Event& event, EventFieldType type, std::size_t number) {
-  robot::RemoteKeyText room{};
-  if (const auto word = WordOf(event, type, number, &room)) return std::string(*word);
-  if (type == kBool) return event.numbers[number] != 0;
-  if (type == kInteger || type == kCause) return static_cast<std::int64_t>(event.numbers[number]);
-  return event.numbers[number];
-}
-
-// Calls do_one(field, index of its first number) for each field of the row.
-template <class DoOne>
-void ForEachField(const EventRow& row, DoOne do_one) {
-  std::size_t number = 0;
-  for (const EventField& field : row.fields) {
-    if (field.name.empty()) return;
-    do_one(field, number);
-    if (field.type != kText) ++number;
-  }
-}
-
-bool SameCause(const Event& a, const Event& b) {
-  if (a.kind != b.kind || a.robot != b.robot || a.text != b.text) return false;
-  bool same = true;
-  ForEachField(RowOf(a.kind), [&](const EventField& field, std::size_t i) {
-    if (field.type == kReason || field.type == kCallReason || field.type == kCause) {
-      same = same && a.numbers[i] == b.numbers[i];
-    }
-  });
-  return same;
-}
-
-// Adds events to those that are held, of the same cause.
-void Add(const ToldEvent& more, ToldEvent* held) {
-  Event both = more.event;
-  if (held->count > 0) {
-    ForEachField(RowOf(both.kind), [&](const EventField& field, std::size_t i) {
-      const double before = held->event.numbers[i];
-      if (field.type == kWorst) both.numbers[i] = std::max(before, both.numbers[i]);
-      if (field.type == kSum) both.numbers[i] += before;
-    });
-  }
-  *held = {.event = both, .count = held->count + more.count};
-}
-
 }  // namespace
 
 std::span<const EventRow, kEventKinds> EventTable() { return kRows; }
 
-double FieldNumber(const Event& event, std::size_t field) {
-  const EventRow& row = RowOf(event.kind);
-  const auto number = static_cast<std::size_t>(
-      std::count_if(row.fields.begin(), row.fields.begin() + static_cast<std::ptrdiff_t>(field),
-                    [](const EventField& before) { return before.type != kText; }));
-  robot::RemoteKeyText room{};
-  const auto word = WordOf(event, row.fields[field].type, number, &room);
-  return word ? judge::WordNumber(*word) : event.numbers[number];
-}
-
 const EventRow& RowOf(EventKind kind) { return kRows[static_cast<std::size_t>(kind)]; }
-
-std::string_view ToldEvent::kind() const {
-  return event.kind == EventKind::kRequest ? event.request.row->name : RowOf(event.kind).name;
-}
-
-json ToldEvent::detail() const {
-  if (event.kind == EventKind::kRequest) return ValuesOf(event.request);
-  json detail = json::object();
-  const EventRow& row = RowOf(event.kind);
-  ForEachField(row, [&](const EventField& field, std::size_t number) {
-    detail[std::string(field.name)] = Value(event, field.type, number);
-  });
-  if (row.bursts) detail["count"] = count;
-  return detail;
-}
-
-EventLevel ToldEvent::level() const {
-  const bool too_slow = event.kind == EventKind::kOverrun && count > kManyOverruns;
-  return too_slow ? EventLevel::kWarning : RowOf(event.kind).level;
-}
-
-std::optional<ToldEvent> EventDigest::Take(const ToldEvent& told, double now) {
-  const Event& event = told.event;
-  if (!RowOf(event.kind).bursts) return told;
-  auto cause = std::ranges::find_if(
-      causes_, [&](const Cause& known) { return SameCause(known.held.event, event); });
-  if (cause == causes_.end() && causes_.size() >= kMostCauses) {
-    std::erase_if(causes_, [&](const Cause& known) {
-      return known.held.count == 0 && now >= known.told_at + period_;
-    });
-    // Whoever is on the network may think of causes without end: those beyond count as the last.
-    cause = causes_.size() < kMostCauses ? causes_.end() : causes_.end() - 1;
-  }
-  if (cause == causes_.end()) {
-    causes_.push_back({.held = {.event = event, .count = 0}, .told_at = now});
-    return told;
-  }
-  Add(told, &cause->held);
-  if (now < cause->told_at + period_) return std::nullopt;
-  const ToldEvent all = cause->held;
-  cause->held.count = 0;
-  cause->told_at = now;
-  return all;
-}
-
-std::vector<ToldEvent> EventDigest::Due(double now) {
-  std::vector<ToldEvent> due;
-  for (Cause& cause : causes_) {
-    if (cause.held.count == 0 || now < cause.told_at + period_) continue;
-    due.push_back(cause.held);
-    cause.held.count = 0;
-    cause.told_at = now;
-  }
-  return due;
-}
-
-std::vector<ToldEvent> EventDigest::Rest() { return Due(std::numeric_limits<double>::infinity()); }
 
 }  // namespace understudy::emulator

@@ -4,9 +4,9 @@
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 #include "base/nearest_word.h"
+#include "base/printed.h"
 #include "emulator/live_settings.h"
 #include "robot/remote_keys.h"
 #include "time/pace.h"
@@ -354,10 +354,8 @@ std::string Shown(const json& value) {
 }
 
 std::string NumberText(double number) {
-  std::array<char, 32> digits{};
   const bool whole = number == std::floor(number) && std::abs(number) <= 1e6;
-  std::snprintf(digits.data(), digits.size(), whole ? "%.0f" : "%.4g", number);
-  return digits.data();
+  return Printed(whole ? "%.0f" : "%.4g", number);
 }
 
 json ValueOf(const std::string& word) {

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <iterator>
 #include <string>
-#include <utility>
 
 #include "authority/onboard.h"
 #include "base/errors.h"
@@ -13,10 +12,6 @@
 
 namespace understudy::emulator {
 namespace {
-
-// s after which a command that was overtaken is lost: an old one would make the robot jump.
-// *assumed*
-constexpr double kLongestHeld = 0.1;
 
 // The command that holds `q` against gravity with the gains of the robot's description.
 robot::RobotCommand HoldCommand(const robot::RobotSpec& spec, const std::vector<double>& q) {
@@ -54,7 +49,6 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       settings_(parts.settings),
       topics_(CommandTopics(spec_)),
       first_service_(authority::StartService(spec_, {})),
-      heard_(topics_.size()),
       start_pose_(parts.settings.start),
       starts_(StartsOf(spec_, parts.settings.gate.damping_kd)),
       physics_(physics),
@@ -87,10 +81,11 @@ Robot::Robot(const RobotParts& parts, std::uint8_t index, physics::World* physic
       service_rate_(spec_.rates.service_hz, physics_->timestep()),
       command_(&router_.command()),
       offered_(*command_),
-      held_(topics_.size(), {.command = *command_}),
-      late_(topics_.size()),
       braked_(faults_.effects().motors),
       friction_w_(braked_.size()) {
+  for (std::size_t topic = 0; topic < topics_.size(); ++topic) {
+    links_.emplace_back(topic < robot::kFirstHandTopic, *command_);
+  }
   for (const robot::PlannedFault& fault : parts.settings.faults) {
     const auto planned = faults_.Plan(fault);
     if (!planned) throw ConfigError("faults: " + planned.why());
@@ -266,19 +261,12 @@ void Robot::Ignore() {
 bool Robot::TakeCommand(std::size_t topic, double t) {
   robot::Refusal form = robot::Refusal::kNone;
   if (!port_->Take(topic, &offered_, &form)) return false;
-  const robot::LinkEffects& link = faults_.effects().links[topic];
-  const bool damaged = link.damages && topic >= robot::kFirstHandTopic;  // these have no crc
-  if (link.drops || damaged) return true;
-  if (link.damages) form = robot::Refusal::kCrc;
-  if (link.delay <= 0 && late_[topic].empty()) {
-    Arrive(topic, offered_, form, t);
-  } else if (Late* late = late_[topic].Push(t + link.delay)) {
-    late->command = offered_;
-    late->form = form;
-    any_late_ = true;
-  } else {
+  CommandLink& link = links_[topic];
+  const robot::LinkEffects& effects = faults_.effects().links[topic];
+  if (!link.Send(offered_, form, effects, t, Arrival{this, topic, t})) {
     router_.Count(topic, robot::Refusal::kLost, 1);
   }
+  any_late_ = any_late_ || link.any_late();
   return true;
 }
 
@@ -286,39 +274,20 @@ bool Robot::TakeCommand(std::size_t topic, double t) {
 int Robot::TakeLate(int most, double t) {
   int taken = 0;
   any_late_ = false;
-  for (std::size_t topic = 0; topic < late_.size(); ++topic) {
-    for (const Late* late = nullptr; taken < most && (late = late_[topic].Due(t)); ++taken) {
-      Arrive(topic, late->command, late->form, t);
-      late_[topic].Pop();
-    }
-    any_late_ = any_late_ || !late_[topic].empty();
+  for (std::size_t topic = 0; topic < links_.size(); ++topic) {
+    CommandLink& link = links_[topic];
+    const robot::LinkEffects& effects = faults_.effects().links[topic];
+    while (taken < most && link.TakeLate(effects, t, Arrival{this, topic, t})) ++taken;
+    any_late_ = any_late_ || link.any_late();
   }
   return taken;
 }
 
-// What follows from a command that has come.
-void Robot::Arrive(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
-                   double t) {
-  const robot::LinkEffects& link = faults_.effects().links[topic];
-  ++heard_[topic];
-  Held& held = held_[topic];
-  if (link.reorders && !held.there) {
-    held = {command, form, true, t};
-    return;
-  }
-  for (int times = link.doubles ? 2 : 1; times > 0; --times) OfferCommand(topic, command, form, t);
-  if (std::exchange(held.there, false) && t - held.since < kLongestHeld) {
-    OfferCommand(topic, held.command, held.form, t);
-  }
-  NoteChanges(t);
-}
-
-void Robot::OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
-                         double t) {
-  const robot::Refusal refusal = router_.Offer(topic, command, form, t);
-  events_.AddCommand(topic, form, refusal, router_.counts(topic));
+void Robot::Arrival::Offer(const robot::RobotCommand& command, robot::Refusal form) const {
+  const robot::Refusal refusal = to->router_.Offer(topic, command, form, t);
+  to->events_.AddCommand(topic, form, refusal, to->router_.counts(topic));
   if (topic == robot::kLowCmdTopic && refusal == robot::Refusal::kNone) {
-    events_.AddTaken(command, state_);
+    to->events_.AddTaken(command, to->state_);
   }
 }
 

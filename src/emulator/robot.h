@@ -11,8 +11,8 @@
 
 #include "authority/command_router.h"
 #include "authority/command_transport.h"
-#include "base/late_queue.h"
 #include "base/result.h"
+#include "emulator/command_link.h"
 #include "emulator/events.h"
 #include "emulator/joint_rig.h"
 #include "emulator/power.h"
@@ -136,7 +136,7 @@ class Robot {
   }  // the last sample; empty before the first
   const std::vector<std::string>& topics() const { return topics_; }
   // Returns how many commands of a topic came so far, taken or not.
-  std::uint64_t heard(std::size_t topic) const { return heard_[topic]; }
+  std::uint64_t heard(std::size_t topic) const { return links_[topic].heard(); }
   const robot::FaultBank& faults() const { return faults_; }
   const robot::Damage& damage() const { return damage_.damage(); }
 
@@ -152,18 +152,14 @@ class Robot {
     bool clamped = false;
   };
 
-  // A command that goes after the next one of its topic.
-  struct Held {
-    robot::RobotCommand command;
-    robot::Refusal form = robot::Refusal::kNone;
-    bool there = false;
-    double since = 0;  // s
-  };
+  // What follows from a command that has come.
+  struct Arrival {
+    Robot* to;
+    std::size_t topic;
+    double t;
 
-  // A command that comes later than it was sent.
-  struct Late {
-    robot::RobotCommand command;
-    robot::Refusal form = robot::Refusal::kNone;
+    void Offer(const robot::RobotCommand& command, robot::Refusal form) const;
+    void Done() const { to->NoteChanges(t); }
   };
 
   static constexpr std::int64_t kNever = -2;  // before any step's sample
@@ -179,10 +175,7 @@ class Robot {
   void StepPower(double t);
   void SwitchPowerOff();
   void Suffer();
-  void Arrive(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form, double t);
   int TakeLate(int most, double t);
-  void OfferCommand(std::size_t topic, const robot::RobotCommand& command, robot::Refusal form,
-                    double t);
   robot::RemoteReading ReadRemote(double t);
   RobotEvents::Present present(double t) {
     return {.router = router_,
@@ -203,9 +196,8 @@ class Robot {
 
   robot::RobotSpec spec_;
   RobotSettings settings_;
-  std::vector<std::string> topics_;   // of commands, by number; "" if there is none
-  std::string first_service_;         // the alias of the motion service after boot; "" for none
-  std::vector<std::uint64_t> heard_;  // by topic
+  std::vector<std::string> topics_;  // of commands, by number; "" if there is none
+  std::string first_service_;        // the alias of the motion service after boot; "" for none
   robot::StartPose start_pose_;
   std::vector<Start> starts_;  // by StartPose
   physics::World* physics_;
@@ -239,8 +231,7 @@ class Robot {
 
   const robot::RobotCommand* command_;
   robot::RobotCommand offered_;
-  std::vector<Held> held_;             // by topic
-  std::vector<LateQueue<Late>> late_;  // by topic
+  std::vector<CommandLink> links_;  // by topic
   bool any_late_ = false;
   authority::MotionInput input_;
   robot::RobotState state_;

@@ -123,6 +123,8 @@ struct Snapshot {
   SnapshotMotion motion;
   robot::TrueValues truth;       // of the instant of `motors`
   std::vector<double> settings;  // by setting_keys
+  // The least and the most friction that the ground has now; with kPartSettings.
+  std::array<double, 2> ground_friction{};
 };
 
 }  // namespace understudy::emulator

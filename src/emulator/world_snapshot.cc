@@ -102,6 +102,7 @@ void World::Show(Snapshot* snapshot) const {
     for (std::size_t i = 0; i < snapshot->settings.size(); ++i) {
       snapshot->settings[i] = Setting(i, robot);
     }
+    snapshot->ground_friction = physics_.GroundFriction();
   }
   if (Has(*snapshot, kPartMotion)) {
     const robot::MotionState motion = robot.owner().state();

@@ -5,7 +5,6 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <numbers>
 #include <span>
 
@@ -13,6 +12,7 @@
 #include <tinyxml2.h>
 
 #include "base/errors.h"
+#include "base/printed.h"
 #include "mjcf/eigen_views.h"
 #include "mjcf/scene_shapes.h"
 
@@ -27,9 +27,7 @@ using tinyxml2::XMLPrinter;
 std::string Numbers(std::span<const double> numbers) {
   std::string text;
   for (const double number : numbers) {
-    std::array<char, 32> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.9g", number == 0 ? 0.0 : number);  // no "-0"
-    text += (text.empty() ? "" : " ") + std::string(digits.data());
+    text += (text.empty() ? "" : " ") + Printed("%.9g", number == 0 ? 0.0 : number);  // no "-0"
   }
   return text;
 }

@@ -1,8 +1,12 @@
 #include "physics/world.h"
 
+#include <algorithm>
+#include <limits>
+
 #include <mujoco/mujoco.h>
 
 #include "mjcf/eigen_views.h"
+#include "physics/geom_extent.h"
 
 namespace understudy::physics {
 
@@ -30,7 +34,7 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
     robot.ReadAcceleration();
   }
   for (int geom = 0; geom < model_->ngeom; ++geom) {
-    if (model_->geom_bodyid[geom] != 0) continue;
+    if (!IsGround(geom)) continue;
     const double friction = model_->geom_friction[3 * geom];
     const double before = nominal_ == nullptr ? friction : nominal_->geom_friction[3 * geom];
     ground_.push_back({.geom = geom,
@@ -40,6 +44,15 @@ World::World(mjcf::ModelHandle model, const std::vector<PlacedRobot>& robots,
   }
 }
 
+// What cannot move and is no robot's, such as the base of one that is bolted down.
+bool World::IsGround(int geom) const {
+  const int body = model_->geom_bodyid[geom];
+  return model_->body_weldid[body] == 0 &&
+         std::none_of(robots_.begin(), robots_.end(), [&](const RobotBody& robot) {
+           return model_->body_rootid[body] == model_->body_rootid[robot.base_body_];
+         });
+}
+
 // Of two geoms that touch MuJoCo uses the friction of that with the higher priority.
 void World::SetGroundFriction(double friction) {
   for (const Ground& ground : ground_) {
@@ -47,6 +60,16 @@ void World::SetGroundFriction(double friction) {
     model_->geom_friction[3 * ground.geom] = own ? ground.friction : friction * ground.factor;
     model_->geom_priority[ground.geom] = own ? ground.priority : 1;
   }
+}
+
+std::array<double, 2> World::GroundFriction() const {
+  std::array<double, 2> range{std::numeric_limits<double>::infinity(), 0};
+  for (const Ground& ground : ground_) {
+    if (!Collides(*model_, ground.geom)) continue;
+    const double friction = model_->geom_friction[3 * ground.geom];
+    range = {std::min(range[0], friction), std::max(range[1], friction)};
+  }
+  return range;
 }
 
 void World::Reset() {

@@ -1,6 +1,7 @@
 // Steps the simulated world: robots, their ground and external forces.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ class World {
   // Gives every contact with the ground this sliding friction, as terrain.friction does, times what
   // chance made of it; 0 gives it back what the model has. Allocates nothing.
   void SetGroundFriction(double friction);
+  // Returns the least and the most sliding friction that the ground has now, without the robots'.
+  std::array<double, 2> GroundFriction() const;
 
   // Returns the index of a body by its name in the world's model, -1 if there is none.
   int FindBody(const std::string& name) const;
@@ -76,6 +79,8 @@ class World {
     double factor;  // by chance
     int priority;
   };
+
+  bool IsGround(int geom) const;
 
   mjcf::ModelHandle model_, nominal_;
   mjcf::DataHandle data_;

@@ -1,15 +1,15 @@
 #include "record/csv.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdio>
 #include <fstream>
 #include <optional>
 #include <string>
 #include <system_error>
 
 #include <unistd.h>
+
+#include "base/printed.h"
 
 namespace understudy::record {
 namespace {
@@ -22,12 +22,6 @@ std::string Cell(const std::string& text) {
     quoted += c == '\r' || c == '\n' ? ' ' : c;
   }
   return quoted + "\"";
-}
-
-std::string Number(const char* format, double number) {
-  std::array<char, 400> text{};
-  std::snprintf(text.data(), text.size(), format, number);
-  return text.data();
 }
 
 std::string Heading(const RunColumn& column) {
@@ -79,10 +73,10 @@ class TableRows final : public RunReader {
 
   void Flush() {
     if (!now_) return;
-    out_ << name_ << Number("%.6f", *now_ + shift_);
+    out_ << name_ << Printed("%.6f", *now_ + shift_);
     for (std::optional<double>& value : values_) {
       out_ << ',';
-      if (value) out_ << Number("%.9g", *value + 0.0);  // without the sign of -0
+      if (value) out_ << Printed("%.9g", *value + 0.0);  // without the sign of -0
       value.reset();
     }
     out_ << ',' << Cell(events_) << "\r\n";

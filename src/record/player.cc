@@ -6,6 +6,7 @@
 
 #include "base/nearest_word.h"
 #include "record/ros2msg.h"
+#include "robot/command_topics.h"
 
 namespace understudy::record {
 namespace {
@@ -21,9 +22,8 @@ time::Clock::Time Nanoseconds(double seconds) {
 
 // Topics that clients write on a real robot's network.
 bool IsCommandTopic(const std::string& topic) {
-  return topic == "rt/lowcmd" || topic == "rt/arm_sdk" || topic == "rt/user_lowcmd" ||
-         (topic.starts_with("rt/api/") && topic.ends_with("/request")) ||
-         (topic.starts_with("rt/dex3/") && topic.ends_with("/cmd"));
+  return robot::IsBodyCommandTopic(topic) || robot::IsHandCommandTopic(topic) ||
+         (topic.starts_with("rt/api/") && topic.ends_with("/request"));
 }
 
 }  // namespace

@@ -1,8 +1,7 @@
 // The report of a campaign as one page.
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "base/printed.h"
 #include "rehearse/campaign_outputs.h"
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
@@ -100,15 +99,12 @@ std::string HeatMap(const Campaign& campaign, const AxisSummary& across, const A
         html += "<td></td>";
         continue;
       }
-      std::array<char, 48> colour{};
-      std::snprintf(colour.data(), colour.size(), "background:hsl(%.0f,62%%,66%%)",
-                    4 + 136 * tally.rate());
-      html += "<td style=\"" + std::string(colour.data()) + "\" title=\"" +
-              Escaped(down.key + " " + down.labels[row] + ", " + across.key + " " +
-                      across.labels[column] + ": " + Percent(tally.rate()) + " %, 95 % interval " +
-                      Interval(tally)) +
-              "\">" + std::to_string(tally.passed) + " of " + std::to_string(tally.judged()) +
-              "</td>";
+      html +=
+          Printed("<td style=\"background:hsl(%.0f,62%%,66%%)\" title=\"", 4 + 136 * tally.rate()) +
+          Escaped(down.key + " " + down.labels[row] + ", " + across.key + " " +
+                  across.labels[column] + ": " + Percent(tally.rate()) + " %, 95 % interval " +
+                  Interval(tally)) +
+          "\">" + std::to_string(tally.passed) + " of " + std::to_string(tally.judged()) + "</td>";
     }
     html += "</tr>\n";
   }

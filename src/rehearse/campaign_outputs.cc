@@ -1,11 +1,10 @@
 #include "rehearse/campaign_outputs.h"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
 
@@ -67,22 +66,12 @@ ordered_json Told(const std::vector<SharedValue>& shared) {
   return told;
 }
 
-std::string Numbered(const char* format, std::size_t number) {
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), format, number);
-  return text.data();
-}
-
 }  // namespace
 
-std::string RunFolder(std::size_t number) { return Numbered("runs/%06zu", number); }
-std::string RunFile(std::size_t number) { return Numbered("runs/%06zu.json", number); }
+std::string RunFolder(std::size_t number) { return Printed("runs/%06zu", number); }
+std::string RunFile(std::size_t number) { return Printed("runs/%06zu.json", number); }
 
-std::string Percent(double share) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.1f", 100 * share);
-  return digits.data();
-}
+std::string Percent(double share) { return Printed("%.1f", 100 * share); }
 
 std::string RunText(const RunResult& result, bool colored) {
   std::string text = Word(result.outcome, colored) + std::string("  ") +
@@ -183,11 +172,7 @@ std::string CampaignJunit(const Campaign& campaign) {
   const auto attribute = [](const char* name, const std::string& value) {
     return std::string(" ") + name + "=\"" + Escaped(value) + "\"";
   };
-  const auto seconds = [](double time) {
-    std::array<char, 48> digits{};
-    std::snprintf(digits.data(), digits.size(), "%.3f", time);
-    return std::string(digits.data());
-  };
+  const auto seconds = [](double time) { return Printed("%.3f", time); };
   const Tally& tally = campaign.summary.tally;
   double time = 0;
   std::string cases;

@@ -1,10 +1,10 @@
 // Tells a comparison of two recordings: to a terminal, to programs and to people.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "rehearse/compare.h"
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
@@ -42,12 +42,6 @@ std::string Told(const std::optional<double>& value, double scale = 1) {
   return value ? NumberText(*value * scale) : "-";
 }
 
-std::string Line(const char* format, auto... values) {
-  char text[256];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
-
 std::string Alignment(const Comparison& comparison) {
   const std::string seconds = NumberText(comparison.shift) + " s";
   if (comparison.aligned) {
@@ -81,29 +75,29 @@ std::string CompareText(const Comparison& comparison) {
   std::string text = Title(comparison) + (comparison.robot.empty() ? "" : ", " + comparison.robot) +
                      "\n" + NumberText(comparison.to - comparison.from) +
                      " s in common, the second " + Alignment(comparison) + "\n\n" +
-                     Line("%-16s", "joint");
+                     Printed("%-16s", "joint");
   for (const Column& column : Columns()) {
-    text += Line(" %12s", std::string(column.head).c_str());
+    text += Printed(" %12s", std::string(column.head).c_str());
   }
-  text += "\n" + Line("%-16s", "");
+  text += "\n" + Printed("%-16s", "");
   // Letters of more than one byte count as one.
   for (const Column& column : Columns()) {
     const auto more = static_cast<int>(
         std::ranges::count_if(column.unit, [](char c) { return (c & 0xC0) == 0x80; }));
-    text += Line(" %*s", 12 + more, std::string(column.unit).c_str());
+    text += Printed(" %*s", 12 + more, std::string(column.unit).c_str());
   }
   text += "\n";
   for (const MotorComparison& motor : comparison.motors) {
-    text += Line("%-16s", motor.joint.c_str());
+    text += Printed("%-16s", motor.joint.c_str());
     for (const Column& column : Columns()) {
-      text += Line(" %12s", Told(column.of(motor), column.scale).c_str());
+      text += Printed(" %12s", Told(column.of(motor), column.scale).c_str());
     }
     text += "\n";
   }
-  text += "\n" + Line("%-22s %12s %12s\n", "", "apart", "at most");
+  text += "\n" + Printed("%-22s %12s %12s\n", "", "apart", "at most");
   for (const Apart& apart : comparison.rest) {
-    text += Line("%-22s %12s %12s %s\n", apart.name.c_str(), Told(apart.rms).c_str(),
-                 Told(apart.most).c_str(), apart.unit.c_str());
+    text += Printed("%-22s %12s %12s %s\n", apart.name.c_str(), Told(apart.rms).c_str(),
+                    Told(apart.most).c_str(), apart.unit.c_str());
   }
   return text;
 }

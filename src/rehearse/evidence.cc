@@ -20,11 +20,6 @@ using Source = Signal::Source;
 constexpr char kStateTopic[] = "rt/lowstate";
 constexpr std::string_view kFirstCommand = "first_command";
 
-// Of one instant only.
-bool IsPulse(Source source) {
-  return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
-}
-
 signals::Truth ViewOf(const record::Truth& truth) {
   return {.qpos = truth.qpos,
           .qvel = truth.qvel,
@@ -54,14 +49,13 @@ std::string WrongField(const std::string& type, const std::string& field) {
 Evidence::Evidence(std::vector<Signal> signals, std::uint64_t start, Give give)
     : start_(start), give_(std::move(give)) {
   for (Signal& signal : signals) {
-    const Source source = signal.source;
     // No event has happened before the first one.
-    const bool counts = IsPulse(source) || source == Source::kEventCount;
+    const bool counts = signal.of_one_instant() || signal.source == Source::kEventCount;
     values_.push_back(counts ? 0 : judge::kUnknown);
     if (signal.origin() == Origin::kMessages) by_topic_[signal.topic].push_back(slots_.size());
     const double word = judge::WordNumber(signal.printed);
     Slot slot{.signal = std::move(signal), .field = {}, .wrong = {}, .word = word, .last = {}};
-    if (source == Source::kFirstJump) {
+    if (slot.signal.source == Source::kFirstJump) {
       by_topic_[kStateTopic].push_back(slots_.size());
       slot.jump.emplace(slot.signal.slots);
     }
@@ -115,7 +109,7 @@ void Evidence::TakeEvent(const record::Event& event) {
       if (judge::IsKnown(value)) values_[i] = value;
     } else if (signal.source != Source::kPrint || value == slots_[i].word) {
       values_[i] += count;
-      pulses_ = pulses_ || IsPulse(signal.source);
+      pulses_ = pulses_ || signal.of_one_instant();
     }
   }
   // Lateness is a matter of the machine.
@@ -190,7 +184,7 @@ void Evidence::Flush() {
   if (!pulses_) return;
   pulses_ = false;
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (IsPulse(slots_[i].signal.source)) values_[i] = 0;
+    if (slots_[i].signal.of_one_instant()) values_[i] = 0;
   }
   give_(*now_ + 1, values_);
 }

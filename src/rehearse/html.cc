@@ -1,10 +1,10 @@
 // The report of a rehearsal as one page.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "rehearse/outputs.h"
 #include "rehearse/svg_plot.h"
 #include "version.h"
@@ -65,11 +65,7 @@ std::string ClassOf(Outcome outcome) {
   return outcome == Outcome::kFailed ? "failed" : "none";
 }
 
-std::string TimeText(double seconds) {
-  char digits[32];
-  std::snprintf(digits, sizeof digits, "%.3f s", seconds);
-  return digits;
-}
+std::string TimeText(double seconds) { return Printed("%.3f s", seconds); }
 
 // The comparisons of an expectation with one signal, in one unit.
 struct Drawn {

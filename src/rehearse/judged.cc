@@ -1,12 +1,12 @@
 #include "rehearse/judged.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <utility>
+
+#include "base/printed.h"
 
 namespace understudy::rehearse {
 namespace {
@@ -88,11 +88,7 @@ std::string WithUnit(double number, const std::string& unit) {
   return NumberText(number) + (unit.empty() ? "" : " " + unit);
 }
 
-std::string AtText(judge::Time time) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), " at %.3f s", SecondsOf(time));
-  return digits.data();
-}
+std::string AtText(judge::Time time) { return Printed(" at %.3f s", SecondsOf(time)); }
 
 // Whether it must hold at all instants of a window, or else at one.
 bool HoldsThroughout(const judge::Claim& claim) {
@@ -244,10 +240,6 @@ std::string Explain(const Expectation& expectation, const Ruling& ruling) {
   return text;
 }
 
-std::string NumberText(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.4g", number);
-  return digits.data();
-}
+std::string NumberText(double number) { return Printed("%.4g", number); }
 
 }  // namespace understudy::rehearse

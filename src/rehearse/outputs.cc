@@ -1,10 +1,10 @@
 #include "rehearse/outputs.h"
 
 #include <cmath>
-#include <cstdio>
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
 #include "version.h"
 
 namespace understudy::rehearse {
@@ -14,12 +14,7 @@ using judge::Outcome;
 using judge::Verdict;
 using nlohmann::ordered_json;
 
-std::string Fixed(double number) {
-  std::string digits(48, '\0');
-  const int size = std::snprintf(digits.data(), digits.size(), "%.3f", number);
-  digits.resize(static_cast<std::size_t>(size));
-  return digits;
-}
+std::string Fixed(double number) { return Printed("%.3f", number); }
 
 // Infinite margins, of claims without a quantity, are none.
 ordered_json NumberOrNull(double number) {

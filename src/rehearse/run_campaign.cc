@@ -41,12 +41,6 @@ constexpr std::size_t kLongestWords = 300;  // letters of a log's last line
 constexpr char kHeadFile[] = "campaign.json";
 constexpr char kLogFile[] = "log.txt";
 
-void MakeFolders(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw SetupError(folder.string() + ": cannot be made: " + error.message());
-}
-
 // Without the time, which differs each time.
 std::string LastWords(const fs::path& log) {
   std::istringstream lines(FileText(log));
@@ -98,7 +92,7 @@ class Running {
       : number_(number), folder_(options.out / RunFolder(number)) {
     std::error_code error;
     fs::remove_all(folder_, error);
-    MakeFolders(folder_);
+    MakeFolder(folder_);
     const UniqueFd log(::open((folder_ / kLogFile).c_str(),
                               O_WRONLY | O_CREAT | O_TRUNC | O_APPEND | O_CLOEXEC, 0666));
     if (!log.valid()) throw SetupError((folder_ / kLogFile).string() + ": cannot be written");
@@ -174,7 +168,7 @@ void ClaimFolder(const CampaignHead& head, const CampaignOptions& options) {
   const std::string there = FileText(options.out / kHeadFile);
   const std::string text = HeadText(head);
   if (options.again && there != text) fs::remove_all(options.out / "runs", error);
-  MakeFolders(options.out / "runs");
+  MakeFolder(options.out / "runs");
   if (there == text) return;
   if (!there.empty() && !options.again) {
     throw ConfigError(options.out.string() +

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
 #include "config/data_dir.h"
 #include "rehearse/evidence.h"
+#include "rehearse/with_settings.h"
 #include "rehearse/yaml_values.h"
 
 namespace understudy::rehearse {
@@ -64,11 +64,7 @@ template <std::size_t kCount>
 void RefuseUnknown(const YamlValue& map, const ScenarioKey (&rows)[kCount]) {
   std::vector<std::string> known;
   for (const ScenarioKey& row : rows) known.emplace_back(row.key);
-  for (const YamlValue& key : map.keys) {
-    if (std::ranges::find(known, key.text) != known.end()) continue;
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, known));
-  }
+  RefuseOthers(map, known);
 }
 
 const YamlValue& Needed(const YamlValue& map, const std::string& key) {
@@ -165,9 +161,10 @@ Expectations ExpectationsOf(const YamlValue& document, const Names& names,
 
 // The configuration that a scenario describes; `run` as Scenario has it.
 config::Config ConfigOf(const YamlValue& document, const std::filesystem::path& file,
-                        const std::vector<std::string>& sets, bool has_program, std::size_t run) {
+                        const ScenarioOptions& options, bool has_program, std::size_t run) {
   config::Layers layers{.robot = LineOf(Needed(document, "robot"), "robot", kMostText),
-                        .sets = sets};
+                        .sets = options.sets,
+                        .typed = options.typed};
   const std::string& where = document.where;
   if (run > 0) {
     layers.trees.push_back(TreeOf("randomization", "seed", ScalarOf(std::to_string(run), where)));
@@ -237,7 +234,7 @@ Chosen Choose(const YamlValue& document, const ScenarioOptions& options, bool kn
 // Reads the configuration; errors of the robot and of a varied key name their lines.
 config::Config ConfigOf(const Chosen& chosen, const std::filesystem::path& file, bool has_program) {
   try {
-    return ConfigOf(chosen.document, file, chosen.options.sets, has_program, chosen.run);
+    return ConfigOf(chosen.document, file, chosen.options, has_program, chosen.run);
   } catch (const ConfigError& error) {
     const std::string what = error.what();
     const YamlValue* robot = chosen.document.Find("robot");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,7 @@ struct ScenarioOptions {
   std::vector<std::string> command{};  // of the program under test, in place of the scenario's
   std::vector<std::string> sets{};     // KEY=VALUE
   std::size_t run = 0;                 // of a campaign; 0: none was chosen
+  std::map<std::string, std::string> typed{};  // as config::Layers has it
 };
 
 // Returns whether a document is a scenario, or only expectations: a mapping with the key `expect`.

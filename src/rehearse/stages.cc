@@ -1,14 +1,13 @@
 #include "rehearse/stages.h"
 
 #include <algorithm>
-#include <array>
 #include <cassert>
 #include <cmath>
 #include <cstdio>
 #include <utility>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
+#include "base/printed.h"
 #include "physics/scene_reader.h"
 #include "rehearse/yaml_values.h"
 #include "run/make_world.h"
@@ -40,23 +39,13 @@ constexpr StageLimit kStageLimits[] = {
      "Of `rt/lowcmd` at least, from its first message until the program ends"},
 };
 
-std::string Digits(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
-
 StageSpec ReadStage(const YamlValue& value) {
   if (value.kind != Kind::kMap) {
     Refuse(value, "stages", "a stage, as in {name: crawl, torque: 0.5, speed: 0.3}");
   }
   std::vector<std::string> known{"name"};
   for (const StageLimit& row : kStageLimits) known.emplace_back(row.key);
-  for (const YamlValue& key : value.keys) {
-    if (std::ranges::find(known, key.text) != known.end()) continue;
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, known));
-  }
+  RefuseOthers(value, known);
   const YamlValue* name = value.Find("name");
   if (name == nullptr) throw ConfigError(value.where + ": stages: name: missing");
   StageSpec stage{.name = LineOf(*name, "name", kMostStageName), .where = value.where};
@@ -66,7 +55,7 @@ StageSpec ReadStage(const YamlValue& value) {
     if (given == nullptr) continue;
     const std::optional<double> number = NumberOf(*given);
     if (!number || !(*number > 0) || *number > row.most) {
-      Refuse(*given, std::string(row.key), "a number above 0, up to " + Digits(row.most));
+      Refuse(*given, std::string(row.key), "a number above 0, up to " + Printed("%.6g", row.most));
     }
     stage.*row.value = number;
     any = true;
@@ -100,7 +89,7 @@ class LimitBuilder {
     if (one_.leaves.empty()) return;  // no motor has such a limit
     const StageSpec& of = ladder_->stages[stage];
     one_.name = of.name + ": " + std::string(limit.key);
-    one_.asks = std::string(limit.key) + " " + Digits(*(of.*limit.value));
+    one_.asks = std::string(limit.key) + " " + Printed("%.6g", *(of.*limit.value));
     one_.where = of.where;
     one_.claim.op = judge::Operator::kAlways;
     one_.claim.formula.op = judge::Op::kAll;
@@ -119,7 +108,7 @@ class LimitBuilder {
 
 // Within -bound and bound.
 std::string Within(const std::string& signal, double low, double high) {
-  return signal + " between " + Digits(low) + " and " + Digits(high);
+  return signal + " between " + Printed("%.6g", low) + " and " + Printed("%.6g", high);
 }
 
 struct JointEnds {
@@ -159,7 +148,7 @@ std::string SettingsOf(const StageSpec& stage, const config::Config& config,
     for (const robot::MotorSpec& motor : config.robot.motors) {
       std::string values;
       const auto add = [&values](const char* key, double value) {
-        values += std::string(values.empty() ? "" : ", ") + key + ": " + Digits(value);
+        values += std::string(values.empty() ? "" : ", ") + key + ": " + Printed("%.6g", value);
       };
       if (stage.torque) add("torque_limit", *stage.torque * motor.torque_limit);
       if (stage.speed) {
@@ -169,12 +158,13 @@ std::string SettingsOf(const StageSpec& stage, const config::Config& config,
       text += "    " + motor.joint + ": {" + values + "}\n";
     }
   }
-  if (stage.command_rate) text += "gate: {timeout: " + Digits(1 / *stage.command_rate) + "}\n";
+  if (stage.command_rate)
+    text += "gate: {timeout: " + Printed("%.6g", 1 / *stage.command_rate) + "}\n";
   if (stage.joint_margin) {
     text += "# Joints keep within\n";
     for (const JointEnds& one : ends) {
-      text += "#   " + one.joint + " " + Digits(one.low + *stage.joint_margin) + " to " +
-              Digits(one.high - *stage.joint_margin) + "\n";
+      text += "#   " + one.joint + " " + Printed("%.6g", one.low + *stage.joint_margin) + " to " +
+              Printed("%.6g", one.high - *stage.joint_margin) + "\n";
     }
   }
   return text;
@@ -224,15 +214,16 @@ Ladder JudgeLadder(const record::RecordingReader& reader, const std::vector<Stag
       if (limit.key == "joint_margin") {
         for (const JointEnds& one : ends) {
           if (one.low + value >= one.high - value) {
-            throw ConfigError(stages[i].where + ": stages: joint_margin: " + Digits(value) +
-                              " leaves " + one.joint + " no room between " + Digits(one.low) +
-                              " and " + Digits(one.high));
+            throw ConfigError(stages[i].where +
+                              ": stages: joint_margin: " + Printed("%.6g", value) + " leaves " +
+                              one.joint + " no room between " + Printed("%.6g", one.low) + " and " +
+                              Printed("%.6g", one.high));
           }
           builder.Add(Within("q(" + one.joint + ")", one.low + value, one.high - value));
         }
       } else if (limit.key == "command_rate") {
         to = EndOfCommands(judged);
-        builder.Add("gap(rt/lowcmd) <= " + Digits(1 / value));
+        builder.Add("gap(rt/lowcmd) <= " + Printed("%.6g", 1 / value));
       } else {
         const bool torque = limit.key == "torque";
         for (const robot::MotorSpec& motor : config.robot.motors) {

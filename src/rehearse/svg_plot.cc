@@ -1,10 +1,9 @@
 #include "rehearse/svg_plot.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "base/printed.h"
 #include "rehearse/judged.h"
 #include "rehearse/outputs.h"
 
@@ -13,11 +12,7 @@ namespace {
 
 constexpr double kLeft = 62, kRight = 10, kTop = 10, kBottom = 24;  // pixels around the drawing
 
-std::string Pixels(double at) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.1f", at);
-  return digits.data();
-}
+std::string Pixels(double at) { return Printed("%.1f", at); }
 
 // Maps seconds and values to pixels.
 class Frame {

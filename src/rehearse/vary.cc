@@ -1,15 +1,13 @@
 #include "rehearse/vary.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <set>
 #include <string_view>
 
 #include "base/errors.h"
-#include "base/nearest_word.h"
+#include "base/printed.h"
 #include "rehearse/yaml_values.h"
 #include "robot/randomization.h"
 
@@ -39,14 +37,6 @@ constexpr VaryKey kVaryKeys[] = {
 };
 constexpr std::string_view kRangeKeys[] = {"from", "to", "count", "whole"};
 
-void RefuseOthers(const YamlValue& map, const std::vector<std::string>& known) {
-  for (const YamlValue& key : map.keys) {
-    if (std::ranges::find(known, key.text) != known.end()) continue;
-    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
-                      DidYouMean(key.text, known));
-  }
-}
-
 std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t most) {
   const std::optional<double> number = NumberOf(value);
   if (!number || *number != std::floor(*number) || *number < 1 ||
@@ -57,11 +47,7 @@ std::size_t CountOf(const YamlValue& value, const std::string& key, std::size_t 
 }
 
 // Six digits, so that the line that repeats a run has all of the value.
-std::string Written(double number) {
-  std::array<char, 32> digits{};
-  std::snprintf(digits.data(), digits.size(), "%.6g", number);
-  return digits.data();
-}
+std::string Written(double number) { return Printed("%.6g", number); }
 std::string Written(double number, bool whole) {
   if (!whole) return Written(number);
   return std::to_string(std::llround(number));
@@ -83,13 +69,6 @@ std::string ValueAt(const Axis& axis, double share) {
   if (!axis.whole) return Written(axis.low + share * (axis.high - axis.low));
   const double number = axis.low + std::floor(share * (axis.high - axis.low + 1));
   return Written(std::min(number, axis.high), true);
-}
-
-bool IsPlaceholder(std::string_view key) {
-  constexpr std::string_view kLetters =
-      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
-  return key.size() > 1 && key.front() == '$' && (key[1] < '0' || key[1] > '9') &&
-         key.find_first_not_of(kLetters, 1) == std::string_view::npos;
 }
 
 std::string ValueText(const YamlValue& value, const std::string& key) {
@@ -166,81 +145,14 @@ std::vector<std::size_t> Shuffled(std::size_t count, const std::string& key, int
   return order;
 }
 
-// Replaces placeholders, and notes which were met.
-class Replacer {
- public:
-  explicit Replacer(const std::vector<Setting>& settings) {
-    for (const Setting& setting : settings) {
-      if (setting.key.front() == '$') settings_.push_back(&setting);
-    }
-  }
-
-  void Replace(YamlValue* value) {
-    for (YamlValue& item : value->items) Replace(&item);
-    if (value->kind != Kind::kScalar || value->text.find('$') == std::string::npos) return;
-    const Setting* whole = value->quoted ? nullptr : Known(value->text);
-    if (whole == nullptr) {
-      ReplaceIn(&value->text);
-      return;
-    }
-    met_.insert(whole->key);
-    *value = config::ParseYaml(whole->text, value->where, /*numbered=*/false);
-  }
-
-  // Within a text a value stands as its letters, without quotes of YAML.
-  void ReplaceIn(std::string* text) {
-    std::string replaced;
-    for (std::size_t i = 0; i < text->size();) {
-      std::size_t end = i + 1;
-      if ((*text)[i] == '$') {
-        while (end < text->size() && IsPlaceholder(text->substr(i, end + 1 - i))) ++end;
-      }
-      const std::string word = text->substr(i, end - i);
-      const Setting* known = Known(word);
-      if (known != nullptr) {
-        met_.insert(word);
-        const YamlValue value = config::ParseYaml(known->text, word, /*numbered=*/false);
-        replaced += value.kind == Kind::kScalar ? value.text : known->text;
-      } else {
-        if (IsPlaceholder(word)) unknown_.push_back(word);
-        replaced += word;
-      }
-      i = end;
-    }
-    *text = std::move(replaced);
-  }
-
-  void RequireAll(const Plan& plan) const {
-    for (const Axis& axis : plan.axes()) {
-      if (axis.key.front() != '$' || met_.contains(axis.key)) continue;
-      throw ConfigError(axis.where + ": vary: " + axis.key + ": nothing in the scenario says so" +
-                        (unknown_.empty() ? "" : DidYouMean(axis.key, unknown_)));
-    }
-  }
-
- private:
-  const Setting* Known(const std::string& word) const {
-    const auto found = std::ranges::find_if(
-        settings_, [&word](const Setting* setting) { return setting->key == word; });
-    return found == settings_.end() ? nullptr : *found;
-  }
-
-  std::vector<const Setting*> settings_;
-  std::set<std::string> met_;
-  std::vector<std::string> unknown_;
-};
-
-void SetKey(const std::string& key, YamlValue value, YamlValue* map) {
-  if (YamlValue* old = map->Find(key)) {
-    *old = std::move(value);
-    return;
-  }
-  const YamlValue tree = config::MapOf(key, std::move(value));
-  map->keys.push_back(tree.keys.front());
-  map->items.push_back(tree.items.front());
-}
-
 }  // namespace
+
+bool IsPlaceholder(std::string_view key) {
+  constexpr std::string_view kLetters =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_";
+  return key.size() > 1 && key.front() == '$' && (key[1] < '0' || key[1] > '9') &&
+         key.find_first_not_of(kLetters, 1) == std::string_view::npos;
+}
 
 std::string SettingsText(const std::vector<Setting>& settings) {
   std::string text;
@@ -434,10 +346,6 @@ std::vector<Setting> Plan::Of(std::size_t run) const {
   return settings;
 }
 
-bool Plan::Varies(std::string_view key) const {
-  return std::ranges::find(axes_, key, &Axis::key) != axes_.end();
-}
-
 std::vector<std::size_t> Plan::Samples() const {
   std::set<std::size_t> samples;
   std::vector<std::set<std::string>> seen(axes_.size());
@@ -458,32 +366,6 @@ std::vector<std::size_t> Plan::Samples() const {
     if (axes_[i].is_range()) samples.insert({least[i].first, most[i].first});
   }
   return {samples.begin(), samples.end()};
-}
-
-YamlValue WithSettings(const YamlValue& document, const Plan& plan,
-                       const std::vector<Setting>& settings, std::vector<std::string>* sets,
-                       std::vector<std::string>* command) {
-  YamlValue varied = document;
-  Replacer replacer(settings);
-  for (std::size_t i = 0; i < varied.items.size(); ++i) {
-    if (varied.keys[i].text != "vary") replacer.Replace(&varied.items[i]);
-  }
-  if (command != nullptr) {
-    for (std::string& word : *command) replacer.ReplaceIn(&word);
-    replacer.RequireAll(plan);
-  }
-  std::vector<std::string> own;
-  for (std::size_t i = 0; i < settings.size(); ++i) {
-    const auto& [key, text] = settings[i];
-    if (key.front() == '$') continue;
-    if (std::ranges::find(kVariedKeys, key) != std::end(kVariedKeys)) {
-      SetKey(key, config::ParseYaml(text, plan.axes()[i].where, /*numbered=*/false), &varied);
-    } else {
-      own.push_back(key + "=" + text);
-    }
-  }
-  sets->insert(sets->begin(), own.begin(), own.end());
-  return varied;
 }
 
 std::string VaryReference() {

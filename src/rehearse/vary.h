@@ -26,7 +26,8 @@ std::string SettingsText(const std::vector<Setting>& settings);
 // *assumed*.
 inline constexpr std::size_t kMostGroups = 12;
 
-// A varied key: one of the scenario (kVariedKeys), one of the configuration as --set takes it, or
+// A varied key: one of the scenario (kVariedKeys of with_settings.h), one of the configuration as
+// --set takes it, or
 // "$name", which stands for its value wherever the scenario has it.
 struct Axis {
   std::string key{};
@@ -38,9 +39,8 @@ struct Axis {
   bool is_range() const { return values.empty(); }
 };
 
-// The keys of a scenario that may vary, beside those of its `settings`.
-inline constexpr std::string_view kVariedKeys[] = {"robot", "revision", "start", "profile",
-                                                   "seed",  "scene",    "speed", "duration"};
+// Whether a key is "$name".
+bool IsPlaceholder(std::string_view key);
 
 // The runs of a campaign, numbered from 1: each combination of the grid and of the rows of the list
 // with each draw. What a run has depends on nothing but the plan and the run's number, so shards
@@ -54,7 +54,6 @@ class Plan {
   // In the order of axes(). `run` is from 1 to size().
   std::vector<Setting> Of(std::size_t run) const;
   const std::vector<Axis>& axes() const { return axes_; }
-  bool Varies(std::string_view key) const;
 
   // Returns runs that have, of every key, each listed value and the least and the greatest of a
   // range; ascending. Where these can be played, those that differ by values alone can, too.
@@ -73,14 +72,6 @@ class Plan {
   std::vector<std::vector<std::string>> draws_;   // likewise
   std::size_t size_ = 1;
 };
-
-// Returns the document with these settings in it: keys of the scenario are replaced, `$name` where
-// it stands. Those of the configuration are left to `sets`, to which they are added as KEY=VALUE.
-// Replaces `$name` in the words of `command`, too; throws ConfigError for one that stands neither
-// there nor in the scenario. A null `command` is one that is not known.
-config::YamlValue WithSettings(const config::YamlValue& document, const Plan& plan,
-                               const std::vector<Setting>& settings, std::vector<std::string>* sets,
-                               std::vector<std::string>* command);
 
 // Returns a value as YAML writes it in one line.
 std::string FlowText(const config::YamlValue& value);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
+#include "base/nearest_word.h"
 #include "emulator/request.h"
 
 namespace understudy::rehearse {
@@ -17,6 +18,14 @@ constexpr double kLatest = 1e6;  // s; *assumed*
 void Refuse(const config::YamlValue& value, const std::string& key, const std::string& what) {
   throw ConfigError(value.where + ": " + key + ": expected " + what + ", got " +
                     config::Shown(value));
+}
+
+void RefuseOthers(const config::YamlValue& map, const std::vector<std::string>& known) {
+  for (const config::YamlValue& key : map.keys) {
+    if (std::ranges::find(known, key.text) != known.end()) continue;
+    throw ConfigError(key.where + ": key '" + config::OneLine(key.text) + "': unknown" +
+                      DidYouMean(key.text, known));
+  }
 }
 
 std::optional<double> NumberOf(const config::YamlValue& value) {

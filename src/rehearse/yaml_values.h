@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "config/yaml_document.h"
 
@@ -11,6 +12,9 @@ namespace understudy::rehearse {
 // Throws ConfigError: "stand.yaml:3: key: expected what, got 'value'".
 [[noreturn]] void Refuse(const config::YamlValue& value, const std::string& key,
                          const std::string& what);
+
+// Throws ConfigError if the mapping has another key than these, with the nearest of them.
+void RefuseOthers(const config::YamlValue& map, const std::vector<std::string>& known);
 
 // Returns the value of an unquoted number, else nullopt.
 std::optional<double> NumberOf(const config::YamlValue& value);

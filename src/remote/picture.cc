@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
+#include "base/printed.h"
 #include "remote/keyboard.h"
 
 namespace understudy::remote {
@@ -86,12 +86,9 @@ void DrawStick(Place at, const char* name, const char* keys, double x, double y,
   const int down = static_cast<int>(std::lround((1 - y) / 2 * (kStickHeight - 1)));
   canvas->Write({at.row + 1 + down, at.column + 1 + across}, "o", x != 0 || y != 0);
   const int beside = at.column + kStickWidth + 3;
-  char text[32];
   canvas->Write({at.row + 1, beside}, keys);
-  std::snprintf(text, sizeof text, "%sx %+.2f", name, x);
-  canvas->Write({at.row + 3, beside}, text);
-  std::snprintf(text, sizeof text, "%sy %+.2f", name, y);
-  canvas->Write({at.row + 4, beside}, text);
+  canvas->Write({at.row + 3, beside}, Printed("%sx %+.2f", name, x));
+  canvas->Write({at.row + 4, beside}, Printed("%sy %+.2f", name, y));
 }
 
 // The first `columns` of a line, with its colours.

@@ -1,6 +1,7 @@
 // Numbers the topics with commands to motors.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <string_view>
@@ -18,5 +19,11 @@ inline constexpr std::size_t kMostCommandTopics = kFirstHandTopic + kMostHands;
 // The names of the topics before those of hands.
 inline constexpr std::array<std::string_view, kFirstHandTopic> kCommandTopicNames = {
     "rt/lowcmd", "rt/arm_sdk", "rt/user_lowcmd"};
+
+constexpr bool IsBodyCommandTopic(std::string_view topic) {
+  return std::ranges::find(kCommandTopicNames, topic) != kCommandTopicNames.end();
+}
+// Of the hand of some robot (HandSpec::topic).
+constexpr bool IsHandCommandTopic(std::string_view topic) { return topic.ends_with("/cmd"); }
 
 }  // namespace understudy::robot

@@ -1,12 +1,11 @@
 #include "robot/fault_bank.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 #include "base/nearest_word.h"
+#include "base/printed.h"
 
 namespace understudy::robot {
 namespace {
@@ -22,11 +21,7 @@ std::uint64_t Mixed(std::uint64_t x) {
   return x ^ (x >> 31U);
 }
 
-std::string Number(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", number);
-  return text.data();
-}
+std::string Number(double number) { return Printed("%g", number); }
 
 }  // namespace
 

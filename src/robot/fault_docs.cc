@@ -1,10 +1,9 @@
 #include "robot/fault_docs.h"
 
-#include <array>
 #include <cctype>
-#include <cstdio>
 #include <string_view>
 
+#include "base/printed.h"
 #include "robot/fault.h"
 
 namespace understudy::robot {
@@ -57,11 +56,7 @@ constexpr std::string_view kPreface =
     "a battery that is overloaded or empty cuts off ([fidelity.md](fidelity.md#physics)). Of a "
     "parallel pair the joint of pitch stands for motor B, that of roll for A.\n";
 
-std::string Short(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", number);
-  return text.data();
-}
+std::string Short(double number) { return Printed("%.4g", number); }
 
 std::string Magnitude(const FaultKind& kind) {
   if (!kind.has_magnitude()) return "";

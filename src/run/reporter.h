@@ -3,8 +3,8 @@
 
 #include <chrono>
 
-#include "emulator/event_table.h"
 #include "emulator/status.h"
+#include "emulator/told_event.h"
 
 namespace understudy::run {
 

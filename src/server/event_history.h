@@ -12,7 +12,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "emulator/event_table.h"
+#include "emulator/told_event.h"
 
 namespace understudy::server {
 

@@ -17,7 +17,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/errors.h"
-#include "record/states.h"
+#include "record/truth_reader.h"
 
 namespace understudy::server {
 namespace {
@@ -123,8 +123,8 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
                                "was killed; `mcap recover` makes it whole");
   }
   try {
-    const record::StatesReader states(file);
-    const auto& metadata = states.reader().contents().metadata;
+    const record::TruthReader truth(file);
+    const auto& metadata = truth.reader().contents().metadata;
     const auto about = metadata.find("understudy");
     const std::string robot = about == metadata.end() || !about->second.contains("robot")
                                   ? ""
@@ -133,25 +133,25 @@ HttpReply Recordings::Show(const HttpRequest& request, std::string_view name) co
       return ErrorReply(409, std::string{name} + " is of the robot '" + robot.substr(0, 32) +
                                  "', and this is " + robot_);
     }
-    ordered_json told{{"from", states.whole().from}, {"to", states.whole().to}};
+    ordered_json told{{"from", truth.whole().from}, {"to", truth.whole().to}};
     if (!with_poses) return {.body = JsonText(told) + "\n"};
     if (scene_ == nullptr) return ErrorReply(404, "there is no scene");
     ordered_json times = ordered_json::array(), bodies = ordered_json::array();
     double next = asked.from;
-    states.Read({.from = asked.from, .to = asked.to}, scene_->positions(),
-                [&](const record::Truth& truth) {
-                  if (truth.time < next - kRounding) return true;
-                  times.push_back(truth.time);
-                  ordered_json poses = ordered_json::array();
-                  for (const auto& pose : scene_->Poses(truth.qpos)) {
-                    ordered_json one = ordered_json::array();
-                    for (const double value : pose) one.push_back(static_cast<float>(value));
-                    poses.push_back(std::move(one));
-                  }
-                  bodies.push_back(std::move(poses));
-                  next = std::max(next, truth.time - 0.5 / asked.hz) + 1 / asked.hz;
-                  return true;
-                });
+    truth.Read({.from = asked.from, .to = asked.to}, scene_->positions(),
+               [&](const record::Truth& state) {
+                 if (state.time < next - kRounding) return true;
+                 times.push_back(state.time);
+                 ordered_json poses = ordered_json::array();
+                 for (const auto& pose : scene_->Poses(state.qpos)) {
+                   ordered_json one = ordered_json::array();
+                   for (const double value : pose) one.push_back(static_cast<float>(value));
+                   poses.push_back(std::move(one));
+                 }
+                 bodies.push_back(std::move(poses));
+                 next = std::max(next, state.time - 0.5 / asked.hz) + 1 / asked.hz;
+                 return true;
+               });
     told["times"] = std::move(times);
     told["bodies"] = std::move(bodies);
     return {.body = JsonText(told) + "\n"};

@@ -14,6 +14,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "emulator/request.h"
 #include "robot/remote_keys.h"
 #include "server/http.h"
 
@@ -242,6 +243,11 @@ nlohmann::ordered_json SettingsJson(const emulator::Snapshot& snapshot) {
                         {"unit", key.unit},
                         {"takes", key.expected},
                         {"does", key.does}});
+    if (key.key == "terrain.friction" && value == 0) {
+      const auto [least, most] = snapshot.ground_friction;
+      settings.back()["stands_for"] =
+          emulator::NumberText(least) + (most > least ? " to " + emulator::NumberText(most) : "");
+    }
   }
   return {{"settings", settings}};
 }

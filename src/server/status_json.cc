@@ -66,6 +66,15 @@ ordered_json ProtectsJson(const robot::MotionState& state) {
   return names;
 }
 
+ordered_json PaceJson(const time::PaceReading& pace) {
+  return {{"real_time_factor", pace.real_time_factor},
+          {"overruns", pace.overruns},
+          {"lateness", pace.lateness},
+          {"worst_lateness", pace.worst_lateness},
+          {"shifts", pace.shifts},
+          {"shifted", pace.shifted}};
+}
+
 ordered_json HistogramJson(const time::Histogram& histogram) {
   ordered_json buckets = ordered_json::array();
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
@@ -94,13 +103,7 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
       {"speed", status.speed},
       {"paused", status.paused},
       {"steps_left", status.steps_left},
-      {"pace",
-       {{"real_time_factor", status.loop.pace.real_time_factor},
-        {"overruns", status.loop.pace.overruns},
-        {"lateness", status.loop.pace.lateness},
-        {"worst_lateness", status.loop.pace.worst_lateness},
-        {"shifts", status.loop.pace.shifts},
-        {"shifted", status.loop.pace.shifted}}},
+      {"pace", PaceJson(status.loop.pace)},
       {"commands",
        {{"state", authority::Name(status.gate)},
         {"accepted", status.commands.accepted},
@@ -162,18 +165,14 @@ ordered_json StatusJson(const RobotIdentity& identity, const emulator::Status& s
 }
 
 ordered_json TimingsJson(const emulator::Status& status) {
-  return {{"time", status.time},
-          {"steps", status.steps},
-          {"speed", status.speed},
-          {"paused", status.paused},
-          {"real_time_factor", status.loop.pace.real_time_factor},
-          {"overruns", status.loop.pace.overruns},
-          {"lateness", status.loop.pace.lateness},
-          {"worst_lateness", status.loop.pace.worst_lateness},
-          {"shifts", status.loop.pace.shifts},
-          {"shifted", status.loop.pace.shifted},
-          {"tick", HistogramJson(status.loop.ticks)},
-          {"late", HistogramJson(status.loop.pace.latenesses)}};
+  ordered_json timings{{"time", status.time},
+                       {"steps", status.steps},
+                       {"speed", status.speed},
+                       {"paused", status.paused}};
+  timings.update(PaceJson(status.loop.pace));
+  timings["tick"] = HistogramJson(status.loop.ticks);
+  timings["late"] = HistogramJson(status.loop.pace.latenesses);
+  return timings;
 }
 
 }  // namespace understudy::server

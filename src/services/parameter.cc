@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <string>
+
+#include "base/printed.h"
 
 namespace understudy::services {
 namespace {
@@ -110,11 +111,7 @@ bool IsTooMuch(std::string_view text) {
   return values > kMostParameterValues;
 }
 
-std::string Shown(double number) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", number);
-  return text.data();
-}
+std::string Shown(double number) { return Printed("%g", number); }
 
 std::string DescribeKind(const Field& field) {
   constexpr std::array kNames = {

@@ -11,10 +11,10 @@
 #include "base/nearest_word.h"
 #include "emulator/event_table.h"
 #include "emulator/robot.h"
-#include "idl/type_table.h"
 #include "judge/margin.h"
 #include "wire/imu_codec.h"
 #include "wire/rounded.h"
+#include "wire/state_topics.h"
 #include "wire/topics.h"
 
 namespace understudy::signals {
@@ -209,6 +209,7 @@ std::string OnWire(const std::string& topic) {
 Result<std::string> FindTopic(const std::string& written, const Names& names) {
   const std::string topic = OnWire(written);
   if (names.topics.contains(topic)) return topic;
+  if (names.any_robot && robot::IsHandCommandTopic(topic)) return topic;
   // Programs may have topics of their own.
   if (names.wrong_field != nullptr && written.starts_with("rt/")) return topic;
   std::vector<std::string> topics;
@@ -281,10 +282,6 @@ Result<Signal> FieldOf(Signal signal, const std::string& topic, const std::strin
   return signal;
 }
 
-std::string TypeOf(const dds_topic_descriptor* descriptor) {
-  return std::string(std::ranges::find(MessageTypes(), descriptor, &MessageType::descriptor)->name);
-}
-
 // "word(argument)" in two; the argument is "" if there is none.
 std::pair<std::string, std::string> Split(const std::string& subject) {
   const std::size_t open = subject.find('(');
@@ -341,8 +338,6 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
 
 }  // namespace
 
-std::span<const SignalRow> SignalRows() { return kRows; }
-
 Names RunningNames(const robot::RobotSpec& spec) {
   Names names;
   for (const robot::MotorSpec* motor : robot::AllMotors(spec)) {
@@ -361,9 +356,6 @@ Names RunningNames(const robot::RobotSpec& spec) {
 Names RunningNames() {
   Names names{.any_robot = true};
   for (const std::string_view topic : robot::kCommandTopicNames) names.topics.emplace(topic, "");
-  for (const char* hand : {"left", "right"}) {
-    names.topics.emplace("rt/dex3/" + std::string(hand) + "/cmd", "");
-  }
   return names;
 }
 
@@ -371,18 +363,19 @@ Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field)
   Names names = RunningNames(spec);
   names.wrong_field = wrong_field;
   names.topics.clear();
-  const auto add = [&names](const auto&... topics) {
-    (names.topics.emplace(topics.name, TypeOf(topics.descriptor)), ...);
+  const auto add = [&names](const std::string& topic, const dds_topic_descriptor* type) {
+    names.topics.emplace(topic, bus::TypeName(*type));
   };
-  using namespace wire;  // NOLINT(google-build-using-namespace): the names of topics
-  add(kWirelessController, kArmActionState);
+  const auto hear = [&add](const auto&... topics) { (add(topics.name, topics.descriptor), ...); };
   if (spec.family == robot::WireFamily::kGo) {
-    add(kGoLowCmd, kGoLowState, kGoLfLowState, kSportModeState, kLfSportModeState, kGoArmSdk);
+    hear(wire::kGoLowCmd, wire::kGoArmSdk);
   } else {
-    add(kHgLowCmd, kHgLowState, kHgLfLowState, kSecondaryImu, kLfSecondaryImu, kLfBmsState,
-        kOdomModeState, kLfOdomModeState, kHgArmSdk, kUserLowCmd, kHgSportModeState,
-        kLfHgSportModeState, kLfMainBoardState);
+    hear(wire::kHgLowCmd, wire::kHgArmSdk, wire::kUserLowCmd);
   }
+  for (const robot::HandSpec& hand : spec.hands) {
+    add("rt/" + hand.topic + "/cmd", &unitree_hg_msg_dds__HandCmd__desc);
+  }
+  for (const wire::StateTopic& topic : wire::StateTopics(spec)) add(topic.name, topic.type);
   return names;
 }
 

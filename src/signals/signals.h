@@ -27,7 +27,8 @@ struct Truth {
 // What a recording must have for a signal to be known.
 enum class Origin : std::uint8_t { kTruth, kMessages, kEvents };
 
-// A word of conditions.
+// A word of conditions. TOPIC:FIELD and EVENT.FIELD are no rows: there are as many as messages and
+// events have fields.
 struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
   std::string_view argument;  // "", JOINT, FOOT, TOPIC or EVENT
@@ -43,10 +44,6 @@ struct SignalRow {
   std::string_view field{};
   bool share = false;  // its size as a share of the motor's torque_limit
 };
-
-// All words, in the order of the documentation. TOPIC:FIELD and EVENT.FIELD are no rows: there are
-// as many as messages and events have fields.
-std::span<const SignalRow> SignalRows();
 
 // What a robot has, of whose run or recording conditions speak.
 struct Names {
@@ -64,14 +61,14 @@ struct Names {
   // their arrival, its LowState by what it samples.
   WrongField wrong_field = nullptr;
   bool program = true;     // a program runs beside it, whose lines are heard
-  bool any_robot = false;  // it is not known which: any joint and any foot will do
+  bool any_robot = false;  // it is not known which: any joint, foot and hand will do
 };
 
 // Of a running robot. Its topics are those of commands.
 Names RunningNames(const robot::RobotSpec& spec);
 // The same where nobody knows yet which robot it will be.
 Names RunningNames();
-// Of a recording, with the topics of the robot's publications.
+// Of a recording, with the topics of commands and those of the robot's publications.
 Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field);
 
 // A signal that a condition names.
@@ -103,6 +100,9 @@ struct Signal {
   Origin origin() const;
   // Returns what is said of it in its own unit.
   double Told(double value) const { return limit > 0 ? std::abs(value) / limit : value; }
+  bool of_one_instant() const {
+    return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
+  }
 };
 
 // Finds what a comparison is about. An Error has the nearest word.

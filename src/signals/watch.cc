@@ -13,11 +13,6 @@ namespace {
 
 using Source = Signal::Source;
 
-// Of one instant only.
-bool IsPulse(Source source) {
-  return source == Source::kArrival || source == Source::kEvent || source == Source::kPrint;
-}
-
 }  // namespace
 
 Watch::Watch(signals::Conditions conditions, const emulator::World& world)
@@ -32,7 +27,7 @@ Watch::Watch(signals::Conditions conditions, const emulator::World& world)
     const Signal& signal = conditions_.signals[i];
     Slot& slot = slots_[i];
     values_.push_back(
-        IsPulse(signal.source) || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
+        signal.of_one_instant() || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
     slot.word = judge::WordNumber(signal.printed);
     slot.topic = static_cast<std::size_t>(std::ranges::find(topics, signal.topic) - topics.begin());
     if (signal.source == Source::kRate) {
@@ -60,7 +55,7 @@ Watch::Watch(signals::Conditions conditions, const emulator::World& world)
 
 void Watch::Look(const emulator::World& world, bool measure) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
-    if (IsPulse(conditions_.signals[i].source)) values_[i] = 0;
+    if (conditions_.signals[i].of_one_instant()) values_[i] = 0;
   }
   for (emulator::Event event; events_.Next(&event);) Take(event);
   Hear(world);

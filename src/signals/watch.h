@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "emulator/event_table.h"
 #include "emulator/script.h"
+#include "emulator/told_event.h"
 #include "judge/formula.h"
 #include "signals/recent_arrivals.h"
 #include "signals/signals.h"

@@ -10,8 +10,6 @@ namespace understudy::terrain {
 namespace {
 
 constexpr std::size_t kMostPieces = 4000;
-// The least distance [m] of a height field above the floor, so that nothing touches both; assumed.
-constexpr double kOverFloor = 0.05;
 
 }  // namespace
 

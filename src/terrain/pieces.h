@@ -51,6 +51,10 @@ class TerrainPieces {
   double floor_ = 0;
 };
 
+// The least distance [m] above the floor of what must not touch it too, as a height field;
+// *assumed*.
+inline constexpr double kOverFloor = 0.05;
+
 // Step [m] of the lattice of heights, so that rounding errors of sines do not matter.
 inline constexpr double kHeightStep = 1e-4;
 double OnHeightLattice(double z);

@@ -70,6 +70,8 @@ TerrainPieces Build(const std::vector<TerrainPatch>& patches, const TerrainSpec&
                           .seed = PatchSeed(spec.seed, i),
                           .image = patch.image.empty() ? spec.image : patch.image,
                           .image_height = spec.image_height};
+    // It is not the floor, which replaces ground of its height, if that rubs otherwise.
+    if (stretch.friction != spec.friction) pieces.Lower(level - kOverFloor);
     level = OnHeightLattice(FindKind(patch.kind).add(stretch, &pieces));
     x += stretch.length;
   }

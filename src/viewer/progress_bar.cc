@@ -7,19 +7,18 @@
 
 #include <unistd.h>
 
+#include "base/printed.h"
+
 namespace understudy::viewer {
 
 std::string ProgressText(const std::string& what, double done, double whole, double elapsed) {
   constexpr int kWidth = 20;
   const double share = whole > 0 ? std::clamp(done / whole, 0.0, 1.0) : 0;
   const auto filled = static_cast<std::size_t>(std::floor(share * kWidth));
-  char numbers[96];
-  std::snprintf(numbers, sizeof numbers, "] %3.0f %%  %.1f of %.1f s", 100 * share, done, whole);
-  std::string text =
-      what + " [" + std::string(filled, '#') + std::string(kWidth - filled, '-') + numbers;
+  std::string text = what + " [" + std::string(filled, '#') + std::string(kWidth - filled, '-') +
+                     Printed("] %3.0f %%  %.1f of %.1f s", 100 * share, done, whole);
   if (share > 0 && elapsed > 1) {  // before that nobody can tell
-    std::snprintf(numbers, sizeof numbers, ", %.0f s to go", elapsed * (1 - share) / share);
-    text += numbers;
+    text += Printed(", %.0f s to go", elapsed * (1 - share) / share);
   }
   return text;
 }

@@ -2,12 +2,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
 
-#include "record/mcap_reader.h"
+#include "record/truth_reader.h"
 #include "viewer/scene_state.h"
 #include "viewer/screen_text.h"
 #include "viewer/stage.h"
@@ -18,11 +17,9 @@ namespace understudy::viewer {
 // throw RecordError for another file, or one without these.
 class Recording {
  public:
-  struct Span {
-    double from = 0, to = 0;  // s, simulated
-  };
+  using Span = record::TruthReader::Span;
 
-  explicit Recording(const std::filesystem::path& file);
+  explicit Recording(const std::filesystem::path& file) : truth_(file) {}
 
   mjcf::ModelHandle ReadModel() const;
 
@@ -42,12 +39,9 @@ class Recording {
             double before = 0) const;
 
  private:
-  std::uint64_t LogTime(double time) const;
   [[noreturn]] void Refuse(double time) const;
 
-  record::McapReader reader_;
-  std::uint64_t origin_ = 0;  // log time of simulated time 0, ns
-  Span whole_;
+  record::TruthReader truth_;
 };
 
 }  // namespace understudy::viewer

@@ -1,22 +1,17 @@
 #include "viewer/screen_text.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstring>
 #include <iterator>
 
 #include <nlohmann/json.hpp>
 
+#include "base/printed.h"
+
 namespace understudy::viewer {
 namespace {
 
 constexpr double kSpan = 1.0;  // s of wall time
-
-std::string Number(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, format, value);
-  return text;
-}
 
 }  // namespace
 
@@ -56,20 +51,20 @@ std::string MotorsText(const nlohmann::json& status) {
 
 TextBlock StatusText(const SceneState& state, double real_time_factor, const std::string& motors) {
   TextBlock text;
-  text.Add("time", Number("%.2f s", state.time) + (state.paused ? "  PAUSED" : ""));
+  text.Add("time", Printed("%.2f s", state.time) + (state.paused ? "  PAUSED" : ""));
   text.Add("speed",
-           (state.speed > 0 ? Number("%.4g", state.speed) : std::string("as fast as possible")) +
-               Number("  (%.2f x real time)", real_time_factor));
+           (state.speed > 0 ? Printed("%.4g", state.speed) : std::string("as fast as possible")) +
+               Printed("  (%.2f x real time)", real_time_factor));
   if (!motors.empty()) text.Add("motors", motors);
   if (!state.keys.empty()) text.Add("remote", state.keys);
   return text;
 }
 
 Caption CaptionAt(double now, double span, const std::vector<FilmEvent>& events) {
-  Caption caption{.clock = Number("%.2f s", now), .events = {}};
+  Caption caption{.clock = Printed("%.2f s", now), .events = {}};
   for (const FilmEvent& event : events) {
     if (event.time > now || event.time <= now - span) continue;
-    caption.events.push_back(Number("%.2f s  ", event.time) + event.text);
+    caption.events.push_back(Printed("%.2f s  ", event.time) + event.text);
   }
   if (caption.events.size() > kMostShown) {
     caption.events.erase(caption.events.begin(), caption.events.end() - kMostShown);

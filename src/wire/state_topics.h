@@ -1,4 +1,4 @@
-// The topics that a robot tells its states on, without a bus.
+// The topics on which a robot publishes its states, without a bus.
 #pragma once
 
 #include <string>
@@ -6,9 +6,16 @@
 
 #include "robot/robot_spec.h"
 
+struct dds_topic_descriptor;
+
 namespace understudy::wire {
 
-// Returns what Port::topics() is of such a robot, in its order.
-std::vector<std::string> StateTopics(const robot::RobotSpec& spec);
+struct StateTopic {
+  std::string name;
+  const dds_topic_descriptor* type;
+};
+
+// Returns the topics of such a robot, in the order of Port::topics().
+std::vector<StateTopic> StateTopics(const robot::RobotSpec& spec);
 
 }  // namespace understudy::wire

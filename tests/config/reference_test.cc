@@ -11,7 +11,9 @@ namespace understudy::config {
 namespace {
 
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::IsEmpty;
 
 TEST(ConfigReferenceTest, HasARowForEveryKey) {
   const std::string text = ConfigReference();
@@ -35,6 +37,15 @@ TEST(ConfigReferenceTest, NamesElementsOfLists) {
 
 TEST(ConfigReferenceTest, MentionsTheShortFormOfTheGate) {
   EXPECT_THAT(ConfigReference(), HasSubstr("`gate: WORD` is short for `gate.mode`"));
+}
+
+TEST(ConfigReferenceTest, KnowsTheWordsThatAKeyTakes) {
+  EXPECT_THAT(WordsOfKey("gate.mode"), ElementsAre("strict", "lenient"));
+  EXPECT_THAT(WordsOfKey("motion.fight"), ElementsAre("true", "false"));
+  EXPECT_THAT(WordsOfKey("robot.dynamics.use"), ElementsAre("catalogue", "fitted"));
+  for (const char* key : {"gate.timeout", "robot.model", "gate", "none"}) {
+    EXPECT_THAT(WordsOfKey(key), IsEmpty()) << key;
+  }
 }
 
 TEST(ConfigReferenceTest, HasFiveCellsInEachRow) {

@@ -5,10 +5,13 @@
 
 #include <gmock/gmock.h>
 
+#include "config/load.h"
+#include "config/robot_file.h"
 #include "doctor/echo_topics.h"
 #include "doctor/vendor_topics.h"
 #include "healthy.h"
 #include "idl/type_table.h"
+#include "wire/state_topics.h"
 
 namespace understudy::doctor {
 namespace {
@@ -352,6 +355,16 @@ TEST(VendorTopicsTest, HaveTypesThatTheVendorHas) {
       EXPECT_NE(FindMessageType(type), nullptr) << topic << " " << type;
     }
     EXPECT_FALSE(IsEchoTopic(topic));
+  }
+}
+
+TEST(VendorTopicsTest, HaveWhatOurRobotsPublish) {
+  for (const std::string& name : config::RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    const config::Config config = config::LoadConfig({.robot = name}, UNDERSTUDY_SOURCE_DIR);
+    for (const wire::StateTopic& topic : wire::StateTopics(config.robot)) {
+      EXPECT_THAT(TypesOf(topic.name), testing::Contains(bus::TypeName(*topic.type)))
+          << topic.name << " of " << name;
+    }
   }
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/load.h"
-#include "emulator/event_table.h"
+#include "emulator/told_event.h"
 #include "emulator/world.h"
 #include "tests/support/fake_port.h"
 #include "tests/support/fake_services.h"

@@ -1,5 +1,3 @@
-#include "emulator/event_table.h"
-
 #include <fstream>
 #include <set>
 
@@ -7,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "authority/unheeded.h"
+#include "emulator/told_event.h"
 #include "robot/refusal.h"
 #include "tests/support/requests.h"
 

@@ -11,7 +11,7 @@
 
 #include <gtest/gtest.h>
 
-#include "emulator/event_table.h"
+#include "emulator/told_event.h"
 #include "tests/motion/quadruped/rig.h"
 
 namespace understudy::motion {

@@ -68,7 +68,7 @@ def step_in_container(debian, instruction, text, where):
         where["user"] = text
     elif instruction == "WORKDIR":
         where["cwd"] = text
-    elif instruction != "FROM":
+    elif instruction not in ("FROM", "ADD"):  # those have the Debian that is there
         return {instruction: json.loads(text)}
     return {}
 

@@ -106,8 +106,8 @@ TEST_F(WorldModelTest, HasRoomForManyContactsWhateverTheFilesSay) {
 #endif
 
 TEST_F(WorldModelTest, ComputesNoSensorOfTheModels) {
-  UseRobot(Robot(R"(<joint name="knee_joint"/>)",
-                 R"(<sensor><jointpos joint="knee_joint"/></sensor>)"));
+  UseRobot(
+      Robot(R"(<joint name="knee_joint"/>)", R"(<sensor><jointpos joint="knee_joint"/></sensor>)"));
   const mjcf::ModelHandle model = Load();
   EXPECT_EQ(model->nsensor, 1);
   EXPECT_NE(model->opt.disableflags & mjDSBL_SENSOR, 0);

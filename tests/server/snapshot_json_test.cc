@@ -104,6 +104,19 @@ TEST(SnapshotJsonTest, HasOnlyWhatIsAskedForAndThere) {
   EXPECT_EQ(json::parse(SnapshotJson(snapshot, emulator::kAllSnapshotParts)).size(), 5u);
 }
 
+TEST(SnapshotJsonTest, SaysWhatAFrictionOfZeroStandsFor) {
+  emulator::Snapshot snapshot;
+  snapshot.setting_keys = {{.key = "terrain.friction", .unit = "", .does = "", .expected = ""}};
+  const auto stands_for = [&](double setting, double least, double most) {
+    snapshot.settings = {setting};
+    snapshot.ground_friction = {least, most};
+    return json(SettingsJson(snapshot)["settings"][0]).value("stands_for", "nothing");
+  };
+  EXPECT_EQ(stands_for(0, 0.8, 0.8), "0.8");
+  EXPECT_EQ(stands_for(0, 0.25, 0.8), "0.25 to 0.8");
+  EXPECT_EQ(stands_for(0.5, 0.5, 0.5), "nothing");
+}
+
 TEST(SnapshotJsonTest, WhatIsNoNumberIsNull) {
   emulator::Snapshot snapshot = SomeSnapshot();
   snapshot.positions = {std::nan(""), INFINITY, 1e300};

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "config/load.h"
+
 namespace understudy::signals {
 namespace {
 
@@ -72,10 +74,24 @@ TEST(BoundConditionTest, NamesTheNearestWord) {
   EXPECT_THAT(WhyNot("base.height < 3 kg"), testing::HasSubstr("base.height: no unit 'kg'"));
 }
 
-TEST(BoundConditionTest, ForAnyRobotEachJointAndFootWillDoAndNoTopicThatNoneHears) {
+TEST(BoundConditionTest, ForAnyRobotEachJointFootAndHandWillDoAndNoTopicThatNoneHears) {
   EXPECT_EQ(WhyNot("q(tail) > 1 and foot_force(paw) > 1", RunningNames()), "");
   EXPECT_EQ(WhyNot("dex3/left/cmd arrives", RunningNames()), "");
   EXPECT_THAT(WhyNot("lowcmt arrives", RunningNames()), testing::HasSubstr("'rt/lowcmd'"));
+}
+
+TEST(BoundConditionTest, ARecordingHasTheTopicsOfItsRobotWithTheirTypes) {
+  const auto recorded = [](const char* robot) {
+    return RecordedNames(
+        config::LoadConfig({.robot = robot}, UNDERSTUDY_SOURCE_DIR).robot,
+        [](const std::string& type, const std::string& field) { return type + " " + field; });
+  };
+  EXPECT_EQ(WhyNot("gap(errorlist) > 1 and gap(lf/sportmodestate) > 1", recorded("go2")), "");
+  EXPECT_THAT(WhyNot("gap(lf/bmsstate) > 1", recorded("go2")), testing::HasSubstr("no topic"));
+  const Names hands = recorded("g1_29dof_dex3");
+  EXPECT_EQ(WhyNot("gap(lf/bmsstate) > 1 and gap(lf/dex3/left/state) > 1", hands), "");
+  EXPECT_EQ(WhyNot("dex3/right/cmd:motor_cmd[0].q > 1", hands),
+            "unitree_hg::msg::dds_::HandCmd_ motor_cmd[0].q");
 }
 
 TEST(BoundConditionTest, AProgramPrintsOnlyWhereThereIsOne) {

@@ -65,7 +65,8 @@ def matches(shown, text):
 class Terminal:
     """A shell; `here` is put in front of it, as nsenter is."""
 
-    def __init__(self, folder, environment, here=()):
+    def __init__(self, folder, environment, here=(), patience=PATIENCE):
+        self._patience = patience
         self._shell = subprocess.Popen([*here, "bash", "--noprofile", "--norc"], cwd=folder, env=environment, text=True,
                                        stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         self._lines = queue.Queue()
@@ -90,7 +91,7 @@ class Terminal:
         mark = f"::{os.urandom(8).hex()}"
         self._shell.stdin.write(f"{line.command}\ncode=$?; echo; echo {mark} $code\n")
         self._shell.stdin.flush()
-        self._wait(lambda: self._said and self._said[-1].startswith(mark), PATIENCE,
+        self._wait(lambda: self._said and self._said[-1].startswith(mark), self._patience,
                    f"{line.command} ends")
         code = self._said.pop().split()[1]
         wanted = re.fullmatch(r"\[(\d+)\]", line.printed[-1]) if line.printed else None

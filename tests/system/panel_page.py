@@ -57,7 +57,7 @@ def dogs_page(browser, dog):
 def page(dogs_page):
     """The panel of that Go2."""
     yield dogs_page
-    assert dogs_page.errors == []
+    assert dogs_page.errors == [], dogs_page.errors
 
 
 def shown(page):

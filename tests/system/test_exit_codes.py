@@ -51,6 +51,18 @@ def test_a_value_that_does_not_do_is_named_with_the_nearest_that_does(understudy
     refused(understudy("run", *arguments), code, *words)
 
 
+@pytest.mark.parametrize("arguments", [
+    ("run", "go2", "--profile", "wron"), ("rehearse", "push", "--profile", "wron"),
+    ("rehearse", "push", "--seed", "one"), ("export", "urdf", "g1", "--revision", "99"),
+    ("terrain", "rough", "--out", "ground", "--difficulty", "2"),
+])
+def test_a_refusal_names_the_option_as_it_was_typed(understudy, arguments):
+    done = understudy(*arguments)
+
+    refused(done, CONFIG, f"understudy: {' '.join(arguments[-2:])}: ")
+    assert "--set" not in done.stderr
+
+
 @pytest.mark.parametrize(("limit", "words"), [
     (["--nofile", "8"], "files that this process may open (ulimit -n)"),
     (["--nofile", "18"], ""),

@@ -5,10 +5,10 @@ import pathlib
 import pytest
 from urdf_parser_py.urdf import URDF
 
-ROBOTS = ["a2", "b2", "b2w", "g1", "g1_23dof", "g1_29dof_dex3", "go2", "go2w", "h1", "h1_2", "h2", "r1"]
+ROOT = pathlib.Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("name", ROBOTS)
+@pytest.mark.parametrize("name", sorted(file.stem for file in (ROOT / "config" / "robots").glob("*.yaml")))
 def test_ros_reads_every_robot(understudy, capfd, name):
     done = understudy("export", "urdf", name)
     assert done.returncode == 0, done.stderr
@@ -24,7 +24,7 @@ def test_ros_reads_every_robot(understudy, capfd, name):
 
 
 def test_a_robot_with_meshes_is_written_with_their_files(understudy, tmp_path):
-    arm = pathlib.Path(__file__).parents[2] / "examples" / "two_joint_arm"
+    arm = ROOT / "examples" / "two_joint_arm"
     model = (arm / "arm.xml").read_text()
     model = model.replace("<worldbody>", """<asset><mesh name="wedge"
         vertex="0 0 0 .1 0 0 0 .1 0 0 0 .1"/></asset><worldbody>""")

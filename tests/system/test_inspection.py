@@ -16,6 +16,10 @@ ROBOTS = pathlib.Path(__file__).parents[2] / "config" / "robots"
 MODELS = pathlib.Path(__file__).parents[2] / "models"
 
 
+def named(beginning):
+    return sorted(file.stem for file in ROBOTS.glob(f"{beginning}*.yaml"))
+
+
 @pytest.mark.parametrize("subcommand", SUBCOMMANDS)
 def test_every_subcommand_has_help_with_an_example_on_standard_output(understudy, subcommand):
     done = understudy(subcommand, "--help")
@@ -277,7 +281,7 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
 @pytest.mark.parametrize("shell", COMPLETE)
 @pytest.mark.parametrize(("typed", "offered"), [
     ("understudy ru", ["run"]),
-    ("understudy run go", ["go2", "go2w"]),
+    ("understudy run go", named("go")),
     ("understudy run go2 --sp", ["--speed"]),
     ("understudy run go2 --print", ["--print-config"]),
     ("understudy ctl cr", ["crane"]),
@@ -293,9 +297,17 @@ COMPLETE = {  # what a shell offers for the typed words, one a line; {file}: our
     ("understudy exec go2 --profile h", ["harsh"]),
     ("understudy rehearse push --profile w", ["worn"]),
     ("understudy run go2 --set gate.t", ["gate.timeout="]),
+    ("understudy run go2 --set gate.mode=", ["gate.mode=lenient", "gate.mode=strict"]),
+    ("understudy run go2 --set motion.fight=f", ["motion.fight=false"]),
+    ("understudy rehearse push --set profile=w", ["profile=worn"]),
+    ("understudy run g1 --set robot.revision=15", ["robot.revision=15"]),
+    ("understudy run g1 --set motion.service=", ["motion.service=ai", "motion.service=none"]),
+    ("understudy run go2 --set=start.pose=l", ["--set=start.pose=lying"]),
+    ("understudy run go2 --scene=ro", ["--scene=rough", "--scene=row"]),
+    ("understudy run go2 --sceen=ro", []),
     ("understudy run go2 --name go", []),
     ("understudy exec go2 -- ru", []),
-    ("understudy check --robot h", ["h1", "h1_2", "h2"]),
+    ("understudy check --robot h", named("h")),
     ("understudy rehearse sta", ["stand_up"]),
     ("understudy ctl remote press L2+S", ["L2+SELECT", "L2+START"]),
     ("understudy ctl speed m", ["max"]),
@@ -320,13 +332,13 @@ def test_each_shell_completes(understudy, tmp_path, shell, typed, offered):
     assert sorted(w for w in done.stdout.split() if w.startswith(words[-1])) == offered
 
 
-def test_zsh_completes_from_a_file_in_its_fpath_the_first_time_and_again(understudy, tmp_path):
-    (tmp_path / "_understudy").write_text(understudy("completions", "zsh").stdout)
-    folder = os.path.dirname(os.environ["UNDERSTUDY"])
+def completed(shell, folder, first, lines):
+    """Has an interactive shell complete each typed line by Tab until it shows what is told beside it."""
+    path = os.path.dirname(os.environ["UNDERSTUDY"])
     process, terminal = pty.fork()
     if process == 0:
-        os.environ.update(PATH=f"{folder}:{os.environ['PATH']}", TERM="dumb", HOME=str(tmp_path))
-        os.execvp("zsh", ["zsh", "-f", "-i"])
+        os.environ.update(PATH=f"{path}:{os.environ['PATH']}", TERM="dumb", HOME=str(folder))
+        os.execvp(shell[0], shell)
     shown = ""
 
     def shows(text):
@@ -335,15 +347,32 @@ def test_zsh_completes_from_a_file_in_its_fpath_the_first_time_and_again(underst
             shown += os.read(terminal, 4096).decode()
         return text in shown
 
-    os.write(terminal, f"fpath=({tmp_path} $fpath); autoload -U compinit && compinit -D -u; print la''den\n".encode())
+    os.write(terminal, f"{first}; echo la''den\n".encode())
     eventually(lambda: shows("\nladen"), what="a shell")
-    for typed, completed in (("ctl clamp of", "off"), ("run go2 --start ly", "lying")):
+    for typed, expected in lines:
+        shown = ""
         os.write(terminal, f"understudy {typed}\t".encode())
-        eventually(lambda: shows(completed), what=f"{typed}: {shown}")
+        eventually(lambda: shows(expected), what=f"{typed}: {shown}")
         os.write(terminal, b"\x15")
     os.write(terminal, b"exit\n")
     os.waitpid(process, 0)
     os.close(terminal)
+
+
+def test_zsh_completes_from_a_file_in_its_fpath_the_first_time_and_again(understudy, tmp_path):
+    (tmp_path / "_understudy").write_text(understudy("completions", "zsh").stdout)
+    completed(["zsh", "-f", "-i"], tmp_path,
+              f"fpath=({tmp_path} $fpath); autoload -U compinit && compinit -D -u",
+              [("ctl clamp of", "off"), ("run go2 --start ly", "lying"),
+               ("run go2 --set gate.mode=s", "gate.mode=strict")])
+
+
+def test_bash_completes_what_it_breaks_at_the_equals_sign(understudy, tmp_path):
+    (tmp_path / "completions").write_text(understudy("completions", "bash").stdout)
+    completed(["bash", "--norc", "-i"], tmp_path, f"source {tmp_path}/completions",
+              [("run go2 --set gate.mode=s", "gate.mode=strict"), ("run go2 --set=gate.mode=l", "gate.mode=lenient"),
+               ("run go2 --set profile=w", "profile=worn"), ("run go2 --dynamics=c", "--dynamics=catalogue"),
+               ("ctl set gate.mode l", "lenient")])
 
 
 def test_completion_knows_the_robots_that_run_and_their_bodies(play, understudy):

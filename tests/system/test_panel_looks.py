@@ -72,6 +72,90 @@ def test_a_phone_holds_the_remote_and_nothing_is_wider_than_it(play, visit):
     robot.becomes(lambda now: now["remote"]["keys"] == "")
 
 
+# The parts of the robot that the tools, the readings or the edges of the view lie over.
+COVERED = """(() => {
+  const { view } = panel;
+  view.camera.updateMatrixWorld();
+  const box = view.canvas.getBoundingClientRect();
+  const over = [...view.canvas.parentElement.querySelectorAll(".tools, .overlay")]
+    .map((one) => one.getBoundingClientRect());
+  return view.robotBodies().filter(({ position }) => {
+    const at = position.clone().project(view.camera);
+    const [x, y] = [box.x + (at.x + 1) / 2 * box.width, box.y + (1 - at.y) / 2 * box.height];
+    return Math.abs(at.x) > 1 || Math.abs(at.y) > 1 ||
+      over.some(({ left, right, top, bottom }) => x > left && x < right && y > top && y < bottom);
+  }).map(({ userData }) => userData.name);
+})()"""
+
+
+@pytest.mark.parametrize("desk", [DESK, PHONE], ids=["a desk", "a phone"])
+@pytest.mark.parametrize("robot", ["go2", "g1"])
+def test_nothing_lies_over_the_robot_at_the_first_look(play, visit, robot, desk):
+    page = visit(url_of(play(robot)), **desk)
+
+    assert page.evaluate(COVERED) == []
+
+
+def test_the_names_over_a_plot_leave_it_most_of_the_height_on_a_small_desk(play, visit):
+    page = visit(url_of(play("g1")), width=1024, height=768)
+    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph)")
+
+    heights = page.evaluate("panel.plots.plots.map(({ node, chart }) => [chart.clientHeight, node.clientHeight])")
+
+    assert len(heights) == 2
+    assert all(chart > 0.55 * whole for chart, whole in heights), heights
+
+
+def test_a_finger_that_rests_on_a_button_is_told_what_it_does_and_a_tap_is_not(play, visit):
+    page = visit(url_of(play("go2")), **PHONE)
+    x, y = page.middle("#com")
+
+    def touch(kind, *points):
+        page.call("Input.dispatchTouchEvent", type=kind, touchPoints=[{"x": x, "y": y} for x, y in points])
+
+    # A tap that is short also on a slow machine.
+    page.evaluate("""['pointerdown', 'pointerup'].forEach((kind) => document.getElementById('com').dispatchEvent(
+        new PointerEvent(kind, { bubbles: true, pointerType: 'touch' })))""")
+    page.evaluate("new Promise((done) => setTimeout(done, 700))")
+    assert page.evaluate("document.getElementById('tip').hidden")
+
+    touch("touchStart", (x, y))
+    page.becomes("!document.getElementById('tip').hidden")
+    assert page.text("#tip") == "Centre of mass"
+    touch("touchEnd")
+    page.becomes("document.getElementById('tip').hidden")  # after a while
+
+
+# Numbers that nothing gives a unit: no letter or sign of their own, none beside or above them.
+WITHOUT_UNIT = """[...document.querySelectorAll('.num, output, .value')].filter((one) => {
+  if (!one.offsetParent || !/^[-−]?[0-9.]+( [-−]?[0-9.]+)*$/.test(one.textContent.trim())) return false;
+  const unit = (text) => /[a-z°%×µ]/i.test(text ?? "");
+  const cell = one.closest('td');
+  if (!cell) return !unit(one.parentElement.querySelector('.unit')?.textContent);
+  const table = cell.closest('table');
+  const head = table.tHead?.rows[0].cells[cell.cellIndex];
+  return !unit(head?.querySelector('small')?.textContent) && !unit(cell.parentElement.lastElementChild.textContent)
+    && !unit(cell.querySelector('small')?.textContent);
+}).map((one) => `${one.id || one.className} ${one.closest('td')?.cellIndex ?? ''} ${one.textContent}`)"""
+COUNTS = {"late", "accepted", "refused"}  # of ticks and of commands
+
+
+def test_every_number_has_its_unit(play, visit):
+    robot = play("g1")
+    page = visit(url_of(robot))
+    page.evaluate("panel.link.post('service/call', { service: 'motion_switcher', api: 1001 })")
+    page.evaluate("['truth', 'damage'].forEach((id) => (document.getElementById(id).open = true))")
+    page.becomes("document.querySelectorAll('#damage-rows tr').length > 20 &&"
+                 "document.querySelectorAll('#truth-rows tr').length > 20")
+    for tab in ("remote", "actions", "rig", "events", "dds", "services", "recordings"):
+        show(page, tab)
+        page.evaluate("new Promise((done) => setTimeout(done, 500))")
+        bare = [one for one in page.evaluate(WITHOUT_UNIT) if one.split()[0] not in COUNTS]
+        if tab == "services":  # the number of the api and that of its calls
+            bare = [one for one in bare if one.split()[1] not in ("1", "3")]
+        assert bare == [], tab
+
+
 def test_nothing_of_the_table_of_motors_is_cut_off_on_a_small_desk(play, visit):
     page = visit(url_of(play("g1_29dof_dex3")), width=1024, height=768)
 

@@ -69,6 +69,11 @@ def test_a_setting_is_seen_with_its_unit_and_range_and_changed(play, visit):
     assert page.evaluate("document.getElementById('setting-value').value") == "0.2"
     assert page.text("#setting-unit") == "s"
     assert page.text("#setting-does").endswith("a number from 0.001 to 3600 s")
+    page.evaluate("""(key => { key.value = "terrain.friction"; key.dispatchEvent(new Event("change")); })
+        (document.getElementById("setting-key"))""")
+    assert page.text("#setting-does").endswith("; 0 is 0.8 here")
+    page.evaluate("""(key => { key.value = "gate.timeout"; key.dispatchEvent(new Event("change")); })
+        (document.getElementById("setting-key"))""")
 
     page.evaluate("document.getElementById('setting-value').value = '0.5'")
     page.evaluate("document.getElementById('settings-form').requestSubmit()")

@@ -1,7 +1,10 @@
 """What the tabs of the panel show and do: actions, DDS, services, truth, events, what one takes away."""
 
 import os
+import re
 import time
+
+import pytest
 
 from cyclonedds import idl
 from cyclonedds.idl.types import uint32
@@ -167,6 +170,48 @@ def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play
     page.call("Page.reload")
     page.becomes("window.panel?.view.placed && document.getElementById('trail').ariaPressed === 'true'")
     page.becomes("panel.plots.plots[0].names.includes('battery voltage') && panel.view.trail.visible")
+
+
+def test_the_view_is_saved_as_a_picture_with_the_robot_in_it(page):
+    page.evaluate("""window.saved = new Promise((done) => {
+        const make = URL.createObjectURL;
+        URL.createObjectURL = (blob) => {
+          URL.createObjectURL = make;
+          HTMLAnchorElement.prototype.click = function () { done([this.download, blob]); };
+          return make(blob);
+        };
+      }), 0""")
+    page.click("#picture")
+    saved = page.evaluate("""window.saved.then(async ([name, blob]) => {
+        const picture = await createImageBitmap(blob);
+        const canvas = Object.assign(document.createElement("canvas"), { width: picture.width, height: picture.height });
+        canvas.getContext("2d").drawImage(picture, 0, 0);
+        const bits = canvas.getContext("2d").getImageData(0, 0, picture.width, picture.height).data;
+        const colours = new Set();
+        for (let i = 0; i < bits.length; i += 4) colours.add(`${bits[i]} ${bits[i + 1]} ${bits[i + 2]}`);
+        return { name, size: [picture.width, picture.height], colours: colours.size };
+      })""")
+    page.evaluate("delete HTMLAnchorElement.prototype.click")
+
+    assert re.fullmatch(r"go2 view \d+\.\d\d s\.png", saved["name"])
+    assert min(saved["size"]) > 100
+    assert saved["colours"] > 30
+
+
+@pytest.mark.parametrize(("scene", "seen"), [("flat", False), ("rough", True), ("stairs_up", True)])
+def test_the_first_look_has_the_uneven_ground_that_lies_ahead_in_it(play, visit, scene, seen):
+    page = visit(url_of(play("go2", "--scene", scene)))
+
+    # A place 3 m ahead of the robot, on the ground.
+    at = page.evaluate("""(() => {
+        const { view } = panel;
+        view.camera.updateMatrixWorld();
+        const place = view.bodies[view.base].position.clone();
+        const at = place.setX(place.x + 3).setZ(0.05).project(view.camera);
+        return [at.x, at.y, at.z];
+      })()""")
+
+    assert all(abs(one) < 1 for one in at) == seen, at
 
 
 def test_plots_are_taken_away_as_a_picture_and_as_a_table(page):

@@ -337,6 +337,8 @@ def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp
         assert "scenario: missing" in done.stderr + done.stdout
     done = rehearse("stnad_up")
     assert done.returncode == 3 and "did you mean 'stand_up'?" in done.stderr
+    done = understudy("rehearse", "--set", "terrain.friction=0.3", "stnad_up")
+    assert done.returncode == 3 and "did you mean 'stand_up'?" in done.stderr
     assert understudy("rehearse").returncode == 2
     good = understudy("check", *(ROOT / "config" / "scenarios").glob("*.yaml"))
     assert good.returncode == 0 and "6 expectations" in good.stdout

@@ -11,7 +11,7 @@ import time
 from unitree_sdk2py.comm.motion_switcher.motion_switcher_client import MotionSwitcherClient
 
 from peers import join, listener
-from robots import eventually
+from robots import eventually, understudy
 
 
 def paused(robot):
@@ -44,6 +44,22 @@ def test_a_paused_robot_answers_requests_and_services(play):
     code, answer = eventually(lambda: (reply := client.CheckMode())[0] == 0 and reply)
     assert code == 0
     assert answer["name"] == "mcf"
+
+
+def test_the_list_of_settings_tells_the_friction_that_the_ground_has(play, tmp_path):
+    scene = tmp_path / "icy.yaml"
+    scene.write_text("terrain: {patches: [{kind: flat}, {kind: flat, friction: 0.25}]}\n")
+    robot = play("go2", "--scene", scene)
+
+    def shown():
+        listed = understudy("ctl", "set").stdout.splitlines()
+        return next(re.split("  +", line)[1] for line in listed if line.startswith("terrain.friction "))
+
+    assert shown() == "0: 0.25 to 0.8"
+    robot.ctl("set", "terrain.friction", "0.5")
+    assert shown() == "0.5"
+    robot.ctl("set", "terrain.friction", "0")
+    assert shown() == "0: 0.25 to 0.8"
 
 
 def test_a_resumed_robot_neither_races_nor_counts_the_pause_as_late(play):

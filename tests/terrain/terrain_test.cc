@@ -221,6 +221,15 @@ TEST_F(TerrainTest, PatchesTakeFromTheWholeWhatTheyDoNotSay) {
   EXPECT_EQ(frictions[0.4], 1);
 }
 
+TEST_F(TerrainTest, AFlatPatchOfAFloorsHeightHasItsOwnFriction) {
+  spec_.patches = {{.kind = "flat"}, {.kind = "flat", .friction = 0.25}};
+  Load("row");
+  EXPECT_NEAR(Height(1.6, 0), 0, 1e-6);
+  std::map<double, int> frictions;
+  for (int i = 0; i < model_->ngeom; ++i) ++frictions[model_->geom_friction[3 * i]];
+  EXPECT_EQ(frictions[0.25], 1);
+}
+
 TEST_F(TerrainTest, APatchLooksTheSameWhateverStandsBeforeIt) {
   spec_.patches = {{.kind = "flat"}, {.kind = "boxes"}};
   Load("row");

@@ -1,5 +1,7 @@
 // Every kind of ground under a quadruped and a humanoid.
 #include <algorithm>
+#include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -118,6 +120,21 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsAsked) {
     ASSERT_EQ(world.EndStep(), physics::StepHealth::kFine);
   }
   EXPECT_GT(touching, 0);
+}
+
+TEST_P(TerrainOfKindTest, RubsAsMuchAsIsSetLaterUntilThatIsTakenBack) {
+  spec_.difficulty = 0.7;
+  physics::World world = World();
+  const mjModel& model = world.model();
+  const std::vector<mjtNum> before(model.geom_friction, model.geom_friction + 3 * model.ngeom);
+  world.SetGroundFriction(0.3);
+  for (int geom = 0; geom < model.ngeom; ++geom) {
+    const bool moves = model.body_weldid[model.geom_bodyid[geom]] != 0;
+    EXPECT_EQ(model.geom_friction[3 * geom], moves ? before[3 * geom] : 0.3) << geom;
+  }
+  EXPECT_EQ(world.GroundFriction(), (std::array{0.3, 0.3}));
+  world.SetGroundFriction(0);
+  EXPECT_TRUE(std::ranges::equal(before, std::span(model.geom_friction, before.size())));
 }
 
 TEST_P(TerrainOfKindTest, IsTheSameWorldWhenReadFromWhatWasWritten) {

@@ -95,7 +95,14 @@ TEST(PublicationsTest, HaveTheirRatesOnEveryRobotAndThereAreNoOthers) {
     const std::vector<Row> rows =
         spec.family == robot::WireFamily::kGo ? GoRows(spec) : HgRows(spec);
     EXPECT_EQ(Told(&watch), Topics(rows));
-    EXPECT_EQ(port.topics(), StateTopics(spec));
+    std::vector<std::string> without_a_bus;
+    for (const StateTopic& topic : StateTopics(spec)) {
+      without_a_bus.push_back(topic.name);
+      EXPECT_TRUE(std::ranges::any_of(rows, [&topic](const Row& row) {
+        return row.topic == topic.name && row.type == topic.type;
+      })) << topic.name;
+    }
+    EXPECT_EQ(port.topics(), without_a_bus);
     std::deque<bus::CdrReader> readers;
     for (const Row& row : rows) readers.emplace_back(participant, row.topic, *row.type);
 

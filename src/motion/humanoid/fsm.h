@@ -23,10 +23,6 @@ enum class HumanoidStance : std::uint8_t {
   kUnplayed,  // of the real robot, not simulated
   kNone,      // no such state
 };
-inline constexpr StateSet<HumanoidStance> kLockedStances{
-    HumanoidStance::kLockStand, HumanoidStance::kSquat, HumanoidStance::kSit};
-inline constexpr StateSet<HumanoidStance> kBalancedStances{HumanoidStance::kBalanced,
-                                                           HumanoidStance::kBalancedSquat};
 
 inline constexpr StateSet<HumanoidStance> kBearingStances{
     HumanoidStance::kLockStand, HumanoidStance::kSquat, HumanoidStance::kBalanced,

@@ -34,6 +34,7 @@ export class Settings {
     if (!setting) return;
     byId("setting-value").value = String(setting.value);
     setText(byId("setting-unit"), setting.unit);
-    setText(byId("setting-does"), `${setting.does}: ${setting.takes}`);
+    const stands = setting.stands_for === undefined ? "" : `; ${setting.value} is ${setting.stands_for} here`;
+    setText(byId("setting-does"), `${setting.does}: ${setting.takes}${stands}`);
   }
 }

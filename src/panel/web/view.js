@@ -8,7 +8,9 @@ import { Stage } from "./stage.js";
 import { Trail } from "./trail.js";
 
 const FIRST_COLLISION_GROUP = 3; // as in MuJoCo's viewer: groups 0 to 2 are what one sees
-const CAMERA = [1.5, -1.7, 0.75]; // m from what is looked at, for a robot 1 m tall
+// m from what is looked at, for a robot 1 m tall: from ahead, and from behind where uneven ground lies ahead.
+const AHEAD = [1.5, -1.7, 0.75];
+const BEHIND = [-1.7, -1.5, 0.9];
 // Where one may look from, in the base's heading: x ahead, y to its left.
 const PLACES = {
   front: [2.3, 0, 0.3], back: [-2.3, 0, 0.3], left: [0, 2.3, 0.3], right: [0, -2.3, 0.3],
@@ -97,6 +99,7 @@ export class View {
     const bare = this.robotBodies().every(
       ({ children }) => children.every((mesh) => mesh.userData.collision));
     this.showCollisions(bare);
+    this.uneven = description.geoms.some(({ body, type }) => !this.ofRobot[body] && type !== "plane");
     return bare;
   }
 
@@ -125,9 +128,9 @@ export class View {
     this.invalidate();
   }
 
-  // Looks at the base from the right front, from as far as the robot is tall.
+  // Looks at the base from its right, from as far as the robot is tall, and on uneven ground.
   home() {
-    this.look(CAMERA);
+    this.look(this.uneven ? BEHIND : AHEAD);
   }
 
   // Looks at the base from one of PLACES, whichever way it faces.

@@ -13,6 +13,11 @@ namespace understudy::services {
 struct MoveLimits {
   double vx_min, vx_max, vy, yaw_rate, hold;
 };
+// Velocities: [docs] Go2 motion services V2.0; Go2-W high-level motion services, default gait.
+inline constexpr MoveLimits kGo2Move{
+    .vx_min = -2.5, .vx_max = 3.8, .vy = 1.0, .yaw_rate = 4.0, .hold = 1.0};
+inline constexpr MoveLimits kGo2wMove{
+    .vx_min = -1.5, .vx_max = 1.5, .vy = 0.6, .yaw_rate = 1.0, .hold = 1.0};
 
 ServiceTable MotionSwitcherTable();
 ServiceTable RobotStateTable();      // three calls, version 1.0.0.1

@@ -1,4 +1,4 @@
-// Reads the simulation's states from a recording.
+// Reads the simulation's truth from a recording.
 #pragma once
 
 #include <cstddef>
@@ -13,20 +13,26 @@ namespace understudy::record {
 
 // The truth in a recording of `understudy run --record`. All functions throw RecordError for
 // another file, or one without it.
-class StatesReader {
+class TruthReader {
  public:
   struct Span {
     double from = 0, to = 0;  // s, simulated
   };
 
-  explicit StatesReader(const std::filesystem::path& file);
+  static constexpr double kLookBack = 1;  // s in which there is a state for sure
+
+  explicit TruthReader(const std::filesystem::path& file);
 
   const McapReader& reader() const { return reader_; }
   const Span& whole() const { return whole_; }
 
-  // Visits the states of that time, ends included, in order until `visit` returns false. Each has
-  // `nq` positions.
-  void Read(const Span& span, std::size_t nq, const std::function<bool(Truth)>& visit) const;
+  // Visits the states of that time, ends included, in order until `visit` returns false, and
+  // between them tells of the events, also of those of the `before` s before. Each state has `nq`
+  // positions.
+  using Visit = std::function<bool(Truth)>;
+  using Tell = std::function<void(Event)>;
+  void Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell = {},
+            double before = 0) const;
 
  private:
   std::uint64_t LogTime(double time) const;

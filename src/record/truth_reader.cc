@@ -1,4 +1,4 @@
-#include "record/states.h"
+#include "record/truth_reader.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,6 @@ namespace understudy::record {
 namespace {
 
 constexpr std::uint64_t kSecond = 1'000'000'000;  // ns
-constexpr double kLookBack = 1;                   // s in which there is a state for sure
 constexpr double kLongest = 1e9;                  // s; what says more is damaged
 
 Truth Decode(const McapMessage& message) {
@@ -22,7 +21,7 @@ Truth Decode(const McapMessage& message) {
 
 }  // namespace
 
-StatesReader::StatesReader(const std::filesystem::path& file) : reader_(file) {
+TruthReader::TruthReader(const std::filesystem::path& file) : reader_(file) {
   bool found = false;
   reader_.ReadMessages([&](const McapChannel& channel, const McapMessage& message) {
     if (channel.topic != kTruthTopic) return true;
@@ -46,15 +45,17 @@ StatesReader::StatesReader(const std::filesystem::path& file) : reader_(file) {
                        });
 }
 
-std::uint64_t StatesReader::LogTime(double time) const {
+std::uint64_t TruthReader::LogTime(double time) const {
   return origin_ + static_cast<std::uint64_t>(std::llround(std::max(time, 0.0) * kSecond));
 }
 
-void StatesReader::Read(const Span& span, std::size_t nq,
-                        const std::function<bool(Truth)>& visit) const {
-  reader_.ReadMessages(LogTime(span.from), LogTime(span.to),
+void TruthReader::Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell,
+                       double before) const {
+  const std::uint64_t from = LogTime(span.from);
+  reader_.ReadMessages(LogTime(span.from - before), LogTime(span.to),
                        [&](const McapChannel& channel, const McapMessage& message) {
-                         if (channel.topic != kTruthTopic) return true;
+                         if (tell && channel.topic == kEventTopic) tell(DecodeEvent(message.data));
+                         if (channel.topic != kTruthTopic || message.log_time < from) return true;
                          Truth truth = Decode(message);
                          if (truth.qpos.size() != nq) {
                            throw RecordError("a state of " + std::to_string(truth.qpos.size()) +

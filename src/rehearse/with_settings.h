@@ -1,0 +1,25 @@
+// A scenario with what one run of a campaign has.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "config/yaml_document.h"
+#include "rehearse/vary.h"
+
+namespace understudy::rehearse {
+
+// The keys of a scenario that may vary, beside those of its `settings`.
+inline constexpr std::string_view kVariedKeys[] = {"robot", "revision", "start", "profile",
+                                                   "seed",  "scene",    "speed", "duration"};
+
+// Returns the document with these settings in it: keys of the scenario are replaced, `$name` where
+// it stands. Those of the configuration are left to `sets`, to which they are added as KEY=VALUE.
+// Replaces `$name` in the words of `command`, too; throws ConfigError for one that stands neither
+// there nor in the scenario. A null `command` is one that is not known.
+config::YamlValue WithSettings(const config::YamlValue& document, const Plan& plan,
+                               const std::vector<Setting>& settings, std::vector<std::string>* sets,
+                               std::vector<std::string>* command);
+
+}  // namespace understudy::rehearse
