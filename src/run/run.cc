@@ -15,6 +15,7 @@
 #include <utility>
 #include <vector>
 
+#include <malloc.h>
 #include <spdlog/spdlog.h>
 
 #include "base/spsc_ring.h"
@@ -207,6 +208,8 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
   wire::StrangerWatch watch(participant);
   const time::Clock::Time watch_set = clock.Now();
   MadeWorld made = MakeWorld(&config);
+  // Compiling needs many times the memory of the result; later it is locked.
+  malloc_trim(0);
   RefuseToStartBeside(&watch, watch_set, participant, config.guard, options.private_network,
                       &clock);
 

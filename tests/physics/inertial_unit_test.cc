@@ -1,18 +1,17 @@
 #include "physics/inertial_unit.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <string>
-#include <vector>
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include "physics/world.h"
 #include "physics/world_model.h"
+#include "tests/physics/kicks.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -45,16 +44,7 @@ TEST_F(InertialUnitTest, FeelsBitForBitWhatMujocosSensorsDo) {
   const int first = model->sensor_adr[model->nsensor - 4];
   double most = 0;
   for (int step = 0; step < 1000; ++step) {
-    std::vector<double> tau(6);
-    for (std::size_t i = 0; i < 6; ++i) {
-      tau[i] = 3 * std::sin(0.01 * step + static_cast<double>(i));
-      const int joint = mj_name2id(model.get(), mjOBJ_JOINT, spec.motors[i].joint.c_str());
-      whole->qfrc_applied[model->jnt_dofadr[joint]] = tau[i];
-    }
-    mj_step(model.get(), whole.get());
-    world.BeginStep();
-    world.robot().Drive(tau);
-    ASSERT_EQ(world.EndStep(), StepHealth::kFine);
+    ASSERT_NO_FATAL_FAILURE(Kick(step, &world, *model, whole.get()));
     const mjtNum* felt = whole->sensordata + first;
     for (const robot::ImuReading& unit : {world.robot().Imu(), world.robot().SecondaryImu()}) {
       ASSERT_EQ(std::memcmp(felt, unit.w_WI_I.data(), 3 * sizeof(double)), 0) << step;

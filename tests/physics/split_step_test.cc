@@ -1,10 +1,10 @@
-#include <cmath>
 #include <cstring>
 
 #include <gtest/gtest.h>
 #include <mujoco/mujoco.h>
 
 #include "physics/world_model.h"
+#include "tests/physics/kicks.h"
 #include "tests/support/fixture_robot.h"
 #include "tests/support/mujoco_test.h"
 #include "tests/support/temporary_folder.h"
@@ -30,16 +30,7 @@ TEST_P(SplitStepTest, EqualsTheWholeStepBitForBit) {
   const mjcf::DataHandle whole(mj_copyData(nullptr, model.get(), &world.data()));
   int contacts = 0;
   for (int step = 0; step < 1000; ++step) {
-    std::vector<double> tau(6);
-    for (std::size_t i = 0; i < 6; ++i) {
-      tau[i] = 3 * std::sin(0.01 * step + static_cast<double>(i));
-      const int joint = mj_name2id(model.get(), mjOBJ_JOINT, spec.motors[i].joint.c_str());
-      whole->qfrc_applied[model->jnt_dofadr[joint]] = tau[i];
-    }
-    mj_step(model.get(), whole.get());
-    world.BeginStep();
-    world.robot().Drive(tau);
-    ASSERT_EQ(world.EndStep(), StepHealth::kFine);
+    ASSERT_NO_FATAL_FAILURE(Kick(step, &world, *model, whole.get()));
     const auto size = [](auto n) { return sizeof(mjtNum) * static_cast<std::size_t>(n); };
     ASSERT_EQ(std::memcmp(whole->qpos, world.data().qpos, size(model->nq)), 0) << step;
     ASSERT_EQ(std::memcmp(whole->qvel, world.data().qvel, size(model->nv)), 0) << step;
