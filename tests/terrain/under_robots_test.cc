@@ -130,7 +130,9 @@ TEST_P(TerrainOfKindTest, RubsAsMuchAsIsSetLaterUntilThatIsTakenBack) {
   world.SetGroundFriction(0.3);
   for (int geom = 0; geom < model.ngeom; ++geom) {
     const bool moves = model.body_weldid[model.geom_bodyid[geom]] != 0;
-    EXPECT_EQ(model.geom_friction[3 * geom], moves ? before[3 * geom] : 0.3) << geom;
+    EXPECT_EQ(model.geom_friction[3 * geom],
+              moves ? before[static_cast<std::size_t>(3 * geom)] : 0.3)
+        << geom;
   }
   EXPECT_EQ(world.GroundFriction(), (std::array{0.3, 0.3}));
   world.SetGroundFriction(0);
