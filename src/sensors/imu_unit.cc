@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sensors/lattice.h"
+
 namespace understudy::sensors {
 namespace {
 
@@ -158,7 +160,7 @@ void ImuUnit::Read(const robot::ImuEffects& fault, robot::ImuReading* imu) const
   }
   const auto round = [](double step, Vector3d* value) {
     for (double& one : *value) {
-      if (step > 0) one = std::round(one / step) * step;
+      if (step > 0) one = OnLattice(one, step);
     }
   };
   round(gyro_.step, &imu->w_WI_I);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "sensors/lattice.h"
+
 namespace understudy::sensors {
 namespace {
 
@@ -25,9 +27,9 @@ std::vector<double> EncoderZeros(const SensorConfig& config, const robot::RobotS
 }
 
 Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec, double dt)
-    : config_(config),
-      spec_(spec),
+    : spec_(spec),
       motors_(robot::AllMotors(spec)),
+      grains_(motors_.size()),
       foot_force_(spec.feet.size()),
       imu_(config, spec.imu, "imu", kImuStream, dt),
       secondary_imu_(config, spec.imu, "secondary_imu", kSecondaryImuStream, dt),
@@ -36,7 +38,9 @@ Sensors::Sensors(const SensorConfig& config, const robot::RobotSpec& spec, doubl
       windings_(config, JointsOf(spec), dt),
       casings_(config, JointsOf(spec), dt),
       body_(config.seed, kBodyStream),
-      hands_(config.seed, kHandsStream) {}
+      hands_(config.seed, kHandsStream) {
+  FollowGrain(config);
+}
 
 void Sensors::Restart(const Instant& instant) {
   imu_.Restart(instant.robot.Imu(), instant.robot.gravity());
@@ -49,13 +53,29 @@ void Sensors::Restart(const Instant& instant) {
 }
 
 void Sensors::Follow(const SensorConfig& config) {
-  config_ = config;
+  FollowGrain(config);
   imu_.Follow(config);
   secondary_imu_.Follow(config);
   odometer_.Follow(config);
   feet_.Follow(config);
   windings_.Follow(config);
   casings_.Follow(config);
+}
+
+void Sensors::FollowGrain(const SensorConfig& config) {
+  const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
+  const auto grain = [&config](double steps, double step) {
+    const double sigma = steps * step;
+    return Grain{.noisy = config.noise && sigma > 0,
+                 .sigma = config.noise_gain * sigma,
+                 .step = config.quantise ? step : 0};
+  };
+  for (std::size_t i = 0; i < motors_.size(); ++i) {
+    const robot::MotorSpec& motor = *motors_[i];
+    grains_[i] = {.q = grain(noise.q_steps, motor.q_step),
+                  .dq = grain(noise.dq_steps, motor.dq_step),
+                  .tau = grain(noise.tau_steps, motor.tau_step)};
+  }
 }
 
 void Sensors::Step(const Instant& instant) {
@@ -76,23 +96,22 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
   state->tick_ms = tick_ms;
   state->joint_space = instant.command.joint_space;
   state->motors.resize(motors_.size());
-  const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
+  const std::span<const double> q = instant.encoders.q(), dq = instant.encoders.dq();
+  const std::span<const double> torque = instant.motors.torque();
   for (std::size_t i = 0; i < motors_.size(); ++i) {
-    const robot::MotorSpec& motor = *motors_[i];
+    const MotorGrain& grain = grains_[i];
+    Noise* const noise = i < spec_.motors.size() ? &body_ : &hands_;
     robot::MotorReading& reading = state->motors[i];
     reading.silent = instant.faults.motors[i].silent;
     if (reading.silent || instant.faults.motors[i].unheard) {
       ++reading.lost;
       continue;
     }
-    const auto measure = [&](double truth, double steps, double step) {
-      return Measure(truth, steps * step, step, i < spec_.motors.size() ? &body_ : &hands_);
-    };
     reading.enabled = instant.command.motors[i].enabled;
     reading.timed_out = instant.command.motors[i].timed_out;
-    reading.q = measure(instant.encoders.q()[i], noise.q_steps, motor.q_step);
-    reading.dq = measure(instant.encoders.dq()[i], noise.dq_steps, motor.dq_step);
-    reading.tau = measure(instant.motors.torque()[i], noise.tau_steps, motor.tau_step);
+    reading.q = Told(q[i], grain.q, noise);
+    reading.dq = Told(dq[i], grain.dq, noise);
+    reading.tau = Told(torque[i], grain.tau, noise);
     reading.winding_c = windings_.reading_c(i);
     reading.casing_c = casings_.reading_c(i);
     reading.warm = instant.motors.derated(i);
@@ -124,10 +143,9 @@ void Sensors::Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotS
   state->odometry = odometer_.reading();
 }
 
-double Sensors::Measure(double truth, double sigma, double step, Noise* noise) const {
-  if (config_.noise && sigma > 0) truth += config_.noise_gain * sigma * (*noise)();
-  if (config_.quantise && step > 0) truth = std::round(truth / step) * step;
-  return truth;
+double Sensors::Told(double truth, const Grain& grain, Noise* noise) {
+  if (grain.noisy) truth += grain.sigma * (*noise)();
+  return grain.step > 0 ? OnLattice(truth, grain.step) : truth;
 }
 
 }  // namespace understudy::sensors

@@ -61,11 +61,21 @@ class Sensors {
   void Sample(const Instant& instant, std::int64_t tick_ms, robot::RobotState* state);
 
  private:
-  double Measure(double truth, double sigma, double step, Noise* noise) const;
+  // How one figure of a motor is told: with white noise of that standard deviation, on a lattice.
+  struct Grain {
+    bool noisy = false;
+    double sigma = 0, step = 0;  // 0: no lattice
+  };
+  struct MotorGrain {
+    Grain q, dq, tau;
+  };
 
-  SensorConfig config_;
+  void FollowGrain(const SensorConfig& config);
+  static double Told(double truth, const Grain& grain, Noise* noise);
+
   const robot::RobotSpec& spec_;
   std::vector<const robot::MotorSpec*> motors_;
+  std::vector<MotorGrain> grains_;
   std::vector<double> foot_force_;  // N
   ImuUnit imu_, secondary_imu_;
   robot::ImuReading told_imu_;  // of LowState, of the last step
