@@ -7,7 +7,9 @@ namespace understudy::authority {
 
 MotorOwner::MotorOwner(std::vector<OnboardService> services, std::string form,
                        std::unique_ptr<Motion> motion)
-    : services_(std::move(services)), form_(std::move(form)), motion_(std::move(motion)) {}
+    : services_(std::move(services)), form_(std::move(form)), motion_(std::move(motion)) {
+  NoteState();
+}
 
 std::string_view MotorOwner::active() const {
   const auto found = std::find_if(services_.begin(), services_.end(),
@@ -25,6 +27,7 @@ OwnerVerdict MotorOwner::Select(std::string_view alias) {
   Release();
   wanted->on = true;
   fresh_ = true;
+  NoteState();
   return OwnerVerdict::kDone;
 }
 
@@ -34,6 +37,7 @@ void MotorOwner::Release() {
   for (OnboardService& service : services_) {
     if (!service.alias.empty()) service.on = false;
   }
+  NoteState();
 }
 
 OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
@@ -43,6 +47,7 @@ OwnerVerdict MotorOwner::Switch(std::string_view service, bool on) {
   if (found->is_protected) return OwnerVerdict::kProtected;
   if (on && !found->alias.empty()) return Select(found->alias);
   found->on = on;
+  NoteState();
   return OwnerVerdict::kDone;
 }
 
@@ -55,17 +60,19 @@ void MotorOwner::Restart() {
 MotionVerdict MotorOwner::Ask(const MotionGoal& goal) {
   const MotionVerdict verdict = active().empty() ? MotionVerdict::kNotNow : motion_->Ask(goal);
   worst_ = std::max(worst_, verdict);
+  NoteState();
   return verdict;
 }
 
-robot::MotionState MotorOwner::state() const {
-  return active().empty() ? robot::MotionState{} : motion_->state();
+void MotorOwner::NoteState() {
+  state_ = active().empty() ? robot::MotionState{} : motion_->state();
 }
 
 bool MotorOwner::Step(const MotionInput& input, double dt, robot::RobotCommand* command) {
   if (active().empty()) return false;
   if (std::exchange(fresh_, false)) motion_->Start(input);
   motion_->Step(input, dt, command);
+  NoteState();
   return true;
 }
 

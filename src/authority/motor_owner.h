@@ -86,13 +86,15 @@ class MotorOwner {
   // who ask in the name of somebody whom they do not tell it.
   MotionVerdict TakeVerdict() { return std::exchange(worst_, MotionVerdict::kTaken); }
   // Returns the state of the motion service; default values if none is on.
-  robot::MotionState state() const;
+  const robot::MotionState& state() const { return state_; }
 
   // Makes one step of the service that is on; after a change of owner the service first starts. If
   // none is on, returns false and leaves `command`.
   bool Step(const MotionInput& input, double dt, robot::RobotCommand* command);
 
  private:
+  void NoteState();
+
   std::vector<OnboardService> services_;
   std::string form_;
   std::unique_ptr<Motion> motion_;
@@ -102,6 +104,7 @@ class MotorOwner {
   bool sticks_ = true;
   bool fresh_ = true;  // the service has not started yet
   MotionVerdict worst_ = MotionVerdict::kTaken;
+  robot::MotionState state_;  // as of the last call that may change it
 };
 
 }  // namespace understudy::authority

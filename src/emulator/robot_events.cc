@@ -24,7 +24,7 @@ RobotEvents::RobotEvents(const robot::RobotSpec& spec, std::uint8_t index,
 
 void RobotEvents::Begin(const Present& now) {
   const authority::MotorOwner& owner = now.router.owner();
-  const robot::MotionState motion = owner.state();
+  const robot::MotionState& motion = owner.state();
   if (now.hears) {
     service_ = owner.active();
     Add(EventKind::kMotionService, {}, *service_);
@@ -61,7 +61,7 @@ void RobotEvents::Compare(const Present& now) {
     power_ = now.power;
     Add(EventKind::kPower, {}, Name(power_));
   }
-  const robot::MotionState motion = owner.state();
+  const robot::MotionState& motion = owner.state();
   if (motion.id != motion_id_ || motion.mode != motion_mode_ || motion.name != motion_name_) {
     motion_id_ = motion.id;
     motion_mode_ = motion.mode;

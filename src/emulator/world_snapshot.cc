@@ -105,7 +105,7 @@ void World::Show(Snapshot* snapshot) const {
     snapshot->ground_friction = physics_.GroundFriction();
   }
   if (Has(*snapshot, kPartMotion)) {
-    const robot::MotionState motion = robot.owner().state();
+    const robot::MotionState& motion = robot.owner().state();
     CopyText(robot.owner().active(), &snapshot->motion.service);
     snapshot->motion.state = motion.id;
     snapshot->motion.name = motion.name;

@@ -143,7 +143,7 @@ ServiceReply Service::Act(const ApiRow& row, const json& parameter, std::size_t 
                                 .refusal = refused ? CallRefusal::kState : CallRefusal::kNone};
           },
           [&](const GiveState& effect) {
-            const robot::MotionState state = owner->state();
+            const robot::MotionState& state = owner->state();
             const int word = effect.word == StateWord::kId ? state.id : state.mode;
             return ServiceReply{.data = json{{std::string(effect.key), word}}.dump()};
           },

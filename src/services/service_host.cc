@@ -275,7 +275,7 @@ void ServiceHost::Announce(ConfigChange change) {
 // order.
 void ServiceHost::SendPending(Channel* channel, const authority::MotorOwner& owner, WallTime now,
                               Work* work) {
-  const robot::MotionState state = owner.state();
+  const robot::MotionState& state = owner.state();
   const Work enough = *work / 2;
   for (std::size_t left = channel->pending.size(); left > 0 && *work > enough; --left) {
     Pending pending = std::move(channel->pending.front());

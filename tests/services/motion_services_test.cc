@@ -178,7 +178,7 @@ TEST(B2SportTest, HoldsAMoveHalfAsLongOnWheels) {
 
 TEST(A2SportTest, TellsItsStateInTexts) {
   Caller caller(TableOf("a2", "sport"));
-  caller.robot.book.state.id = 3;
+  caller.robot.Be({.id = 3});
   caller.Ask(1015, R"({"data":2})");
   const json state = json::parse(caller.Ask(1034).data);
   EXPECT_EQ(state["fsm_id"], "3");
@@ -197,7 +197,7 @@ TEST(G1SportTest, AnswersZeroToStatesItDoesNotHaveOrCannotReach) {
 
 TEST(G1SportTest, TellsTheStateThatIs) {
   Caller caller(TableOf("g1", "sport"));
-  caller.robot.book.state = {.id = 500, .mode = 1};
+  caller.robot.Be({.id = 500, .mode = 1});
   EXPECT_EQ(caller.Ask(7001).data, R"({"data":500})");
   EXPECT_EQ(caller.Ask(7002).data, R"({"data":1})");
 }
@@ -241,11 +241,11 @@ TEST(MotionServicesTest, AnswerZeroAndTellWhatIsTakenWithoutEffect) {
 TEST(G1SportTest, SendsHeightsWithACodeWhileItWalksAsSeenOnOne) {
   Caller caller(TableOf("g1", "sport"));
   for (const int id : {500, 501, 801, 802}) {
-    caller.robot.book.state.id = id;
+    caller.robot.Be({.id = id});
     EXPECT_EQ(caller.Ask(7005).code, 7301) << id;
     EXPECT_EQ(caller.Ask(7005).data, R"({"data":1.0})");
   }
-  caller.robot.book.state.id = 4;
+  caller.robot.Be({.id = 4});
   EXPECT_EQ(caller.Ask(7005).code, 0);
 }
 
@@ -264,9 +264,9 @@ TEST(G1SportTest, TakesTheMotorsBackIntoTheWalkOfTheRobot) {
 TEST(R1SportTest, HasCodesOfItsOwn) {
   Caller caller(TableOf("r1", "sport"));
   MotionBook& book = caller.robot.book;
-  book.state.id = 811;
+  caller.robot.Be({.id = 811});
   EXPECT_EQ(caller.Ask(7101, R"({"data":811})").code, 1001);
-  book.state.id = 816;
+  caller.robot.Be({.id = 816});
   EXPECT_EQ(caller.Ask(7101, R"({"data":811})").code, 1001) << "while rt/arm_sdk has a weight";
   EXPECT_TRUE(book.goals.empty());
   EXPECT_EQ(caller.Ask(7101, R"({"data":1})").code, 0);
@@ -282,7 +282,7 @@ TEST(R1SportTest, HasCodesOfItsOwn) {
 TEST(R1SportTest, RefusesVelocitiesInEveryState) {
   Caller caller(TableOf("r1", "sport"));
   for (const int id : {0, 1, 4, 811}) {
-    caller.robot.book.state.id = id;
+    caller.robot.Be({.id = id});
     EXPECT_EQ(caller.Ask(7105, R"({"velocity":[0.3,0,0],"duration":1})").code, 127) << id;
   }
   EXPECT_EQ(caller.Ask(7105, R"({"velocity":"much"})").code, 3202);
@@ -306,7 +306,7 @@ TEST(G1LocoTest, IsTheServiceOfFirmwareBeforeOneFour) {
   EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::SetFsm{200}));
   EXPECT_EQ(caller.Ask(7104, R"({"data":0})").code, 0);
   EXPECT_EQ(caller.robot.book.goals.back(), MotionGoal(goal::SetStandHeight{0}));
-  caller.robot.book.state.id = 200;
+  caller.robot.Be({.id = 200});
   EXPECT_EQ(caller.Ask(7005).code, 0) << "getters answer while it walks";
   EXPECT_EQ(caller.Ask(7106, R"({"data":0})").code, 3203) << "as on a robot of 2025-02";
 }
@@ -335,7 +335,7 @@ TEST(OldGo2SportTest, HasWhatFirmwareOneOneSixTookAway) {
 
 TEST(Go2SportTest, TellsItsStateInTexts) {
   Caller caller(TableOf("go2", "sport"));
-  caller.robot.book.state = {.id = 1017, .body_height = 0.25, .gait = 1};
+  caller.robot.Be({.id = 1017, .body_height = 0.25, .gait = 1});
   caller.Ask(1015, R"({"data":-1})");
   const json state = json::parse(caller.Ask(1034).data);
   EXPECT_EQ(state["state"], "batteryLife");
@@ -389,9 +389,9 @@ TEST(G1ArmTest, SaysWhyAnActionIsNotDone) {
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":1000})").code, 7402);
   book.verdict = authority::MotionVerdict::kNotNow;
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":26})").code, 7404);
-  book.state.id = 501;
+  caller.robot.Be({.id = 501});
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":26})").code, 7400);
-  book.state.arm_holding = true;
+  caller.robot.Be({.id = 501, .arm_holding = true});
   EXPECT_EQ(caller.Ask(7106, R"({"action_id":26})").code, 7401);
 }
 

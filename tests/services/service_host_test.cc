@@ -412,12 +412,12 @@ TEST_F(ServiceHostTest, TellsOfARefusalAlsoWhereNoReplyIsWanted) {
 
 TEST_F(ServiceHostTest, AnswersAnArmActionWhenItHasEnded) {
   Listen();
-  robot_.book.state.arm_action = 27;
+  robot_.Be({.arm_action = 27});
   Send(1, 10, "");
   Send(2, 8, "");
   ASSERT_TRUE(Answered(2));
   EXPECT_FALSE(codes_.contains(1));
-  robot_.book.state.arm_action = 0;
+  robot_.Be({.arm_action = 0});
   EXPECT_TRUE(Answered(1));
 }
 

@@ -42,6 +42,13 @@ struct ServedRobot {
                                {.name = "basic_service", .is_protected = true}},
                               "0",
                               std::make_unique<FakeMotion>(&book)};
+
+  // The motion service is in that state, as of a step of its own.
+  void Be(const robot::MotionState& state) {
+    book.state = state;
+    robot::RobotCommand command;
+    owner.Step({}, 0.002, &command);
+  }
 };
 
 // One call, without the network.

@@ -1,6 +1,7 @@
 #include "services/status_texts.h"
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -54,11 +55,12 @@ class StatusTextsTest : public testing::Test {
   }
 
   std::vector<std::unique_ptr<Service>> services_;
+  MotionBook book_;
   authority::MotorOwner owner_{{{.name = "ai_sport", .alias = "ai", .version = "8.5.1.1"},
                                 {.name = "ota_box", .on = false},
                                 {.name = "basic_service", .is_protected = true}},
                                "0",
-                               nullptr};
+                               std::make_unique<FakeMotion>(&book_)};
   bus::Participant participant_{"lo", test::NewDomain()};
   std::optional<StatusTexts> texts_;
   std::map<std::string, bus::Reader<String>> readers_;

@@ -170,7 +170,7 @@ std::string_view StateWord(int id) {
 // Values as texts: the vendor's client reads no others.
 ServiceReply GiveGo2State(const ServiceCall& call) {
   constexpr int kEconomic = 1017;
-  const robot::MotionState state = call.owner->state();
+  const robot::MotionState& state = call.owner->state();
   const nlohmann::json reply = {
       {"state", std::string(StateWord(state.id))},
       {"bodyHeight", nlohmann::json(state.body_height).dump()},
@@ -184,7 +184,7 @@ ServiceReply GiveGo2State(const ServiceCall& call) {
 
 // The vendor's client reads every value as a text and asks for the keys below.
 ServiceReply GiveA2State(const ServiceCall& call) {
-  const robot::MotionState state = call.owner->state();
+  const robot::MotionState& state = call.owner->state();
   const Settings& settings = *call.settings;
   const nlohmann::json reply = {
       {"fsm_id", std::to_string(state.id)},
