@@ -79,6 +79,7 @@ void AddGeom(const mjModel& model, const mjData& data, int geom, SoleExtent* sol
 
 BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
     : model_(model),
+      bones_(model),
       data_(mjcf::MakeDataWithoutContacts(model)),
       base_body_(mj_name2id(&model, mjOBJ_BODY, spec.base_body.c_str())),
       imu_site_(mj_name2id(&model, mjOBJ_SITE, spec.imu.site.c_str())),
@@ -107,6 +108,7 @@ BodyModel::BodyModel(const mjModel& model, const robot::RobotSpec& spec)
   mj_kinematics(&model_, data_.get());
   for (std::size_t i = 0; i < feet_.size(); ++i) FindSole(spec, i);
   FindInertia();
+  bones_.ngeom = 0;
   const std::vector<double> zero(spec.motors.size());
   robot::ImuReading upright;
   upright.R_WI = Eigen::Quaterniond(
@@ -192,7 +194,7 @@ void BodyModel::ReadPlaces() {
 void BodyModel::Update(std::span<const double> q, std::span<const double> dq,
                        const robot::ImuReading& imu) {
   for (std::size_t i = 0; i < joints_.size(); ++i) data_->qpos[joints_[i].q_address] = q[i];
-  mj_kinematics(&model_, data_.get());
+  mj_kinematics(&bones_, data_.get());
   const mjcf::RotationView R_WB(data_->xmat + 9 * base_body_);
   const Eigen::Matrix3d R_BI =
       R_WB.transpose() * mjcf::RotationView(data_->site_xmat + 9 * imu_site_);

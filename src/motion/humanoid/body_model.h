@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <mujoco/mujoco.h>
+
 #include "mjcf/mujoco_handles.h"
 #include "robot/robot_spec.h"
 #include "robot/robot_values.h"
@@ -88,6 +90,7 @@ class BodyModel {
   bool IsBelow(int body, int ancestor) const;
 
   const mjModel& model_;
+  mjModel bones_;  // a view of it without geoms, which kinematics need not place
   mjcf::DataHandle data_;
   int base_body_ = 0;
   int imu_site_ = 0;
