@@ -10,16 +10,18 @@ namespace understudy::physics {
 namespace {
 
 // The sum of the columns of `axes` that belong to a body's joints, times their `values`: in
-// MuJoCo's order, so that the bits are its.
+// MuJoCo's order, so that the bits are its, but without its functions, which are made for any size.
 void MulJoints(const mjModel& model, int body, const mjtNum* axes, const mjtNum* values,
                mjtNum sum[6]) {
   const int first = model.body_dofadr[body], count = model.body_dofnum[body];
-  if (count == 0) {
-    mju_zero(sum, 6);
-  } else if (count == 1) {
-    mju_scl(sum, axes + 6 * first, values[first], 6);
-  } else {
-    mju_mulMatTVec(sum, axes + 6 * first, values + first, count, 6);
+  if (count == 1) {
+    for (int i = 0; i < 6; ++i) sum[i] = axes[6 * first + i] * values[first];
+    return;
+  }
+  std::fill_n(sum, 6, 0);
+  for (int dof = first; dof < first + count; ++dof) {
+    if (values[dof] == 0) continue;
+    for (int i = 0; i < 6; ++i) sum[i] += axes[6 * dof + i] * values[dof];
   }
 }
 
@@ -52,10 +54,11 @@ void InertialUnit::ReadAcceleration(const mjModel& model, mjData* data) {
   if (falls) mju_scl3(data->cacc + 3, model.opt.gravity, -1);
   for (const Link& link : links_) {
     mjtNum* const acceleration = data->cacc + 6 * link.body;
-    mju_add(acceleration, data->cacc + 6 * model.body_parentid[link.body], link.by_rate.data(), 6);
+    const mjtNum* const parent = data->cacc + 6 * model.body_parentid[link.body];
     mjtNum by_torque[6];
     MulJoints(model, link.body, data->cdof, data->qacc, by_torque);
-    mju_addTo(acceleration, by_torque, 6);
+    for (int i = 0; i < 6; ++i)
+      acceleration[i] = parent[i] + link.by_rate[static_cast<std::size_t>(i)] + by_torque[i];
   }
   // MuJoCo 3 has the acceleration of a body that cannot move at 0.
   if (falls && model.body_weldid[model.site_bodyid[site_]] == 0) {
