@@ -20,8 +20,8 @@ namespace understudy::motion {
 //
 // u is the velocity of the centre of a foot or wheel that rolls on level ground, over its sole.
 // Form and order of the noise: Bloesch et al., State Estimation for Legged Robots, Robotics:
-// Science and Systems 2012, and PositionVelocityEstimator.cpp of
-// github.com/mit-biomimetics/Cheetah-Software (MIT licence); ways to the feet in place of places in
+// Science and Systems 2012, and PositionVelocityEstimator.cpp of Cheetah-Software
+// (docs/sources.md#algorithms-and-training-environments); ways to the feet in place of places in
 // the world leave nothing that cannot be observed, and no ground has to be flat. Allocates nothing.
 class QuadrupedEstimator {
  public:

@@ -230,7 +230,7 @@ TEST_P(WalkTest, StepAllocatesNothing) {
   EXPECT_EQ(test::Allocations(), before);
 }
 
-// A real Go2's, on concrete (dimos, control/benchmarking/plant.py): gain 0.922, 0.395 s, dead time
+// A real Go2's, on concrete (dimos, its plant.py): gain 0.922, 0.395 s, dead time
 // 0.065 s. The step that is nearest to the trot's in the least squares.
 TEST(Go2WalkTest, AnswersAStepAsARealOneDoes) {
   WalkingRig rig("go2");
