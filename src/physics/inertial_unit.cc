@@ -18,11 +18,13 @@ void MulJoints(const mjModel& model, int body, const mjtNum* axes, const mjtNum*
     for (int i = 0; i < 6; ++i) sum[i] = axes[6 * first + i] * values[first];
     return;
   }
-  std::fill_n(sum, 6, 0);
+  mjtNum so_far[6] = {};  // which nothing else can point to
   for (int dof = first; dof < first + count; ++dof) {
-    if (values[dof] == 0) continue;
-    for (int i = 0; i < 6; ++i) sum[i] += axes[6 * dof + i] * values[dof];
+    const mjtNum value = values[dof];
+    if (value == 0) continue;
+    for (int i = 0; i < 6; ++i) so_far[i] += axes[6 * dof + i] * value;
   }
+  std::copy_n(so_far, 6, sum);
 }
 
 }  // namespace
