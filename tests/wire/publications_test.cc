@@ -36,7 +36,7 @@ std::vector<Row> GoRows(const robot::RobotSpec& spec) {
           {"rt/lf/sportmodestate", &unitree_go_msg_dds__SportModeState__desc, 20},
           {"rt/wirelesscontroller", &unitree_go_msg_dds__WirelessController__desc, motion},
           // When it changes, here once.
-          {"rt/errorlist", &std_msgs_msg_dds__String__desc, spec.name.starts_with("go2") ? 1 : 0}};
+          {"rt/errorlist", &std_msgs_msg_dds__String__desc, spec.error_list ? 1 : 0}};
 }
 
 std::vector<Row> HgRows(const robot::RobotSpec& spec) {
@@ -54,13 +54,12 @@ std::vector<Row> HgRows(const robot::RobotSpec& spec) {
   const bool fsm = robot::TellsStateId(spec);
   rows.push_back({"rt/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 500 : 0});
   rows.push_back({"rt/lf/sportmodestate", &unitree_hg_msg_dds__SportModeState__desc, fsm ? 20 : 0});
-  const bool acts = spec.name.starts_with("g1");
-  rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts ? 10 : 0});
-  const bool hands = spec.name == "g1_29dof_dex3";
-  for (const std::string side : {"left", "right"}) {
+  const int acts = spec.arm_action_state ? 10 : 0;
+  rows.push_back({"rt/arm/action/state", &std_msgs_msg_dds__String__desc, acts});
+  for (const robot::HandSpec& hand : spec.hands) {
     const dds_topic_descriptor* type = &unitree_hg_msg_dds__HandState__desc;
-    rows.push_back({"rt/dex3/" + side + "/state", type, hands ? 500 : 0});
-    rows.push_back({"rt/lf/dex3/" + side + "/state", type, hands ? 20 : 0});
+    rows.push_back({"rt/" + hand.topic + "/state", type, 500});
+    rows.push_back({"rt/lf/" + hand.topic + "/state", type, 20});
   }
   return rows;
 }
