@@ -330,9 +330,9 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
                      const Judged& judged) {
   const std::size_t failed = judged.Count(Outcome::kFailed);
   const std::size_t open = judged.Count(Outcome::kNotJudged);
-  const Outcome all = failed > 0 ? Outcome::kFailed
-                      : open > 0 ? Outcome::kNotJudged
-                                 : Outcome::kPassed;
+  const Outcome all = failed > 0 || occasion.overlong ? Outcome::kFailed
+                      : open > 0                      ? Outcome::kNotJudged
+                                                      : Outcome::kPassed;
   std::string html = "<header><h1>" + Badge(all) + " " + Escaped(occasion.title) + "</h1>";
   if (!occasion.about.empty()) html += "<p>" + Escaped(occasion.about) + "</p>";
   html += "<p class=\"dim\">" + Escaped(occasion.robot) + " · " + TimeText(judged.end) +

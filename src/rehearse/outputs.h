@@ -34,6 +34,7 @@ struct Occasion {
   std::string scenario{};             // text of the file
   std::vector<std::string> script{};  // what its events ask for
   std::string stopped{};              // why it ended before its time; else ""
+  bool overlong = false;              // that is since its limit came: it has failed
   std::optional<Ladder> ladder{};     // of a scenario with stages
   Pictures pictures{};                // for the report
   double wall = 0;                    // s that it took; 0 if it was not run now
