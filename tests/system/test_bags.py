@@ -29,20 +29,20 @@ EXPECT = """
 """
 
 
-def messages_of(path):
+def messages_of(path, topics):
     with open(path, "rb") as file:
-        yield from make_reader(file).iter_messages(topics=TOPICS)
+        yield from make_reader(file).iter_messages(topics=topics)
 
 
-def bag_of(recording, folder, storage=StoragePlugin.SQLITE3, packed=None):
-    """What a real robot's bag has: the two topics, nothing of the simulation's."""
+def bag_of(recording, folder, storage=StoragePlugin.SQLITE3, packed=None, topics=TOPICS):
+    """What a real robot's bag has: these topics, nothing of the simulation's."""
     store = get_typestore(Stores.EMPTY)
     writer = Writer(folder, version=9, storage_plugin=storage)
     if packed is not None:
         writer.set_compression(packed, CompressionFormat.ZSTD)
     with writer:
         connections = {}
-        for schema, channel, message in messages_of(recording):
+        for schema, channel, message in messages_of(recording, topics):
             if channel.topic not in connections:
                 store.register({name: one for name, one in get_types_from_msg(schema.data.decode(), schema.name).items()
                                 if name not in store.types})
@@ -67,7 +67,7 @@ def made_fixture(tmp_path_factory):
         writer = McapWriter(target)
         writer.start()
         ids = {}
-        for schema, channel, message in messages_of(recording):
+        for schema, channel, message in messages_of(recording, TOPICS):
             if channel.topic not in ids:
                 ids[channel.topic] = writer.register_channel(
                     channel.topic, "cdr", writer.register_schema(schema.name, schema.encoding, schema.data))
@@ -153,6 +153,27 @@ def test_a_bag_is_played_and_its_commands_reach_a_robot(made, play, form):
     counts = robot.status()["commands"]
     assert recorded["rt/lowcmd"] > 50
     assert counts["accepted"] + sum(counts["refused"].values()) == recorded["rt/lowcmd"]
+
+
+def test_a_bag_of_a_g1_is_judged_and_compared(tmp_path):
+    out = tmp_path / "out"
+    done = understudy("rehearse", "crane", "--no-pictures", "--out", out, timeout=240)
+    assert done.returncode == 0, done.stdout + done.stderr
+    bag = bag_of(out / "recording.mcap", tmp_path / "bag", topics=("/lowstate", "/lf/bmsstate"))
+    (tmp_path / "expect.yaml").write_text("robot: g1\nexpect:\n  - {always: gap(lowstate) < 3 ms, name: wire}\n"
+                                          "  - {always: temperature(left_knee) < 90, name: heat}\n"
+                                          "  - {always: base.height > 0, name: truth}\n")
+    done = understudy("judge", bag, tmp_path / "expect.yaml", "--out", tmp_path / "judged")
+    assert done.returncode == OPEN, done.stdout + done.stderr
+    told = json.loads((tmp_path / "judged" / "verdict.json").read_text())["verdicts"]
+    assert [one["outcome"] for one in told] == ["passed", "passed", "not judged"]
+
+    done = understudy("compare", out / "recording.mcap", bag, "--json", "--out", tmp_path / "compare.html")
+    assert done.returncode == 0, done.stderr
+    quantities = {one["name"]: one for one in json.loads(done.stdout)["rest"]}
+    battery = [quantities[f"battery.{name}"] for name in ("voltage", "current", "soc")]
+    assert all(one["rms"] == 0 for one in battery)
+    assert 40 < battery[0]["rms_first"] < 60 and 0 < battery[1]["rms_first"] < 40 and 0 < battery[2]["rms_first"] <= 100
 
 
 def test_what_cannot_be_read_is_told(made, tmp_path, monkeypatch):
