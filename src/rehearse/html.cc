@@ -1,6 +1,7 @@
 // The report of a rehearsal as one page.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
@@ -237,13 +238,30 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
   row("Scenario", occasion.source);
   row("Robot", occasion.robot);
   row("Judged by", std::string("understudy ") + kVersion);
-  for (const char* key :
-       {"revision", "profile", "version", "mujoco", "started", "speed", "timestep_ns", "seed"}) {
+  const auto about = [&judged](const char* key) {
     const auto value = judged.about.find(key);
-    if (value != judged.about.end()) row(key, value->second);
+    return value == judged.about.end() ? std::string() : value->second;
+  };
+  const auto number = [&about](const char* key) {
+    return std::strtod(about(key).c_str(), nullptr);
+  };
+  row("Revision", about("revision"));
+  row("Played by", about("version").empty() ? "" : "understudy " + about("version"));
+  row("MuJoCo", about("mujoco"));
+  row("Started", about("started"));
+  if (!about("speed").empty()) {
+    row("Speed", number("speed") > 0 ? NumberText(number("speed")) + " simulated s per s"
+                                     : "as fast as possible");
   }
-  const auto draws = judged.about.find("draws");
-  if (draws != judged.about.end() && draws->second != "[]") row("drawn", draws->second);
+  if (!about("timestep_ns").empty()) {
+    row("Step of the physics", NumberText(1e-6 * number("timestep_ns")) + " ms");
+  }
+  row("Profile of sensors", about("profile"));
+  row("Seed of sensors", about("sensors_seed"));
+  const bool drawn = about("draws") != "[]";
+  row("Seed of randomization",
+      about("version").empty() || drawn ? about("seed") : "none: nothing was drawn");
+  if (drawn) row("Drawn", about("draws"));
   row("The recording was cut short", judged.cut_short);
   return html + "</table>\n";
 }
