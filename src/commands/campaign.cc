@@ -12,7 +12,6 @@
 #include "base/errors.h"
 #include "base/files.h"
 #include "base/signals.h"
-#include "ctl/check.h"
 #include "version.h"
 
 namespace understudy::commands {
@@ -20,9 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
-
-// Of --run-limit, s.
-constexpr double kLeastLimit = 1, kMostLimit = 1e9;
 
 // Where nobody looks, progress is told this often; *assumed*.
 constexpr std::chrono::seconds kQuietEvery(60);
@@ -140,11 +136,6 @@ void AddCampaignOptions(CLI::App* app, CampaignArguments* arguments) {
   app->add_flag("--again", arguments->again,
                 "Play runs anew whose results are in --out, instead of going on with the others")
       ->group(kGroup);
-  app->add_option("--run-limit", arguments->limit,
-                  "Wall time in which a run has to end, s; else it is ended and has failed [3600]")
-      ->type_name("S")
-      ->check(ctl::NumberWithin(kLeastLimit, kMostLimit))
-      ->group(kGroup);
   app->add_option("--merge", arguments->merge,
                   "Put the shards in these folders together, into --out")
       ->type_name("DIR...")
@@ -157,7 +148,6 @@ void RequireNone(const CampaignArguments& arguments, const fs::path& file) {
                        : !arguments.shard.empty()       ? "--shard"
                        : arguments.keep != usual.keep   ? "--keep"
                        : arguments.again != usual.again ? "--again"
-                       : arguments.limit != usual.limit ? "--run-limit"
                                                         : nullptr;
   if (option == nullptr) return;
   throw ConfigError(file.string() +
@@ -191,7 +181,7 @@ int CampaignCommand(const CampaignRequest& request, const CampaignArguments& arg
        .jobs = JobsOf(request, arguments, first.program.has_value()),
        .shard = shard,
        .keep = KeepOf(arguments.keep),
-       .limit = arguments.limit,
+       .limit = arguments.limit.value_or(rehearse::kRunLimit),
        .again = arguments.again,
        .interrupted = [] { return StopSignal() != 0; },
        .on_result = [&teller](const rehearse::RunResult& result) { teller.Tell(result); },

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,11 @@ struct CampaignArguments {
   std::string shard;
   std::string keep = "failures";
   bool again = false;
-  double limit = rehearse::kRunLimit;  // wall s
-  std::vector<std::string> merge;      // folders
+  std::optional<double> limit;     // wall s, also of a rehearsal that is not one of many
+  std::vector<std::string> merge;  // folders
 };
 
-// Adds --jobs, --shard, --keep, --again, --run-limit and --merge. `arguments` must outlive parsing.
+// Adds --jobs, --shard, --keep, --again and --merge. `arguments` must outlive parsing.
 void AddCampaignOptions(CLI::App* app, CampaignArguments* arguments);
 
 // Throws ConfigError if an option is given that only a campaign has: `file` is none.

@@ -77,9 +77,23 @@ bool IsRobot(const config::YamlValue& document) {
           robot->Find("name") != nullptr);
 }
 
+// Throws ConfigError with the robots there are if --robot was not given; `what` needs one.
+void RequireRobot(const std::string& robot, const std::string& what) {
+  if (!robot.empty()) return;
+  std::string names;
+  for (const std::string& name : config::RobotNames(config::DataDir())) {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw ConfigError(what + "; name it by --robot: " + names + ", or its file");
+}
+
 // Checks a layer over `robot` as `run` reads it: as --scene if it says nothing but the ground.
 std::string CheckLayer(const std::filesystem::path& file, const config::YamlValue& document,
                        const std::string& robot) {
+  RequireRobot(
+      robot,
+      file.string() +
+          ": has neither robot.name nor extends, so a robot is needed over which to read it");
   const bool is_scene = std::ranges::all_of(
       document.keys, [](const auto& key) { return key.text == "scene" || key.text == "terrain"; });
   config::Layers layers{.robot = robot};
@@ -105,9 +119,9 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   const bool is_played =
       std::ranges::any_of(kPlayed, [&](const char* key) { return document.Find(key) != nullptr; });
   if (!is_played) {
-    return count(
-        rehearse::LoadStandard(file, document.Find("robot") == nullptr ? robot : std::string(), {})
-            .expect);
+    const bool names_robot = document.Find("robot") != nullptr;
+    if (!names_robot) RequireRobot(robot, file.string() + ": robot: missing");
+    return count(rehearse::LoadStandard(file, names_robot ? "" : robot, {}).expect);
   }
   const rehearse::Scenario scenario = rehearse::LoadScenario(file);
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
@@ -311,9 +325,9 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   CLI::App* check = app->add_subcommand(
       "check", "Check robots, layers, scenes, scripts, scenarios (.yaml), models (.xml)");
   check->add_option("files", *files, "Files to check")->required()->type_name("FILE...");
-  const auto robot = std::make_shared<std::string>("go2");
-  check->add_option("--robot", *robot, "Robot over which files for --config and --scene are read")
-      ->capture_default_str();
+  const auto robot = std::make_shared<std::string>();
+  check->add_option("--robot", *robot,
+                    "Robot over which files are read that name none: for --config, --scene, judge");
   check->add_flag("--json", *flag, "As a JSON array");
   check->footer(
       "Examples:\n"

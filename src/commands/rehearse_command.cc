@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,6 +19,7 @@
 #include "commands/report_pictures.h"
 #include "commands/set_options.h"
 #include "config/data_dir.h"
+#include "ctl/check.h"
 #include "rehearse/outputs.h"
 #include "rehearse/rehearse.h"
 #include "rehearse/run_campaign.h"
@@ -27,6 +29,8 @@ namespace understudy::commands {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr double kLeastLimit = 1, kMostLimit = 1e9;  // of --run-limit, s
 
 // The command line of both.
 struct JudgeArguments {
@@ -65,6 +69,12 @@ fs::path FolderOf(const std::string& out, const fs::path& scenario, std::size_t 
   return fs::path("rehearsals") / (run == 0 ? name : name + "-" + std::to_string(run));
 }
 
+// Wall s in which it has to end unless --run-limit says otherwise.
+double LimitOf(const config::Config& config) {
+  const double speed = config.time.speed > 0 ? config.time.speed : 1;
+  return rehearse::kRunLimit + std::max(0.0, config.time.duration) / speed;
+}
+
 // The options that a run of a campaign has as the campaign has them.
 std::vector<std::string> OptionsOf(const RehearseArguments& arguments) {
   std::vector<std::string> words = WordsOf(arguments.network);
@@ -87,7 +97,9 @@ int Tell(const rehearse::Occasion& occasion, const rehearse::Expectations& expec
     std::fputs(rehearse::TellLines(occasion, expect, judged, colored).c_str(), stdout);
     std::printf("%s\n", (folder / "report.html").c_str());
   }
-  if (judged.Count(judge::Outcome::kFailed) > 0) return static_cast<int>(ExitCode::kFailed);
+  if (judged.Count(judge::Outcome::kFailed) > 0 || occasion.overlong) {
+    return static_cast<int>(ExitCode::kFailed);
+  }
   if (judged.Count(judge::Outcome::kNotJudged) > 0) return static_cast<int>(ExitCode::kOpen);
   return 0;
 }
@@ -170,6 +182,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
                           .private_network = network.is_private(),
                           .to_the_end = arguments.to_the_end,
                           .interrupted = [] { return StopSignal() != 0; },
+                          .limit = arguments.campaign.limit.value_or(LimitOf(scenario.config)),
                           .output = output ? &*output : nullptr},
                          program ? &*program : nullptr);
 
@@ -206,6 +219,7 @@ int RehearseCommand(const RehearseArguments& arguments) {
       .scenario = FileText(file),
       .script = script,
       .stopped = rehearsal.stopped,
+      .overlong = rehearsal.overlong,
       .ladder = Climb(*record::OpenRecording(recording), scenario.stages, scenario.config,
                       rehearsal.judged, folder),
       .pictures = PicturesFor(arguments, rehearsal.judged, recording, folder),
@@ -242,6 +256,7 @@ int JudgeCommand(const JudgeArguments& arguments) {
       .scenario = FileText(file),
       .script = {},
       .stopped = {},
+      .overlong = false,
       .ladder = Climb(reader, standard.stages, standard.config, judged, folder),
       .pictures = PicturesFor(arguments, judged, arguments.recording, folder),
       .wall = 0};
@@ -279,6 +294,12 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
                "one key of the configuration, e.g. --set terrain.friction=0.3");
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
+  rehearse
+      ->add_option("--run-limit", arguments->campaign.limit,
+                   "Wall time in which a rehearsal, or each run of a campaign, has to end, s; else "
+                   "it is ended and has failed [3600, and a rehearsal's duration]")
+      ->type_name("S")
+      ->check(ctl::NumberWithin(kLeastLimit, kMostLimit));
   AddCampaignOptions(rehearse, &arguments->campaign);
   AddNetworkOptions(rehearse, &arguments->network);
   rehearse->add_option("--log-level", arguments->log_level, "debug, info, warn or error [warn]")

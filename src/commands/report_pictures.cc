@@ -24,7 +24,6 @@ namespace fs = std::filesystem;
 
 // All *assumed*.
 constexpr std::size_t kMostPictures = 4;
-constexpr double kApart = 0.1;  // s; nearer instants look alike
 constexpr char kSize[] = "480x300";
 
 // The instants that decided, each once, ascending.
@@ -35,7 +34,7 @@ std::vector<double> InstantsOf(const rehearse::Judged& judged) {
       if (ruling.verdict.outcome != outcome || !ruling.why.empty()) continue;
       const double at = rehearse::SecondsOf(ruling.verdict.worth.at);
       const bool known = std::ranges::any_of(
-          instants, [at](double other) { return std::abs(at - other) < kApart; });
+          instants, [at](double other) { return std::abs(at - other) < rehearse::kPicturesApart; });
       if (!known && instants.size() < kMostPictures) instants.push_back(at);
     }
   }

@@ -9,6 +9,7 @@
 #include <sqlite3.h>
 
 #include "base/errors.h"
+#include "record/packed.h"
 
 namespace understudy::record {
 namespace {
@@ -170,6 +171,7 @@ void BagFile::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& vi
               "ORDER BY timestamp, id");
   query.Bind(1, static_cast<std::int64_t>(std::min(from, kLatest)));
   query.Bind(2, static_cast<std::int64_t>(std::min(to, kLatest)));
+  std::vector<std::byte> room;
   while (query.Next()) {
     const auto id = channels_.find(query.Integer(0, "topic of a message"));
     if (id == channels_.end()) Fail("a message of a topic that the file does not describe");
@@ -177,7 +179,7 @@ void BagFile::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& vi
     const McapMessage message{.channel_id = id->second,
                               .log_time = time,
                               .publish_time = time,
-                              .data = query.Bytes(2, "data of a message")};
+                              .data = Unpacked(query.Bytes(2, "data of a message"), path(), &room)};
     if (!visit(contents_.channels.at(id->second), message)) return;
   }
 }

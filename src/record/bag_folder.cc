@@ -9,6 +9,7 @@
 #include "config/yaml_document.h"
 #include "record/bag_file.h"
 #include "record/mcap_reader.h"
+#include "record/packed.h"
 
 namespace understudy::record {
 namespace {
@@ -55,11 +56,12 @@ BagFolder::BagFolder(const fs::path& path) : RecordingReader(path) {
                       ": expected rosbag2_bagfile_information with relative_file_paths, the list "
                       "of the bag's files");
   }
-  const config::YamlValue* const packed = about->Find("compression_mode");
-  if (packed != nullptr && packed->kind == Kind::kScalar && !packed->text.empty() &&
-      packed->text != "NONE" && packed->text != "none") {
-    throw RecordError(packed->where + ": the bag is compressed (" + config::OneLine(packed->text) +
-                      "); `ros2 bag convert` writes one that is not");
+  const config::YamlValue* const format = about->Find("compression_format");
+  if (format != nullptr && format->kind == Kind::kScalar && !format->text.empty() &&
+      format->text != "zstd") {
+    throw RecordError(format->where + ": the bag is compressed by " +
+                      config::OneLine(format->text) +
+                      ", expected zstd; `ros2 bag convert` writes one that is not compressed");
   }
   contents_.profile = "ros2";
   contents_.library = "ROS 2 bag";
@@ -69,7 +71,12 @@ BagFolder::BagFolder(const fs::path& path) : RecordingReader(path) {
     if (fs::is_directory(file, error)) {
       throw RecordError(name.where + ": expected a file, got a folder: " + config::Shown(name));
     }
-    Add(OpenRecording(file));
+    if (IsPacked(file)) {
+      if (room_ == nullptr) room_ = std::make_shared<const TemporaryFolder>("bag");
+      Add(std::make_unique<PackedFile>(file, room_));
+    } else {
+      Add(OpenRecording(file));
+    }
   }
   std::ranges::stable_sort(parts_, {},
                            [](const Part& part) { return part.reader->contents().first_time; });
@@ -123,10 +130,12 @@ std::uint16_t BagFolder::ChannelLike(const RecordingReader& reader, const McapCh
 
 void BagFolder::ReadMessages(std::uint64_t from, std::uint64_t to, const Visit& visit) const {
   bool more = true;
+  std::vector<std::byte> room;
   for (const Part& part : parts_) {
     if (!more) return;
     part.reader->ReadMessages(from, to, [&](const McapChannel& channel, McapMessage message) {
       message.channel_id = part.channels.at(channel.id);
+      message.data = Unpacked(message.data, part.reader->path(), &room);
       more = visit(contents_.channels.at(message.channel_id), message);
       return more;
     });

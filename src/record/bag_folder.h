@@ -7,12 +7,14 @@
 #include <memory>
 #include <vector>
 
+#include "base/temporary_folder.h"
 #include "record/recording_reader.h"
 
 namespace understudy::record {
 
-// The files that its metadata.yaml names, .db3 or .mcap, one after the other. What is no such
-// folder, is compressed as a whole, or lacks a file throws RecordError.
+// The files that its metadata.yaml names, .db3 or .mcap, one after the other; zstd may have
+// compressed each of them, or each message. What is no such folder, or lacks a file, throws
+// RecordError.
 class BagFolder final : public RecordingReader {
  public:
   explicit BagFolder(const std::filesystem::path& path);
@@ -29,6 +31,7 @@ class BagFolder final : public RecordingReader {
   void Add(std::unique_ptr<RecordingReader> reader);
   std::uint16_t ChannelLike(const RecordingReader& reader, const McapChannel& channel);
 
+  std::shared_ptr<const TemporaryFolder> room_;  // of unpacked files; null: there are none
   std::vector<Part> parts_;
 };
 

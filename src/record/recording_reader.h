@@ -64,8 +64,8 @@ class RecordingReader {
   std::filesystem::path path_;
 };
 
-// Opens an MCAP file, a ROS 2 bag in SQLite (.db3) or the folder of a ROS 2 bag, told apart by
-// their content. Throws RecordError.
+// Opens an MCAP file, a ROS 2 bag in SQLite (.db3), one of both that zstd compressed, or the folder
+// of a ROS 2 bag, told apart by their content. Throws RecordError.
 std::unique_ptr<RecordingReader> OpenRecording(const std::filesystem::path& path);
 
 }  // namespace understudy::record

@@ -47,7 +47,7 @@ struct RunResult {
   std::size_t number = 0;  // from 1
   std::vector<Setting> settings{};
   judge::Outcome outcome = judge::Outcome::kNotJudged;
-  std::string broken{};  // why it has no verdict: "exit code 3: ..."; such a run has failed
+  std::string broken{};  // why it has failed besides its verdicts: "exit code 3: ..."
   double seconds = 0;    // simulated
   std::string repeat{};  // the command line that does the same again; ReadRun leaves it empty
   bool kept = false;     // its folder, with recording and report
@@ -59,7 +59,8 @@ struct RunResult {
 };
 
 // Reads what `rehearse` left of a run: its exit code, the text of its verdict.json and the last
-// line of its log. An empty or damaged text, and any code but 0, 10 and 11, is a broken run.
+// line of its log. An empty or damaged text, and any code but 0, 10 and 11, is a broken run; so
+// is one that did not end within its limit.
 RunResult ReadRun(std::size_t number, const std::vector<Setting>& settings, int exit_code,
                   const std::string& verdict, const std::string& last_words);
 

@@ -51,7 +51,8 @@ std::string RateCells(const Tally& tally) {
          Cell(tally.open == 0 ? "" : std::to_string(tally.open), true);
 }
 constexpr char kRateHeads[] =
-    "<th>Passed</th><th>Rate</th><th>95 % interval</th><th></th><th>Not judged</th>";
+    "<th class=\"number\">Passed</th><th class=\"number\">Rate</th><th class=\"number\">95 % "
+    "interval</th><th></th><th class=\"number\">Not judged</th>";
 
 std::string ExpectationTable(const Campaign& campaign) {
   std::string html = "<table><tr><th>Expectation</th>" + std::string(kRateHeads) +
@@ -127,8 +128,9 @@ std::string HeatMaps(const Campaign& campaign) {
 std::string SharedTable(const std::string& title, const std::vector<SharedValue>& shared) {
   if (shared.empty()) return {};
   std::string html = "<h2>" + Escaped(title) +
-                     "</h2>\n<table><tr><th>Value</th><th>Of these runs</th><th>Of all runs</th>"
-                     "<th>By chance</th></tr>\n";
+                     "</h2>\n<table><tr><th>Value</th><th class=\"number\">Of these runs</th><th "
+                     "class=\"number\">Of all runs</th>"
+                     "<th class=\"number\">By chance</th></tr>\n";
   for (const SharedValue& one : shared) {
     html += "<tr>" + Cell("<code>" + Escaped(one.key) + "</code> " + Escaped(one.label)) +
             Cell(std::to_string(one.there) + " of " + std::to_string(one.of), true) +
@@ -141,11 +143,11 @@ std::string SharedTable(const std::string& title, const std::vector<SharedValue>
 }
 
 std::string RunTable(const Campaign& campaign) {
-  std::string html = "<table class=\"runs\"><tr><th></th><th>Run</th>";
+  std::string html = "<table class=\"runs\"><tr><th></th><th class=\"number\">Run</th>";
   for (const Axis& axis : campaign.plan.axes()) {
-    html += "<th><code>" + Escaped(axis.key) + "</code></th>";
+    html += "<th class=\"number\"><code>" + Escaped(axis.key) + "</code></th>";
   }
-  html += "<th>What decided</th><th>Margin</th></tr>\n";
+  html += "<th>What decided</th><th class=\"number\">Margin</th></tr>\n";
   for (const std::size_t i : campaign.summary.order) {
     const RunResult& result = campaign.results[i];
     const std::string number = std::to_string(result.number);

@@ -140,7 +140,8 @@ std::string CompareHtml(const Comparison& comparison) {
                      Escaped(Alignment(comparison)) +
                      "</p></header>\n<h2>Motors</h2>\n<table><tr><th>Joint</th>";
   for (const Column& column : Columns()) {
-    html += "<th>" + std::string(column.head) + " [" + std::string(column.unit) + "]</th>";
+    html += "<th class=\"number\">" + std::string(column.head) + " [" + std::string(column.unit) +
+            "]</th>";
   }
   html += "</tr>\n";
   for (const MotorComparison& motor : comparison.motors) {
@@ -153,8 +154,10 @@ std::string CompareHtml(const Comparison& comparison) {
   html +=
       "</table>\n<p class=\"dim\">Apart: root of the mean square of the difference at the same "
       "time. Error: likewise of a command and its angle. Lag: by which the angle is most like "
-      "its command.</p>\n<h2>Inertial unit and battery</h2>\n<table><tr><th></th><th>Apart</th>"
-      "<th>At most</th><th>First, rms</th><th>Second, rms</th><th>Unit</th></tr>\n";
+      "its command.</p>\n<h2>Inertial unit and battery</h2>\n<table><tr><th></th><th "
+      "class=\"number\">Apart</th>"
+      "<th class=\"number\">At most</th><th class=\"number\">First, rms</th><th "
+      "class=\"number\">Second, rms</th><th>Unit</th></tr>\n";
   for (const Apart& apart : comparison.rest) {
     html += "<tr><td><code>" + Escaped(apart.name) + "</code></td>";
     for (const auto* value : {&apart.rms, &apart.most, &apart.rms_first, &apart.rms_second}) {

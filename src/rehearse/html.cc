@@ -1,6 +1,7 @@
 // The report of a rehearsal as one page.
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include <nlohmann/json.hpp>
 
@@ -14,56 +15,6 @@ namespace {
 
 using judge::Outcome;
 using judge::Verdict;
-
-constexpr char kStyle[] = R"css(
-:root { --ink: #1d2530; --dim: #66717f; --line: #d9dee5; --paper: #fff; --ground: #f4f6f8;
-        --good: #1a7f4b; --bad: #c0322b; --none: #9a6b00; --signal: #1f5fa8; }
-@media (prefers-color-scheme: dark) {
-  :root { --ink: #e4e8ed; --dim: #97a1ad; --line: #333c47; --paper: #1b2028; --ground: #12161b;
-          --good: #4cc38a; --bad: #ff6b61; --none: #e2b04a; --signal: #6cb0ff; } }
-* { box-sizing: border-box; }
-body { margin: 0; background: var(--ground); color: var(--ink);
-       font: 15px/1.5 system-ui, "DejaVu Sans", sans-serif; }
-main { max-width: 1120px; margin: 0 auto; padding: 28px 20px 60px; }
-h1 { font-size: 26px; margin: 0 0 2px; } h2 { font-size: 18px; margin: 34px 0 10px; }
-p { margin: 4px 0; } .dim { color: var(--dim); }
-code, pre { font: 13px/1.45 ui-monospace, "DejaVu Sans Mono", monospace; }
-pre { background: var(--paper); border: 1px solid var(--line); border-radius: 6px; padding: 10px 12px;
-      overflow-x: auto; margin: 6px 0; }
-.word { display: inline-block; min-width: 92px; text-align: center; border-radius: 4px; color: #fff;
-        font-weight: 600; font-size: 13px; padding: 1px 8px; }
-.passed .word, .word.passed { background: var(--good); }
-.failed .word, .word.failed { background: var(--bad); }
-.none .word, .word.none { background: var(--none); }
-header { border-bottom: 1px solid var(--line); padding-bottom: 14px; }
-table { border-collapse: collapse; width: 100%; background: var(--paper); border: 1px solid var(--line);
-        border-radius: 6px; }
-td, th { text-align: left; padding: 6px 10px; border-top: 1px solid var(--line); vertical-align: top; }
-th { font-weight: 600; color: var(--dim); font-size: 13px; } tr:first-child > * { border-top: 0; }
-td.number { text-align: right; white-space: nowrap; font-variant-numeric: tabular-nums; }
-a { color: inherit; }
-section.claim { background: var(--paper); border: 1px solid var(--line); border-left: 5px solid;
-                border-radius: 6px; padding: 12px 16px; margin: 12px 0; }
-section.passed { border-left-color: var(--good); } section.failed { border-left-color: var(--bad); }
-section.none { border-left-color: var(--none); }
-section.claim h3 { margin: 0 0 4px; font-size: 16px; } .plots { display: flex; flex-wrap: wrap; gap: 8px; }
-figure { margin: 8px 0 0; } figcaption { color: var(--dim); font-size: 12px; }
-svg, img { max-width: 100%; height: auto; display: block; }
-svg text { fill: var(--dim); font: 11px system-ui, "DejaVu Sans", sans-serif; }
-.ylabel { text-anchor: end; } .xlabel, .axis { text-anchor: middle; }
-.grid { stroke: var(--line); stroke-width: 1; } .window { fill: var(--signal); opacity: .07; }
-.signal { fill: none; stroke: var(--signal); stroke-width: 1.5; stroke-linejoin: round; }
-.other { fill: none; stroke: var(--bad); stroke-width: 1.2; stroke-linejoin: round; opacity: .8; }
-.limit { stroke: var(--ink); stroke-width: 1.2; stroke-dasharray: 5 4; }
-.instant { stroke: var(--bad); stroke-width: 1.5; } .passed .instant { stroke: var(--good); }
-.event { stroke: var(--none); stroke-width: 2; }
-@media print { body { background: #fff; } section.claim { break-inside: avoid; } }
-)css";
-
-std::string ClassOf(Outcome outcome) {
-  if (outcome == Outcome::kPassed) return "passed";
-  return outcome == Outcome::kFailed ? "failed" : "none";
-}
 
 std::string TimeText(double seconds) { return Printed("%.3f s", seconds); }
 
@@ -138,13 +89,16 @@ std::string PlotsOf(std::size_t index, const Occasion& occasion, const Expectati
                   .to = std::max(judged.end, 1e-3),
                   .points = Scaled(judged.whole[drawn.signal], drawn.scale),
                   .limits = drawn.limits,
-                  .events = events};
+                  .events = events,
+                  .width = 600};
     if (whole.points.empty()) continue;
     if (verdict.begin && verdict.end) {
       whole.window = std::pair(SecondsOf(*verdict.begin), SecondsOf(*verdict.end));
     }
     if (ruling.why.empty()) whole.at = SecondsOf(verdict.worth.at);
-    html += Figure(whole, "The whole run. Shaded: the window; dashed: what it is compared with");
+    html += Figure(
+        whole,
+        "The whole run. Shaded: the window; dashed: what it is compared with; marks: events");
     const auto place = std::ranges::find(expectation.signals, drawn.signal);
     const Closeup& closeup =
         judged.closeups[index][static_cast<std::size_t>(place - expectation.signals.begin())];
@@ -164,7 +118,7 @@ std::string ClaimHtml(std::size_t index, const Occasion& occasion, const Expecta
   const Expectation& expectation = expectations.list[index];
   const Ruling& ruling = judged.rulings[index];
   const std::string margin = MarginText(expectation, ruling.verdict);
-  return "<section class=\"claim " + ClassOf(ruling.verdict.outcome) + "\" id=\"e" +
+  return "<section class=\"claim " + HtmlClass(ruling.verdict.outcome) + "\" id=\"e" +
          std::to_string(index) + "\"><h3>" + Badge(ruling.verdict.outcome) + " " +
          Escaped(expectation.name) + "</h3>" +
          (expectation.says.empty() ? "" : "<p>" + Escaped(expectation.says) + "</p>") +
@@ -176,7 +130,8 @@ std::string ClaimHtml(std::size_t index, const Occasion& occasion, const Expecta
 
 std::string Summary(const Expectations& expectations, const Judged& judged) {
   std::string html =
-      "<table><tr><th></th><th>Expectation</th><th>What decided</th><th>Margin</th></tr>\n";
+      "<table><tr><th></th><th>Expectation</th><th>What decided</th><th "
+      "class=\"number\">Margin</th></tr>\n";
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     const Expectation& one = expectations.list[i];
     const Ruling& ruling = judged.rulings[i];
@@ -191,7 +146,7 @@ std::string Summary(const Expectations& expectations, const Judged& judged) {
 std::string LadderTable(const Ladder& ladder) {
   std::string html = "<p>It " + Escaped(LadderText(ladder)) +
                      ".</p>\n<table><tr><th></th><th>Limit</th><th>What decided</th>"
-                     "<th>Margin</th></tr>\n";
+                     "<th class=\"number\">Margin</th></tr>\n";
   for (std::size_t i = 0; i < ladder.rulings.size(); ++i) {
     const Expectation& one = ladder.expect.list[i];
     const Ruling& ruling = ladder.rulings[i];
@@ -225,58 +180,33 @@ std::string Base64(const std::string& bytes) {
   return text;
 }
 
-std::string PicturesHtml(const Pictures& pictures) {
-  std::string html = "<div class=\"plots\">";
+// The expectations that were decided about that instant, their names with commas between.
+std::string DecidedAt(double at, const Expectations& expectations, const Judged& judged) {
+  std::string names;
+  for (std::size_t i = 0; i < expectations.list.size(); ++i) {
+    const Ruling& ruling = judged.rulings[i];
+    if (!ruling.why.empty() ||
+        std::abs(SecondsOf(ruling.verdict.worth.at) - at) >= kPicturesApart) {
+      continue;
+    }
+    names += (names.empty() ? "" : ", ") + expectations.list[i].name;
+  }
+  return names;
+}
+
+std::string PicturesHtml(const Pictures& pictures, const Expectations& expectations,
+                         const Judged& judged) {
+  std::string html = "<div class=\"pictures\">";
   for (const Pictures::Picture& picture : pictures.drawn) {
     const std::string when = TimeText(picture.at);
     html += "<figure><img alt=\"The robot at " + when + "\" src=\"data:image/png;base64," +
-            Base64(picture.png) + "\"><figcaption>" + when + "</figcaption></figure>";
+            Base64(picture.png) + "\"><figcaption>" + when + ": " +
+            Escaped(DecidedAt(picture.at, expectations, judged)) + "</figcaption></figure>";
   }
   html += "</div>\n";
   if (pictures.why_not.empty()) return html;
-  return html + "<p class=\"dim\">No more pictures: " + Escaped(pictures.why_not) + ".</p>\n";
-}
-
-// The most that it would have done to the robot, and to each motor; a figure that is none is left
-// out.
-std::string DamageTable(const record::Damage& damage) {
-  const auto number = [](double value, const std::string& unit) {
-    return value == 0 ? std::string() : NumberText(value) + " " + unit;
-  };
-  const auto seconds = [&](double at_limit, double limit, const std::string& unit) {
-    if (at_limit == 0) return std::string();
-    return "<b>" + number(at_limit, "s") + "</b> at " + NumberText(limit) + " " + unit;
-  };
-  const robot::Damage& sheet = damage.sheet;
-  std::string html = "<p>" + std::to_string(sheet.falls) + (sheet.falls == 1 ? " fall" : " falls") +
-                     " · tilted by " + NumberText(sheet.worst_tilt) + " rad at most · shock " +
-                     NumberText(sheet.shock) + " m/s² · " + NumberText(sheet.energy) +
-                     " J from the pack, " + NumberText(sheet.peak_current) +
-                     " A at most · windings trip at " + NumberText(damage.trip_c) + " °C</p>\n" +
-                     "<table><tr><th>Joint</th><th>At its torque limit</th><th>At its speed limit"
-                     "</th><th>Hottest winding</th><th>Tripped</th><th>Hardest stop</th>"
-                     "<th>Largest jump of a command</th></tr>\n";
-  for (std::size_t i = 0; i < sheet.motors.size(); ++i) {
-    const robot::MotorDamage& motor = sheet.motors[i];
-    html += "<tr><td><code>" + Escaped(damage.joints[i]) + "</code></td>";
-    for (const std::string& cell :
-         {seconds(motor.at_torque_limit, damage.torque_limit[i], "N·m"),
-          seconds(motor.at_speed_limit, damage.speed_limit[i], "rad/s"),
-          number(motor.hottest_c, "°C"), number(motor.tripped, "s"),
-          number(motor.hardest_stop, "rad/s"),
-          number(motor.largest_jump, "rad") +
-              (damage.jump_limit[i] > 0 ? " of " + NumberText(damage.jump_limit[i]) : "")}) {
-      html += "<td class=\"number\">" + cell + "</td>";
-    }
-    html += "</tr>\n";
-  }
-  html += "</table>\n<table><tr><th>Figure</th><th>Limit</th><th>Source</th></tr>\n";
-  for (const robot::DamageLimit& one : damage.limits) {
-    html += "<tr><td>" + Escaped(one.figure) + "</td><td class=\"number\">" +
-            (std::isfinite(one.limit) ? NumberText(one.limit) + " " : std::string()) +
-            Escaped(one.unit) + "</td><td>" + Escaped(one.source) + "</td></tr>\n";
-  }
-  return html + "</table>\n";
+  return html + "<p class=\"dim\">No " + (pictures.drawn.empty() ? "" : "more ") +
+         "pictures: " + Escaped(pictures.why_not) + ".</p>\n";
 }
 
 std::string EventTable(const Occasion& occasion, const Judged& judged) {
@@ -308,31 +238,43 @@ std::string Facts(const Occasion& occasion, const Judged& judged) {
   row("Scenario", occasion.source);
   row("Robot", occasion.robot);
   row("Judged by", std::string("understudy ") + kVersion);
-  for (const char* key :
-       {"revision", "profile", "version", "mujoco", "started", "speed", "timestep_ns", "seed"}) {
+  const auto about = [&judged](const char* key) {
     const auto value = judged.about.find(key);
-    if (value != judged.about.end()) row(key, value->second);
+    return value == judged.about.end() ? std::string() : value->second;
+  };
+  const auto number = [&about](const char* key) {
+    return std::strtod(about(key).c_str(), nullptr);
+  };
+  row("Revision", about("revision"));
+  row("Played by", about("version").empty() ? "" : "understudy " + about("version"));
+  row("MuJoCo", about("mujoco"));
+  row("Started", about("started"));
+  if (!about("speed").empty()) {
+    row("Speed", number("speed") > 0 ? NumberText(number("speed")) + " simulated s per s"
+                                     : "as fast as possible");
   }
-  const auto draws = judged.about.find("draws");
-  if (draws != judged.about.end() && draws->second != "[]") row("drawn", draws->second);
+  if (!about("timestep_ns").empty()) {
+    row("Step of the physics", NumberText(1e-6 * number("timestep_ns")) + " ms");
+  }
+  row("Profile of sensors", about("profile"));
+  row("Seed of sensors", about("sensors_seed"));
+  const bool drawn = about("draws") != "[]";
+  row("Seed of randomization",
+      about("version").empty() || drawn ? about("seed") : "none: nothing was drawn");
+  if (drawn) row("Drawn", about("draws"));
   row("The recording was cut short", judged.cut_short);
   return html + "</table>\n";
 }
 
 }  // namespace
 
-std::string Badge(Outcome outcome) {
-  return "<span class=\"word " + ClassOf(outcome) + "\">" + std::string(judge::Name(outcome)) +
-         "</span>";
-}
-
 std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
                      const Judged& judged) {
   const std::size_t failed = judged.Count(Outcome::kFailed);
   const std::size_t open = judged.Count(Outcome::kNotJudged);
-  const Outcome all = failed > 0 ? Outcome::kFailed
-                      : open > 0 ? Outcome::kNotJudged
-                                 : Outcome::kPassed;
+  const Outcome all = failed > 0 || occasion.overlong ? Outcome::kFailed
+                      : open > 0                      ? Outcome::kNotJudged
+                                                      : Outcome::kPassed;
   std::string html = "<header><h1>" + Badge(all) + " " + Escaped(occasion.title) + "</h1>";
   if (!occasion.about.empty()) html += "<p>" + Escaped(occasion.about) + "</p>";
   html += "<p class=\"dim\">" + Escaped(occasion.robot) + " · " + TimeText(judged.end) +
@@ -343,14 +285,15 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
   html += "<h2>Verdicts</h2>\n" + Summary(expectations, judged);
   if (occasion.ladder) html += "<h2>Stages</h2>\n" + LadderTable(*occasion.ladder);
   if (!occasion.pictures.drawn.empty() || !occasion.pictures.why_not.empty()) {
-    html += "<h2>When it was decided</h2>\n" + PicturesHtml(occasion.pictures);
+    html +=
+        "<h2>When it was decided</h2>\n" + PicturesHtml(occasion.pictures, expectations, judged);
   }
   html += "<h2>Evidence</h2>\n";
   for (std::size_t i = 0; i < expectations.list.size(); ++i) {
     html += ClaimHtml(i, occasion, expectations, judged);
   }
   if (judged.damage) {
-    html += "<h2>What it would have done to the robot</h2>\n" + DamageTable(*judged.damage);
+    html += "<h2>What it would have done to the robot</h2>\n" + DamageHtml(*judged.damage);
   }
   html += "<h2>Events</h2>\n" + EventTable(occasion, judged);
   html += "<h2>How to repeat it</h2>\n" + Facts(occasion, judged);
@@ -358,13 +301,6 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
     html += "<h2>What was asked</h2>\n<pre>" + Escaped(occasion.scenario) + "</pre>\n";
   }
   return HtmlPage(occasion.title, html);
-}
-
-std::string HtmlPage(const std::string& title, const std::string& content) {
-  return "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
-         "<meta name=\"viewport\" content=\"width=device-width\"><title>" +
-         Escaped(title) + "</title><style>" + kStyle + "</style></head><body><main>\n" + content +
-         "</main></body></html>\n";
 }
 
 }  // namespace understudy::rehearse

@@ -124,8 +124,12 @@ std::string TellLines(const Occasion& occasion, const Expectations& expectations
           std::to_string(judged.Count(Outcome::kFailed)) + " failed, " +
           std::to_string(judged.Count(Outcome::kNotJudged)) + " not judged in " +
           Fixed(judged.end) + " s";
-  if (!occasion.stopped.empty()) text += " (" + occasion.stopped + ")";
+  if (!occasion.stopped.empty() && !occasion.overlong) text += " (" + occasion.stopped + ")";
   text += "\n";
+  if (occasion.overlong) {
+    text += std::string("  ") + Word(Outcome::kFailed, colored) + "  the rehearsal " +
+            occasion.stopped + "\n";
+  }
   if (!occasion.ladder) return text;
   const Ladder& ladder = *occasion.ladder;
   for (std::size_t i = 0; i < ladder.rulings.size(); ++i) {
@@ -158,6 +162,7 @@ std::string TellJson(const Occasion& occasion, const Expectations& expectations,
                              {"not_judged", judged.Count(Outcome::kNotJudged)},
                              {"seconds", judged.end},
                              {"stopped", occasion.stopped},
+                             {"overlong", occasion.overlong},
                              {"about", judged.about},
                              {"damage", damage},
                              {"ladder", ladder},
@@ -204,8 +209,16 @@ std::string TellJunit(const Occasion& occasion, const Expectations& expectations
       cases += "/>\n";
     }
   }
-  const std::string counts = attribute("tests", std::to_string(expectations.list.size())) +
-                             attribute("failures", std::to_string(judged.Count(Outcome::kFailed))) +
+  if (occasion.overlong) {
+    cases += "    <testcase" + attribute("name", "the rehearsal ends") +
+             attribute("classname", "understudy." + occasion.title) + attribute("time", time) +
+             ">\n      <failure" + attribute("type", "overlong") +
+             attribute("message", occasion.stopped) + "/>\n    </testcase>\n";
+  }
+  const std::size_t more = occasion.overlong ? 1 : 0;
+  const std::size_t failed = judged.Count(Outcome::kFailed) + more;
+  const std::string counts = attribute("tests", std::to_string(expectations.list.size() + more)) +
+                             attribute("failures", std::to_string(failed)) +
                              attribute("errors", "0");
   std::string started;
   if (const auto when = judged.about.find("started"); when != judged.about.end()) {

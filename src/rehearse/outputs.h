@@ -12,6 +12,9 @@
 
 namespace understudy::rehearse {
 
+// Nearer instants look alike and have one picture, s; *assumed*.
+inline constexpr double kPicturesApart = 0.1;
+
 // Pictures of the robot.
 struct Pictures {
   struct Picture {
@@ -34,6 +37,7 @@ struct Occasion {
   std::string scenario{};             // text of the file
   std::vector<std::string> script{};  // what its events ask for
   std::string stopped{};              // why it ended before its time; else ""
+  bool overlong = false;              // that is since its limit came: it has failed
   std::optional<Ladder> ladder{};     // of a scenario with stages
   Pictures pictures{};                // for the report
   double wall = 0;                    // s that it took; 0 if it was not run now
@@ -58,9 +62,14 @@ std::string TellHtml(const Occasion& occasion, const Expectations& expectations,
 // A page with that content, in the style of the report.
 std::string HtmlPage(const std::string& title, const std::string& content);
 
-// Returns an outcome as a word of four letters, `colored` for a terminal, and as a badge of
-// HtmlPage.
+// Returns a damage sheet as a part of HtmlPage: the most that it would have done to the robot, and
+// to each motor. A figure that is none is left out, one beyond its limit marked.
+std::string DamageHtml(const record::Damage& damage);
+
+// Returns an outcome as a word of four letters, `colored` for a terminal, and as a class and a
+// badge of HtmlPage.
 const char* Word(judge::Outcome outcome, bool colored);
+std::string HtmlClass(judge::Outcome outcome);
 std::string Badge(judge::Outcome outcome);
 
 // Returns a text for XML and HTML: with entities, without what XML cannot have.

@@ -16,6 +16,7 @@ namespace understudy::rehearse {
 namespace {
 
 constexpr std::string_view kState = "rt/lowstate", kCommand = "rt/lowcmd";
+constexpr std::string_view kBattery = "rt/lf/bmsstate";  // of the hg family
 constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
 
 // A series that is read.
@@ -76,9 +77,9 @@ const std::vector<Quantity>& Quantities() {
        "imu_state.accelerometer[1]"},
       {"imu.accelerometer.z", "m/s²", kState, "imu_state.accelerometer[2]",
        "imu_state.accelerometer[2]"},
-      {"battery.voltage", "V", kState, "power_v", ""},
-      {"battery.current", "A", kState, "power_a", ""},
-      {"battery.soc", "%", kState, "bms_state.soc", ""},
+      {"battery.voltage", "V", kState, "power_v", "bmsvoltage[0]", false, kBattery, 1e-3F},
+      {"battery.current", "A", kState, "power_a", "current", false, kBattery, 1e-3F},
+      {"battery.soc", "%", kState, "bms_state.soc", "soc", false, kBattery},
   };
   return rows;
 }
@@ -125,7 +126,7 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
     std::vector<Reading>& readings = by_topic[topic];
     for (const Quantity& quantity : Quantities()) {
       const std::string_view path = hg ? quantity.hg : quantity.go;
-      if (quantity.topic != topic || path.empty()) continue;
+      if (quantity.TopicOf(hg) != topic || path.empty()) continue;
       for (int slot = quantity.of_motor ? 0 : -1; slot < (quantity.of_motor ? slots : 0); ++slot) {
         if (slot >= 0 && !recorded.joints.empty() && !recorded.joints.contains(slot)) continue;
         readings.push_back({.field = record::FindField(type, WithSlot(path, slot)),
@@ -147,7 +148,7 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
   };
   ReadTopics(reader, [&](const std::string& topic, const std::string& type,
                          const record::McapMessage& message) {
-    if (topic != kState && topic != kCommand) return;
+    if (topic != kState && topic != kCommand && topic != kBattery) return;
     if (!begin && topic != kState) return;
     if (!begin) begin = message.log_time;
     if (!by_topic.contains(topic)) begin_topic(topic, type);
@@ -158,7 +159,8 @@ Recorded ReadRecorded(const record::RecordingReader& reader, double step) {
     for (Reading& one : by_topic.find(topic)->second) {
       const auto value = record::ReadField(one.field, message.data);
       const bool none = !value || !std::isfinite(*value) || *value == robot::kNoPosition;
-      one.series.values.back() = none ? kUnknown : static_cast<float>(*value);
+      const float scale = recorded.hg ? one.series.quantity->hg_scale : 1;
+      one.series.values.back() = none ? kUnknown : static_cast<float>(*value) * scale;
     }
   });
   for (auto& [topic, readings] : by_topic) {

@@ -5,8 +5,10 @@
 #include <csignal>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "base/errors.h"
+#include "base/printed.h"
 #include "record/mcap_reader.h"
 #include "run/run.h"
 
@@ -14,6 +16,7 @@ namespace understudy::rehearse {
 namespace {
 
 using emulator::EventKind;
+using std::chrono::steady_clock;
 
 // All *assumed*.
 constexpr std::chrono::milliseconds kGrace(500);  // from SIGTERM to SIGKILL
@@ -25,17 +28,22 @@ constexpr double kPastLimit = 0.1;                // s, so that its end counts a
 class StageManager {
  public:
   StageManager(const Scenario& scenario, const RehearsalOptions& options, const Jury* jury,
-               exec::ChildProcess* child)
+               exec::ChildProcess* child, steady_clock::time_point begun)
       : scenario_(scenario),
         options_(options),
         jury_(jury),
         child_(child),
+        begun_(begun),
         timestep_(scenario.config.physics.timestep) {}
 
   bool ShouldStop(std::int64_t step, emulator::EventRing* events) {
     const double t = static_cast<double>(step) * timestep_;
     if (child_ != nullptr) LeadProgram(t, events);
     if (options_.interrupted && options_.interrupted()) return Stop("interrupted");
+    if (std::chrono::duration<double>(steady_clock::now() - begun_).count() > options_.limit) {
+      overlong_ = true;
+      return Stop(OverlongText(options_.limit));
+    }
     if (child_ != nullptr && scenario_.config.time.duration <= 0 && ended_ &&
         t >= *ended_ + kAfterProgram) {
       return true;
@@ -52,10 +60,11 @@ class StageManager {
   }
 
   const std::string& stopped() const { return stopped_; }
+  bool overlong() const { return overlong_; }
 
  private:
-  bool Stop(const char* why) {
-    stopped_ = why;
+  bool Stop(std::string why) {
+    stopped_ = std::move(why);
     return true;
   }
 
@@ -92,12 +101,14 @@ class StageManager {
   const RehearsalOptions& options_;
   const Jury* jury_;
   exec::ChildProcess* child_;
+  steady_clock::time_point begun_;
   double timestep_;
   bool started_ = false, asked_ = false;
   std::optional<double> ends_at_;  // s: the program is ended
   std::optional<double> ended_;    // s: the program
   std::optional<double> failed_;   // s: an expectation
   std::string stopped_;
+  bool overlong_ = false;
 };
 
 bool AreSame(const judge::Verdict& a, const judge::Verdict& b) {
@@ -111,9 +122,9 @@ bool AreSame(const judge::Verdict& a, const judge::Verdict& b) {
 
 Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
                    exec::ChildProcess* program) {
-  const auto begun = std::chrono::steady_clock::now();
+  const auto begun = steady_clock::now();
   Jury jury(scenario.expect);
-  StageManager manager(scenario, options, &jury, program);
+  StageManager manager(scenario, options, &jury, program, begun);
   run::RunOptions run;
   run.control_socket = options.control_socket;
   run.private_network = options.private_network;
@@ -143,8 +154,13 @@ Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
                      "' is judged otherwise from the recording than it was in the run");
   }
   rehearsal.stopped = manager.stopped();
-  rehearsal.wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  rehearsal.overlong = manager.overlong();
+  rehearsal.wall = std::chrono::duration<double>(steady_clock::now() - begun).count();
   return rehearsal;
+}
+
+std::string OverlongText(double limit) {
+  return Printed("did not end within %g s of wall time", limit);
 }
 
 std::string ShellText(const std::vector<std::string>& words) {

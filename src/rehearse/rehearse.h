@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -20,22 +21,32 @@ struct RehearsalOptions {
   bool private_network = false;            // nothing leads out of it
   bool to_the_end = false;                 // also when an expectation has failed
   std::function<bool()> interrupted{};     // true ends it
-  exec::ProgramOutput* output = nullptr;   // of the program; null: nobody asks what it prints
+  double limit = std::numeric_limits<double>::infinity();  // wall s after which it is ended
+  exec::ProgramOutput* output = nullptr;  // of the program; null: nobody asks what it prints
 };
 
 struct Rehearsal {
   Judged judged{};
   ExitCode robot = ExitCode::kOk;  // of the run
   std::string stopped{};           // why it ended before its time; else ""
+  bool overlong = false;           // that is as it did not end within its limit: it has failed
   double wall = 0;                 // s
 };
 
 // Plays the scenario, with `program`, which waits to be released, if it has one. It ends with its
 // duration, 0.5 s after a program that has no duration has ended, when an expectation has failed,
-// or when nothing can change a verdict. What is judged is the recording; the same judged while it
-// was written decides when to end. Throws SetupError, CommandError if the program cannot be run.
+// when nothing can change a verdict, or at its limit. What is judged is the recording; the same
+// judged while it was written decides when to end. Throws SetupError, CommandError if the program
+// cannot be run.
 Rehearsal Rehearse(const Scenario& scenario, const RehearsalOptions& options,
                    exec::ChildProcess* program);
+
+// Wall s in which a rehearsal has to end unless told otherwise, besides what its duration takes;
+// *assumed*, many times what rehearsals take: it is for those whose simulated time stands still.
+inline constexpr double kRunLimit = 3600;
+
+// Returns "did not end within 8 s of wall time".
+std::string OverlongText(double limit);
 
 // Returns the words as a shell reads them.
 std::string ShellText(const std::vector<std::string>& words);

@@ -1,12 +1,10 @@
 #include "rehearse/run_campaign.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <csignal>
-#include <cstdio>
 #include <fstream>
 #include <memory>
 #include <sstream>
@@ -20,6 +18,7 @@
 
 #include "base/errors.h"
 #include "base/files.h"
+#include "base/printed.h"
 #include "base/unique_fd.h"
 #include "exec/child_process.h"
 #include "exec/command.h"
@@ -35,6 +34,7 @@ using std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kGlance(2);       // between looks at the runs
 constexpr std::chrono::milliseconds kTellEvery(200);  // progress
 constexpr std::chrono::milliseconds kWindDown(2000);  // of a run that is interrupted
+constexpr double kLastWill = 10;                      // s for a run to judge itself at its limit
 constexpr std::size_t kMostShards = 100'000;
 constexpr std::size_t kLongestWords = 300;  // letters of a log's last line
 
@@ -73,14 +73,12 @@ bool IsOfAll(int exit_code) {
   return exit_code >= exec::kExitOwnFailure && exit_code <= exec::kExitNotFound;
 }
 
-// The result of a run that did not end by itself.
+// The result of a run that did not even end by its own limit.
 RunResult Overlong(std::size_t number, const std::vector<Setting>& settings, double limit,
                    const std::string& last_words) {
-  std::array<char, 64> why{};
-  std::snprintf(why.data(), why.size(), "did not end within %g s of wall time", limit);
   RunResult result{.number = number, .settings = settings};
   result.outcome = judge::Outcome::kFailed;
-  result.broken = why.data();
+  result.broken = OverlongText(limit);
   if (!last_words.empty()) result.broken += ": " + last_words;
   return result;
 }
@@ -99,6 +97,7 @@ class Running {
     std::vector<std::string> words{
         options.program,        "rehearse", head.scenario,    "--run",
         std::to_string(number), "--out",    folder_.string(), "--no-pictures"};
+    words.insert(words.end(), {"--run-limit", Printed("%.9g", options.limit)});
     words.insert(words.end(), head.options.begin(), head.options.end());
     if (!head.command.empty()) {
       words.emplace_back("--");
@@ -110,9 +109,11 @@ class Running {
   }
 
   std::size_t number() const { return number_; }
-  // Its exit code once it has ended. It is ended after `limit` [wall s].
+  // Its exit code once it has ended. It ends itself after `limit` [wall s]; one that is stuck is
+  // ended.
   std::optional<int> Poll(double limit) {
-    if (!too_long_ && std::chrono::duration<double>(steady_clock::now() - begun_).count() > limit) {
+    const double wall = std::chrono::duration<double>(steady_clock::now() - begun_).count();
+    if (!too_long_ && wall > limit + kLastWill) {
       too_long_ = true;
       child_->Terminate(kWindDown);
     }

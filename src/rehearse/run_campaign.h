@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "rehearse/campaign_outputs.h"
+#include "rehearse/rehearse.h"
 
 namespace understudy::rehearse {
 
@@ -28,8 +29,6 @@ struct Shard {
 Shard ReadShard(const std::string& text);
 
 enum class Keep : std::uint8_t { kFailures, kAll, kNone };  // folders of runs; kNone also of those
-
-inline constexpr double kRunLimit = 3600;
 
 struct Progress {
   std::size_t done = 0, of = 0;  // runs of the shard
@@ -46,10 +45,8 @@ struct CampaignOptions {
   std::size_t jobs = 1;
   Shard shard{};
   Keep keep = Keep::kFailures;
-  // Wall s in which a run has to end, else it is ended and has failed; *assumed*, many times what
-  // runs take: it is for those whose simulated time stands still.
-  double limit = kRunLimit;
-  bool again = false;  // the runs of the shard that are there, and all of another campaign
+  double limit = kRunLimit;  // wall s in which a run has to end, else it is ended and has failed
+  bool again = false;        // the runs of the shard that are there, and all of another campaign
   std::string program = "/proc/self/exe";              // Understudy
   std::function<bool()> interrupted{};                 // true ends it
   std::function<void(const RunResult&)> on_result{};   // of this process, as they come

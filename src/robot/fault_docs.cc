@@ -27,7 +27,7 @@ constexpr std::string_view kPreface =
     "  - {at: 8, fault: {component: all, fault: none}}\n"
     "```\n\n"
     "From the start or planned, among the [configuration](config.md) of a run or a scenario; "
-    "`understudy check` says what of it the robot has not:\n\n"
+    "`understudy check --robot ROBOT` says what of it the robot has not:\n\n"
     "```yaml\n"
     "faults:\n"
     "  - {component: fan.front, fault: off}\n"

@@ -75,6 +75,7 @@ record::RecordingHead HeadOf(const config::Config& config, const robot::Draws& d
                 {"started", Now("%Y-%m-%dT%H:%M:%SZ")},
                 {"speed", std::to_string(config.time.speed)},
                 {"seed", draws.seed < 0 ? "" : std::to_string(draws.seed)},
+                {"sensors_seed", std::to_string(config.sensors.seed)},
                 {"draws", DrawnText(draws)}};
   head.damage = SheetOf(world);
   return head;

@@ -1,5 +1,7 @@
 #include "rehearse/outputs.h"
 
+#include <cmath>
+
 #include <nlohmann/json.hpp>
 
 #include "rehearse/rehearse.h"
@@ -83,6 +85,53 @@ TEST_F(OutputsTest, PageAndJsonHaveTheDamageSheetWhereThereIsOne) {
   EXPECT_THAT(html, HasSubstr("39 m/s²</td><td>assumed: &lt;so&gt;</td>"));
 }
 
+TEST_F(OutputsTest, ThePageHoldsWhatWasReachedAgainstItsLimit) {
+  judged_.damage = {.sheet = {.motors = {{.hottest_c = 30, .largest_jump = 0.5},
+                                         {.at_torque_limit = 0.25, .hottest_c = 41}},
+                              .energy = 2e4,
+                              .shock = 40,
+                              .falls = 0},
+                    .joints = {"hip", "<calf>"},
+                    .torque_limit = {23.7, 45},
+                    .speed_limit = {30, 16},
+                    .jump_limit = {0.6, 0.4},
+                    .limits = {{"shock", 39, "m/s²", ""},
+                               {"energy", 8e5, "J", ""},
+                               {"falls", 0, "", ""},
+                               {"at_torque_limit", std::nan(""), "N·m", ""},
+                               {"hottest", 105, "°C", ""},
+                               {"largest_jump", std::nan(""), "rad", ""}}};
+  const auto html = [this] { return TellHtml(occasion_, expect_, judged_); };
+  for (const char* row : {
+           "shock</td><td class=\"number beyond\">40 m/s²</td><td class=\"number\">39 m/s²</td>",
+           "energy</td><td class=\"number\">20 kJ</td><td class=\"number\">800 kJ</td>",
+           "falls</td><td class=\"number\">0</td><td class=\"number\">0</td>",
+           "at_torque_limit</td><td class=\"number beyond\">0.25 s, &lt;calf&gt;</td>"
+           "<td class=\"number\">each motor's</td>",
+           "hottest</td><td class=\"number\">41 °C, &lt;calf&gt;</td>",
+           "largest_jump</td><td class=\"number\">0.5 rad, hip</td>",
+       }) {
+    EXPECT_THAT(html(), HasSubstr(row));
+  }
+  // Of the motor that jumps less, that is too much.
+  judged_.damage->sheet.motors[1].largest_jump = 0.45;
+  EXPECT_THAT(html(), HasSubstr("largest_jump</td><td class=\"number beyond\">0.5 rad, hip</td>"));
+}
+
+TEST_F(OutputsTest, WhatDidNotEndInItsTimeHasFailed) {
+  Occasion occasion = occasion_;
+  judged_.rulings.resize(1);
+  judged_.rulings[0].verdict.outcome = judge::Outcome::kPassed;
+  expect_.list.resize(1);
+  occasion.stopped = "did not end within 8 s of wall time";
+  EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("<h1><span class=\"word passed\">"));
+  occasion.overlong = true;
+  EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("<h1><span class=\"word failed\">"));
+  EXPECT_THAT(TellLines(occasion, expect_, judged_, false),
+              HasSubstr("FAIL  the rehearsal did not end within 8 s of wall time"));
+  EXPECT_THAT(TellJunit(occasion, expect_, judged_), HasSubstr("tests=\"2\" failures=\"1\""));
+}
+
 TEST_F(OutputsTest, JunitHasAFailureForWhatFailedAndASkipForWhatIsNotJudged) {
   const std::string xml = TellJunit(occasion_, expect_, judged_);
   EXPECT_THAT(xml, HasSubstr("tests=\"3\" failures=\"1\""));
@@ -111,6 +160,14 @@ TEST_F(OutputsTest, ThePageHasThePicturesInItself) {
   EXPECT_THAT(html, HasSubstr("base64,TWE=\""));
   EXPECT_THAT(html, HasSubstr("base64,Tf8=\""));
   EXPECT_THAT(html, HasSubstr("No more pictures: one &gt; is missing."));
+  occasion.pictures.drawn.clear();
+  EXPECT_THAT(TellHtml(occasion, expect_, judged_), HasSubstr("No pictures: one &gt; is missing."));
+  // A picture tells what was decided at its instant.
+  judged_.rulings[0].verdict.worth.at = 1'500'000'000;
+  occasion.pictures.drawn = {{.at = 1.5, .png = "Man"}};
+  const std::string name = Escaped(expect_.list[0].name);
+  EXPECT_THAT(TellHtml(occasion, expect_, judged_),
+              HasSubstr("<figcaption>1.500 s: " + name + "</figcaption>"));
 }
 
 TEST(SvgPlotTest, DrawsTheLimitTheWindowAndTheInstant) {

@@ -144,21 +144,25 @@ vary: {grid: {$sleep: [600, 0]}}
 
 
 def test_a_run_whose_time_stands_still_fails_at_its_limit_and_the_others_go_on(understudy, shoves, tmp_path):
-    """Its program stops it by SIGSTOP, so that it ticks no more, and waits beside it."""
+    """A program stops it by SIGSTOP, so that it can do nothing, or pauses it, and waits beside it."""
     hang = tmp_path / "hang.sh"
-    hang.write_text("#!/bin/sh\n[ $1 = 1 ] || exit 0\necho about to hang >&2\nkill -STOP $PPID\nexec sleep 60\n")
+    hang.write_text("#!/bin/sh\ncase $1 in 0) exit 0;; 1) echo about to hang >&2; kill -STOP $PPID;; 2) "
+                    f"{os.environ['UNDERSTUDY']} ctl pause;; esac\nexec sleep 60\n")
     hang.chmod(0o755)
     (tmp_path / "hangs.yaml").write_text(
-        "scenario: One hangs\nrobot: go2\nduration: 0.6\nprogram: {command: [./hang.sh, $hang]}\n"
-        "expect: [{always: base.height > 0, name: is there}]\nvary: {list: [{$hang: 1}, {$hang: 0}]}\n")
+        "scenario: Two hang\nrobot: go2\nduration: 0.6\nprogram: {command: [./hang.sh, $hang]}\n"
+        "expect: [{always: base.height > 0, name: is there}]\nvary: {list: [{$hang: 1}, {$hang: 0}, {$hang: 2}]}\n")
     begun = time.monotonic()
     done = understudy("rehearse", "hangs.yaml", "--out", "out", "--jobs", 2, "--run-limit", 8, timeout=60)
     assert done.returncode == FAILED, done.stdout + done.stderr
     assert 8 < time.monotonic() - begun < 40
     told = verdict("out")
-    assert (told["passed"], told["failed"], told["failed_runs"]) == (1, 1, [1])
-    run = json.loads((tmp_path / "out/runs/000001.json").read_text())
-    assert run["broken"].startswith("did not end within 8 s of wall time")
+    assert (told["passed"], told["failed"], told["failed_runs"]) == (1, 2, [1, 3])
+    stopped, paused = (json.loads((tmp_path / f"out/runs/00000{run}.json").read_text()) for run in (1, 3))
+    assert stopped["broken"].startswith("did not end within 8 s of wall time")
+    # One that can judges what there is.
+    assert paused["broken"] == "did not end within 8 s of wall time" and paused["verdicts"]
+    assert (tmp_path / "out/runs/000003/report.html").exists()
     assert "did not end within 8 s of wall time" in done.stdout
     assert "did not end within 8 s" in (tmp_path / "out/junit.xml").read_text()
 

@@ -3,6 +3,7 @@
 import pathlib
 import re
 import shlex
+import shutil
 
 import pytest
 
@@ -124,3 +125,40 @@ def test_every_example_of_ctl_works(play, tmp_path, monkeypatch):
                 robot.ctl(*words[1:])
                 if name == "step":
                     robot.ctl("resume")
+
+
+WALKS = """
+scenario: A program ends well
+robot: go2
+program:
+expect: [{final: program.exit_code is 0}]
+"""
+SHOVES = """
+scenario: Seventeen short shoves
+robot: go2
+start: standing
+duration: 0.3
+script: [{at: 0.1, push: {body: base_link, force: [0, $force, 0], for: 0.1}}]
+expect: [{never: base.height < 0.2, name: does not fall}]
+vary: {grid: {$force: {from: 1, to: 17, whole: true}}}
+"""
+
+
+def test_every_example_of_rehearse_and_judge_works(tmp_path):
+    """In a folder that has the files which they name."""
+    (tmp_path / "walk.yaml").write_text(WALKS)
+    (tmp_path / "walk.py").write_text("import sys\nassert sys.argv[1] in ('lo', 'eth0')\n")
+    shutil.copy(ROOT / "config" / "scenarios" / "push.yaml", tmp_path)
+    (tmp_path / "shoves.yaml").write_text(SHOVES)
+    (tmp_path / "expect.yaml").write_text("expect: [{always: gap(lowstate) < 3 ms}]\n")
+    for part in (1, 3, 4):
+        shard = run("rehearse", "shoves.yaml", "--shard", f"{part}/4", "--out", f"part{part}", cwd=tmp_path, timeout=120)
+        assert shard.returncode == 0, shard.stderr
+    lines = lines_of_help("rehearse") + lines_of_help("judge")
+    assert len(lines) > 9
+    for line in lines:
+        [words] = commands_of(line)
+        done = run(*words, cwd=tmp_path, timeout=240)
+        assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
+        if line.endswith("rehearse stand_up"):
+            shutil.copy(tmp_path / "rehearsals" / "stand_up" / "recording.mcap", tmp_path / "real_robot.mcap")

@@ -47,7 +47,7 @@ def test_a_fan_and_a_bus_fail_as_planned_and_come_back(play, tmp_path):
 def test_a_configuration_with_what_the_robot_has_not_is_refused_with_its_line(understudy, tmp_path):
     file = tmp_path / "faults.yaml"
     file.write_text(FAULTS + "  - {component: bus.FX, fault: off}\n")
-    for asked in (("check", file), ("run", "go2", "--config", file)):
+    for asked in (("check", "--robot", "go2", file), ("run", "go2", "--config", file)):
         done = understudy(*asked)
         assert done.returncode == 3
         assert "faults.yaml:5: faults.2: the robot has no 'bus.FX'; did you mean 'bus." in done.stdout + done.stderr

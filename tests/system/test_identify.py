@@ -1,11 +1,21 @@
 """`understudy excite` moves a robot on a stand; `understudy identify` fits its joints to the recording."""
 
+import array
+import collections
+import importlib.machinery
+import importlib.util
 import json
 import os
+import pathlib
+import pickle
 import signal
 import subprocess
+import sys
 import time
+import types
+import zipfile
 
+import numpy
 import pytest
 from unitree_sdk2py.utils.crc import CRC
 
@@ -107,3 +117,62 @@ def test_without_a_robot_there_is_nothing_to_move(understudy):
     nobody = understudy("excite", "--robot", "go2")
     assert nobody.returncode == 5
     assert "no rt/lowstate on lo" in nobody.stderr
+
+
+TOOL = pathlib.Path(__file__).parents[2] / "tools" / "identify_go2"
+
+
+class Tensor:
+    """Is pickled as torch pickles its own: where its numbers are, and how they lie."""
+
+    def __init__(self, key, *shape):
+        self.key, self.shape = key, shape
+
+    def __reduce__(self):
+        rebuild = sys.modules["torch._utils"]._rebuild_tensor_v2
+        return rebuild, (Storage(self.key), 0, self.shape, (1,), False, collections.OrderedDict())
+
+
+class Storage(str):
+    pass
+
+
+class Saver(pickle.Pickler):
+    def persistent_id(self, one):
+        return ("storage", sys.modules["torch"].FloatStorage, str(one), "cpu", 0) if isinstance(one, Storage) else None
+
+
+def trajectory(path, monkeypatch, rows, **others):
+    """A file as torch.save makes it, of `rows` of a Go2: q counts from 0, what is commanded is 1 more."""
+    torch, utils = types.ModuleType("torch"), types.ModuleType("torch._utils")
+    torch.FloatStorage = type("FloatStorage", (), {"__module__": "torch"})
+    exec("def _rebuild_tensor_v2(*_): pass", vars(utils))
+    monkeypatch.setitem(sys.modules, "torch", torch)
+    monkeypatch.setitem(sys.modules, "torch._utils", utils)
+    said = {"time": Tensor("0", rows), "dof_pos": Tensor("1", rows, 12), "des_dof_pos": Tensor("2", rows, 12),
+            "des_dof_vel": Tensor("3", rows, 12), "kp": numpy.full(12, 20.0), "kd": numpy.full(12, 1.5)} | others
+    q = list(range(rows * 12))
+    numbers = [[0.25 * row for row in range(rows)], q, [one + 1 for one in q], [0.5] * len(q)]
+    with zipfile.ZipFile(path, "w") as file:
+        with file.open("traj/data.pkl", "w") as pickled:
+            Saver(pickled, protocol=2).dump(said)
+        for key, values in enumerate(numbers):
+            file.writestr(f"traj/data/{key}", array.array("f", values).tobytes())
+
+
+def test_trajectories_of_the_public_go2_are_read_without_torch(tmp_path, monkeypatch):
+    loader = importlib.machinery.SourceFileLoader("identify_go2", str(TOOL))
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    tool = importlib.util.module_from_spec(importlib.util.spec_from_loader("identify_go2", loader))
+    loader.exec_module(tool)
+    trajectory(tmp_path / "a.pt", monkeypatch, 3)
+    tool.write_csv(tmp_path / "a.pt", tmp_path / "a.csv")
+    heads, *rows = [line.split(",") for line in (tmp_path / "a.csv").read_text().splitlines()]
+    assert len(rows) == 3 and heads[:6] == ["time", "FL_hip.q", "FL_hip.q_des", "FL_hip.dq_des", "FL_hip.kp", "FL_hip.kd"]
+    last = dict(zip(heads, map(float, rows[2])))
+    assert last["time"] == 0.5 and last["RR_calf.q"] == 35 and last["RR_calf.q_des"] == 36
+    assert (last["FL_thigh.q"], last["FR_hip.dq_des"], last["FR_hip.kp"], last["RL_hip.kd"]) == (25, 0.5, 20, 1.5)
+
+    trajectory(tmp_path / "harm.pt", monkeypatch, 3, harm=os.system)
+    with pytest.raises(pickle.UnpicklingError, match="did not expect posix.system"):
+        tool.write_csv(tmp_path / "harm.pt", tmp_path / "harm.csv")

@@ -150,11 +150,27 @@ def test_check_reads_a_layer_over_a_robot_and_a_scene_as_ground(understudy, tmp_
     assert f"{wrong}:2" in done.stdout and "did you mean 'timeout'?" in done.stdout
 
 
+def test_check_asks_over_which_robot_a_file_is_to_be_read_and_lists_them(understudy, tmp_path):
+    layer, expect = tmp_path / "layer.yaml", tmp_path / "expect.yaml"
+    layer.write_text("gate: {timeout: 0.5}\n")
+    expect.write_text("expect: [{always: gap(lowstate) < 3 ms}]\n")
+
+    done = understudy("check", layer, expect)
+
+    assert done.returncode == 3
+    robots = [robot["name"] for robot in json.loads(understudy("robots", "--json").stdout)]
+    for line, wrong in zip(done.stdout.splitlines(), (f"{layer}: ", f"{expect}: robot: missing"), strict=True):
+        assert wrong in line and "--robot: " + ", ".join(robots) in line
+    assert understudy("check", "--robot", "h1", layer, expect).returncode == 0
+    expect.write_text("robot: g1\n" + expect.read_text())
+    assert understudy("check", expect).returncode == 0
+
+
 def test_check_tells_the_unsound_from_the_sound(understudy, tmp_path):
     bad = tmp_path / "bad.yaml"
     bad.write_text("robot:\n  nmae: go3\n")
     good = ROBOTS / "go2.yaml"
-    done = understudy("check", "--json", bad, good)
+    done = understudy("check", "--robot", "go2", "--json", bad, good)
     entries = json.loads(done.stdout)
 
     assert done.returncode == 3

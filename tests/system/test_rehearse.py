@@ -8,6 +8,7 @@ import re
 import signal
 import subprocess
 import sys
+import time
 from xml.etree import ElementTree
 
 import pytest
@@ -258,7 +259,7 @@ def test_the_documents_ladder_says_up_to_where_and_gives_the_next_settings(rehea
     # The next settings are a layer: a robot that is so weak does not stand up, and goes to no stage.
     layer = tmp_path / "out" / "next_stage.yaml"
     assert "torque_limit: 2.37" in layer.read_text()
-    assert understudy("check", layer).returncode == 0
+    assert understudy("check", "--robot", "go2", layer).returncode == 0
     weak = file.read_text() + "settings:\n" + "".join(
         f"  {line}\n" for line in layer.read_text().splitlines() if not line.startswith("#"))
     file.write_text(weak)
@@ -323,6 +324,29 @@ def test_a_program_that_hangs_ends_at_its_limit_and_has_failed(rehearse, underst
     assert again.returncode == FAILED
     assert verdicts(tmp_path / "judged")["verdicts"] == verdicts(tmp_path / "out")["verdicts"]
     assert rehearse(file, program=["true"]).returncode == 0
+
+
+def test_a_rehearsal_whose_time_stands_still_fails_at_its_limit_of_wall_time(rehearse, tmp_path):
+    """Its program pauses the robot and waits: no limit in simulated time ever comes."""
+    file = tmp_path / "waits.yaml"
+    file.write_text("scenario: It waits\nrobot: go2\nduration: 5\nprogram:\n"
+                    "expect: [{always: base.height > 0.05, name: is there}]\n")
+    pauses = ["sh", "-c", f"{os.environ['UNDERSTUDY']} ctl pause; exec sleep 600"]
+    begun = time.monotonic()
+    done = rehearse(file, "--run-limit", 4, program=pauses)
+    assert done.returncode == FAILED, done.stdout + done.stderr
+    assert 4 < time.monotonic() - begun < 60
+    assert "FAIL  the rehearsal did not end within 4 s of wall time" in done.stdout
+    told = verdicts(tmp_path / "out")
+    assert told["overlong"] and told["stopped"] == "did not end within 4 s of wall time" and told["seconds"] < 5
+    assert outcomes(tmp_path / "out")["is there"] != "failed"
+    assert '<h1><span class="word failed">' in (tmp_path / "out" / "report.html").read_text()
+    xml = tmp_path / "out" / "junit.xml"
+    xmlschema.XMLSchema(ROOT / "tests" / "data" / "junit.xsd").validate(xml)
+    suite = ElementTree.parse(xml).getroot()[0]
+    assert (suite.get("tests"), suite.get("failures")) == ("2", "1")
+    assert suite.findall("testcase")[-1].find("failure").get("message") == told["stopped"]
+    assert not rehearse(file, program=["true"]).returncode and not verdicts(tmp_path / "out")["overlong"]
 
 
 def test_mistakes_are_explained_before_anything_starts(rehearse, understudy, tmp_path):
