@@ -126,6 +126,7 @@ struct MotionState {
   int gait = 0;                                   // 1 trot, 2 run, 3 for stairs
   double wanted_height = 0;                       // m, as body_height is to be
   double foot_raise = 0;                          // m that its gait lifts a foot by
+  bool keeps_stepping = false;                    // on the spot where it would stand
   std::array<Eigen::Vector3d, 4> feet{};          // m, in the base, FR FL RR RL
   std::array<Eigen::Vector3d, 4> feet_speed{};    // m/s, against the base and in it
   std::array<DangerReading, kDangers> dangers{};  // by Danger

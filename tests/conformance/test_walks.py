@@ -47,6 +47,7 @@ def test_a_robot_tells_how_far_it_came_and_how_fast(walks, robot, way):
     assert walk["told"] == pytest.approx(walk["true"], abs=0.25), "legs drift"
     assert walk["told"] != walk["true"], "an estimate, not the truth"
     assert walk["speed"][axis] == pytest.approx(speed, rel=0.15)
+    assert walk["true_speed"][axis] == pytest.approx(speed, rel=0.15)
 
 
 @pytest.mark.parametrize("way", WAYS)

@@ -343,7 +343,9 @@ TEST(Go2SportTest, TellsItsStateInTexts) {
   EXPECT_EQ(state["speedLevel"], "-1");
   EXPECT_EQ(state["gait"], "1");
   EXPECT_EQ(state["economicGait"], "true");
-  EXPECT_TRUE(state.contains("continuousGait"));
+  EXPECT_EQ(state["continuousGait"], "false");
+  caller.robot.book.state.keeps_stepping = true;
+  EXPECT_EQ(json::parse(caller.Ask(1034).data)["continuousGait"], "true");
 }
 
 TEST(Go2SportTest, KnowsWhatTheAppAsksFor) {

@@ -45,6 +45,7 @@ def test_every_row_says_only_what_the_tool_knows(tool):
         ({"ends": "on Ctrl-C"}, 0, "", 0.0, "exit code 0"),
         ({"says": ["Done!"]}, 0, "Don", 0.0, "did not say `Done!`"),
         ({}, 0, "x\nTraceback (most recent call last):\n  a\nValueError", 0.0, "said `Traceback"),
+        ({}, 0, "[1] warning: refused 1 call of sport 1005 StandDown (state): not now\n", 0.0, "said `[1] warning"),
         ({"rises": 0.3}, 0, "", 0.1, "rose to 0.10 m only"),
         ({"commands": True}, 0, "", 0.0, "no command was taken"),
         ({"arms": True}, 0, "", 0.0, "moved the arms with weight 0.00 only"),
@@ -61,6 +62,11 @@ def test_a_program_that_runs_until_ctrl_c_has_run_to_its_end(tool):
     said = 'Traceback (most recent call last):\n  File "a", line 1\nKeyboardInterrupt\n'
     row = {**tool.DEFAULTS, "ends": "on Ctrl-C"}
     assert list(tool.faults(row, 124, said, tool.Watch("understudy", "nobody"))) == []
+
+
+def test_a_call_for_what_is_not_simulated_is_no_fault_of_the_program(tool):
+    said = "[1] warning: refused 2 calls of sport 1020 FrontFlip (not_simulated): it is not simulated; code 4205\n"
+    assert list(tool.faults(tool.DEFAULTS, 0, said, tool.Watch("understudy", "nobody"))) == []
 
 
 @pytest.mark.parametrize(("code", "exit_code", "result"), [(0, 0, "yes"), (42, 1, "no: exit code 42")])

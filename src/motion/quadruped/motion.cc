@@ -260,10 +260,7 @@ void QuadrupedMotion::Move(double dt) {
 void QuadrupedMotion::Stand(State from) {
   now_ = &stance_;
   if (kGestureStates.Has(from) || from == kDriving) return;
-  if (kStanceStates.Has(from)) {
-    Follow(Default());
-    return;
-  }
+  if (kStanceStates.Has(from)) return Follow(Default());
   stance_.Begin(reading_);
   if (from != kWalking) wanted_ = Default();
   stance_.MoveTo(stance_.Feasible(wanted_), kBalanceTime);
@@ -318,7 +315,8 @@ robot::MotionState QuadrupedMotion::state() const {
                            .p_WB = estimator_.p_WB(),
                            .gait = gait_->type,
                            .wanted_height = wanted_.place.z(),
-                           .foot_raise = figures_.walk.foot_raise};
+                           .foot_raise = figures_.walk.foot_raise,
+                           .keeps_stepping = stepping_};
   for (std::size_t leg = 0; leg < state.feet.size(); ++leg) {
     state.feet[leg] = reading_.feet[leg];
     state.feet_speed[leg] = reading_.feet_speed[leg];

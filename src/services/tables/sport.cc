@@ -176,7 +176,7 @@ ServiceReply GiveGo2State(const ServiceCall& call) {
       {"bodyHeight", nlohmann::json(state.body_height).dump()},
       {"speedLevel", AsText(call.settings->at("speed_level"))},
       {"gait", std::to_string(state.gait)},
-      {"continuousGait", "false"},
+      {"continuousGait", state.keeps_stepping ? "true" : "false"},
       {"economicGait", state.id == kEconomic ? "true" : "false"},
   };
   return {.data = reply.dump()};

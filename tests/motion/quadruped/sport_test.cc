@@ -98,8 +98,10 @@ TEST_P(SportTest, StepsOnTheSpotUntilItIsStopped) {
   rig_.Run(1);
   EXPECT_FALSE(rig_.ComesToRest(3));
   EXPECT_LT((Place() - before).norm(), 0.15);
+  EXPECT_TRUE(rig_.state().keeps_stepping);
   EXPECT_EQ(rig_.Ask(goal::StopMove{}), MotionVerdict::kTaken);
   EXPECT_TRUE(rig_.ComesToRest(4));
+  EXPECT_FALSE(rig_.state().keeps_stepping);
 }
 
 TEST_P(SportTest, AMoveLastsWhereItIsToldTo) {

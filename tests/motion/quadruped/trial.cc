@@ -36,7 +36,7 @@ const std::vector<TrialGround> kGrounds{
     {"flat", "each axis asked for every other time, anywhere in its range, anew every 2 s"},
     {"rough", "rough ground of difficulty 0.3, ahead with 0.3 to 1 m/s, weaving"},
     {"slope", "5 to 15 degrees up or down, ahead with 0.3 to 1 m/s"},
-    {"stairs", "ten steps up or down of 8 cm (B2, A2 12, on wheels 4), ahead with 0.3 to 0.5 m/s"},
+    {"stairs", "ten steps up or down of 8 cm (B2, A2 12), ahead with 0.3 to 0.5 m/s"},
 };
 
 bool Wheeled(const robot::RobotSpec& spec) { return spec.kind == robot::RobotKind::kWheeled; }
@@ -94,7 +94,7 @@ std::vector<std::string> SceneOf(const Trial& trial, const robot::RobotSpec& spe
     return scene("slopes", std::tan(angle) / 0.4);
   }
   if (trial.ground == "stairs") {
-    const double rise = Wheeled(spec) ? 0.04 : Tall(spec) ? 0.12 : 0.08;
+    const double rise = !Wheeled(spec) && Tall(spec) ? 0.12 : 0.08;
     const bool up = dice->Draw("up", "", 0, 1) < 0.5;
     return scene(up ? "stairs_up" : "stairs_down", (rise - 0.01) / 0.22);
   }
