@@ -165,6 +165,53 @@ TEST(RobotsTest, AStalledMotorGivesLessAfterSecondsAndTripsAfterMinutesAtMost) {
   EXPECT_NEAR(knee_hot, 20, 6);
 }
 
+// An ankle of a G1 was seen at 89 to 91 °C after 5 to 10 minutes of one policy (A9). What its
+// torque was is not recorded; 20 N·m, 10 of each motor, are assumed.
+TEST(RobotsTest, AnAnkleGetsAboutAsHotAsOneWasSeenUnderAPolicy) {
+  const robot::RobotSpec robot = Robot("g1").robot;
+  robot::RobotCommand command{.motors = std::vector<robot::MotorCommand>(robot.motors.size())};
+  command.motors[5] = {.enabled = true, .tau = 20};
+  ASSERT_EQ(robot.motors[5].joint, "left_ankle_roll_joint");
+  const std::vector<double> still(robot.motors.size());
+  robot::MotorBank bank(robot, 0.1);
+  const auto after = [&](double seconds) {
+    for (int i = 0; i < 10 * seconds; ++i) {
+      bank.Step({.command = command, .q = still, .dq = still});
+    }
+    return bank.winding_c()[5];
+  };
+  EXPECT_NEAR(after(600), 79, 2);
+  EXPECT_NEAR(after(3000), 94, 2);
+}
+
+// Of each robot: a pack from which its most current is asked all the time has ever less for its
+// motors, and cuts off in the end; without any torque lost before, nothing would tell that it dies.
+TEST(RobotsTest, ADyingPackWeakensTheMotorsBeforeItCutsOff) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    SCOPED_TRACE(name);
+    const robot::RobotSpec robot = Robot(name).robot;
+    const robot::MotorSpec& motor = robot.motors[0];
+    const double rated_v = robot::FindMotorType(robot, motor.type)->rated_v;
+    const robot::TorqueCurve curve{motor.torque_limit, motor.knee_speed, motor.no_load_speed};
+    const auto torque = [&](const robot::Battery& pack) {
+      const double volts = std::min(1.0, pack.supply().voltage / rated_v);
+      const double rate = curve.knee > 0 ? curve.knee : 0.5 * curve.no_load;
+      return robot::AvailableTorque(curve, 1e9, rate, volts) / curve.limit;
+    };
+    robot::Battery pack(robot.battery);
+    EXPECT_EQ(torque(pack), 1) << "full";
+    const double power = 2 * robot.battery.idle_a * pack.reading().voltage;
+    double weakest = 1;
+    while (pack.cut_off() == robot::CutOff::kNone) {
+      weakest = torque(pack);
+      pack.Step(power, 1);
+    }
+    EXPECT_LT(weakest, 0.9);
+    EXPECT_LT(pack.reading().soc, 0.1);
+    EXPECT_FALSE(pack.supply().on);
+  }
+}
+
 TEST(RobotsTest, AnUnknownMotorTypeNamesTheNearest) {
   EXPECT_THAT(ErrorOf([] {
                 LoadConfig({.robot = "go2", .sets = {"robot.motors.0.type=Go2VH"}},
