@@ -136,6 +136,45 @@ TEST(RobotsTest, EveryMotorIsOfATypeWhoseFiguresFollowFromEachOther) {
   }
 }
 
+TEST(RobotsTest, EveryMotorOfABodyLosesItsTorqueWithVoltageAndHeatAndGivesNoMoreThanItsLimit) {
+  for (const std::string& name : RobotNames(UNDERSTUDY_SOURCE_DIR)) {
+    const robot::RobotSpec robot = Robot(name).robot;
+    const std::size_t all = robot::AllMotors(robot).size();
+    const std::vector<double> still(all);
+    const robot::RobotCommand most{
+        .motors = std::vector<robot::MotorCommand>(all, {.enabled = true, .tau = 1e6})};
+    // What each gives at rest with such a share of its rated voltage, hotter than at rest by that.
+    const auto torque = [&](double volts, double heat_c) {
+      const robot::MotorTypeSpec* type = robot::FindMotorType(robot, robot.motors[0].type);
+      const std::vector<robot::MotorEffects> hot(all, {.heat_c = heat_c});
+      robot::MotorBank bank(robot, robot::MotorBank::kHeatPeriod);
+      for (int i = 0; i < 2; ++i) {
+        bank.Step({.command = most,
+                   .q = still,
+                   .dq = still,
+                   .supply = {.voltage = volts * type->rated_v},
+                   .faults = hot});
+      }
+      return std::vector<double>(bank.torque().begin(), bank.torque().end());
+    };
+    const std::vector<double> full = torque(1, 0), weak = torque(0.1, 0), warm = torque(1, 80),
+                              hot = torque(1, 120);
+    for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+      SCOPED_TRACE(name + " " + robot.motors[i].joint);
+      const robot::MotorTypeSpec* type = robot::FindMotorType(robot, robot.motors[i].type);
+      EXPECT_GT(type->rated_v, 0);
+      EXPECT_GT(type->no_load_speed, 0);
+      EXPECT_LE(full[i], robot.motors[i].torque_limit);
+      if (full[i] == 0) continue;  // of a pair whose motors push alike: its roll
+      EXPECT_GE(full[i], 0.5 * robot.motors[i].torque_limit);
+      EXPECT_LT(weak[i], 0.5 * full[i]);
+      EXPECT_LT(warm[i], full[i]);
+      EXPECT_GE(warm[i], 0.5 * full[i]);
+      EXPECT_EQ(hot[i], 0);
+    }
+  }
+}
+
 // s until the first motor whose joint is named gives less torque and none, stalled at its limit.
 std::array<double, 2> StallsFor(const std::string& name, const std::string& joint) {
   constexpr double kStep = 0.1;
