@@ -15,7 +15,7 @@
 namespace understudy::physics {
 namespace {
 
-// A wheel of 1 kg·m² with dry and viscous friction on a base that stands on one ball, 3 kg in all;
+// A wheel of 1 kg·m² with dry and viscous friction on a base that stands on two balls, 3 kg in all;
 // the second joint has a range that is not even about 0.
 constexpr char kBody[] = R"(
 <mujoco>
@@ -25,7 +25,8 @@ constexpr char kBody[] = R"(
     <body name="base">
       <freejoint/>
       <inertial pos="0 0 0" mass="1" diaginertia="1 1 1"/>
-      <geom name="foot" type="sphere" size="0.1"/>
+      <geom name="heel" type="sphere" size="0.1" pos="-0.2 0 0"/>
+      <geom name="toe" type="sphere" size="0.1" pos="0.2 0 0"/>
       <site name="imu"/>
       <body name="wheel">
         <joint name="wheel_joint" axis="0 0 1" damping="0.5" frictionloss="2" armature="0.25"/>
@@ -48,7 +49,7 @@ class RobotBodyTest : public test::MujocoTest {
     spec.imu.site = "imu";
     spec.motors.push_back({.joint = "wheel_joint", .slot = 0});
     spec.motors.push_back({.joint = "arm_joint", .slot = 1});
-    spec.feet = {{.name = "foot", .geoms = {"foot"}, .axis = axis}};
+    spec.feet = {{.name = "foot", .geoms = {"heel", "toe"}, .axis = axis}};
     World world(
         LoadWorldModel({{spec, folder.Write("body.xml", kBody)}},
                        folder.Write("scene.xml",
@@ -125,7 +126,7 @@ TEST_F(RobotBodyTest, KnowsTheRangesAndArmaturesOfItsJoints) {
   EXPECT_EQ(world_.robot().Armatures(), (std::vector<double>{0.25, 0}));
 }
 
-TEST_F(RobotBodyTest, FeelsOfItsFootsForceWhatIsAlongItsAxisWhicheverWayThatPoints) {
+TEST_F(RobotBodyTest, FeelsWhatIsAlongItsFootsAxisOfAllThatTouchesIt) {
   EXPECT_NEAR(FootForce(&world_), 30, 0.1);
   World down = Make({0, 0, -1}), up = Make({0, 0, 1}), aslant = Make({0, 0.6, 0.8}),
         aside = Make({1, 0, 0});
