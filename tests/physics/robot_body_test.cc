@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <gtest/gtest.h>
+#include <mujoco/mujoco.h>
 
 #include "physics/world.h"
 #include "physics/world_model.h"
@@ -42,7 +43,7 @@ constexpr char kBody[] = R"(
 
 class RobotBodyTest : public test::MujocoTest {
  protected:
-  static World Make(const Eigen::Vector3d& axis) {
+  static World Make(const Eigen::Vector3d& axis, double yaw = 0) {
     const test::TemporaryFolder folder;
     robot::RobotSpec spec;
     spec.base_body = spec.crane_body = "base";
@@ -50,13 +51,14 @@ class RobotBodyTest : public test::MujocoTest {
     spec.motors.push_back({.joint = "wheel_joint", .slot = 0});
     spec.motors.push_back({.joint = "arm_joint", .slot = 1});
     spec.feet = {{.name = "foot", .geoms = {"heel", "toe"}, .axis = axis}};
+    const PlacedRobot placed{.spec = spec, .file = folder.Write("body.xml", kBody), .yaw = yaw};
     World world(
-        LoadWorldModel({{spec, folder.Write("body.xml", kBody)}},
+        LoadWorldModel({placed},
                        folder.Write("scene.xml",
                                     "<mujoco><worldbody><geom type=\"plane\" size=\"9 9 1\"/>"
                                     "</worldbody></mujoco>"),
                        0.001),
-        {{spec}});
+        {placed});
     world.robot().Reset({.q = {0, 0}, .height = 0.1});
     return world;
   }
@@ -134,6 +136,30 @@ TEST_F(RobotBodyTest, FeelsWhatIsAlongItsFootsAxisOfAllThatTouchesIt) {
   EXPECT_NEAR(FootForce(&up), 30, 0.1);
   EXPECT_NEAR(FootForce(&aslant), 24, 0.1);
   EXPECT_NEAR(FootForce(&aside), 0, 0.1);
+}
+
+// Its pose is that of its file, turned with its place about the vertical.
+TEST_F(RobotBodyTest, IsPutIntoItsPoseAndThenTurnedAsItIsPlaced) {
+  World world = Make({0, 0, 0}, M_PI / 2);
+  world.robot().Reset({.q = {0, 0}, .height = 1, .quat = {std::cos(0.25), 0, std::sin(0.25), 0}});
+  const Eigen::Vector3d ahead = world.robot().Imu().R_WI * Eigen::Vector3d::UnitX();
+  EXPECT_LT((ahead - Eigen::Vector3d(0, std::cos(0.5), -std::sin(0.5))).norm(), 1e-9);
+}
+
+TEST_F(RobotBodyTest, RunsBitForBitAsAFreshOneOnceItHasBeenReset) {
+  const auto run = [](World* world) {
+    world->robot().Reset({.q = {0, 1}, .height = 0.1});
+    world->robot().SetRates(std::vector<double>{3, 2});
+    for (int i = 0; i < 50; ++i) {
+      world->BeginStep();
+      EXPECT_EQ(world->EndStep(), StepHealth::kFine);
+    }
+    return std::vector<double>(world->data().qpos, world->data().qpos + world->model().nq);
+  };
+  World used = Make({0, 0, 0}), fresh = Make({0, 0, 0});
+  used.robot().SetRates(std::vector<double>{-20, -20});
+  FootForce(&used);
+  EXPECT_EQ(run(&used), run(&fresh));
 }
 
 }  // namespace
