@@ -74,7 +74,6 @@ void Battery::SwitchOff() {
 void Battery::Restart() {
   if (cut_off_ == CutOff::kNone || reading_.soc <= 0) return;
   cut_off_ = CutOff::kNone;
-  reading_.on = true;
   Load(0);
   bus_v_ = reading_.voltage;
   mean_a_ = -reading_.current;
@@ -131,7 +130,6 @@ void Battery::Protect(double dt) {
     cut_off_ = CutOff::kUndervoltage;
   }
   if (cut_off_ == CutOff::kNone) return;
-  reading_.on = false;
   Load(0);
 }
 

@@ -87,7 +87,6 @@ struct BatteryReading {
   double current = 0;  // A, negative while the pack gives
   double soc = 1;      // 0..1
   double temperature_c = 25;
-  bool on = true;                               // false: it has cut off, and its bus has no voltage
   std::array<double, kMostCells> cell_off_v{};  // V, by how much each cell is over their mean
 };
 

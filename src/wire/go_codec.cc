@@ -30,8 +30,7 @@ constexpr std::uint8_t kServoStrong = 0x0A;  // vendor, H1 basic services
 // and 2026-03). That other robots of the family send the same is *assumed*.
 constexpr std::uint32_t kMotorRate = 602;  // seen 523..638, the same for all motors; unit unknown
 constexpr std::uint8_t kBmsVersion[] = {1, 16};
-constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services, as the next
-constexpr std::uint8_t kBatteryOff = 0;
+constexpr std::uint8_t kDischarging = 8;  // vendor, Go2-W basic services
 constexpr std::uint16_t kBmsCycles = 17;
 constexpr double kMosWarmer_c = 2;           // mcu_ntc over bq_ntc; seen 1..4
 constexpr std::uint8_t kNotCharging = 0x04;  // bits of bit_flag: vendor, Go2-W basic services
@@ -48,7 +47,7 @@ void EncodeBattery(const robot::BatteryReading& battery, const robot::BatterySpe
                    unitree_go_msg_dds__BmsState_* message) {
   message->version_high = kBmsVersion[0];
   message->version_low = kBmsVersion[1];
-  message->status = battery.on ? kDischarging : kBatteryOff;
+  message->status = kDischarging;
   message->soc = Rounded<std::uint8_t>(100 * battery.soc, 0, 100);
   message->current = Rounded<std::int32_t>(1000 * battery.current);
   message->cycle = kBmsCycles;
@@ -126,8 +125,7 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
     message->fan_frequency[i] = Rounded<std::uint16_t>(state.board.fan_rpm[i], 0, 65535);
   }
   message->fan_frequency[3] = state.board.stalled;
-  message->power_v =
-      state.battery.on ? static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop)) : 0;
+  message->power_v = static_cast<float>(std::max(0.0, state.battery.voltage - kBoardDrop));
   message->power_a = static_cast<float>(kBoardShare * std::abs(state.battery.current));
   message->crc = MessageCrc(*message);
 }

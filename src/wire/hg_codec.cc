@@ -79,8 +79,7 @@ void Encode(const robot::RobotState& state, const robot::RobotSpec& spec,
   message->tick = static_cast<std::uint32_t>(state.tick_ms);
   EncodeImu(state.imu, &message->imu_state);
 
-  const double bus_v = state.battery.on ? state.battery.voltage : 0;
-  const auto vol = static_cast<float>(kVolStep * std::round(bus_v / kVolStep));
+  const auto vol = static_cast<float>(kVolStep * std::round(state.battery.voltage / kVolStep));
   for (std::size_t i = 0; i < spec.motors.size(); ++i) {
     const robot::MotorReading& motor = state.motors[i];
     MotorState& wire = message->motor_state[SlotOf(spec.motors[i])];

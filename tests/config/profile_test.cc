@@ -1,6 +1,11 @@
 #include "config/profile.h"
 
 #include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
 
 #include "config/reference.h"
 #include "config_fixture.h"
@@ -86,6 +91,66 @@ TEST(ProfilesTest, AreFourAndSayEachValueOfTheSensors) {
       }
       EXPECT_NE(value, nullptr) << name << " " << key;
     }
+  }
+}
+
+// The comments of a profile by key: what is behind # on its line, and on those below that have
+// nothing else.
+std::map<std::string, std::string> CommentsOf(const std::string& profile) {
+  std::map<std::string, std::string> comments;
+  std::string group, key;
+  std::ifstream file(kSource / "config/profiles" / (profile + ".yaml"));
+  for (std::string line; std::getline(file, line);) {
+    std::smatch parts;
+    if (std::regex_match(line, parts, std::regex("( *)([a-z_]+):(.*)"))) {
+      const std::string rest = parts[3];
+      if (rest.empty()) {
+        group = parts[1].length() == 0 ? "" : std::string(parts[2]) + ".";
+        continue;
+      }
+      key = (parts[1].length() == 2 ? "" : group) + std::string(parts[2]);
+      const std::size_t comment = rest.find('#');
+      comments[key] = comment == std::string::npos ? "" : rest.substr(comment);
+    } else if (!key.empty()) {
+      comments[key] += line;
+    }
+  }
+  return comments;
+}
+
+TEST(ProfilesTest, SayTheUnitAndTheSourceOfEachValue) {
+  const std::string grades = "assumed|derived|measured|vendor|no figure is published";
+  const std::map<std::string, std::string> others = {
+      {"nominal", ""},
+      {"worn", "|as nominal"},
+      {"harsh", "|as nominal"},
+      {"ideal", "|none|no end|no error|not used|the truth|warm|of nothing"}};
+  const std::set<std::string> without_unit = {"quantise", "noise", "imu.saturate", "imu.attitude"};
+  for (const auto& [profile, more] : others) {
+    const std::map<std::string, std::string> comments = CommentsOf(profile);
+    EXPECT_GT(comments.size(), 20U);
+    for (const auto& [key, comment] : comments) {
+      EXPECT_TRUE(std::regex_search(comment, std::regex(grades + more)))
+          << profile << " " << key << ": " << comment;
+      if (without_unit.contains(key)) continue;
+      EXPECT_TRUE(std::regex_search(
+          comment, std::regex("# (times|share|s|Hz|N|m|rad|°C|1/s|1/s²|rad/s|m/s²|N/√s|m/√s|"
+                              "rad/s/√s|m/s²/√s); ")))
+          << profile << " " << key << ": " << comment;
+    }
+  }
+}
+
+// docs/fidelity.md says which keys of nominal.yaml are not: all others are assumed.
+TEST(ProfilesTest, AreAssumedWhereTheListOfAllThatIsSaysSo) {
+  std::ifstream file(kSource / "docs/fidelity.md");
+  std::string row;
+  while (std::getline(file, row) && !row.starts_with("| `nominal.yaml` |")) continue;
+  ASSERT_FALSE(row.empty());
+  for (const auto& [key, comment] : CommentsOf("nominal")) {
+    const bool assumed = comment.find("assumed") != std::string::npos ||
+                         comment.find("no figure is published") != std::string::npos;
+    EXPECT_NE(assumed, row.find("`" + key + "`") != std::string::npos) << key << comment;
   }
 }
 

@@ -72,7 +72,7 @@ TEST_F(PowerTest, ABatteryThatRunsLowIsToldOnceAndOneThatIsEmptyTakesTheTorque) 
   port_.Send(Torque(5));
   Tick(3);
   EXPECT_NEAR(state().motors[0].tau, 5, 1e-9);
-  EXPECT_TRUE(state().battery.on);
+  EXPECT_EQ(world_->status().power, PowerState::kOn);
   for (int i = 0; i < 1000; ++i) {
     if (i % 50 == 0) port_.Send(Torque(5));
     Tick();
@@ -97,7 +97,7 @@ TEST_F(PowerTest, ABatteryThatHasCutOffIsOnAgainAfterAReset) {
   Ask("reset", {});
   Tick(2);
   EXPECT_EQ(port_.samples().size(), before + 2);
-  EXPECT_TRUE(state().battery.on);
+  EXPECT_EQ(world_->status().power, PowerState::kOn);
   const std::vector<Event> told = Events(EventKind::kCutOff);
   ASSERT_EQ(told.size(), 2U);
   EXPECT_EQ(told[0].numbers[0], static_cast<double>(robot::CutOff::kOvercurrent));
@@ -222,6 +222,24 @@ TEST_F(PowerTest, AWeakBatteryWeakensTheMotors) {
   Ask("fault", {{"component", "battery"}, {"fault", "weak"}, {"by", 50}});
   Tick(100);
   EXPECT_LT(std::abs(state().motors[0].tau), 0.8 * strong);
+}
+
+// What follows from the voltage of the bus, and from nothing else, while messages still come.
+TEST_F(PowerTest, APackThatSagsTellsABusWithoutVoltageAndRecovers) {
+  config_.robot.battery.most_a = 0;
+  config_.robot.battery.cutoff_a = 0;
+  config_.robot.motor_types[0].rated_v = 35;
+  Start();
+  Ask("fault", {{"component", "battery"}, {"fault", "weak"}, {"by", 50}});
+  port_.Send(Torque(1000));
+  Tick(100);
+  ASSERT_EQ(world_->status().power, PowerState::kOn);
+  EXPECT_LT(state().battery.voltage, robot::MotorBank::kLeastVoltage * 35);
+  EXPECT_TRUE(state().motors[0].undervoltage);
+  port_.Send(Torque(0));
+  Tick(100);
+  EXPECT_GT(state().battery.voltage, robot::MotorBank::kLeastVoltage * 35);
+  EXPECT_FALSE(state().motors[0].undervoltage);
 }
 
 TEST_F(PowerTest, FrictionWarmsACasing) {

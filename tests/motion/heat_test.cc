@@ -38,7 +38,7 @@ TEST_P(HeatTest, AnHourOfStandingLeavesAllOfTheTorque) {
   EXPECT_LT(rig.tilt(), 0.1);
   EXPECT_LT(Hottest(rig), config.robot.thermal.derate_c - 10);
   EXPECT_GT(Hottest(rig), config.robot.thermal.ambient_c + config.robot.thermal.rest_rise_c + 1);
-  EXPECT_TRUE(rig.robot().sampled().battery.on);
+  EXPECT_GT(rig.port().last().state.tick_ms, 19'900) << "a pack that cuts off leaves it dark";
 }
 
 INSTANTIATE_TEST_SUITE_P(Robots, HeatTest, testing::ValuesIn(test::Robots()),

@@ -6,6 +6,7 @@
 
 #include "tests/motion/humanoid/fixture.h"
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -45,6 +46,34 @@ TEST_P(ProfileTest, AG1StandsBalanced) {
     ASSERT_TRUE(rig.Run(15));
     EXPECT_TRUE(rig.standing()) << seed;
     EXPECT_LT(rig.tilt(), 0.2) << seed;
+  }
+}
+
+// Of every robot under its motion service, as it moves into its start pose.
+TEST(IdealProfileTest, TellsTheTruthToTheLastBit) {
+  for (const std::string& name : test::Robots()) {
+    SCOPED_TRACE(name);
+    MotionRig rig(ConfigOf(name, {"profile=ideal", "sensors.quantise=false"}));
+    int told = 0;
+    rig.watch = [&] {
+      const robot::RobotState& state = rig.robot().sampled();
+      if (++told % 10 != 0) return;
+      ASSERT_EQ(state.truth.q.size(), state.motors.size());
+      for (std::size_t i = 0; i < state.motors.size(); ++i) {
+        EXPECT_EQ(state.motors[i].q, state.truth.q[i]);
+        EXPECT_EQ(state.motors[i].dq, state.truth.dq[i]);
+        EXPECT_EQ(state.motors[i].tau, state.truth.tau[i]);
+      }
+      EXPECT_EQ(state.imu.R_WI.coeffs(), state.truth.imu.R_WI.coeffs());
+      EXPECT_EQ(state.imu.w_WI_I, state.truth.imu.w_WI_I);
+      EXPECT_EQ(state.imu.f_WI_I, state.truth.imu.f_WI_I);
+      EXPECT_EQ(state.secondary_imu.f_WI_I, state.truth.secondary_imu.f_WI_I);
+      EXPECT_EQ(state.foot_force, state.truth.foot_force);
+      EXPECT_EQ(state.odometry.p_WB, state.base.p_WB);
+      EXPECT_EQ(state.odometry.v_WB_W, state.base.v_WB_W);
+    };
+    ASSERT_TRUE(rig.Run(0.5));
+    EXPECT_GE(told, 250);
   }
 }
 

@@ -109,7 +109,6 @@ TEST(BatteryTest, CutsOffWhenItIsEmptyAndStaysSo) {
   for (int i = 0; i < 20; ++i) Draw(&battery, 0, 3600);
   EXPECT_EQ(battery.reading().soc, 0);
   EXPECT_EQ(battery.cut_off(), CutOff::kEmpty);
-  EXPECT_FALSE(battery.reading().on);
   EXPECT_EQ(battery.reading().current, 0);
   EXPECT_EQ(battery.reading().voltage, 30);  // of its cells
   EXPECT_FALSE(battery.supply().on);

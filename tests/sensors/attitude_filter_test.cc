@@ -87,5 +87,36 @@ TEST(AttitudeFilterTest, DoesNotBelieveFlightsAndImpacts) {
   EXPECT_LT(Tilt(filter.R_WI()), 1e-9);
 }
 
+// Half of gravity more or less is the end of what it believes.
+TEST(AttitudeFilterTest, BelievesItsAccelerometerWithinHalfOfGravity) {
+  const auto leans = [](double norm) {
+    AttitudeFilter filter(0.2, 0.01, kDt);
+    filter.Restart(Quaterniond::Identity(), Vector3d(0, 0, kG));
+    const Vector3d tilted = norm * Vector3d(0.1, 0, 1).normalized();
+    for (int i = 0; i < 100; ++i) filter.Step(Vector3d::Zero(), tilted);
+    return Tilt(filter.R_WI()) > 1e-6;
+  };
+  EXPECT_FALSE(leans(0.49 * kG));
+  EXPECT_TRUE(leans(0.51 * kG));
+  EXPECT_TRUE(leans(1.49 * kG));
+  EXPECT_FALSE(leans(1.51 * kG));
+}
+
+TEST(AttitudeFilterTest, TurnsToTheVerticalAtItsGainHoweverHardItIsPressed) {
+  AttitudeFilter filter(0.5, 0, kDt);
+  filter.Restart(Quaterniond(AngleAxisd(0.02, Vector3d::UnitX())), Vector3d::Zero());
+  for (int i = 0; i < 2000; ++i) filter.Step(Vector3d::Zero(), Vector3d(0, 0, 1.4 * kG));
+  EXPECT_NEAR(Tilt(filter.R_WI()), 0.02 * std::exp(-0.5 * 2), 2e-5);
+}
+
+TEST(AttitudeFilterTest, ForgetsAtARestartTheBiasThatItHasLearnt) {
+  AttitudeFilter filter(0.2, 0.01, kDt);
+  filter.Restart(Quaterniond::Identity(), Vector3d(0, 0, kG));
+  for (int i = 0; i < 60'000; ++i) filter.Step(Vector3d(0.01, 0, 0), Vector3d(0, 0, kG));
+  filter.Restart(Quaterniond::Identity(), Vector3d(0, 0, kG));
+  for (int i = 0; i < 100; ++i) filter.Step(Vector3d::Zero(), Vector3d(0, 0, kG));
+  EXPECT_LT(Tilt(filter.R_WI()), 1e-12);
+}
+
 }  // namespace
 }  // namespace understudy::sensors

@@ -79,5 +79,24 @@ TEST(FootSensorsTest, WalkAwayWithTheRootOfTimeAndComeBackAtARestart) {
   EXPECT_EQ(after(400, true), 0);
 }
 
+TEST(FootSensorsTest, ErrEachByItsOwn) {
+  FootSensors feet({.foot = {.offset = 4}}, kFeet, 0.001);
+  EXPECT_NE(feet.Read(0, kNone), feet.Read(1, kNone));
+  EXPECT_NE(feet.Read(1, kNone), feet.Read(2, kNone));
+  FootSensors walking({.foot = {.walk = 4}}, kFeet, 0.001);
+  walking.Step();
+  EXPECT_NE(walking.Read(0, kNone), walking.Read(1, kNone));
+  EXPECT_NE(walking.Read(1, kNone), walking.Read(2, kNone));
+}
+
+TEST(FootSensorsTest, GoOnWithOtherErrorsAsIfTheyHadHadThemFromTheStart) {
+  const SensorConfig config{.foot = {.offset = 4, .scale = 0.1, .cross_talk = 0.05}};
+  const FootSensors wanted(config, kFeet, 0.001);
+  FootSensors feet({}, kFeet, 0.001);
+  feet.Follow(config);
+  const std::vector<double> forces = {100, 50, 20};
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(feet.Read(i, forces), wanted.Read(i, forces));
+}
+
 }  // namespace
 }  // namespace understudy::sensors

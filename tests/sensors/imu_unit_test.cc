@@ -214,5 +214,89 @@ TEST_F(ImuUnitTest, RepeatsBitForBitForASeed) {
   EXPECT_NE(AtRest(100).R_WI.coeffs(), first.R_WI.coeffs());
 }
 
+TEST_F(ImuUnitTest, BeginsAnewWithItsBiasesBehindItsLowPassAndItsLatency) {
+  config_.imu = {.gyro_bias = 0.02,
+                 .gyro_walk = 0.5,
+                 .accel_bias = 0.3,
+                 .accel_walk = 5,
+                 .accel_scale = 0.05,
+                 .bandwidth = 5,
+                 .latency = 0.003};
+  ImuUnit walked = Make();
+  Run(&walked, rest_, 2000);
+  config_.imu.gyro_walk = config_.imu.accel_walk = 0;
+  const robot::ImuReading settled = AtRest(2000);
+  EXPECT_EQ(AtRest(1).w_WI_I, settled.w_WI_I);
+  EXPECT_TRUE(AtRest(1).f_WI_I.isApprox(settled.f_WI_I, 1e-12));
+  const robot::ImuReading before = Run(&walked, rest_, 1);
+  EXPECT_GT((before.w_WI_I - settled.w_WI_I).norm(), 0.1);
+  EXPECT_GT((before.f_WI_I - settled.f_WI_I).norm(), 1);
+  walked.Follow(config_);
+  walked.Restart(rest_, kGravity);
+  for (const int steps : {1, 200}) {
+    const robot::ImuReading after = Run(&walked, rest_, steps);
+    EXPECT_TRUE(after.w_WI_I.isApprox(settled.w_WI_I, 1e-12)) << steps;
+    EXPECT_TRUE(after.f_WI_I.isApprox(settled.f_WI_I, 1e-12)) << steps;
+  }
+}
+
+TEST_F(ImuUnitTest, GoesOnWithOtherErrorsAsIfItHadHadThemFromTheStart) {
+  spec_.gyro_noise = 0.01;
+  const SensorConfig before = config_;
+  config_.noise = true;
+  config_.quantise = true;
+  config_.noise_gain = 2;
+  config_.imu = {.gyro_bias = 0.02,
+                 .gyro_scale = 0.05,
+                 .gyro_misalignment = 0.02,
+                 .accel_bias = 0.3,
+                 .accel_scale = 0.05,
+                 .accel_misalignment = 0.02,
+                 .saturate = true,
+                 .warm_up = 2};
+  robot::ImuReading truth = rest_;
+  truth.w_WI_I = {1, 2, 100};
+  ImuUnit one = Make();
+  const robot::ImuReading wanted = Run(&one, truth, 1);
+  ImuUnit other(before, spec_, "imu", kImuStream, kDt);
+  other.Restart(rest_, kGravity);
+  other.Follow(config_);
+  const robot::ImuReading told = Run(&other, truth, 1);
+  EXPECT_EQ(told.w_WI_I, wanted.w_WI_I);
+  EXPECT_EQ(told.f_WI_I, wanted.f_WI_I);
+  EXPECT_EQ(told.temperature_c, wanted.temperature_c);
+  EXPECT_EQ(told.w_WI_I.z(), 32767.0 / 1024);
+}
+
+TEST_F(ImuUnitTest, GoesOnWithOtherGainsOfItsFilter) {
+  config_.imu.attitude = AttitudeSource::kFilter;
+  config_.imu.attitude_gain = 0;
+  config_.imu.attitude_trim = 0;
+  ImuUnit unit = Make();
+  robot::ImuReading pressed = rest_;
+  pressed.f_WI_I = {1, 0, 9.8};
+  EXPECT_EQ(Run(&unit, pressed, 1000).R_WI.y(), 0);
+  config_.imu.attitude_gain = 1;
+  unit.Follow(config_);
+  EXPECT_LT(Run(&unit, pressed, 1000).R_WI.y(), -0.02);
+}
+
+TEST_F(ImuUnitTest, TakesTheOffsetOfAFaultForARateAndNotForAnAcceleration) {
+  fault_.rate = 0.5;
+  EXPECT_EQ(AtRest().w_WI_I, Vector3d::Constant(0.5));
+  EXPECT_EQ(AtRest().f_WI_I, rest_.f_WI_I);
+}
+
+// Their streams are apart, so that the one is not the other's echo.
+TEST_F(ImuUnitTest, WalksByOtherChanceThanItIsNoisyBy) {
+  config_.imu.gyro_walk = 1 / std::sqrt(kDt);
+  const Vector3d walk = AtRest().w_WI_I;
+  config_.imu.gyro_walk = 0;
+  config_.noise = true;
+  spec_.gyro_noise = 1;
+  const Vector3d noise = AtRest().w_WI_I;
+  EXPECT_GT((walk - noise).norm(), 0.1);
+}
+
 }  // namespace
 }  // namespace understudy::sensors

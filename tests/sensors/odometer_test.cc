@@ -67,5 +67,30 @@ TEST(OdometerTest, WalksWithTheRootOfTimeAndBeginsAnewAtTheTruth) {
   EXPECT_NEAR(std::sqrt(square / kSeeds), 0.02, 0.002);
 }
 
+TEST(OdometerTest, StretchesTheWayAsideByAnErrorOfItsOwn) {
+  Odometer odometer({.odometer = {.scale = 0.1}}, 0.001);
+  const double ahead = Drawn(1, "odometer.scale", "x", 0.1);
+  const double aside = Drawn(1, "odometer.scale", "y", 0.1);
+  ASSERT_GT(std::abs(ahead - aside), 1e-3);
+  const robot::BaseReading truth{.v_WB_W = {0.3, 0.4, 0}};
+  odometer.Restart({});
+  odometer.Step(truth, Heading(0), Heading(0));
+  EXPECT_NEAR(odometer.reading().v_WB_W.x(), (1 + ahead) * 0.3, 1e-12);
+  EXPECT_NEAR(odometer.reading().v_WB_W.y(), (1 + aside) * 0.4, 1e-12);
+}
+
+TEST(OdometerTest, GoesOnWithOtherErrorsAndKeepsWhatItHasAddedUp) {
+  Odometer odometer({.odometer = {.scale = 0.1}}, 0.001);
+  const robot::BaseReading truth{.v_WB_W = {0.3, 0.4, 0}};
+  odometer.Restart({});
+  for (int i = 0; i < 100; ++i) odometer.Step(truth, Heading(0), Heading(0));
+  const Vector3d off = odometer.reading().p_WB - truth.p_WB;
+  ASSERT_GT(off.norm(), 1e-4);
+  odometer.Follow({});
+  odometer.Step(truth, Heading(0), Heading(0));
+  EXPECT_EQ(odometer.reading().v_WB_W, truth.v_WB_W);
+  EXPECT_EQ(odometer.reading().p_WB - truth.p_WB, off);
+}
+
 }  // namespace
 }  // namespace understudy::sensors

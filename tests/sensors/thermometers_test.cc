@@ -32,5 +32,11 @@ TEST(ThermometersTest, AreOffEachByItsOwn) {
   EXPECT_LE(std::abs(thermometers.reading_c(0) - 20), 6);
 }
 
+TEST(ThermometersTest, AreOtherOnesForAnotherSeed) {
+  Thermometers one({.seed = 3, .thermometer = {.offset_c = 2}}, {"a"}, 0.001);
+  Thermometers other({.seed = 4, .thermometer = {.offset_c = 2}}, {"a"}, 0.001);
+  EXPECT_NE(one.reading_c(0), other.reading_c(0));
+}
+
 }  // namespace
 }  // namespace understudy::sensors

@@ -218,16 +218,12 @@ TEST(GoEncodeTest, WritesEachCellWithItsOwnVoltage) {
   EXPECT_EQ(message.bms_state.cell_vol[3], 4002);
 }
 
-// 0: vendor, Go2-W basic services. The cells keep their voltage.
-TEST(GoEncodeTest, TellsABatteryThatHasCutOff) {
+TEST(GoEncodeTest, TellsAMotorWhoseBusHasTooLittleVoltage) {
   robot::RobotState state = StateOf(GoRobot());
-  state.battery = {.voltage = 32, .current = 0, .soc = 0.5, .on = false};
   state.motors[0].undervoltage = true;
   const LowState message = EncodeOnce(state);
-  EXPECT_EQ(message.bms_state.status, 0);
-  EXPECT_EQ(message.power_v, 0);
-  EXPECT_EQ(message.bms_state.cell_vol[0], 4000);
   EXPECT_EQ(message.motor_state[GoRobot().motors[0].slot].reserve[0], 0x08U);
+  EXPECT_EQ(message.motor_state[GoRobot().motors[1].slot].reserve[0], 0U);
 }
 
 TEST(GoEncodeTest, TellsThatNoRemoteIsThere) {

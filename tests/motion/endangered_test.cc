@@ -1,0 +1,142 @@
+// Robots under their motion services that are brought into each danger: what the service does, and
+// how it is told. Their rules alone: protection_test.cc.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "emulator/told_event.h"
+#include "tests/motion/humanoid/fixture.h"
+#include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
+
+namespace understudy::motion {
+namespace {
+
+using authority::MotionVerdict;
+
+std::vector<std::string> Told(const MotionRig& rig) {
+  std::vector<std::string> told;
+  emulator::EventRing::Reader reader(&rig.events());
+  for (emulator::Event event; reader.Next(&event);) {
+    if (event.kind == emulator::EventKind::kProtection) {
+      told.push_back(emulator::ToldEvent{.event = event}.text());
+    }
+  }
+  return told;
+}
+
+bool HasTold(const MotionRig& rig, const std::string& danger) {
+  return std::ranges::any_of(Told(rig), [&](const std::string& text) {
+    return text.starts_with("protection: " + danger);
+  });
+}
+
+// What the status tells of a danger now.
+robot::Protection Does(const MotionRig& rig, robot::Danger danger) {
+  return rig.state().dangers[static_cast<std::size_t>(danger)].does;
+}
+
+TEST(EndangeredRobotTest, AGo2ThatIsThrownOverDampsAndTellsItsTilt) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  EXPECT_TRUE(Told(rig).empty());
+  rig.Push({0, 900, 0}, 0.3);
+  EXPECT_TRUE(rig.RunUntil(1001, 2));
+  EXPECT_TRUE(HasTold(rig, "tilt"));
+  EXPECT_GT(rig.tilt(), 1);
+}
+
+TEST(EndangeredRobotTest, AG1ThatIsThrownOverDampsAndTellsItsTilt) {
+  HumanoidRig rig("g1");
+  rig.Start("standing");
+  rig.Run(1);
+  rig.SetFsm(501);
+  rig.Run(1);
+  rig.Push({900, 0, 0}, 0.3);
+  EXPECT_TRUE(rig.RunUntil(1, 4));
+  EXPECT_TRUE(HasTold(rig, "tilt"));
+}
+
+// A limit far below the usual one, since no motor turns half as fast again as it can by itself.
+TEST(EndangeredRobotTest, AMotorThatTurnsTooFastIsToldAndNothingElse) {
+  QuadrupedRig rig("go2", {"robot.motion.protection.overspeed={limit: 0.02}"});
+  rig.Start("lying");
+  rig.Run(1);
+  EXPECT_FALSE(HasTold(rig, "overspeed"));
+  rig.Ask(goal::StandUp{});
+  rig.Run(5);
+  EXPECT_EQ(rig.state().id, 1002);
+  EXPECT_TRUE(HasTold(rig, "overspeed"));
+  EXPECT_GT(rig.height(), 0.3) << "it stands all the same";
+  EXPECT_EQ(Does(rig, robot::Danger::kOverspeed), robot::Protection::kNothing) << "over";
+}
+
+TEST(EndangeredRobotTest, AJointThatReadsBeyondItsRangeIsToldAndNothingElse) {
+  QuadrupedRig rig("go2");
+  rig.Start("lying");
+  rig.Run(1);
+  EXPECT_FALSE(HasTold(rig, "joint_end"));
+  const double least = -2.7227;  // of the calf's range
+  const double q = rig.world().robot().q()[2];
+  rig.Request("fault", {{"component", "FR_calf_joint.encoder"}, {"fault", "offset"}, {"by", 0.15}});
+  EXPECT_NEAR(q, least, 0.05);
+  rig.Run(0.5);
+  EXPECT_FALSE(HasTold(rig, "joint_end")) << "to the inside";
+  rig.Request("fault", {{"component", "FR_calf_joint.encoder"}, {"fault", "offset"}, {"by", -0.2}});
+  rig.Run(0.5);
+  EXPECT_TRUE(HasTold(rig, "joint_end"));
+  EXPECT_EQ(Does(rig, robot::Danger::kJointEnd), robot::Protection::kWarn);
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
+}
+
+TEST(EndangeredRobotTest, AGo2WhoseChargeIsLowStopsAndWalksNoMore) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  ASSERT_EQ(rig.Ask(goal::BalanceStand{}), MotionVerdict::kTaken);
+  rig.Run(1);
+  ASSERT_EQ(rig.Ask(goal::Move{0.5, 0, 0, 60}), MotionVerdict::kTaken);
+  rig.Run(2);
+  rig.Request("fault", {{"component", "battery"}, {"fault", "empty"}, {"by", 0.19}});
+  rig.Run(3);
+  EXPECT_TRUE(HasTold(rig, "charge"));
+  const double x = rig.world().robot().base().p_WB.x();
+  EXPECT_EQ(rig.Ask(goal::Move{0.5, 0, 0, 5}), MotionVerdict::kNotNow);
+  rig.Run(2);
+  EXPECT_NEAR(rig.world().robot().base().p_WB.x(), x, 0.05);
+  EXPECT_EQ(rig.Ask(goal::Damp{}), MotionVerdict::kTaken);
+}
+
+// The soft emergency stop, whatever the robot is just doing.
+TEST(EndangeredRobotTest, EveryRobotDampsByItsRemote) {
+  for (const std::string& name : test::Robots()) {
+    SCOPED_TRACE(name);
+    MotionRig rig(ConfigOf(name));
+    ASSERT_TRUE(rig.Run(1));
+    if (robot::IsQuadruped(rig.spec().kind)) {
+      rig.Ask(goal::StandUp{});
+    } else {
+      rig.Ask(goal::SetFsm{1});
+      rig.Run(0.1);
+      rig.Ask(goal::SetFsm{rig.spec().motion.humanoid.lock_stand});
+    }
+    ASSERT_TRUE(rig.Run(1));
+    const auto stiff = [&] {
+      return std::ranges::any_of(rig.command().motors,
+                                 [](const robot::MotorCommand& motor) { return motor.kp > 0; });
+    };
+    EXPECT_TRUE(stiff());
+    rig.Request("remote.press", {{"keys", "L2+B"}});
+    ASSERT_TRUE(rig.Run(0.2));
+    EXPECT_FALSE(stiff());
+    for (std::size_t i = 0; i < rig.spec().motors.size(); ++i) {  // of the body
+      EXPECT_GT(rig.command().motors[i].kd, 0) << i;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace understudy::motion
