@@ -67,8 +67,9 @@ void AddSize(CLI::App* command, PictureSize* size, const char* what) {
 void AddCamera(CLI::App* command, CameraChoice* camera) {
   CLI::Option* name =
       command->add_option("--camera", camera->name, "A camera of the model, by name");
-  AddNumber(command, "--azimuth", &camera->azimuth, "Degrees; 0 looks along x, 90 along y [135]",
-            -3600, 3600, "X")
+  AddNumber(command, "--azimuth", &camera->azimuth,
+            "Degrees; 0 looks along x, 90 along y [135, or 45 over ground that is not flat]", -3600,
+            3600, "X")
       ->excludes(name);
   AddNumber(command, "--elevation", &camera->elevation, "Degrees; negative looks down [-18]", -90,
             90, "X")
