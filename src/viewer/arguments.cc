@@ -210,7 +210,7 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
       "Examples:\n"
       "  understudy film go2.mp4 --seconds 5\n"
       "  understudy film go2.webp --size 480x270 --fps 15    .webp and .gif for a page\n"
-      "  understudy film slow.mp4 --recording run.mcap --from 10 --to 12 --speed 0.1 --fps 60\n"
+      "  understudy film slow.mp4 --recording run.mcap --from 10 --to 10.4 --speed 0.1 --fps 60\n"
       "The simulated time and the last events stand in the picture; --plain leaves them out.\n"
       "Ctrl-C ends the film where it is; what was filmed can be played.");
   return film;

@@ -1,4 +1,5 @@
-"""Every command that a page or a help shows is one that the program takes, and those of `ctl` work."""
+"""Every command that a page or a help shows is one that the program takes; test_help_examples.py runs those of
+helps."""
 
 import pathlib
 import re
@@ -127,23 +128,3 @@ def test_the_program_takes_every_example_of_its_help(tmp_path):
         for line in lines:
             for words in commands_of(line):
                 check(words, tmp_path)
-
-
-def test_every_example_of_ctl_works(play, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # where it records to
-    robot = play("go2", "--start", "hanging")
-    before = {"step": ["pause"], "resume": [], "release": [], "raise": ["crane", "attach"], "attach": [],
-              "joint": ["clamp", "on"]}
-    for verb in verbs():
-        name = verb[-1]
-        if verb[0] != "ctl" or verb == ("ctl",) or name in ("wait", "panel", "stop"):
-            continue
-        for line in lines_of_help(*verb):
-            for words in commands_of(line):
-                if words[0] != "ctl" or {"--watch", "--follow", "--name"} & set(words):
-                    continue
-                if before.get(name):
-                    robot.ctl(*before[name])
-                robot.ctl(*words[1:])
-                if name == "step":
-                    robot.ctl("resume")

@@ -179,8 +179,10 @@ def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play
 
 
 # x ahead of the base, y to its left.
-@pytest.mark.parametrize(("place", "side"), [("front", "x > 1 && Math.abs(y) < 0.3"), ("back", "x < -1 && Math.abs(y) < 0.3"),
-                                             ("left", "y > 1 && Math.abs(x) < 0.3"), ("right", "y < -1 && Math.abs(x) < 0.3")])
+@pytest.mark.parametrize(("place", "side"), [
+    ("front", "x > 1 && Math.abs(y) < 0.3"), ("back", "x < -1 && Math.abs(y) < 0.3"),
+    ("left", "y > 1 && Math.abs(x) < 0.3"), ("right", "y < -1 && Math.abs(x) < 0.3"),
+])
 def test_the_view_is_looked_at_from_the_side_that_is_chosen(page, place, side):
     page.evaluate(f"Object.assign(document.getElementById('camera'), {{ value: '{place}' }})"
                   ".dispatchEvent(new Event('change'))")
