@@ -315,7 +315,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       "  understudy rehearse walk.yaml --interface-name eth0 -- python3 walk.py eth0\n"
       "  understudy rehearse push.yaml --set terrain.friction=0.3 --out results\n"
       "  understudy rehearse shoves.yaml --jobs 8        # a campaign: it has `vary`\n"
-      "  understudy rehearse shoves.yaml --run 17        # its 17th run, with all evidence\n"
+      "  understudy rehearse shoves.yaml --run 7         # its 7th run, with all evidence\n"
       "  understudy rehearse shoves.yaml --shard 2/4 --out part2\n"
       "  understudy rehearse --merge part1 part2 part3 part4 --out all\n"
       "Exits with 0 if all expectations hold, 10 if one failed, 11 if none failed and one could\n"

@@ -102,7 +102,10 @@ void CtlCommand::AddRequest(CLI::App* parent, const std::string& verb, const Req
       return;
     }
     if (const auto request = emulator::ReadRequest(row, values); !request) {
-      throw CLI::ValidationError(std::string(row.name), request.why());
+      const std::string name(row.name);
+      std::string why = request.why();  // which begins with a key, and that may be its name
+      if (why.starts_with(name + ": ")) why.erase(0, name.size() + 2);
+      throw CLI::ValidationError(name, why);
     }
     action_ = [this, &row, values] { Request(row, values); };
   });

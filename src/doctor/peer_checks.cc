@@ -71,7 +71,7 @@ Finding MulticastFromPeer(const Evidence& seen) {
   return Datagrams(seen, seen.peer->from_peer, kMulticastWay);
 }
 
-// Its rules are for root to read. What it does is for everybody to see.
+// Its rules are for root to read, by one of several tools. What it does is for everybody to see.
 Finding Firewall(const Evidence& seen) {
   const auto forbidden = [](const Tally& tally) { return tally.error == EPERM; };
   const bool here = seen.self_multicast && forbidden(*seen.self_multicast);
@@ -79,7 +79,7 @@ Finding Firewall(const Evidence& seen) {
     return Wrong("this machine's forbids to send", kOwnFirewall);
   }
   if (!seen.peer) {
-    return NotSeen("its rules are readable as root only", "name a --peer: packets tell");
+    return NotSeen("its rules are not read", "name a --peer: packets tell");
   }
   const Peer& peer = *seen.peer;
   const auto passes = [](const Tally& tally) { return tally.returned > 0; };
@@ -90,7 +90,7 @@ Finding Firewall(const Evidence& seen) {
     return Wrong("DDS finds the peer, and no datagram comes back from it",
                  std::string("there and here: ") + kOwnFirewall);
   }
-  return NotSeen("its rules are readable as root only; the rows above tell what does not pass");
+  return NotSeen("its rules are not read; the rows above tell what does not pass");
 }
 
 Finding RoundTrip(const Evidence& seen) {

@@ -151,7 +151,11 @@ Answer World::Set(Robot* robot, const Request& request) {
   physics_.SetGroundFriction(settings_.ground_friction);
   const SettingKey& key = settings_.keys[setting];
   std::array<char, sizeof(Event::text)> text{};
-  if (key.words.empty()) {
+  if (key.words.empty() && before == 0 && key.key == "terrain.friction") {
+    // 0 is none for all: every patch has its own, and the floor that of the robot's model.
+    std::snprintf(text.data(), text.size(), "%s: %.6g, before each its own", key.key.c_str(),
+                  *value);
+  } else if (key.words.empty()) {
     std::snprintf(text.data(), text.size(), "%s: %.6g%s%s, before %.6g", key.key.c_str(), *value,
                   key.unit.empty() ? "" : " ", key.unit.c_str(), before);
   } else {

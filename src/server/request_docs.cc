@@ -134,8 +134,9 @@ std::string SettingsReference() {
   }
   text +=
       "\n`terrain.friction` is then that of all ground, also of patches with a friction of their "
-      "own; 0 gives back what the run began with. What is drawn for a robot, such as a bias, is "
-      "scaled, not drawn again.\n\nOther keys cannot change:\n\n| keys | because |\n|---|---|\n";
+      "own; 0 gives back what the run began with, which stands behind the 0 in `ctl set`. What is "
+      "drawn for a robot, such as a bias, is scaled, not drawn again.\n\nOther keys cannot "
+      "change:\n\n| keys | because |\n|---|---|\n";
   for (const emulator::FixedSetting& fixed : emulator::FixedSettings()) {
     const bool group = fixed.begins.ends_with('.');
     text += "| `" + std::string(fixed.begins) + (group ? "*` | " : "` | ") +

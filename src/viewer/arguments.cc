@@ -67,8 +67,9 @@ void AddSize(CLI::App* command, PictureSize* size, const char* what) {
 void AddCamera(CLI::App* command, CameraChoice* camera) {
   CLI::Option* name =
       command->add_option("--camera", camera->name, "A camera of the model, by name");
-  AddNumber(command, "--azimuth", &camera->azimuth, "Degrees; 0 looks along x, 90 along y [135]",
-            -3600, 3600, "X")
+  AddNumber(command, "--azimuth", &camera->azimuth,
+            "Degrees; 0 looks along x, 90 along y [135, or 45 over ground that is not flat]", -3600,
+            3600, "X")
       ->excludes(name);
   AddNumber(command, "--elevation", &camera->elevation, "Degrees; negative looks down [-18]", -90,
             90, "X")
@@ -209,7 +210,7 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
       "Examples:\n"
       "  understudy film go2.mp4 --seconds 5\n"
       "  understudy film go2.webp --size 480x270 --fps 15    .webp and .gif for a page\n"
-      "  understudy film slow.mp4 --recording run.mcap --from 10 --to 12 --speed 0.1 --fps 60\n"
+      "  understudy film slow.mp4 --recording run.mcap --from 10 --to 10.4 --speed 0.1 --fps 60\n"
       "The simulated time and the last events stand in the picture; --plain leaves them out.\n"
       "Ctrl-C ends the film where it is; what was filmed can be played.");
   return film;

@@ -11,6 +11,7 @@ namespace {
 
 // *Assumed*: what looks good.
 constexpr double kAzimuth = 135;    // degrees
+constexpr double kUneven = 45;      // degrees, over ground that is not flat: it lies ahead
 constexpr double kElevation = -18;  // degrees
 constexpr double kCloseness = 1.1;  // of the distance from which the whole ball is seen
 constexpr double kLateness = 0.15;  // s that the camera is behind what it follows
@@ -37,7 +38,7 @@ CameraOperator::CameraOperator(const Stage& stage, const CameraChoice& choice,
   }
   const int body = choice.track.empty() ? stage.root() : stage.Body(choice.track);
   const Ball ball = stage.BodyBall(body);
-  camera_.azimuth = choice.azimuth.value_or(kAzimuth);
+  camera_.azimuth = choice.azimuth.value_or(stage.uneven() ? kUneven : kAzimuth);
   camera_.elevation = choice.elevation.value_or(kElevation);
   camera_.distance = choice.distance.value_or(
       kCloseness * DistanceFor(ball.radius, stage.model().vis.global.fovy, size));

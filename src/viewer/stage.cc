@@ -105,6 +105,15 @@ bool Stage::Below(int body, int ancestor) const {
   return body == ancestor;
 }
 
+bool Stage::uneven() const {
+  for (int geom = 0; geom < model_->ngeom; ++geom) {
+    if (!Below(model_->geom_bodyid[geom], root_) && model_->geom_type[geom] != mjGEOM_PLANE) {
+      return true;
+    }
+  }
+  return false;
+}
+
 Ball Stage::RobotBall() const { return BodyBall(root_); }
 
 Ball Stage::BodyBall(int body) const {

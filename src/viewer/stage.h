@@ -51,6 +51,8 @@ class Stage {
 
   // The root body of the robot.
   int root() const { return root_; }
+  // Whether there is more for it to tread on than a plane.
+  bool uneven() const;
   const mjModel& model() const { return *model_; }
   const mjData& data() const { return *data_; }
   std::size_t positions() const { return static_cast<std::size_t>(model_->nq); }

@@ -270,6 +270,8 @@ TEST_F(CtlCommandTest, RefusesWhatIsMissingTooMuchOrOutOfRange) {
   }
   EXPECT_THAT([] { Run("ctl reset standin"); },
               ThrowsMessage<CLI::ParseError>(HasSubstr("did you mean 'standing'?")));
+  EXPECT_THAT([] { Run("ctl speed 0"); },
+              ThrowsMessage<CLI::ParseError>(StartsWith("speed: expected a number")));
 }
 
 }  // namespace

@@ -136,9 +136,11 @@ TEST_F(LiveSettingsTest, AreToldWhenTheyChangeAndListedWithTheirValues) {
   EXPECT_EQ(Set("sensors.noise_gain", 3), "");
   EXPECT_EQ(Set("sensors.noise_gain", 3), "");
   EXPECT_EQ(Set("gate.mode", "lenient"), "");
+  EXPECT_EQ(Set("terrain.friction", 0.5), "");
   EXPECT_EQ(
       Told(EventKind::kSetting),
-      (std::vector<std::string>{"set sensors.noise_gain: 3, before 1", "set gate.mode: lenient"}));
+      (std::vector<std::string>{"set sensors.noise_gain: 3, before 1", "set gate.mode: lenient",
+                                "set terrain.friction: 0.5, before each its own"}));
   Snapshot snapshot = world_->MakeSnapshot();
   snapshot.parts = kPartSettings;
   world_->Show(&snapshot);

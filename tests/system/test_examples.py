@@ -1,9 +1,9 @@
-"""Every command that a page or a help shows is one that the program takes, and those of `ctl` work."""
+"""Every command that a page or a help shows is one that the program takes; test_help_examples.py runs those of
+helps."""
 
 import pathlib
 import re
 import shlex
-import shutil
 
 import pytest
 
@@ -73,13 +73,36 @@ def check_names(words):
     return ours
 
 
+# Needs what a test machine has not got, or does not end by itself; others run such: test_view, test_recipes,
+# test_life_cycle.
+RUN_ELSEWHERE = {"--view", "--gamepad", "--detach", "--interface"}
+
+
+def at_the_examples(folder):
+    """A folder with the shipped examples, where what is recorded is in nobody's way."""
+    here = folder / "runs"
+    if not here.exists():
+        here.mkdir()
+        (here / "examples").symlink_to(ROOT / "examples")
+        for file in [*(ROOT / "examples").glob("*/*.yaml"), ROOT / "examples" / "randomization.yaml"]:
+            (here / file.name).symlink_to(file)
+    return here
+
+
+def succeeded(done, words):
+    """Or it lacks a file that is the reader's, or that a command before it makes."""
+    missing = "cannot be read" in done.stderr or "no such file" in done.stderr.lower()
+    assert done.returncode == 0 or missing, f"{words}: {done.stderr}"
+
+
 def check(words, folder):
-    """Nothing is wrong with the command line, as far as one can tell without a robot that runs."""
+    """Nothing is wrong with the command line; a robot starts by it, if all files that it names are there."""
     ours = check_names(words)
     if words[0] in ("run", "exec"):
-        done = run(*ours, "--print-config", *words[len(ours):], cwd=folder)
-        missing = "cannot be read" in done.stderr or "no such file" in done.stderr.lower()
-        assert done.returncode == 0 or missing, f"{words}: {done.stderr}"
+        here = at_the_examples(folder)
+        succeeded(run(*ours, "--print-config", *words[len(ours):], cwd=here), words)
+        if words[0] == "run" and not RUN_ELSEWHERE & set(ours):
+            succeeded(run(*ours, "--duration", "0.1", "--no-panel", cwd=here), words)
     elif words[:2] != ["ctl", "wait"] and words[0] not in ("rehearse", "judge"):
         done = run(*words, cwd=folder)
         assert done.returncode != USAGE, f"{words}: {done.stderr}"
@@ -105,60 +128,3 @@ def test_the_program_takes_every_example_of_its_help(tmp_path):
         for line in lines:
             for words in commands_of(line):
                 check(words, tmp_path)
-
-
-def test_every_example_of_ctl_works(play, tmp_path, monkeypatch):
-    monkeypatch.chdir(tmp_path)  # where it records to
-    robot = play("go2", "--start", "hanging")
-    before = {"step": ["pause"], "resume": [], "release": [], "raise": ["crane", "attach"], "attach": [],
-              "joint": ["clamp", "on"]}
-    for verb in verbs():
-        name = verb[-1]
-        if verb[0] != "ctl" or verb == ("ctl",) or name in ("wait", "panel", "stop"):
-            continue
-        for line in lines_of_help(*verb):
-            for words in commands_of(line):
-                if words[0] != "ctl" or {"--watch", "--follow", "--name"} & set(words):
-                    continue
-                if before.get(name):
-                    robot.ctl(*before[name])
-                robot.ctl(*words[1:])
-                if name == "step":
-                    robot.ctl("resume")
-
-
-WALKS = """
-scenario: A program ends well
-robot: go2
-program:
-expect: [{final: program.exit_code is 0}]
-"""
-SHOVES = """
-scenario: Seventeen short shoves
-robot: go2
-start: standing
-duration: 0.3
-script: [{at: 0.1, push: {body: base_link, force: [0, $force, 0], for: 0.1}}]
-expect: [{never: base.height < 0.2, name: does not fall}]
-vary: {grid: {$force: {from: 1, to: 17, whole: true}}}
-"""
-
-
-def test_every_example_of_rehearse_and_judge_works(tmp_path):
-    """In a folder that has the files which they name."""
-    (tmp_path / "walk.yaml").write_text(WALKS)
-    (tmp_path / "walk.py").write_text("import sys\nassert sys.argv[1] in ('lo', 'eth0')\n")
-    shutil.copy(ROOT / "config" / "scenarios" / "push.yaml", tmp_path)
-    (tmp_path / "shoves.yaml").write_text(SHOVES)
-    (tmp_path / "expect.yaml").write_text("expect: [{always: gap(lowstate) < 3 ms}]\n")
-    for part in (1, 3, 4):
-        shard = run("rehearse", "shoves.yaml", "--shard", f"{part}/4", "--out", f"part{part}", cwd=tmp_path, timeout=120)
-        assert shard.returncode == 0, shard.stderr
-    lines = lines_of_help("rehearse") + lines_of_help("judge")
-    assert len(lines) > 9
-    for line in lines:
-        [words] = commands_of(line)
-        done = run(*words, cwd=tmp_path, timeout=240)
-        assert done.returncode == 0, f"{line}: {done.stdout}{done.stderr}"
-        if line.endswith("rehearse stand_up"):
-            shutil.copy(tmp_path / "rehearsals" / "stand_up" / "recording.mcap", tmp_path / "real_robot.mcap")

@@ -25,6 +25,8 @@ def test_its_modules_do_what_they_say(page):
                       "keys": "B+L2", "lx": 0, "ly": 0.5, "rx": -1, "ry": 0}
     assert module("motor_table", "[84, 71, 60].map((c) => m.temperatureLevel(c + 1, 85))") == [
         "bad", "warn", ""]
+    # Nobody has to do anything about a torque; what is hot has to be let cool.
+    assert module("motor_table", "[-30, 20, 5].map((tau) => m.torqueLevel(tau, 24))") == ["warn", "warn", ""]
     # At its stop a motor is well unless it pushes into it.
     assert module("motor_table", "[[0, 0.9], [0, -0.9], [0, -5], [0, 5], [0.5, 9], [1, 5], [1, -5]].map(([share, tau]) =>"
                   " m.positionLevel(share, tau))") == ["", "", "warn", "", "", "warn", ""]

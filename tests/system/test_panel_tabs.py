@@ -167,9 +167,33 @@ def test_the_view_is_looked_at_from_a_side_leaves_a_trail_and_is_remembered(play
     page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
                   "(document.querySelector('.plot input'))")
 
+    page.click("#plots-add")
+    page.evaluate("(s => { s.value = '30'; s.dispatchEvent(new Event('change')); })(panel.plots.controls.seconds)")
+    plots = page.evaluate("panel.plots.plots.map(({ names }) => names)")
+
     page.call("Page.reload")
     page.becomes("window.panel?.view.placed && document.getElementById('trail').ariaPressed === 'true'")
     page.becomes("panel.plots.plots[0].names.includes('battery voltage') && panel.view.trail.visible")
+    assert page.evaluate("panel.plots.plots.map(({ names }) => names)") == plots
+    assert page.evaluate("panel.plots.controls.seconds.value") == "30"
+
+
+# x ahead of the base, y to its left.
+@pytest.mark.parametrize(("place", "side"), [
+    ("front", "x > 1 && Math.abs(y) < 0.3"), ("back", "x < -1 && Math.abs(y) < 0.3"),
+    ("left", "y > 1 && Math.abs(x) < 0.3"), ("right", "y < -1 && Math.abs(x) < 0.3"),
+])
+def test_the_view_is_looked_at_from_the_side_that_is_chosen(page, place, side):
+    page.evaluate(f"Object.assign(document.getElementById('camera'), {{ value: '{place}' }})"
+                  ".dispatchEvent(new Event('change'))")
+    page.becomes(f"""(({{ camera, controls, snapshot, base }}) => {{
+        const [, , , w, qx, qy, qz] = snapshot.bodies[base];
+        const yaw = Math.atan2(2 * (w * qz + qx * qy), 1 - 2 * (qy * qy + qz * qz));
+        const from = camera.position.clone().sub(controls.target);
+        const x = from.x * Math.cos(yaw) + from.y * Math.sin(yaw);
+        const y = from.y * Math.cos(yaw) - from.x * Math.sin(yaw);
+        return {side};
+      }})(panel.view)""")
 
 
 def test_the_view_is_saved_as_a_picture_with_the_robot_in_it(page):

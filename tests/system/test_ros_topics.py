@@ -1,5 +1,5 @@
 """ROS's topics in a recording, read by what ROS users read them with: MCAP's decoder by the schemas in the file, rosbags
-by ROS's own definitions, a reader of URDF."""
+by ROS's own definitions, a reader of URDF; and layouts for their viewers, by Foxglove's description of them."""
 
 import collections
 import json
@@ -12,6 +12,7 @@ import xml.etree.ElementTree as ElementTree
 
 import pytest
 import yaml
+from foxglove import layouts
 from mcap.reader import make_reader
 from mcap_ros2.decoder import DecoderFactory
 from rosbags.typesys import Stores, get_types_from_msg, get_typestore
@@ -225,6 +226,18 @@ def foxglove_series(panels):
     for panel, config in panels.items():
         for path in config.get("paths", []):
             yield path["value"]
+
+
+def test_foxglove_knows_every_setting_of_its_layout():
+    layout = json.loads((LAYOUTS / "foxglove.json").read_text())
+    for panel, settings in layout["configById"].items():
+        kind = panel.split("!")[0].replace("3D", "ThreeDee")
+        known = getattr(layouts, kind + "Config")()._to_dict()
+        assert set(settings) - {"foxglovePanelTitle"} <= set(known), panel
+        for series in settings.get("paths", []):
+            assert set(series) <= set(layouts.PlotSeries(value="")._to_dict()), panel
+    camera = layout["configById"]["3D!robot"]["cameraState"]
+    assert set(camera) <= set(layouts.ThreeDeeCameraState()._to_dict())
 
 
 def test_foxglove_finds_everything_that_its_layout_names(play, tmp_path):

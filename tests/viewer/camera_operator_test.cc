@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "base/errors.h"
 #include "gmock/gmock.h"
@@ -26,6 +27,18 @@ TEST_F(CameraOperatorTest, LooksAtTheMiddleOfTheRobotFromWhereAllOfItIsSeen) {
   const double seen = camera.camera()->distance * std::sin(22.5 * std::numbers::pi / 180);
   EXPECT_GT(seen, 1.05 * ball.radius) << "nothing touches the edge";
   EXPECT_LT(seen, 1.3 * ball.radius);
+}
+
+TEST_F(CameraOperatorTest, LooksAheadWhereTheGroundIsNotFlat) {
+  std::string world = kBallWorld;
+  world.insert(world.find("<camera"), R"(<geom type="box" pos="4 0 0" size="1 1 0.1"/>)");
+  const Stage rough(mjcf::ReadBinaryModel(BinaryModel(world), "the test's"));
+  const auto ahead = [](const Stage& stage) {
+    CameraOperator camera(stage, {}, {});
+    return std::cos(camera.camera()->azimuth * std::numbers::pi / 180);
+  };
+  EXPECT_GT(ahead(rough), 0.5);
+  EXPECT_LT(ahead(stage_), -0.5);
 }
 
 TEST_F(CameraOperatorTest, StandsFurtherAwayForANarrowPicture) {

@@ -14,10 +14,9 @@ export function temperatureLevel(value, hot) {
   return value >= hot - WARM ? "warn" : "";
 }
 
+// A motor at its limit does what it can: nobody has to do anything before it is hot.
 export function torqueLevel(tau, limit) {
-  const share = Math.abs(tau) / limit;
-  if (share >= FULL) return "bad";
-  return share >= HEAVY ? "warn" : "";
+  return Math.abs(tau) / limit >= HEAVY ? "warn" : "";
 }
 
 // `share`: 0 at the lower end of the range, 1 at the upper. What rests at its stop, as the joints of a
@@ -67,18 +66,18 @@ class Row {
     this.effort.style.setProperty("--at", Math.max(-1, Math.min(1, effort)));
     setClass(this.range, levels.q);
     setClass(this.effort, levels.tau);
-    this.showState(reading, levels, bounded && (share <= 0 || share >= 1));
+    this.showState(reading, levels, bounded && (share <= 0 || share >= 1), Math.abs(effort) >= FULL);
   }
 
   // In words too: colour alone is not for everybody.
-  showState(reading, levels, atStop) {
+  showState(reading, levels, atStop, atLimit) {
     const words = [];
     words.push(...reading.errors);
     if (levels.casing === "bad" || levels.winding === "bad") words.push("hot");
-    if (levels.tau === "bad") words.push("torque limit");
     const bad = words.length > 0;
     if (!bad && (levels.casing || levels.winding)) words.push("warm");
-    if (!bad && levels.tau) words.push("heavy");
+    if (atLimit) words.push("torque limit");
+    else if (!bad && levels.tau) words.push("heavy");
     if (levels.q) words.push("pushes its stop");
     if (!reading.enabled) words.push("off");
     const level = words.length && reading.enabled ? "warn" : "muted";
