@@ -1,7 +1,9 @@
 // Finds what was drawn, and refuses what the data cannot tell. UNDERSTUDY_IDENTIFY_SEEDS is how
 // many seeds are drawn, 2 unless it says otherwise; docs/identify.md tells of 20.
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -31,7 +33,26 @@ const Found& Of(const Result& result, const std::string& name) {
   throw std::out_of_range(name);
 }
 
-class RecoveryTest : public test::MujocoTest, public testing::WithParamInterface<int> {};
+// Tells at the end how many figures of all robots were within which error bars.
+class RecoveryTest : public test::MujocoTest, public testing::WithParamInterface<int> {
+ protected:
+  static void TearDownTestSuite() {
+    std::printf("of %d figures within bars of", figures_);
+    for (const auto& [probability, within] : within_) {
+      std::printf("%s %g %%: %d", probability == 0.5 ? "" : ",", 100 * probability, within);
+    }
+    std::printf("; within three standard errors: %d\n", within_three_);
+  }
+  static void Count(const Found& found, double error) {
+    ++figures_;
+    for (auto& [probability, within] : within_) within += error <= found.Bar(probability) ? 1 : 0;
+    within_three_ += error <= 3 * found.error ? 1 : 0;
+  }
+
+ private:
+  static inline int figures_ = 0, within_three_ = 0;
+  static inline std::map<double, int> within_{{0.5, 0}, {0.8, 0}, {0.95, 0}, {0.9999, 0}};
+};
 
 TEST_P(RecoveryTest, FindsWhatWasDrawnWithinItsErrorBars) {
   const Drawn drawn = Draw("go2", GetParam(), kShortExcitation);
@@ -41,6 +62,7 @@ TEST_P(RecoveryTest, FindsWhatWasDrawnWithinItsErrorBars) {
   for (const Found& found : result.found) {
     ASSERT_TRUE(found.told) << found.name << ": " << found.why;
     const double error = std::abs(found.value - drawn.truth.at(found.name));
+    Count(found, error);
     outside += error > found.Bar(0.95) ? 1 : 0;
     // Chance puts one figure of 10 000 outside this.
     EXPECT_LT(error, found.Bar(0.9999)) << found.name << ", standard error " << found.error;
