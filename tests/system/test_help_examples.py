@@ -4,6 +4,7 @@ import json
 import os
 import pty
 import re
+import shlex
 import shutil
 import signal
 import subprocess
@@ -13,7 +14,7 @@ import pytest
 from namespaces import host_on_a_cable
 from robots import understudy
 from screens import Screen
-from test_examples import ROOT, lines_of_help, verbs
+from test_examples import PAGES, PLACEHOLDER, ROOT, commands_of, lines_of_help, lines_of_page, verbs
 
 # What runs these needs a gamepad or a keyboard that is played.
 ELSEWHERE = {"remote": "test_remote.py and test_gamepad.py", "run": "test_examples.py, test_view.py, test_gamepad.py"}
@@ -181,22 +182,42 @@ def ctl(*words):
     return done.stdout
 
 
-def test_every_example_of_ctl_works(desk):
+@pytest.fixture(name="left")
+def left_fixture(desk):
+    """A robot in the background, which the last example of all stops."""
     started = understudy("run", "go2", *START["ctl"], "--name", "left", "--detach")
     assert started.returncode == 0, started.stderr
+    yield
     stop, = examples_of("ctl", "stop")
-    try:
-        for line in ctl_examples():
-            if line.startswith("understudy run"):
-                continue
-            for word, before in BEFORE.items():
-                if f" {word}" in line:
-                    ctl(*before.split())
-            works(line, desk)
-            if json.loads(ctl("status", "--json"))["paused"]:
-                ctl("resume")
-    finally:
-        works(stop, desk)
+    works(stop, desk)
+
+
+def works_after_what_it_needs(line, desk):
+    for word, before in BEFORE.items():
+        if f" {word}" in line:
+            ctl(*before.split())
+    works(line, desk)
+    if json.loads(ctl("status", "--json"))["paused"]:
+        ctl("resume")
+
+
+def test_every_example_of_ctl_works(desk, left):
+    for line in ctl_examples():
+        if not line.startswith("understudy run"):
+            works_after_what_it_needs(line, desk)
+
+
+def test_every_ctl_of_a_page_works(desk, left):
+    for recording in desk.glob("*.mcap"):  # some lines make them
+        recording.unlink()
+    # Those of recipes.md are typed by test_recipes.py.
+    commands = [words for page in PAGES if page.name != "recipes.md" for line in lines_of_page(page)[0]
+                for words in commands_of(line) if words[0] == "ctl" and words[-1] != "stop"]
+    assert len(commands) > 15
+    for words in commands:
+        if not PLACEHOLDER.search(" ".join(words)):
+            line = re.sub(r"--name \w+", "--name left", shlex.join(["understudy", *words]))
+            works_after_what_it_needs(line, desk)
 
 
 def test_a_robot_in_the_background_is_waited_for(desk):
