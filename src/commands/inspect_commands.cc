@@ -107,11 +107,15 @@ std::string CheckLayer(const std::filesystem::path& file, const config::YamlValu
   return (is_scene ? "scene for --scene, fits " : "layer for --config, fits ") + robot;
 }
 
+std::string Counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 // Checks a scenario, or a file of nothing but expectations, of `robot` unless it names its own.
 std::string CheckScenario(const std::filesystem::path& file, const config::YamlValue& document,
                           const std::string& robot) {
   const auto count = [](const rehearse::Expectations& expect) {
-    return std::to_string(expect.list.size()) + " expectations";
+    return Counted(expect.list.size(), "expectation");
   };
   // Keys that say how something is played: the title may be what was forgotten.
   constexpr std::array kPlayed = {"scenario", "start",  "duration", "program",
@@ -127,11 +131,11 @@ std::string CheckScenario(const std::filesystem::path& file, const config::YamlV
   CheckFits(scenario.config, config::SceneFile(scenario.config.scene, scenario.config.terrain),
             nullptr);
   std::string text = "scenario for " + scenario.config.robot.name + ", " +
-                     std::to_string(scenario.script.events.size()) + " events, " +
+                     Counted(scenario.script.events.size(), "event") + ", " +
                      count(scenario.expect);
   if (scenario.plan) {
     rehearse::CheckRuns(file, *scenario.plan, {});
-    text += ", campaign of " + std::to_string(scenario.plan->size()) + " runs over";
+    text += ", campaign of " + Counted(scenario.plan->size(), "run") + " over";
     for (const rehearse::Axis& axis : scenario.plan->axes()) text += " " + axis.key;
   }
   return text;
@@ -153,7 +157,7 @@ std::string CheckFile(const std::filesystem::path& file, const std::string& robo
   if (rehearse::IsScenario(document)) return CheckScenario(file, document, robot);
   if (script::IsScript(document)) {
     const script::Script script = script::ReadScript(document, signals::RunningNames());
-    return "script, " + std::to_string(script.events.size()) + " events";
+    return "script, " + Counted(script.events.size(), "event");
   }
   if (!IsRobot(document)) return CheckLayer(file, document, robot);
   const config::Config config =

@@ -130,8 +130,8 @@ TEST_F(BagTest, TellsWhatIsWrongWithAFolder) {
   for (const char* outside : {"\"../run.db3\"", "/etc/passwd", ".", "{a: 1}"}) {
     EXPECT_THAT(with(about + "[" + outside + "]\n"), HasSubstr("metadata.yaml:2")) << outside;
   }
-  EXPECT_THAT(with(about + "[run.db3.zstd]\n  compression_mode: FILE\n"),
-              AllOf(HasSubstr("is compressed (FILE)"), HasSubstr("ros2 bag convert")));
+  EXPECT_THAT(with(about + "[run.db3.lz4]\n  compression_mode: FILE\n  compression_format: lz4\n"),
+              AllOf(HasSubstr("is compressed by lz4"), HasSubstr("ros2 bag convert")));
 }
 
 TEST_F(BagTest, TellsWhatIsWrongWithAFile) {

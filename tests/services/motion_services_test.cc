@@ -344,7 +344,7 @@ TEST(Go2SportTest, TellsItsStateInTexts) {
   EXPECT_EQ(state["gait"], "1");
   EXPECT_EQ(state["economicGait"], "true");
   EXPECT_EQ(state["continuousGait"], "false");
-  caller.robot.book.state.keeps_stepping = true;
+  caller.robot.Be({.keeps_stepping = true});
   EXPECT_EQ(json::parse(caller.Ask(1034).data)["continuousGait"], "true");
 }
 
