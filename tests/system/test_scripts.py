@@ -53,7 +53,7 @@ def test_each_script_of_the_document_is_sound_and_runs_to_its_end(understudy, tm
     events = len(re.findall(r"^  - ", file.read_text(), re.MULTILINE))
     checked = understudy("check", file)
     assert checked.returncode == 0, checked.stderr
-    assert f"{events} events" in checked.stdout
+    assert f", {events} event" in checked.stdout
 
     plays_to_its_end(understudy, file, *list(EXAMPLES.values())[number])
 
