@@ -17,8 +17,8 @@ struct Quantity {
   std::string_view topic;
   std::string_view go, hg;  // field; "" where the family has none
   bool of_motor = false;
-  std::string_view hg_topic = "";  // where the hg family has it in another topic
-  float hg_scale = 1;              // to the unit
+  std::string_view hg_topic{};  // where the hg family has it in another topic
+  float hg_scale = 1;           // to the unit
 
   std::string_view TopicOf(bool is_hg) const {
     return is_hg && !hg_topic.empty() ? hg_topic : topic;

@@ -57,9 +57,9 @@ def test_a_scenario_and_its_campaign_have_a_profile_and_their_reports_name_it(un
     scenario.write_text(text)
     done = understudy("rehearse", scenario, "--out", tmp_path / "one")
     assert done.returncode == 0, done.stdout + done.stderr
-    assert "<th>profile</th><td><code>harsh</code>" in (tmp_path / "one/report.html").read_text()
+    assert "<th>Profile of sensors</th><td><code>harsh</code>" in (tmp_path / "one/report.html").read_text()
     done = understudy("rehearse", scenario, "--profile", "worn", "--out", tmp_path / "other")
-    assert "<th>profile</th><td><code>worn</code>" in (tmp_path / "other/report.html").read_text()
+    assert "<th>Profile of sensors</th><td><code>worn</code>" in (tmp_path / "other/report.html").read_text()
     scenario.write_text(text + "vary:\n  grid: {profile: [ideal, worn, hursh]}\n")
     done = understudy("rehearse", scenario, "--out", tmp_path / "all")
     assert done.returncode == 3
