@@ -52,6 +52,16 @@ bool BeginsPacked(ByteSpan data) {
          std::ranges::equal(data.first(kZstdMagic.size()), AsBytes(kZstdMagic));
 }
 
+// Where nothing is yet in `folder`: a bag may have files of one name in several folders of its own.
+std::filesystem::path FreePlace(const std::filesystem::path& folder,
+                                const std::filesystem::path& name) {
+  std::filesystem::path place = folder / name;
+  for (int i = 2; std::filesystem::exists(place); ++i) {
+    place = folder / (std::to_string(i) + "-" + name.string());
+  }
+  return place;
+}
+
 }  // namespace
 
 ByteSpan Unpacked(ByteSpan data, const std::filesystem::path& file, std::vector<std::byte>* room) {
@@ -82,7 +92,7 @@ bool IsPacked(const std::filesystem::path& path) {
 
 PackedFile::PackedFile(const std::filesystem::path& path,
                        std::shared_ptr<const TemporaryFolder> room)
-    : RecordingReader(path), room_(std::move(room)), file_(room_->path() / path.stem()) {
+    : RecordingReader(path), room_(std::move(room)), file_(FreePlace(room_->path(), path.stem())) {
   UnpackFile(path, file_);
   if (IsPacked(file_)) throw RecordError(path.string() + ": is compressed twice");
   Tell([this] { inside_ = OpenRecording(file_); });

@@ -29,7 +29,7 @@ bool IsPacked(const std::filesystem::path& path);
 // Throws RecordError with the file.
 class PackedFile final : public RecordingReader {
  public:
-  // The name of the file has to be another than those of all others in `room`.
+  // `room` may have others in it.
   PackedFile(const std::filesystem::path& path, std::shared_ptr<const TemporaryFolder> room);
 
   using RecordingReader::ReadMessages;

@@ -6,7 +6,6 @@
 
 #include <gtest/gtest.h>
 
-#include "emulator/told_event.h"
 #include "tests/motion/humanoid/fixture.h"
 #include "tests/motion/quadruped/rig.h"
 #include "tests/support/robots.h"
@@ -16,19 +15,8 @@ namespace {
 
 using authority::MotionVerdict;
 
-std::vector<std::string> Told(const MotionRig& rig) {
-  std::vector<std::string> told;
-  emulator::EventRing::Reader reader(&rig.events());
-  for (emulator::Event event; reader.Next(&event);) {
-    if (event.kind == emulator::EventKind::kProtection) {
-      told.push_back(emulator::ToldEvent{.event = event}.text());
-    }
-  }
-  return told;
-}
-
 bool HasTold(const MotionRig& rig, const std::string& danger) {
-  return std::ranges::any_of(Told(rig), [&](const std::string& text) {
+  return std::ranges::any_of(ToldDangers(rig), [&](const std::string& text) {
     return text.starts_with("protection: " + danger);
   });
 }
@@ -42,7 +30,7 @@ TEST(EndangeredRobotTest, AGo2ThatIsThrownOverDampsAndTellsItsTilt) {
   QuadrupedRig rig("go2");
   rig.Start("standing");
   rig.Run(1);
-  EXPECT_TRUE(Told(rig).empty());
+  EXPECT_TRUE(ToldDangers(rig).empty());
   rig.Push({0, 900, 0}, 0.3);
   EXPECT_TRUE(rig.RunUntil(1001, 2));
   EXPECT_TRUE(HasTold(rig, "tilt"));

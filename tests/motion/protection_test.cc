@@ -11,7 +11,6 @@
 
 #include <gtest/gtest.h>
 
-#include "emulator/told_event.h"
 #include "tests/motion/quadruped/rig.h"
 
 namespace understudy::motion {
@@ -324,17 +323,6 @@ TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
 
 // Whole ticks.
 
-std::vector<std::string> Told(MotionRig& rig) {
-  std::vector<std::string> told;
-  emulator::EventRing::Reader reader(&rig.events());
-  for (emulator::Event event; reader.Next(&event);) {
-    if (event.kind == emulator::EventKind::kProtection) {
-      told.push_back(emulator::ToldEvent{.event = event}.text());
-    }
-  }
-  return told;
-}
-
 void Fault(MotionRig* rig, const std::string& component, const std::string& fault, double by = -1) {
   nlohmann::json values = {{"component", component}, {"fault", fault}};
   if (by >= 0) values["by"] = by;
@@ -351,13 +339,13 @@ TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
   rig.Run(5);
   EXPECT_LT(rig.height(), 0.15);
   EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kNotNow);
-  const std::vector<std::string> told = Told(rig);
+  const std::vector<std::string> told = ToldDangers(rig);
   ASSERT_EQ(told.size(), 1U);
   EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
   EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
   Fault(&rig, "all", "none");
   rig.Run(10);  // a thermometer lags
-  EXPECT_EQ(Told(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
+  EXPECT_EQ(ToldDangers(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
   EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
 }
 
@@ -372,7 +360,7 @@ TEST(ProtectedRobotTest, DampsWhenAMotorFallsSilentOrAnEncoderFails) {
     EXPECT_NE(rig.state().id, 1001);
     rig.Run(0.15);
     EXPECT_EQ(rig.state().id, 1001);
-    EXPECT_EQ(Told(rig).size(), 1U);
+    EXPECT_EQ(ToldDangers(rig).size(), 1U);
   }
 }
 
@@ -386,8 +374,8 @@ TEST(ProtectedRobotTest, StopsWhenTheRemoteThatSteersItIsGone) {
   Fault(&rig, "remote", "off");
   rig.Run(3);
   EXPECT_EQ(rig.state().name, "standing");
-  ASSERT_EQ(Told(rig).size(), 1U);
-  EXPECT_EQ(Told(rig)[0], "protection: remote; the robot stops");
+  ASSERT_EQ(ToldDangers(rig).size(), 1U);
+  EXPECT_EQ(ToldDangers(rig)[0], "protection: remote; the robot stops");
 }
 
 TEST(PoweredRobotTest, AGo2LiesLimpUntilItHasBootedAndStandsUpByItself) {
@@ -409,7 +397,7 @@ TEST(ProtectedRobotTest, AHumanoidIsOnlyWarnedOfAHotWrist) {
   Fault(&rig, "left_wrist_yaw_joint", "hot", 95);
   rig.Run(20);
   EXPECT_EQ(rig.state().id, before.id);
-  EXPECT_EQ(Told(rig).size(), 1U);
+  EXPECT_EQ(ToldDangers(rig).size(), 1U);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "config/load.h"
+#include "emulator/told_event.h"
 #include "physics/world_model.h"
 #include "tests/support/requests.h"
 
@@ -116,6 +117,17 @@ void MotionRig::WatchTorque() {
     saturated_[i] = full ? saturated_[i] + world().timestep() : 0;
     longest_ = std::max(longest_, saturated_[i]);
   }
+}
+
+std::vector<std::string> ToldDangers(const MotionRig& rig) {
+  std::vector<std::string> told;
+  emulator::EventRing::Reader reader(&rig.events());
+  for (emulator::Event event; reader.Next(&event);) {
+    if (event.kind == emulator::EventKind::kProtection) {
+      told.push_back(emulator::ToldEvent{.event = event}.text());
+    }
+  }
+  return told;
 }
 
 }  // namespace understudy::motion

@@ -81,4 +81,7 @@ class MotionRig {
   double longest_ = 0;
 };
 
+// The events so far of what the service protects the robot from, as text.
+std::vector<std::string> ToldDangers(const MotionRig& rig);
+
 }  // namespace understudy::motion

@@ -5,6 +5,7 @@
 
 #include <gmock/gmock.h>
 #include <sqlite3.h>
+#include <zstd.h>
 
 #include "record/recording_reader.h"
 #include "tests/record/mcap_files.h"
@@ -45,6 +46,15 @@ class BagTest : public McapFilesTest {
     }
     Run(file, text);
     return file;
+  }
+  // As `ros2 bag record --compression-mode file` leaves it: FILE.zstd alone.
+  static void Pack(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string plain{std::istreambuf_iterator<char>(in), {}};
+    std::string packed(ZSTD_compressBound(plain.size()), '\0');
+    packed.resize(ZSTD_compress(packed.data(), packed.size(), plain.data(), plain.size(), 1));
+    std::ofstream(file.string() + ".zstd", std::ios::binary) << packed;
+    std::filesystem::remove(file);
   }
   void WriteText(const std::string& name, const std::string& text) {
     std::ofstream(File(name), std::ios::binary) << text;
@@ -114,6 +124,23 @@ TEST_F(BagTest, AFoldersFilesMayBeOfMcap) {
   const auto reader = OpenRecording(File("."));
   EXPECT_EQ(reader->contents().messages, 10U);
   EXPECT_EQ(reader->contents().metadata.at("about").at("robot"), "go2");
+}
+
+// A split recording keeps its names apart; folders put together by hand need not.
+TEST_F(BagTest, CompressedFilesOfOneNameStayTwo) {
+  for (const auto& [folder, first] : {std::pair("a", 0), std::pair("b", 4)}) {
+    std::filesystem::create_directory(File(folder));
+    Pack(Bag(std::string(folder) + "/run.db3", first));
+  }
+  WriteText("metadata.yaml",
+            "rosbag2_bagfile_information:\n"
+            "  relative_file_paths: [a/run.db3.zstd, b/run.db3.zstd]\n"
+            "  compression_mode: FILE\n  compression_format: zstd\n");
+  const auto reader = OpenRecording(File("."));
+  EXPECT_EQ(reader->contents().messages, 8U);
+  EXPECT_THAT(Told(*reader), ElementsAre("100 /a message 0", "101 /b message 1", "102 /a message 2",
+                                         "103 /b message 3", "104 /a message 4", "105 /b message 5",
+                                         "106 /a message 6", "107 /b message 7"));
 }
 
 TEST_F(BagTest, TellsWhatIsWrongWithAFolder) {
