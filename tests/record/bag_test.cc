@@ -128,19 +128,18 @@ TEST_F(BagTest, AFoldersFilesMayBeOfMcap) {
 
 // A split recording keeps its names apart; folders put together by hand need not.
 TEST_F(BagTest, CompressedFilesOfOneNameStayTwo) {
-  for (const auto& [folder, first] : {std::pair("a", 0), std::pair("b", 4)}) {
-    std::filesystem::create_directory(File(folder));
-    Pack(Bag(std::string(folder) + "/run.db3", first));
-  }
+  for (const char* folder : {"a", "b"}) std::filesystem::create_directory(File(folder));
+  Pack(Bag("a/run.db3", 0, 4));
+  Pack(Bag("b/run.db3", 4, 2));
   WriteText("metadata.yaml",
             "rosbag2_bagfile_information:\n"
             "  relative_file_paths: [a/run.db3.zstd, b/run.db3.zstd]\n"
             "  compression_mode: FILE\n  compression_format: zstd\n");
   const auto reader = OpenRecording(File("."));
-  EXPECT_EQ(reader->contents().messages, 8U);
-  EXPECT_THAT(Told(*reader), ElementsAre("100 /a message 0", "101 /b message 1", "102 /a message 2",
-                                         "103 /b message 3", "104 /a message 4", "105 /b message 5",
-                                         "106 /a message 6", "107 /b message 7"));
+  EXPECT_EQ(reader->contents().messages, 6U);
+  EXPECT_THAT(Told(*reader),
+              ElementsAre("100 /a message 0", "101 /b message 1", "102 /a message 2",
+                          "103 /b message 3", "104 /a message 4", "105 /b message 5"));
 }
 
 TEST_F(BagTest, TellsWhatIsWrongWithAFolder) {
