@@ -75,6 +75,11 @@ void DescribeMotor(Archive& a, robot::MotorSpec& m) {
   DescribeDrive(a, m);
   a.Key(UNDERSTUDY_NVP(m.hold_kp), {"N·m/rad", kNotNegative, "Gain that holds a start pose"});
   a.Key(UNDERSTUDY_NVP(m.hold_kd), {"N·m·s/rad", kNotNegative, "Damping that holds a start pose"});
+  a.Key(UNDERSTUDY_NVP(m.q_clamp),
+        {"rad",
+         {-100, 100},
+         "Least and most q of a command, of the joint: what is beyond is taken for the end; [0, 0] "
+         "takes any"});
 }
 
 void DescribeBody(Archive& a, robot::BodySpec& b) {
@@ -273,6 +278,8 @@ void DescribeEncoderNoise(Archive& a, robot::EncoderNoiseSpec& n) {
   a.Key(UNDERSTUDY_NVP(n.q_steps), {"steps", kSteps, "Standard deviation of the angle"});
   a.Key(UNDERSTUDY_NVP(n.dq_steps), {"steps", kSteps, "Standard deviation of the rate"});
   a.Key(UNDERSTUDY_NVP(n.tau_steps), {"steps", kSteps, "Standard deviation of the torque"});
+  a.Key(UNDERSTUDY_NVP(n.tau),
+        {"N·m", {0, 1000}, "Standard deviation of the torque besides, alike for every motor"});
 }
 
 void DescribeFootSensor(Archive& a, robot::FootSensorSpec& f) {

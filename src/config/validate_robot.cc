@@ -123,6 +123,14 @@ void CheckHands(const robot::RobotSpec& robot, std::set<std::string>* joints,
   }
 }
 
+void CheckClamps(const robot::RobotSpec& robot, const Checker& checker) {
+  for (std::size_t i = 0; i < robot.motors.size(); ++i) {
+    const std::array<double, 2>& clamp = robot.motors[i].q_clamp;
+    checker.Check(clamp[0] <= clamp[1], "robot.motors." + std::to_string(i) + ".q_clamp",
+                  "expected least before most");
+  }
+}
+
 void CheckParallel(const robot::RobotSpec& robot, const Checker& checker) {
   const int motors = static_cast<int>(robot.motors.size());
   std::set<int> taken;
@@ -340,6 +348,7 @@ void ValidateRobot(const robot::RobotSpec& robot, const Checker& checker) {
   CheckHands(robot, &joints, checker);
   CheckParallel(robot, checker);
   CheckDynamics(robot, checker);
+  CheckClamps(robot, checker);
   CheckBodies(robot, checker);
   CheckPose(robot.lying, "lying", robot.motors.size(), checker);
   CheckPose(robot.standing, "standing", robot.motors.size(), checker);

@@ -31,6 +31,12 @@ MotorCommand Scaled(MotorCommand command, const MotorSpec& spec) {
   return command;
 }
 
+// The angle that the motor follows in place of a commanded one.
+double Followed(double q, const std::array<double, 2>& clamp) {
+  const bool any = clamp[0] == 0 && clamp[1] == 0;
+  return any || q == kNoPosition ? q : std::clamp(q, clamp[0], clamp[1]);
+}
+
 std::size_t Index(int motor) { return static_cast<std::size_t>(motor); }
 
 }  // namespace
@@ -128,6 +134,7 @@ void MotorBank::Command(const MotorInstant& now) {
   for (std::size_t i = 0; i < torque_.size(); ++i) {
     MotorCommand motor = Scaled(commands[i], *motors_[i]);
     motor.kd *= kd_share_[i];
+    motor.q = Followed(motor.q, motors_[i]->q_clamp);
     torque_[i] = DesiredTorque(motor, now.q[i], now.dq[i]);
   }
   const bool in_motor_space = now.command.joint_space == JointSpace::kMotors;

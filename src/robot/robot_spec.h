@@ -63,6 +63,8 @@ struct MotorSpec {
   double kp_scale = 1;       // effective over commanded kp
   double kd_scale = 1;       // effective over commanded kd
   double lock_kd = 0;        // N·m·s/rad, damping while not enabled
+  // rad, least and most commanded q that it follows: what is beyond is taken for the end. 0, 0: any
+  std::array<double, 2> q_clamp{0, 0};
 };
 
 // Values of a body that differ from the model file; empty or 0 keeps the file's.
@@ -221,6 +223,7 @@ struct EncoderNoiseSpec {
   double q_steps = 0;
   double dq_steps = 0;
   double tau_steps = 0;
+  double tau = 0;  // N·m, of the torque besides, the same for every motor
 };
 
 struct FootSensorSpec {

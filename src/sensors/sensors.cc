@@ -64,8 +64,8 @@ void Sensors::Follow(const SensorConfig& config) {
 
 void Sensors::FollowGrain(const SensorConfig& config) {
   const robot::EncoderNoiseSpec& noise = spec_.encoder_noise;
-  const auto grain = [&config](double steps, double step) {
-    const double sigma = steps * step;
+  const auto grain = [&config](double steps, double step, double besides = 0) {
+    const double sigma = std::hypot(steps * step, besides);
     return Grain{.noisy = config.noise && sigma > 0,
                  .sigma = config.noise_gain * sigma,
                  .step = config.quantise ? step : 0};
@@ -74,7 +74,7 @@ void Sensors::FollowGrain(const SensorConfig& config) {
     const robot::MotorSpec& motor = *motors_[i];
     grains_[i] = {.q = grain(noise.q_steps, motor.q_step),
                   .dq = grain(noise.dq_steps, motor.dq_step),
-                  .tau = grain(noise.tau_steps, motor.tau_step)};
+                  .tau = grain(noise.tau_steps, motor.tau_step, noise.tau)};
   }
 }
 

@@ -261,6 +261,12 @@ TEST_F(ValidateTest, BusesHaveNamesAndMotorsOfTheirOwn) {
               testing::HasSubstr("robot.buses.0.delay: expected least before most"));
 }
 
+TEST_F(ValidateTest, AClampHasItsLeastBeforeItsMost) {
+  EXPECT_THAT(SetError("robot.motors.1.q_clamp=[0.2, -0.2]"),
+              testing::HasSubstr("robot.motors.1.q_clamp: expected least before most"));
+  EXPECT_EQ(SetError("robot.motors.1.q_clamp=[-0.2, 0.2]"), "");
+}
+
 TEST_F(ValidateTest, FansHaveNamesAndPlacesOfTheirOwn) {
   EXPECT_THAT(SetError("robot.fans=[{name: x}, {name: y}]"),
               testing::HasSubstr("robot.fans.1.place: place 0 has a fan already"));

@@ -94,15 +94,17 @@ TEST_F(Go2BandsTest, LyingItTellsHardlyAnyTorqueFeetAtTheirOffsetAndItsIdleCurre
   rig_.Start("lying");
   ASSERT_TRUE(rig_.Run(3));
   const std::vector<GoState> sent = Sent(4);
-  Series torque;
+  Series torque, steps;
   for (int i = 0; i < 12; ++i) {
     const double step = rig_.spec().motors[static_cast<std::size_t>(i)].tau_step;
     for (const GoState& message : sent) {
       torque.Add(message.motor_state[i].tau_est);
-      EXPECT_LE(std::abs(message.motor_state[i].tau_est), 5.01 * step) << i;
+      steps.Add(message.motor_state[i].tau_est / step);
     }
   }
-  EXPECT_GT(torque.Share([](double tau) { return std::abs(tau) <= 0.13; }), 0.97);
+  EXPECT_GE(torque.Share([](double tau) { return std::abs(tau) <= 0.13; }), 0.99);
+  EXPECT_GE(steps.Share([](double tau) { return std::abs(tau) <= 5.01; }), 0.99);
+  EXPECT_NEAR(torque.deviation(), 0.05, 0.005) << "0.045 to 0.11 by P's twelve";
   EXPECT_NEAR(torque.mean(), 0, 0.01);
   for (int i = 0; i < 4; ++i) {
     EXPECT_GE(Foot(sent, i).least(), 14);
@@ -340,6 +342,20 @@ TEST_F(G1BandsTest, ItsTicksAndConstantsAreThoseOfRealOnes) {
       EXPECT_EQ(2 * motor.vol, std::round(2 * motor.vol));
     }
   }
+}
+
+// A9's policy sent its waist beyond its range, where it never was found.
+TEST(G1WaistTest, ATargetBeyondItsRangeIsTakenForTheEndOfIt) {
+  MotionRig rig{ConfigOf("g1", {"motion.service=none"})};
+  robot::RobotCommand lean;
+  lean.motors.resize(rig.spec().motors.size(), {.enabled = true, .kd = 5});
+  lean.motors[13] = {.enabled = true, .q = 2, .kp = 100, .kd = 5};
+  rig.port().SendEveryTick(lean);
+  rig.Start("clamped");
+  ASSERT_TRUE(rig.Run(3));
+  const robot::MotorReading& waist = rig.port().last().state.motors[13];
+  EXPECT_NEAR(waist.q, 0.52, 0.1);
+  EXPECT_NEAR(waist.tau, 100 * (0.52 - waist.q), 2);
 }
 
 // Notes on G1s: 2.1 A damped and 2.9 A balancing, at 41 %.

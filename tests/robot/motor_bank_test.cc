@@ -247,6 +247,40 @@ TEST_F(MotorBankTest, LetsAllOfKdActOnMotorsThatAreCommandedThemselves) {
   EXPECT_EQ(std::vector(tau.begin(), tau.end()), (std::vector<double>{-10, -20, -80}));
 }
 
+TEST_F(MotorBankTest, TakesACommandedAngleBeyondItsClampForTheEnd) {
+  RobotSpec spec = Spec();
+  for (MotorSpec& motor : spec.motors) motor.q_clamp = {-0.5, 0.25};
+  MotorBank bank(spec, kDt);
+  const auto of = [&](double q) {
+    RobotCommand command = Torques(0, 0, 0);
+    for (MotorCommand& motor : command.motors) motor.q = q, motor.kp = 10;
+    return TorquesOf(&bank, command);
+  };
+  EXPECT_EQ(of(0.2), (std::vector<double>{2, 2, 2}));
+  EXPECT_EQ(of(0.3), (std::vector<double>{2.5, 2.5, 2.5}));
+  EXPECT_EQ(of(-9), (std::vector<double>{-5, -5, -5}));
+  EXPECT_EQ(of(kNoPosition), (std::vector<double>{0, 0, 0}));
+}
+
+TEST_F(MotorBankTest, ClampsNoAngleOfAPairsOwnMotors) {
+  RobotSpec spec = Spec();
+  for (MotorSpec& motor : spec.motors) motor.q_clamp = {-0.5, 0.25};
+  MotorBank clamping(spec, kDt), bank(Spec(), kDt);
+  RobotCommand command = Torques(0, 0, 0);
+  command.joint_space = JointSpace::kMotors;
+  command.motors[1].q = command.motors[2].q = 0.7;
+  command.motors[1].kp = command.motors[2].kp = 10;
+  EXPECT_EQ(TorquesOf(&clamping, command), TorquesOf(&bank, command));
+}
+
+TEST_F(MotorBankTest, TakesAnyAngleWithoutAClamp) {
+  MotorBank bank(Spec(), kDt);
+  RobotCommand command = Torques(0, 0, 0);
+  command.motors[0].q = 9;
+  command.motors[0].kp = 10;
+  EXPECT_EQ(Step(&bank, command)[0], 90);
+}
+
 TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
   RobotSpec spec = Spec();
   spec.parallel.clear();
