@@ -1,4 +1,5 @@
-// Checks that the last chapter of docs/fidelity.md lists every figure marked assumed.
+// Checks that every figure marked assumed is listed: by the last chapter of docs/fidelity.md, or,
+// of a robot, by the README beside its model.
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
@@ -9,6 +10,8 @@
 #include <string>
 
 #include <gtest/gtest.h>
+
+#include "tests/support/robots.h"
 
 namespace understudy::config {
 namespace {
@@ -51,20 +54,34 @@ TEST(FidelityDocTest, ListsEveryFileOfTheCodeWithSomethingAssumed) {
   }
 }
 
-TEST(FidelityDocTest, ListsEveryRobotProfileAndModelWithSomethingAssumed) {
+TEST(FidelityDocTest, ListsEveryProfileWithSomethingAssumed) {
   const std::string listed = EverythingAssumed();
-  for (const char* folder : {"config/robots", "config/profiles"}) {
-    for (const auto& [file, assumes] : Files(folder)) {
-      const std::string name = std::filesystem::path(file).filename();
-      EXPECT_TRUE(listed.find("`" + name + "`") != std::string::npos || !assumes) << file;
-    }
+  for (const auto& [file, assumes] : Files("config/profiles")) {
+    const std::string name = std::filesystem::path(file).filename();
+    EXPECT_TRUE(listed.find("`" + name + "`") != std::string::npos || !assumes) << file;
   }
-  const std::string models = listed.substr(listed.find("\n### models"));
-  for (const auto& [file, assumes] : Files("models")) {
-    const std::string robot = *std::next(std::filesystem::path(file).begin());
-    const bool found = models.find("`" + robot + "`") != std::string::npos ||
-                       models.find("`" + robot + "/") != std::string::npos;
-    EXPECT_TRUE(found || !assumes) << file;
+}
+
+TEST(ReadmeOfAModelTest, ListsTheRobotsOfTheModelWithSomethingAssumed) {
+  const std::map<std::string, bool> files = Files("config/robots");
+  for (const std::string& robot : test::Robots()) {
+    const std::filesystem::path model = "models/" + test::ShippedRobot(robot).model;
+    const std::string readme = Text(kRoot / model.parent_path() / "README.md");
+    const std::size_t listed = readme.find("\n## Assumed of the robot\n");
+    const bool found = listed != std::string::npos &&
+                       readme.find("[`" + robot + ".yaml`]", listed) != std::string::npos;
+    EXPECT_TRUE(found || !files.at("config/robots/" + robot + ".yaml"))
+        << model.parent_path() << ": README.md does not list what is assumed of " << robot;
+  }
+}
+
+TEST(ReadmeOfAModelTest, SaysWhatOfTheModelIsAssumed) {
+  const std::map<std::string, bool> files = Files("models");
+  for (const auto& [file, assumes] : files) {
+    const std::filesystem::path path(file);
+    const std::string folder = *std::next(path.begin());
+    const auto readme = files.find("models/" + folder + "/README.md");
+    EXPECT_TRUE(!assumes || (readme != files.end() && readme->second)) << file;
   }
 }
 
