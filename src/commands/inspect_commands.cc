@@ -2,7 +2,6 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
-#include <map>
 #include <memory>
 
 #include <nlohmann/json.hpp>
@@ -259,12 +258,7 @@ int RobotsCommand(bool as_json) {
 }
 
 int ServicesCommand() {
-  const std::filesystem::path data = config::DataDir();
-  std::map<std::string, std::vector<std::string>> apis;
-  for (const std::string& name : config::RobotNames(data)) {
-    apis[name] = config::LoadConfig({.robot = name, .files = {}, .sets = {}}, data).robot.apis;
-  }
-  std::fputs(services::ServicesReference(apis).c_str(), stdout);
+  std::fputs(services::ServicesReference().c_str(), stdout);
   return 0;
 }
 

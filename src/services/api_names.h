@@ -29,9 +29,9 @@
   row("vui", VuiTable()) \
   row("voice", VoiceTable()) \
   row("uwbswitch", UwbSwitchTable()) \
-  row("videohub", VideoTable("videohub", "videohub of Go2, Go2-W", "1.0.0.1")) \
-  row("front_videohub", VideoTable("front_videohub", "front_videohub of B2, B2-W", "1.0.0.0")) \
-  row("back_videohub", VideoTable("back_videohub", "back_videohub of B2, B2-W", "1.0.0.0"))
+  row("videohub", VideoTable("videohub", "1.0.0.1")) \
+  row("front_videohub", VideoTable("front_videohub", "1.0.0.0")) \
+  row("back_videohub", VideoTable("back_videohub", "1.0.0.0"))
 // clang-format on
 
 namespace understudy::services {

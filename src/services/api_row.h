@@ -137,7 +137,7 @@ struct VerdictCodes {
 // A service: its rows and what they have in common.
 struct ServiceTable {
   std::string_view name{};         // "sport": rt/api/sport/request
-  std::string_view title{};        // heading in the documentation: "sport of Go2, Go2-W"
+  std::string_view title{};        // heading in the documentation: "sport of Go2"
   std::string_view api_version{};  // the answer to api 1
   std::int32_t parameter_code = kRpcApiParameter;
   VerdictCodes codes{};

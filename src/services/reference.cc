@@ -63,12 +63,14 @@ std::string Section(std::string_view name, const ServiceTable& table) {
 
 }  // namespace
 
-std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots) {
+std::string ServicesReference() {
   std::string text(kHead);
-  text += "A robot's file lists its tables under `robot.apis`; the default is " +
-          Joined(robot::RobotSpec{}.apis) + ".\n\n| robot | `apis` |\n|---|---|\n";
-  for (const auto& [robot, apis] : robots) text += "| " + robot + " | " + Joined(apis) + " |\n";
   text +=
+      "A robot's file in [config/robots](../config/robots) lists its tables under `robot.apis`, "
+      "`understudy robots --json` those of all robots; the default is " +
+      Joined(robot::RobotSpec{}.apis) +
+      ". A table is named after the robot to which the vendor's header belongs; others may have it "
+      "too.\n"
       "\nA robot with `uwbswitch` also reads `rt/utlidar/switch` (`ON` or `OFF` for the program "
       "unitree_lidar) and `rt/uwbswitch` (as uwbswitch SwitchSet).\n";
   for (const std::string_view name : kApiNames) text += Section(name, TableNamed(name));

@@ -1,7 +1,6 @@
 // Finds the services of a robot and documents them.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,8 +16,7 @@ ServiceTable TableNamed(std::string_view name);
 // of one service.
 std::vector<ServiceTable> ServicesOf(const std::vector<std::string>& apis);
 
-// Returns docs/services.md: every table in Markdown, and which robot has which tables. `robots`
-// maps the name of each robot to its robot.apis.
-std::string ServicesReference(const std::map<std::string, std::vector<std::string>>& robots);
+// Returns docs/services.md: every table in Markdown.
+std::string ServicesReference();
 
 }  // namespace understudy::services

@@ -85,7 +85,7 @@ ServiceTable G1ArmTable() {
   action.also = "data";
   return {
       .name = "arm",
-      .title = "arm of G1",
+      .title = "arm",
       .api_version = "1.0.0.14",
       .parameter_code = kBadAction,
       .codes = {.not_now = kBadState, .unknown = kBadAction, .unable = kBadAction},

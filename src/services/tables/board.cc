@@ -227,7 +227,7 @@ ServiceTable MotionSwitcherTable() {
 
 ServiceTable RobotStateTable() {
   return {.name = "robot_state",
-          .title = "robot_state of Go2, Go2-W",
+          .title = "robot_state of Go2",
           .api_version = "1.0.0.1",
           .rows = RobotStateRows()};
 }
@@ -235,7 +235,7 @@ ServiceTable RobotStateTable() {
 ServiceTable RobotStateLongTable() {
   constexpr std::string_view kSdk = "[sdk] b2/robot_state";
   ServiceTable table{.name = "robot_state",
-                     .title = "robot_state of the others",
+                     .title = "robot_state",
                      .api_version = "1.0.0.2",
                      .rows = RobotStateRows(),
                      .settings = {{"low_power", "1"}},

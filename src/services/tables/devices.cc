@@ -71,7 +71,7 @@ ServiceTable ObstaclesAvoidTable() {
   constexpr std::string_view kSdk = "[sdk] go2/obstacles_avoid";
   return {
       .name = "obstacles_avoid",
-      .title = "obstacles_avoid of Go2",
+      .title = "obstacles_avoid",
       .api_version = "1.0.0.2",
       .program = "obstacles_avoidance",
       .rows =
@@ -98,7 +98,7 @@ ServiceTable VuiTable() {
   constexpr std::string_view kSdk = "[sdk] go2/vui; [docs] ranges, 100";
   return {
       .name = "vui",
-      .title = "vui of Go2, Go2-W, B2, B2-W",
+      .title = "vui",
       .api_version = "1.0.0.1",
       .parameter_code = kDeviceError,
       .program = "vui_service",
@@ -122,7 +122,7 @@ ServiceTable VoiceTable() {
   constexpr std::string_view kSdk = "[sdk] g1/audio; [docs] G1 VuiClient";
   return {
       .name = "voice",
-      .title = "voice of G1, R1, A2",
+      .title = "voice",
       .api_version = "1.0.0.0",
       .parameter_code = kDeviceError,
       .codes = {.unable = kDeviceError},
@@ -154,7 +154,7 @@ ServiceTable UwbSwitchTable() {
   constexpr std::string_view kSdk = "[sdk] go2/utrack";
   return {
       .name = "uwbswitch",
-      .title = "uwbswitch of Go2",
+      .title = "uwbswitch",
       .api_version = "1.0.0.1",
       .program = "utrack",
       .has_switch_topics = true,
@@ -169,9 +169,9 @@ ServiceTable UwbSwitchTable() {
       .settings = {{"enable", "0"}, {"tracking", "0"}}};
 }
 
-ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version) {
+ServiceTable VideoTable(std::string_view name, std::string_view version) {
   return {.name = name,
-          .title = title,
+          .title = name,
           .api_version = version,
           .parameter_code = kDeviceError,
           .codes = {.unable = kDeviceError},

@@ -297,7 +297,7 @@ ServiceTable H1LocoTable() {
   const Loco l{
       .source = "[sdk] h1/loco", .get = 8000, .set = 8100, .state_code = 8301, .task_code = 8304};
   ServiceTable table{.name = "loco",
-                     .title = "loco of H1, H1-2",
+                     .title = "loco of H1",
                      .api_version = "2.0.0.0",
                      .codes = {.not_now = kRpcOk, .unknown = 8302, .unable = 8301},
                      .needs_motion = true,

@@ -40,6 +40,6 @@ ServiceTable ObstaclesAvoidTable();
 ServiceTable VuiTable();
 ServiceTable VoiceTable();
 ServiceTable UwbSwitchTable();
-ServiceTable VideoTable(std::string_view name, std::string_view title, std::string_view version);
+ServiceTable VideoTable(std::string_view name, std::string_view version);
 
 }  // namespace understudy::services
