@@ -15,10 +15,10 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 0understudy1)  # less than 1, with which Debian
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "simulated Unitree robot that speaks the robot's own DDS")
-set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Understudy plays a Unitree robot: it simulates a Go2, Go2-W, B2, B2-W, A2, G1,
-H1, H1-2, H2 or R1 in MuJoCo and speaks the robot's topics and services, so
-that a program written with Unitree SDK 2 (C++, Python or ROS 2) runs against
-it unchanged.
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION "Understudy plays a Unitree robot: it simulates a
+quadruped, on feet or wheels, or a humanoid in MuJoCo and speaks the robot's
+topics and services, so that a program written with Unitree SDK 2 (C++, Python
+or ROS 2) runs against it unchanged.
 .
 It also puts robot and program into a private network for tests, plays and
 judges scenarios, records and replays, and shows the robot in a window, in a
