@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/motion/quadruped/rig.h"
+#include "tests/support/robots.h"
 
 namespace understudy::motion {
 namespace {
@@ -313,7 +314,7 @@ TEST_F(ProtectionTest, AStartOfTheServiceForgetsWhatWas) {
 }
 
 TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
-  for (const std::string robot : {"go2", "b2", "a2", "g1", "h1", "h1_2", "r1", "h2"}) {
+  for (const std::string& robot : test::Robots()) {
     const config::Config config = ConfigOf(robot);
     physics::World world = PhysicsOf(config);
     const Eigen::Vector3d up = world.robot().Imu().R_WI * world.robot().imu_up();
