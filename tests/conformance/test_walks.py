@@ -4,12 +4,12 @@ import concurrent.futures
 
 import pytest
 
-from fleet import fleet, quadrupeds
+from fleet import fleet, quadrupeds, with_api
 
 ROBOTS = quadrupeds()
 GAIN = {"go2": 0.92}  # of a real one's forward speed (docs/walking.md)
 COMMANDED, HELD = 4.0, {"b2w": 0.5}  # s; a Move that is not renewed goes on for 1 s
-AGILE, FREE_WALK = 100, 9  # error_code of a Go2, mode of the others
+AGILE, FREE_WALK = {"state": 100, "mode": 0}, {"state": 0, "mode": 9}  # error_code and mode
 WAYS = {"ahead": (0, 0.5), "left": (1, 0.3), "turn": (2, 0.5)}  # axis, m/s or rad/s; less than half a turn
 
 
@@ -55,7 +55,8 @@ def test_a_robot_tells_how_far_it_came_and_how_fast(walks, robot, way):
 def test_a_robot_stands_once_it_is_left_alone(walks, robot, way):
     walk = walks[robot][way]
     assert walk["rest"] < 0.05
-    assert walk["state" if robot == "go2" else "mode"] == (AGILE if robot == "go2" else FREE_WALK)
+    told = {key: walk[key] for key in FREE_WALK}
+    assert told == (AGILE if robot in with_api("sport_go2") else FREE_WALK)
 
 
 def test_obstacles_avoid_moves_a_robot_once_it_is_told_to_hear_the_api(walks):
