@@ -119,8 +119,4 @@ Result<double> SettingNumber(const SettingKey& key, const Request& request) {
                (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
 }
 
-std::string SettingText(const SettingKey& key, double value) {
-  return key.words.empty() ? NumberText(value) : key.words[static_cast<std::size_t>(value)];
-}
-
 }  // namespace understudy::emulator

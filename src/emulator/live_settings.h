@@ -37,7 +37,4 @@ Result<std::size_t> FindSetting(std::string_view key);
 // word; or an Error with what was expected. Allocates only then.
 Result<double> SettingNumber(const SettingKey& key, const Request& request);
 
-// Returns the value as people write it: "0.25", "true", "lenient".
-std::string SettingText(const SettingKey& key, double value);
-
 }  // namespace understudy::emulator

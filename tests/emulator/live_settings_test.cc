@@ -150,7 +150,8 @@ TEST_F(LiveSettingsTest, AreToldWhenTheyChangeAndListedWithTheirValues) {
       EXPECT_EQ(snapshot.settings[i], 3);
     }
     if (key == "gate.mode") {
-      EXPECT_EQ(SettingText(snapshot.setting_keys[i], snapshot.settings[i]), "lenient");
+      const auto word = static_cast<std::size_t>(snapshot.settings[i]);
+      EXPECT_EQ(snapshot.setting_keys[i].words.at(word), "lenient");
     }
     if (key == "gate.timeout") {
       EXPECT_EQ(snapshot.settings[i], config_.gate.timeout);
