@@ -95,17 +95,21 @@ struct ExciteArguments {
   identify::ExciteSettings settings;
 };
 
+// "FR_hip_joint" is FR_hip.
+std::string ShortName(const std::string& joint) {
+  constexpr std::string_view kEnd = "_joint";
+  return joint.ends_with(kEnd) ? joint.substr(0, joint.size() - kEnd.size()) : joint;
+}
+
 std::vector<std::size_t> MotorsOf(const robot::RobotSpec& robot,
                                   const std::vector<std::string>& joints) {
   std::vector<std::size_t> motors;
   std::vector<std::string> names;
-  for (const robot::MotorSpec& motor : robot.motors) names.push_back(motor.joint);
+  for (const robot::MotorSpec& motor : robot.motors) names.push_back(ShortName(motor.joint));
   for (const std::string& joint : joints) {
-    const auto found = std::ranges::find_if(
-        names, [&](const std::string& name) { return name == joint || name == joint + "_joint"; });
+    const auto found = std::ranges::find(names, ShortName(joint));
     if (found == names.end()) {
-      throw ConfigError("--joints: no joint '" + joint + "'; did you mean '" +
-                        NearestWord(joint, names) + "'?");
+      throw ConfigError("--joints: no joint '" + joint + "'" + DidYouMean(ShortName(joint), names));
     }
     motors.push_back(static_cast<std::size_t>(found - names.begin()));
   }

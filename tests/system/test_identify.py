@@ -57,6 +57,16 @@ def test_a_robot_that_stands_on_its_feet_is_refused(play, understudy):
     assert "of its weight" in refused.stderr
 
 
+@pytest.mark.parametrize(("joint", "told"), [
+    ("FR_hop", "; did you mean 'FR_hip'? (valid: FR_hip, FR_thigh, "),
+    ("elbow", "; valid: FR_hip, FR_thigh, "),
+])
+def test_a_joint_that_is_not_there_is_told_with_those_that_are(understudy, joint, told):
+    refused = understudy("excite", "--robot", "go2", "--joints", f"FL_calf,{joint}")
+    assert refused.returncode == 3
+    assert f"no joint '{joint}'{told}" in refused.stderr
+
+
 def test_a_stranger_is_not_moved_unless_that_is_meant(understudy):
     with speaker("rt/lowstate", GoLowState) as robot:
         excite = subprocess.Popen([os.environ["UNDERSTUDY"], "excite", "--robot", "go2"],
