@@ -52,9 +52,6 @@ class McapWriter {
 
   std::uint64_t messages() const { return messages_; }
   std::uint64_t bytes() const { return file_.size(); }  // written to the file
-  std::uint64_t messages_of(std::uint16_t channel_id) const {
-    return channels_[channel_id - 1U].messages;
-  }
 
  private:
   struct Channel {

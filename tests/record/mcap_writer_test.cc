@@ -87,7 +87,6 @@ TEST_F(McapWriterTest, FlushesByItselfWhenAChunkIsFull) {
   writer.Write(channel, 2, 2, AsBytes(std::string(900, 'y')));
   EXPECT_GT(writer.bytes(), before);
   EXPECT_EQ(writer.messages(), 2U);
-  EXPECT_EQ(writer.messages_of(channel), 2U);
 }
 
 }  // namespace
