@@ -1,19 +1,11 @@
 #include "signals/signals.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <iterator>
-#include <optional>
-
-#include <Eigen/Geometry>
 
 #include "base/nearest_word.h"
 #include "emulator/event_table.h"
 #include "emulator/robot.h"
-#include "judge/margin.h"
-#include "wire/imu_codec.h"
-#include "wire/rounded.h"
+#include "signals/signal_rows.h"
 #include "wire/state_topics.h"
 #include "wire/topics.h"
 
@@ -22,136 +14,6 @@ namespace {
 
 using emulator::EventField;
 using emulator::EventRow;
-
-// The free joint of the robot comes first in qpos: position and attitude (w, x, y, z); in qvel the
-// velocity of the base in the world and its angular velocity in its own axes.
-Eigen::Quaterniond Attitude(const Truth& t) { return {t.qpos[3], t.qpos[4], t.qpos[5], t.qpos[6]}; }
-double Angle(const Truth& t, int axis) { return wire::RollPitchYaw(Attitude(t))[axis]; }
-Eigen::Vector3d UpInWorld(const Truth& t) { return Attitude(t) * Eigen::Vector3d::UnitZ(); }
-// Of the base along its heading and to its left.
-Eigen::Vector2d Level(const Truth& t) {
-  const double yaw = Angle(t, 2);
-  return Eigen::Rotation2Dd(-yaw) * Eigen::Vector2d(t.qvel[0], t.qvel[1]);
-}
-double At(std::span<const double> values, std::size_t index) {
-  return index < values.size() ? values[index] : judge::kUnknown;
-}
-double Sum(std::span<const double> values) {
-  double sum = 0;
-  for (const double value : values) sum += value;
-  return sum;
-}
-
-// As the message has it, in single precision.
-double InLowState(const robot::RobotState& sample, std::size_t joint,
-                  double robot::MotorReading::*value) {
-  if (joint >= sample.motors.size()) return judge::kUnknown;
-  return static_cast<float>(sample.motors[joint].*value);
-}
-
-// Temperatures of motors as the messages of each family have them.
-double HottestInGoLowState(const robot::RobotState& sample, std::size_t joint) {
-  if (joint >= sample.motors.size()) return judge::kUnknown;
-  const robot::MotorReading& motor = sample.motors[joint];
-  return wire::Rounded<std::uint8_t>(std::max(motor.casing_c, motor.winding_c), 0, 127);
-}
-double WindingInHgLowState(const robot::RobotState& sample, std::size_t joint) {
-  if (joint >= sample.motors.size()) return judge::kUnknown;
-  return wire::Rounded<std::int16_t>(sample.motors[joint].winding_c);
-}
-
-constexpr SignalRow kRows[] = {
-    {"base.x", "", "m", Origin::kTruth, "Position of the base in the world",
-     [](const Truth& t, std::size_t) { return t.qpos[0]; }},
-    {"base.y", "", "m", Origin::kTruth, "likewise",
-     [](const Truth& t, std::size_t) { return t.qpos[1]; }},
-    {"base.height", "", "m", Origin::kTruth, "likewise: z, over the origin of the world",
-     [](const Truth& t, std::size_t) { return t.qpos[2]; }},
-    {"base.roll", "", "rad", Origin::kTruth, "Attitude of the base",
-     [](const Truth& t, std::size_t) { return Angle(t, 0); }},
-    {"base.pitch", "", "rad", Origin::kTruth, "likewise",
-     [](const Truth& t, std::size_t) { return Angle(t, 1); }},
-    {"base.yaw", "", "rad", Origin::kTruth, "likewise, from -π to π",
-     [](const Truth& t, std::size_t) { return Angle(t, 2); }},
-    {"base.tilt", "", "rad", Origin::kTruth, "Angle between the z axes of base and world",
-     [](const Truth& t, std::size_t) { return std::acos(std::clamp(UpInWorld(t).z(), -1., 1.)); }},
-    {"base.forward", "", "m/s", Origin::kTruth, "Velocity of the base along its heading",
-     [](const Truth& t, std::size_t) { return Level(t).x(); }},
-    {"base.left", "", "m/s", Origin::kTruth, "likewise, to the left of its heading",
-     [](const Truth& t, std::size_t) { return Level(t).y(); }},
-    {"base.up", "", "m/s", Origin::kTruth, "likewise, upwards",
-     [](const Truth& t, std::size_t) { return t.qvel[2]; }},
-    {"base.speed", "", "m/s", Origin::kTruth, "Horizontal speed of the base",
-     [](const Truth& t, std::size_t) { return std::hypot(t.qvel[0], t.qvel[1]); }},
-    {"base.turn", "", "rad/s", Origin::kTruth, "Rate of turning about the world's z axis",
-     [](const Truth& t, std::size_t) {
-       return (Attitude(t) * Eigen::Vector3d(t.qvel[3], t.qvel[4], t.qvel[5])).z();
-     }},
-    {"torque", "JOINT", "N·m", Origin::kTruth, "Torque that acts at a joint",
-     [](const Truth& t, std::size_t joint) { return At(t.tau, joint); }},
-    {.word = "torque_share",
-     .argument = "JOINT",
-     .unit = "",
-     .origin = Origin::kTruth,
-     .says = "likewise its size, as a share of the motor's torque_limit",
-     .of = [](const Truth& t, std::size_t joint) { return At(t.tau, joint); },
-     .share = true},
-    {"foot_force", "FOOT", "N", Origin::kTruth, "What presses on a foot",
-     [](const Truth& t, std::size_t foot) { return At(t.foot_force, foot); }},
-    {"feet.force", "", "N", Origin::kTruth, "What presses on all feet",
-     [](const Truth& t, std::size_t) { return Sum(t.foot_force); }},
-    {"crane.tension", "", "N", Origin::kTruth, "Pull of the tether, 0 off the crane",
-     [](const Truth& t, std::size_t) { return t.crane_tension; }},
-    {"q", "JOINT", "rad", Origin::kMessages, "Angle of a joint in rt/lowstate", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::q);
-     }},
-    {"dq", "JOINT", "rad/s", Origin::kMessages, "likewise its rate", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::dq);
-     }},
-    {"tau_est", "JOINT", "N·m", Origin::kMessages, "likewise its torque", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::tau);
-     }},
-    {.word = "tau_est_share",
-     .argument = "JOINT",
-     .unit = "",
-     .origin = Origin::kMessages,
-     .says = "likewise the size of that torque, as a share of the motor's torque_limit",
-     .of = nullptr,
-     .of_sample = [](const robot::RobotState& s,
-                     std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::tau); },
-     .field = "tau_est",
-     .share = true},
-    {.word = "temperature",
-     .argument = "JOINT",
-     .unit = "°C",
-     .origin = Origin::kMessages,
-     .says = "likewise the motor's temperature; in the hg family that of its winding",
-     .of = nullptr,
-     .of_sample = HottestInGoLowState},
-    {"first_jump", "", "rad", Origin::kMessages,
-     "Largest difference between an angle that the first command of rt/lowcmd asks for and the "
-     "joint's in rt/lowstate; of a simulated robot the first command that is taken, of a recording "
-     "without its events the first that asks for an angle; unknown before",
-     nullptr},
-    {"rate", "TOPIC", "Hz", Origin::kMessages,
-     "Messages of a topic in the last second; unknown until a second after the first one", nullptr},
-    {"gap", "TOPIC", "s", Origin::kMessages,
-     "Time since the last message of a topic; unknown before "
-     "the first one",
-     nullptr},
-    {"count", "EVENT", "", Origin::kEvents, "Number of events of a kind so far", nullptr},
-    {"refusals", "", "", Origin::kEvents, "Commands refused so far: count(refused)", nullptr},
-    {"state", "", "", Origin::kEvents, "Of the motion service, by the vendor's id: motion.state",
-     nullptr},
-    {"gate", "", "", Origin::kEvents, "State of the gate of rt/lowcmd: gate.state", nullptr},
-    {"service", "", "", Origin::kEvents, "Motion service that is on: motion_service.service",
-     nullptr},
-    {"program.exit_code", "", "", Origin::kEvents, "Of the program under test: program_end.code",
-     nullptr},
-};
 
 struct UnitRow {
   std::string_view unit, of;
@@ -189,15 +51,6 @@ std::vector<std::string> EventKinds() {
     if (row.noted) kinds.emplace_back(row.name);
   }
   return kinds;
-}
-
-std::vector<std::string> Words() {
-  std::vector<std::string> words;
-  for (const SignalRow& row : kRows) {
-    words.push_back(std::string(row.word) +
-                    (row.argument.empty() ? "" : "(" + std::string(row.argument) + ")"));
-  }
-  return words;
 }
 
 // "lowcmd" is rt/lowcmd, "/lowstate" the ROS name of rt/lowstate.
@@ -306,8 +159,8 @@ Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal si
     if (row.origin != Origin::kMessages) return signal;
     signal.source = Signal::Source::kField;
     signal.topic = "rt/lowstate";
-    const bool winding = names.hg && row.word == "temperature";
-    signal.of_sample = winding ? WindingInHgLowState : row.of_sample;
+    const bool winding = names.hg && row.of_hg_sample != nullptr;
+    signal.of_sample = winding ? row.of_hg_sample : row.of_sample;
     if (names.any_robot) return signal;
     if (*joint >= names.slots.size()) {
       return Error{"rt/lowstate does not tell of " + names.joints[*joint]};
@@ -421,10 +274,11 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
                   .printed = comparison.word};
   }
   const auto [word, argument] = Split(subject);
-  const auto row = std::ranges::find_if(kRows, [&word = word, &argument = argument](const auto& r) {
+  const std::span<const SignalRow> rows = SignalRows();
+  const auto row = std::ranges::find_if(rows, [&word = word, &argument = argument](const auto& r) {
     return r.word == word && r.argument.empty() == argument.empty();
   });
-  if (row != std::end(kRows)) return Fill(*row, argument, std::move(signal), names);
+  if (row != rows.end()) return Fill(*row, argument, std::move(signal), names);
   if (const std::size_t colon = subject.find(':'); colon != std::string::npos) {
     return FieldOf(std::move(signal), subject.substr(0, colon), subject.substr(colon + 1), names);
   }
@@ -434,7 +288,7 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
       return EventValue(std::move(signal), kind, subject.substr(dot + 1));
     }
   }
-  const std::string nearest = NearestWord(subject, Words());
+  const std::string nearest = NearestWord(subject, SignalWords());
   return Error{"no signal '" + subject + "'" +
                (nearest.empty() ? "; there are words such as base.height, TOPIC:FIELD, EVENT.FIELD"
                                 : "; did you mean '" + nearest + "'?")};
@@ -460,19 +314,6 @@ std::vector<std::string> PrintedTexts(std::span<const Signal> signals) {
     if (std::ranges::find(texts, signal.printed) == texts.end()) texts.push_back(signal.printed);
   }
   return texts;
-}
-
-std::string SignalsReference() {
-  constexpr std::string_view kOrigins[] = {"truth", "messages", "events"};
-  std::string text = "| signal | unit | from | is |\n|---|---|---|---|\n";
-  const std::vector<std::string> words = Words();
-  for (std::size_t i = 0; i < std::size(kRows); ++i) {
-    const SignalRow& row = kRows[i];
-    text += "| `" + words[i] + "` | " + std::string(row.unit) + " | " +
-            std::string(kOrigins[static_cast<std::size_t>(row.origin)]) + " | " +
-            std::string(row.says) + " |\n";
-  }
-  return text;
 }
 
 }  // namespace understudy::signals
