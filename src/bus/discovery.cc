@@ -13,6 +13,8 @@
 #include <dds/ddsi/ddsi_typelib.h>
 #include <dds/ddsrt/heap.h>
 
+#include "bus/foreign_types.h"
+
 namespace understudy::bus {
 namespace {
 
@@ -244,6 +246,7 @@ bool SpeaksXcdr1(const dds_qos_t* qos) {
 }
 
 std::string DefinitionOf(const dds_builtintopic_endpoint_t& endpoint) {
+  if (!std::equal(kCyclone.begin(), kCyclone.end(), std::begin(endpoint.key.v))) return "";
   const dds_typeinfo_t* info = nullptr;
   // Only reads it. What it gives belongs to the endpoint.
   auto* asked = const_cast<dds_builtintopic_endpoint_t*>(&endpoint);

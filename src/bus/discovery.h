@@ -125,7 +125,7 @@ struct Endpoint {
   bool has_deadline = false;
   bool xcdr1 = true;  // is among its data representations
   // A hash of its type's minimal definition, in which names of members count, as XTypes has it; ""
-  // where it tells none, as ours do here: see DefinitionOf.
+  // where it tells none that is compared (foreign_types.h), as ours do here: see DefinitionOf.
   std::string definition{};
   std::string partitions{};  // quoted; "" is the one that everybody is in by default
   Neighbour who{};           // `writer` is the endpoint's GUID, also of a reader's

@@ -15,6 +15,7 @@
 
 #include "base/errors.h"
 #include "bus/cyclone_log.h"
+#include "bus/foreign_types.h"
 #include "bus/qos.h"
 
 namespace understudy::bus {
@@ -57,6 +58,7 @@ Domain CreateDomain(const std::string& interface, int domain) {
       "\" priority=\"default\" "
       "multicast=\"default\"/></Interfaces></General></Domain></CycloneDDS>";
   const std::string where = "DDS domain " + std::to_string(domain) + " on \"" + interface + "\"";
+  RequireUnreadTypes();
   RefuseWithoutRoom(where);
   TakeCycloneNotices();
   const dds_entity_t created = dds_create_domain(static_cast<dds_domainid_t>(domain), xml.c_str());
