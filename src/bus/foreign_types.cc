@@ -1,6 +1,9 @@
 #include "bus/foreign_types.h"
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include <dds/dds.h>
 #include <dds/ddsi/ddsi_xqos.h>
@@ -8,11 +11,12 @@
 #include <dds/ddsi/ddsi_typelookup.h>
 #include <dds/ddsi/ddsi_xt_impl.h>
 #include <dlfcn.h>
+#include <link.h>
 
 #include "base/errors.h"
 
 // Functions of Cyclone's, which calls them by name: the dynamic linker finds a program's own before
-// a library's.
+// a library's. A Cyclone that was linked to call its own, with -Bsymbolic-functions, does not.
 
 // NOLINTBEGIN(readability-identifier-naming): Cyclone's names
 extern "C" {
@@ -50,6 +54,61 @@ dds_return_t ddsi_type_ref_proxy(ddsi_domaingv* domain, ddsi_type** type,
 // NOLINTEND(readability-identifier-naming)
 
 namespace understudy::bus {
+namespace {
+
+// The parts of a loaded library that tell which functions it calls by name.
+struct Calls {
+  const ElfW(Sym) * symbols = nullptr;
+  const char* names = nullptr;
+  const ElfW(Rela) * first = nullptr;
+  std::size_t bytes = 0;
+};
+
+Calls CallsOf(const dl_phdr_info& library) {
+  Calls calls;
+  for (const ElfW(Phdr) & part : std::span(library.dlpi_phdr, library.dlpi_phnum)) {
+    if (part.p_type != PT_DYNAMIC) continue;
+    const auto* entry = reinterpret_cast<const ElfW(Dyn)*>(library.dlpi_addr + part.p_vaddr);
+    for (; entry->d_tag != DT_NULL; ++entry) {
+      switch (entry->d_tag) {
+        case DT_SYMTAB:
+          calls.symbols = reinterpret_cast<const ElfW(Sym)*>(entry->d_un.d_ptr);
+          break;
+        case DT_STRTAB:
+          calls.names = reinterpret_cast<const char*>(entry->d_un.d_ptr);
+          break;
+        case DT_JMPREL:
+          calls.first = reinterpret_cast<const ElfW(Rela)*>(entry->d_un.d_ptr);
+          break;
+        case DT_PLTRELSZ:
+          calls.bytes = entry->d_un.d_val;
+          break;
+        default:
+          break;
+      }
+    }
+  }
+  return calls;
+}
+
+int FindCall(dl_phdr_info* library, std::size_t, void* wanted) {
+  if (std::string_view(library->dlpi_name).find("/libddsc.") == std::string_view::npos) return 0;
+  const Calls calls = CallsOf(*library);
+  for (const ElfW(Rela) & call : std::span(calls.first, calls.bytes / sizeof(ElfW(Rela)))) {
+    const ElfW(Sym)& symbol = calls.symbols[ELF64_R_SYM(call.r_info)];
+    if (*static_cast<std::string_view*>(wanted) == calls.names + symbol.st_name) return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+bool CycloneCalls(std::string_view function) { return dl_iterate_phdr(&FindCall, &function) != 0; }
+
+bool ReadsForeignTypes() {
+  return !CycloneCalls("ddsi_tl_request_type") || !CycloneCalls("ddsi_tl_handle_reply") ||
+         !CycloneCalls("ddsi_type_ref_proxy");
+}
 
 void RequireUnreadTypes() {
   const auto is_ours = [](const char* name, auto* ours) {

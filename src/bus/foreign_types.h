@@ -13,12 +13,21 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 
 namespace understudy::bus {
 
 // The first two bytes of a GUID name its maker. Hashes of others' are not compared: they make other
 // ones of the same IDL.
 inline constexpr std::array<std::uint8_t, 2> kCyclone{0x01, 0x10};
+
+// Returns whether the loaded libddsc calls `function` of its own by name, so that a program's own
+// takes its place. Debian's does for all; one linked with -Bsymbolic-functions, as builds of Ubuntu
+// are by default, for none.
+bool CycloneCalls(std::string_view function);
+
+// Returns whether Cyclone reads descriptions nonetheless, because of how libddsc was linked.
+bool ReadsForeignTypes();
 
 // Throws BusError if this program is linked so that Cyclone reads descriptions nonetheless.
 void RequireUnreadTypes();

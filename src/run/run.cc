@@ -21,6 +21,7 @@
 #include "base/spsc_ring.h"
 #include "bus/cyclone_log.h"
 #include "bus/discovery.h"
+#include "bus/foreign_types.h"
 #include "bus/participant.h"
 #include "config/data_dir.h"
 #include "config/load.h"
@@ -204,6 +205,11 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
         "link "
         "set {} multicast on` as root, or `understudy exec`",
         config.network.interface, config.network.interface);
+  }
+  if (bus::ReadsForeignTypes()) {
+    spdlog::warn(
+        "the libddsc of this system reads how others describe their types, at which it crashes "
+        "where they are on Fast DDS 3 (ROS 2 since Kilted): have them use rmw_cyclonedds_cpp");
   }
   wire::StrangerWatch watch(participant);
   const time::Clock::Time watch_set = clock.Now();
