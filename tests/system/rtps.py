@@ -3,11 +3,11 @@
 All go to the group that everybody in domain 0 listens to.
 """
 
-import hashlib
 import os
 import socket
 import struct
 import time
+from hashlib import md5
 
 GROUP = ("239.255.0.1", 7400)
 CYCLONE, FAST_DDS = b"\x01\x10", b"\x01\x0f"  # makers
@@ -60,9 +60,9 @@ def structure(member):
     def body(cdr):
         cdr.put("BBH", MINIMAL, STRUCTURE, 1).sized(lambda header: header.put("B", 0))
         cdr.sized(lambda members: members.put("I", 1).sized(
-            lambda one: member(one.put("IH", 0, 0)).raw(hashlib.md5(b"data").digest()[:4])))
+            lambda one: member(one.put("IH", 0, 0)).raw(md5(b"data").digest()[:4])))
     description = Cdr().sized(body).bytes
-    return description, hashlib.md5(description).digest()[:14]
+    return description, md5(description).digest()[:14]
 
 
 def hashed(kind, digest):
@@ -92,7 +92,7 @@ def answer(asker, pairs):
         for identifier, description in pairs:
             identifier(cdr)
             cdr.raw(bytes(-len(cdr.bytes) % 4)).raw(description)
-    types = int.from_bytes(hashlib.md5(b"types").digest()[:4], "little") & 0x0FFFFFFF
+    types = int.from_bytes(md5(b"types").digest()[:4], "little") & 0x0FFFFFFF
 
     def result(cdr):
         cdr.put("i", 0).sized(lambda out: out.put("I", 4 << 28 | types).sized(lambda one: one.sized(list_of_pairs)))
