@@ -17,6 +17,8 @@ import pytest
 import namespaces
 from robots import Robot, understudy
 
+pytest_plugins = ["desk"]
+
 
 def pytest_configure(config):
     namespaces.enter_private_network()

@@ -1,10 +1,7 @@
-"""The worked example of docs/own_robot.md, exactly as it is printed there."""
+"""The worked example of docs/own_robot.md, exactly as it is printed there; test_page_examples.py types its session."""
 
-import os
 import pathlib
 import re
-import subprocess
-import sys
 
 import pytest
 
@@ -32,22 +29,6 @@ def test_the_document_prints_the_files_of_the_example(blocks, language):
     example = ROOT / "examples" / "two_joint_arm" / FILES[language]
 
     assert blocks[language] == example.read_text()
-
-
-def test_the_session_goes_as_it_is_printed(blocks, tmp_path):
-    for language, name in FILES.items():
-        (tmp_path / name).write_text(blocks[language])
-    programs = [pathlib.Path(os.environ["UNDERSTUDY"]).parent, pathlib.Path(sys.executable).parent]
-    path = os.pathsep.join([*map(str, programs), os.environ["PATH"]])
-
-    typed = re.findall(r"^\$ (.*)\n((?:[^$].*\n)*)", blocks["console"], re.MULTILINE)
-
-    assert len(typed) == 2
-    for command, printed in typed:
-        done = subprocess.run(command, shell=True, cwd=tmp_path, env=os.environ | {"PATH": path},
-                              capture_output=True, text=True, timeout=60)
-        assert done.returncode == 0, done.stderr
-        assert done.stdout == printed, done.stderr
 
 
 def test_the_model_lies_beside_the_file_that_names_it(blocks, tmp_path, understudy):

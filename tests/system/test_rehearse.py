@@ -235,14 +235,6 @@ def test_a_real_robots_recording_is_not_judged_by_a_truth_that_it_does_not_have(
     assert "the simulation's truth, which this recording does not have" in done.stdout
 
 
-def test_the_documents_first_scenario_holds(rehearse, tmp_path):
-    text = (ROOT / "docs" / "rehearsing.md").read_text()
-    file = tmp_path / "first.yaml"
-    file.write_text(re.search(r"```yaml\n(scenario:.*?)```", text, re.DOTALL).group(1))
-    done = rehearse(file)
-    assert done.returncode == 0, done.stdout + done.stderr
-
-
 def test_the_documents_ladder_says_up_to_where_and_gives_the_next_settings(rehearse, understudy, tmp_path):
     text = (ROOT / "docs" / "rehearsing.md").read_text()
     file = tmp_path / "ladder.yaml"
