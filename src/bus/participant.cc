@@ -72,7 +72,10 @@ Domain CreateDomain(const std::string& interface, int domain) {
     const bool full = why.find("participant index") != std::string::npos;
     throw BusError(
         "cannot join " + where + ": " + why +
-        (full ? "; without multicast an interface has room for nine programs in a domain" : ""));
+        (full ? "; without multicast an interface has room for nine programs in a domain: use "
+                "`understudy exec`, another domain or, as root, `ip link set " +
+                    interface + " multicast on`"
+              : ""));
   }
   return Domain(Entity(created, "join " + where));
 }

@@ -66,7 +66,8 @@ const sockaddr* Generic(const sockaddr_un& address) {
 }
 
 std::string Listener(const SocketProbe& probe) {
-  return probe.pid == 0 ? "a process out of sight" : "process " + std::to_string(probe.pid);
+  return probe.pid == 0 ? "a process that is not visible from here"
+                        : "process " + std::to_string(probe.pid);
 }
 
 // Locks a folder, which another process may remove meanwhile if it is one of RemoveControlFolder.

@@ -22,7 +22,7 @@ Browser::~Browser() {
 }
 
 void Browser::SayInstead(const std::string& why) {
-  spdlog::warn("no browser was opened ({}); the panel is at {}", why, url_);
+  spdlog::warn("no browser could be opened ({}); the panel is at {}", why, url_);
 }
 
 void Browser::Open(const std::string& url) {

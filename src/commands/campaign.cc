@@ -121,20 +121,21 @@ rehearse::Campaign Tell(const fs::path& out, bool json) {
 void AddCampaignOptions(CLI::App* app, CampaignArguments* arguments) {
   constexpr char kGroup[] = "Campaigns (scenarios with `vary`)";
   app->add_option("--jobs", arguments->jobs,
-                  "Runs side by side [cores; half of them with a program]")
+                  "Runs side by side [one per core; with a program half as many]")
       ->type_name("N")
       ->check(CLI::Range(1, 4096))
       ->group(kGroup);
-  app->add_option("--shard", arguments->shard,
-                  "Only every Nth run from the Ith on, as 2/8; --merge makes one of all")
+  app->add_option(
+         "--shard", arguments->shard,
+         "Play only every Nth run, from the Ith on, as in 2/8; --merge puts the shards together")
       ->type_name("I/N")
       ->group(kGroup);
   app->add_option("--keep", arguments->keep,
-                  "Runs of which recording and report are kept: failures, all or none [failures]")
+                  "Runs whose recording and report are kept: failures, all or none [failures]")
       ->check(CLI::IsMember({"failures", "all", "none"}))
       ->group(kGroup);
   app->add_flag("--again", arguments->again,
-                "Play runs anew whose results are in --out, instead of going on with the others")
+                "Play all runs anew, also those whose results are in --out already")
       ->group(kGroup);
   app->add_option("--merge", arguments->merge,
                   "Put the shards in these folders together, into --out")
@@ -189,10 +190,10 @@ int CampaignCommand(const CampaignRequest& request, const CampaignArguments& arg
   teller.Clear();
   Tell(request.out, request.json);
   if (played.found > 0) {
-    std::fprintf(stderr, "%zu runs were there already; --again plays them anew\n", played.found);
+    std::fprintf(stderr, "%zu runs have results already; --again plays them anew\n", played.found);
   }
   if (played.missing > 0) {
-    std::fprintf(stderr, "interrupted with %zu runs to go; the same command goes on\n",
+    std::fprintf(stderr, "interrupted before %zu runs; the same command plays them\n",
                  played.missing);
   }
   return CodeOf(played.tally, played.missing);

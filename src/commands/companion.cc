@@ -65,7 +65,7 @@ void CompanionProcess::Release() {
       child_.reset();
     }
   }
-  if (!why_not_.empty()) spdlog::warn("{} cannot be had: {}", what_, why_not_);
+  if (!why_not_.empty()) spdlog::warn("{} cannot be opened: {}", what_, why_not_);
 }
 
 void CompanionProcess::Watch() {

@@ -40,30 +40,33 @@ int CompareCommand(const CompareArguments& arguments) {
 
 void AddCompareCommand(CLI::App* app, Chosen* chosen) {
   const auto arguments = std::make_shared<CompareArguments>();
-  CLI::App* compare = app->add_subcommand("compare", "Tell where two recordings of a robot differ");
+  CLI::App* compare = app->add_subcommand("compare", "Show where two recordings of a robot differ");
   compare
       ->add_option("first", arguments->first,
-                   "A recording, MCAP or a ROS 2 bag: such as of a rehearsal")
+                   "A recording, MCAP or a ROS 2 bag, such as that of a rehearsal")
       ->required()
       ->type_name("FIRST");
-  compare->add_option("second", arguments->second, "Another: such as of the real robot")
+  compare->add_option("second", arguments->second, "Another one, such as that of the real robot")
       ->required()
       ->type_name("SECOND");
   compare
       ->add_option("--out", arguments->out,
-                   "Page with plots to write, .html; replaces an existing one [none]")
+                   "Page with plots to write, .html; an existing one is replaced [none]")
       ->type_name("PAGE");
   CLI::Option* shift =
       compare
-          ->add_option("--shift", arguments->shift,
-                       "Added to the second's time, s, each counted from its first LowState; "
-                       "negative: earlier [found by the movements of the joints]")
+          ->add_option(
+              "--shift", arguments->shift,
+              "Seconds that are added to the times of the second recording, each counted from its "
+              "first "
+              "LowState; negative makes it earlier [found from the movements of the joints]")
           ->type_name("S")
           ->check(ctl::NumberWithin(-kLongestShift, kLongestShift));
   compare->add_flag("--json", arguments->json, "Print one JSON document");
   compare->footer(
-      "Aligns the two in time, and compares per joint angle, speed and torque, how closely and\n"
-      "how late each follows its commands (rt/lowcmd), inertial unit and battery.\n"
+      "Aligns the two in time. Compares angle, speed and torque of each joint, how closely and "
+      "how\n"
+      "late it follows its commands (rt/lowcmd), the inertial unit and the battery.\n"
       "Examples:\n"
       "  understudy compare rehearsals/push/recording.mcap real.mcap\n"
       "  understudy compare sim.mcap real.mcap --out compare.html\n"

@@ -63,7 +63,8 @@ std::string Listen(int child, int says) {
     const std::string name = log.stem().string();
     std::printf(
         "%s runs in the background, process %d. Its log: %s\n"
-        "understudy ctl --name %s log --follow; it ends by: understudy ctl --name %s stop\n",
+        "To read it: understudy ctl --name %s log --follow; to end the robot: understudy ctl "
+        "--name %s stop\n",
         name.c_str(), child, log.c_str(), name.c_str(), name.c_str());
     std::exit(std::fflush(stdout) == 0 ? 0 : 1);
   }
@@ -104,7 +105,7 @@ std::filesystem::path MoveToBackground(const std::string& name) {
   if (file.get() < 0) Fail(log.string());
   // Standard error keeps the lock for as long as the run.
   if (::flock(file.get(), LOCK_EX | LOCK_NB) != 0) {
-    throw SocketError(log.string() + ": a robot of that name writes it; use another --name");
+    throw SocketError(log.string() + ": another robot of that name writes it; use another --name");
   }
   if (::ftruncate(file.get(), 0) != 0) Fail(log.string());
   if (nothing.get() < 0) Fail("/dev/null");
@@ -118,7 +119,8 @@ std::filesystem::path MoveToBackground(const std::string& name) {
 
 std::filesystem::path LogFolder() {
   if (std::filesystem::path folder = StateFolder(); !folder.empty()) return folder;
-  throw SetupError("--detach: no place for the log, since neither HOME nor XDG_STATE_HOME is set");
+  throw SetupError(
+      "--detach: there is no folder for the log, since neither HOME nor XDG_STATE_HOME is set");
 }
 
 void Background::Ready() {

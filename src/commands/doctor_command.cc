@@ -91,27 +91,30 @@ void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
   CLI::Option* const peer =
       doctor
           ->add_option("--peer", arguments->question.peer,
-                       "Measure the round trip to the echo of that host, address or name")
+                       "Measure the round trip to the echo on that host: its address or name")
           ->type_name("HOST");
   doctor
       ->add_option("--messages", arguments->messages,
-                   "Family whose LowCmd and LowState the round trip is as large as [go]")
+                   "Family of robots: the messages of the round trip are as large as its LowCmd "
+                   "and LowState [go]")
       ->check(CLI::IsMember({"go", "hg"}))
       ->needs(peer);
   doctor
       ->add_option("--robots", arguments->robots,
-                   "How many robots are to speak: 0 before a rehearsal, 1 before a test with one")
+                   "How many robots should be on the network: 0 before a rehearsal, 1 before a "
+                   "test with one")
       ->type_name("N")
       ->check(CLI::NonNegativeNumber);
   CLI::Option* const echo = doctor->add_flag("--echo", arguments->echo,
-                                             "Answer the doctor of another machine, until Ctrl-C");
+                                             "Answer the doctor on another machine, until Ctrl-C");
   doctor->add_option("--as", arguments->name, "Name of the echo, for --peer [the host's]")
       ->type_name("NAME")
       ->needs(echo);
   echo->excludes(peer);
   doctor->add_flag("--json", arguments->json, "As one JSON document");
   doctor->footer(
-      "A line for each check: ok, warning, wrong or not seen; what was found; what to do. It "
+      "Prints a line for each check: ok, warning, wrong or not seen; what was found; what to do. "
+      "It "
       "sends\n"
       "nothing on the vendor's topics, so that it can be used beside a live robot.\n"
       "Examples:\n"

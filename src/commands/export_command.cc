@@ -36,7 +36,7 @@ int ExportUrdf(const ExportArguments& arguments) {
       mjcf::UrdfOf(*model, config.robot.name, mjcf::TreeOf(*model, config.robot.base_body), limits);
   if (arguments.out.empty()) {
     if (!urdf.meshes.empty()) {
-      throw ModelError("the robot has meshes, which are files of their own: use --out FILE");
+      throw ModelError("the robot has meshes, which are separate files: use --out FILE");
     }
     std::fputs(urdf.text.c_str(), stdout);
     return 0;
@@ -55,7 +55,8 @@ int ExportUrdf(const ExportArguments& arguments) {
 }  // namespace
 
 void AddExportCommand(CLI::App* app, Chosen* chosen) {
-  CLI::App* group = app->add_subcommand("export", "Write a robot in a form that others read");
+  CLI::App* group =
+      app->add_subcommand("export", "Write a robot in a format that other programs read");
   group->require_subcommand(1);
   group->footer("Example: understudy export urdf go2 --out go2.urdf");
   const auto arguments = std::make_shared<ExportArguments>();

@@ -73,7 +73,7 @@ int IdentifyCommand(const IdentifyArguments& arguments) {
        .hold_out = std::max(0.0, share)},
       [](const std::string& line) { std::fprintf(stderr, "%s\n", line.c_str()); });
   if (!result) {
-    std::fputs("stopped before the fit was done\n", stderr);
+    std::fputs("stopped before the fit was finished\n", stderr);
     return 128 + StopSignal();
   }
   const std::string text = arguments.json ? identify::ResultJson(*result, recordings)
@@ -133,7 +133,7 @@ int ExciteCommand(ExciteArguments arguments) {
     return 128 + StopSignal();
   }
   std::fputs(
-      "a joint is 0.6 rad from where it is to be: is something in its way, or kp too low? The "
+      "a joint is 0.6 rad away from its target: is something in its way, or is kp too low? The "
       "joints are damped\n",
       stderr);
   return static_cast<int>(ExitCode::kInternal);
@@ -150,33 +150,38 @@ void AddExciteCommand(CLI::App* app, Chosen* chosen) {
   excite->add_option("--robot", arguments->robot, "The robot: a name or a YAML file")
       ->required()
       ->type_name("ROBOT");
-  excite->add_option("--network-interface", settings.interface, "Where it is [lo]")
+  excite
+      ->add_option("--network-interface", settings.interface,
+                   "Network interface that leads to the robot [lo]")
       ->type_name("NAME");
   excite->add_option("--domain", settings.domain, "DDS domain [0]")
       ->type_name("N")
       ->check(CLI::Range(0, bus::kLastDomain));
-  excite->add_option("--joints", arguments->joints, "Which joints, with commas between [all]")
+  excite->add_option("--joints", arguments->joints, "Joints to move, separated by commas [all]")
       ->delimiter(',')
       ->type_name("NAMES");
   const auto number = [&](const char* name, double* value, const char* help, double least,
                           double most, const char* unit) {
     excite->add_option(name, *value, help)->type_name(unit)->check(ctl::NumberWithin(least, most));
   };
-  number("--amplitude", &law.amplitude, "rad either way, less where a joint has no room [0.3]",
-         0.01, 1.5, "RAD");
-  number("--from-hz", &law.from_hz, "Where the chirps begin [0.2]", 0.05, 50, "HZ");
-  number("--to-hz", &law.to_hz, "Where they end [6]", 0.05, 50, "HZ");
-  number("--seconds", &law.seconds, "How long they last [20]", 2, 600, "S");
+  number("--amplitude", &law.amplitude,
+         "Amplitude, rad; less where the range of a joint is too small [0.3]", 0.01, 1.5, "RAD");
+  number("--from-hz", &law.from_hz, "Frequency at which the chirps begin, Hz [0.2]", 0.05, 50,
+         "HZ");
+  number("--to-hz", &law.to_hz, "Frequency at which they end, Hz [6]", 0.05, 50, "HZ");
+  number("--seconds", &law.seconds, "How long they last, s [20]", 2, 600, "S");
   number("--kp", &law.kp, "N·m/rad [20]", 0.1, 500, "KP");
   number("--kd", &law.kd, "N·m·s/rad [1]", 0, 50, "KD");
-  excite->add_flag("--on-a-real-robot", settings.on_a_real_robot,
-                   "It is a real robot, it is on a stand, and nobody is within its reach");
+  excite->add_flag(
+      "--on-a-real-robot", settings.on_a_real_robot,
+      "Confirms that it is a real robot on a stand, and that nobody is within its reach");
   excite->footer(
-      "Sends rt/lowcmd at 500 Hz: a move to the pose in which the robot hangs, chirps about it, "
+      "Sends rt/lowcmd at 500 Hz: a move to the hanging pose, chirps about it, "
       "and\n"
-      "damping that comes softly, also at Ctrl-C. Refuses while somebody else commands the "
+      "damping that sets in gently, also at Ctrl-C. Refuses while somebody else commands the "
       "motors,\n"
-      "while a motion service has them, and where the feet carry the robot. Record beside it.\n"
+      "while a motion service moves them, and where the feet carry the robot. Record it "
+      "meanwhile.\n"
       "Examples:\n"
       "  understudy run go2 --start clamped --released --record chirp.mcap\n"
       "  understudy excite --robot go2\n"
@@ -198,40 +203,41 @@ void AddIdentifyCommand(CLI::App* app, Chosen* chosen) {
       ->required()
       ->type_name("ROBOT");
   identify
-      ->add_option("--hold-out", arguments->hold_out,
-                   "Share of the windows, or a recording, that is not fitted to but judges the fit "
-                   "[0.25]")
+      ->add_option(
+          "--hold-out", arguments->hold_out,
+          "Share of the windows, or a recording, that judges the fit and has no part in it "
+          "[0.25]")
       ->type_name("SHARE|FILE");
   identify
       ->add_option("--parameters", arguments->parameters,
-                   "What to fit, with commas between: armature, damping, frictionloss, kd_share, "
+                   "What to fit, separated by commas: armature, damping, frictionloss, kd_share, "
                    "kp_scale, mass, delay [armature,damping,frictionloss,delay]")
       ->delimiter(',')
       ->type_name("NAMES");
-  identify->add_flag(
-      "--by-joint", arguments->by_joint,
-      "Give each joint figures of its own [those of a row of robot.dynamics.fitted share]");
+  identify->add_flag("--by-joint", arguments->by_joint,
+                     "Fit figures for each joint alone [the joints in a row of "
+                     "robot.dynamics.fitted share theirs]");
   identify
       ->add_option("--window", arguments->window,
-                   "s that are simulated from one measured state [0.2]")
+                   "Time that is simulated from one measured state, s [0.2]")
       ->type_name("S")
       ->check(ctl::NumberWithin(0.02, 10));
   identify->add_option("--jobs", arguments->jobs, "Threads [one per core]")
       ->type_name("N")
       ->check(CLI::Range(1, kMostJobs));
-  AddSetOptions(identify, &arguments->settings, "Settings to begin with, as of `run`",
+  AddSetOptions(identify, &arguments->settings, "Settings to begin with, as for `run`",
                 "robot.dynamics.delay=0.002");
   identify
       ->add_option(
           "--out", arguments->out,
-          "YAML to write, for --config of the other commands; replaces an existing one [none]")
+          "YAML to write, for --config of the other commands; an existing one is replaced [none]")
       ->type_name("FILE");
   identify->add_flag("--json", arguments->json, "Print one JSON document");
   identify->footer(
-      "Simulates short windows from measured states by the recorded commands (rt/lowcmd), and "
+      "Simulates short windows from measured states with the recorded commands (rt/lowcmd), and "
       "looks\n"
-      "for the figures with which the joints do what they did (docs/identify.md). What the data\n"
-      "cannot tell is named and left as it is. A CSV has the columns time, JOINT.q, JOINT.q_des,\n"
+      "for figures with which the joints move as they did (docs/identify.md). What the data\n"
+      "do not tell is named and left as it is. A CSV has the columns time, JOINT.q, JOINT.q_des,\n"
       "JOINT.dq_des, JOINT.kp, JOINT.kd, JOINT.tau_ff.\n"
       "Examples:\n"
       "  understudy identify chirp.mcap --robot go2 --out mine.yaml\n"

@@ -83,16 +83,15 @@ void RequireRobot(const std::string& robot, const std::string& what) {
   for (const std::string& name : config::RobotNames(config::DataDir())) {
     names += (names.empty() ? "" : ", ") + name;
   }
-  throw ConfigError(what + "; name it by --robot: " + names + ", or its file");
+  throw ConfigError(what + "; name one with --robot: " + names + ", or its file");
 }
 
 // Checks a layer over `robot` as `run` reads it: as --scene if it says nothing but the ground.
 std::string CheckLayer(const std::filesystem::path& file, const config::YamlValue& document,
                        const std::string& robot) {
   RequireRobot(
-      robot,
-      file.string() +
-          ": has neither robot.name nor extends, so a robot is needed over which to read it");
+      robot, file.string() +
+                 ": has neither robot.name nor extends, so it can only be read on top of a robot");
   const bool is_scene = std::ranges::all_of(
       document.keys, [](const auto& key) { return key.text == "scene" || key.text == "terrain"; });
   config::Layers layers{.robot = robot};
@@ -316,16 +315,16 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   robots->add_flag("--json", *flag, "As a JSON array");
   robots->footer(
       "Example: understudy robots --json\n"
-      "Your robot: understudy run my_robot.yaml, checked by understudy check.");
+      "A robot of your own: understudy run my_robot.yaml; understudy check checks its file.");
   robots->callback([=] { *chosen = [=] { return RobotsCommand(*flag); }; });
 
   const auto files = std::make_shared<std::vector<std::string>>();
   CLI::App* check = app->add_subcommand(
-      "check", "Check robots, layers, scenes, scripts, scenarios (.yaml), models (.xml)");
+      "check", "Check files: robots, layers, scenes, scripts, scenarios (.yaml) and models (.xml)");
   check->add_option("files", *files, "Files to check")->required()->type_name("FILE...");
   const auto robot = std::make_shared<std::string>();
   check->add_option("--robot", *robot,
-                    "Robot over which files are read that name none: for --config, --scene, judge");
+                    "Robot for files that name none: those for --config, --scene and judge");
   check->add_flag("--json", *flag, "As a JSON array");
   check->footer(
       "Examples:\n"
@@ -334,7 +333,7 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
       "Exits with 3 or 4, as `run` does, if a file is invalid.");
   check->callback([=] { *chosen = [=] { return CheckCommand(*files, *robot, *flag); }; });
 
-  CLI::App* version = app->add_subcommand("version", "Say which version this is");
+  CLI::App* version = app->add_subcommand("version", "Print the version");
   version->add_flag("--json", *flag, "As a JSON object");
   version->footer("Example: understudy version --json");
   version->callback([=] { *chosen = [=] { return VersionCommand(*flag); }; });
@@ -344,13 +343,12 @@ void AddInspectCommands(CLI::App* app, Chosen* chosen) {
   services->footer("Example: understudy services > docs/services.md");
   services->callback([=] { *chosen = ServicesCommand; });
 
-  CLI::App* faults =
-      app->add_subcommand("faults", "Print what can be wrong with a robot as Markdown");
+  CLI::App* faults = app->add_subcommand("faults", "Print all faults of components as Markdown");
   faults->footer("Example: understudy faults > docs/faults.md");
   faults->callback([=] { *chosen = FaultsCommand; });
 
   CLI::App* requests = app->add_subcommand(
-      "requests", "Print the requests to a running robot as Markdown or for OpenAPI");
+      "requests", "Print all requests to a running robot as Markdown or for OpenAPI");
   requests->add_flag("--openapi", *flag, "Print the paths of docs/openapi.yaml");
   requests->footer("Example: understudy requests > docs/requests.md");
   requests->callback([=] { *chosen = [=] { return RequestsCommand(*flag); }; });

@@ -20,8 +20,8 @@ void AddNetworkOptions(CLI::App* app, NetworkArguments* arguments) {
       ->check(CLI::IsMember({"private", "host"}));
   CLI::Option* const name =
       app->add_option("--interface-name", arguments->program.interface,
-                      "Join robot and program by a cable in place of lo: the program's end has "
-                      "this name, as eth0, the robot's the address 192.168.123.161")
+                      "Connect robot and program by a cable instead of lo: the program's end has "
+                      "this name, such as eth0, and the robot's end the address 192.168.123.161")
           ->type_name("NAME")
           ->check(CLI::Validator(exec::WhyNoInterface, ""));
   app->add_option("--address", arguments->program.address,
@@ -33,9 +33,10 @@ void AddNetworkOptions(CLI::App* app, NetworkArguments* arguments) {
 
 void RequireConsistent(const NetworkArguments& arguments) {
   if (arguments.network == "private" || arguments.program.interface.empty()) return;
-  throw CLI::ValidationError("--interface-name",
-                             "is made in a private network; with --network host choose one that is "
-                             "there by network.interface");
+  throw CLI::ValidationError(
+      "--interface-name",
+      "makes an interface in a private network; with --network host choose an "
+      "existing one by network.interface");
 }
 
 std::vector<std::string> WordsOf(const NetworkArguments& arguments) {

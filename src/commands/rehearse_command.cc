@@ -268,8 +268,11 @@ void AddJudgeOptions(CLI::App* app, JudgeArguments* arguments) {
                   "Folder for report.html, junit.xml, verdict.json [rehearsals/NAME]")
       ->type_name("DIR");
   app->add_flag("--json", arguments->json, "Print the verdicts as JSON");
-  app->add_flag("!--no-pictures", arguments->pictures, "No pictures of the robot in the report");
-  app->add_option("--run", arguments->run, "Only this run of a scenario with `vary`, from 1")
+  app->add_flag_callback(
+      "--no-pictures", [arguments] { arguments->pictures = false; },
+      "Put no pictures of the robot into the report");
+  app->add_option("--run", arguments->run,
+                  "Only this run of a scenario with `vary`; the first is 1")
       ->type_name("NUMBER")
       ->check(CLI::PositiveNumber);
 }
@@ -282,7 +285,7 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
       app->add_subcommand("rehearse", "Play a scenario and judge what was expected of it");
   rehearse
       ->add_option("scenario", arguments->scenario,
-                   "A scenario's file, or the name of a shipped one")
+                   "File of a scenario, or the name of one that is shipped")
       ->type_name("SCENARIO");
   rehearse->add_flag("--words", arguments->words,
                      "Print keys, operators and signals as Markdown and exit");
@@ -295,9 +298,10 @@ void AddRehearseCommands(CLI::App* app, Chosen* chosen) {
   rehearse->add_flag("--to-the-end", arguments->to_the_end,
                      "Do not end early when an expectation has failed");
   rehearse
-      ->add_option("--run-limit", arguments->campaign.limit,
-                   "Wall time in which a rehearsal, or each run of a campaign, has to end, s; else "
-                   "it is ended and has failed [3600, and a rehearsal's duration]")
+      ->add_option(
+          "--run-limit", arguments->campaign.limit,
+          "Wall time, s, after which a rehearsal, or a run of a campaign, is ended and has "
+          "failed [3600 more than a rehearsal's duration]")
       ->type_name("S")
       ->check(ctl::NumberWithin(kLeastLimit, kMostLimit));
   AddCampaignOptions(rehearse, &arguments->campaign);

@@ -72,7 +72,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
                  "Hardware revision, as `understudy robots` lists them [the robot's default]");
   AddShortOption(app, arguments, "--dynamics", "robot.dynamics.use", "WHOSE",
                  "Joint friction, damping and armature: catalogue, as in the model's file, or "
-                 "fitted to real robots [the better evidence; with --model catalogue]");
+                 "fitted to real robots [as the robot's file says; with --model catalogue]");
   AddProfileOption(app, arguments);
   AddShortOption(app, arguments, "--speed", "time.speed", "X",
                  "Simulated seconds per wall second; max = as fast as possible [1]")
@@ -91,7 +91,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   AddShortOption(app, arguments, "--start", "start.pose", "POSE",
                  "lying, standing, hanging or clamped [the robot's default]");
   AddShortOption(app, arguments, "--seed", "randomization.seed", "N",
-                 "Seed of randomization [drawn, and logged]");
+                 "Seed of randomization [drawn at random, and logged]");
   app->add_flag_callback(
       "--released",
       [arguments] {
@@ -102,7 +102,7 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_flag_callback(
       "--no-panel",
       [arguments] { arguments->sets.insert(arguments->sets.begin(), "control.panel=false"); },
-      "Do not serve on TCP; `understudy ctl` still finds the robot");
+      "Serve no panel and open no TCP port; `understudy ctl` still finds the robot");
   app->add_option("--script", arguments->script,
                   "YAML file of timed events: remote controller, crane, pushes")
       ->type_name("FILE");
@@ -113,7 +113,8 @@ void AddRunOptions(CLI::App* app, RunArguments* arguments) {
   app->add_flag("--overwrite", arguments->overwrite, "Replace an existing recording")
       ->needs(record);
   AddSetOptions(app, arguments, "YAML file that overrides the robot's", "gate.timeout=0.5");
-  app->add_flag("--view", arguments->view, "Open a window onto it, as `understudy view` does");
+  app->add_flag("--view", arguments->view,
+                "Open a window that shows the robot, as `understudy view` does");
   app->add_option("--name", arguments->name, "Name by which `understudy ctl` finds this robot");
   app->add_option("--log-level", arguments->log_level,
                   "debug, info, warn or error [info; exec: warn]")
@@ -170,7 +171,7 @@ std::unique_ptr<server::PanelSocket> MakeLastingPanelSocket(const RunArguments& 
 }
 
 void SayWhatIsMissing(const std::string& panel) {
-  if (!panel.empty()) spdlog::info("no panel: {}", panel);
+  if (!panel.empty()) spdlog::info("there is no panel: {}", panel);
 }
 
 run::RecordingOptions RecordingOf(const RunArguments& arguments) {
@@ -328,12 +329,14 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
   const auto run_arguments = std::make_shared<RunArguments>();
   CLI::App* run = app->add_subcommand("run", "Simulate a robot on the network until Ctrl-C");
   AddRunOptions(run, run_arguments.get());
-  run->add_flag("--gamepad", run_arguments->gamepad,
-                "Use a gamepad, as with `understudy remote --no-keyboard` beside it");
+  run->add_flag(
+      "--gamepad", run_arguments->gamepad,
+      "Use a gamepad as the remote controller, as `understudy remote --no-keyboard` does");
   run->add_flag("--open", run_arguments->open,
-                "Open the panel in the browser, by xdg-open, or say its address");
-  run->add_flag("--detach", run_arguments->detach,
-                "Return when the robot is ready; it goes on in the background: ctl log, ctl stop");
+                "Open the panel in a browser by xdg-open; where that fails, print its address");
+  run->add_flag(
+      "--detach", run_arguments->detach,
+      "Return when the robot is ready and let it run in the background; see ctl log, ctl stop");
   run->footer(
       "Examples:\n"
       "  understudy run go2                        a Go2, which stands up, on lo and domain 0\n"
@@ -361,10 +364,10 @@ void AddRunCommands(CLI::App* app, Chosen* chosen) {
       ->required();
   exec->footer(
       "The command starts after the first LowState and finds the robot on domain 0 and lo.\n"
-      "Many programs take lo for a simulation and leave out what they do on a robot, or have the\n"
-      "name of a network card in their source: --interface-name gives them a cable of that name,\n"
-      "with multicast and the address 192.168.123.99/24, and the robot 192.168.123.161 at its\n"
-      "other end. docs/network.md has more.\n"
+      "Many programs take lo for a simulation and omit what they do on a robot, or have the\n"
+      "name of a network card in their source: --interface-name gives them a card of that name\n"
+      "with multicast and the address 192.168.123.99/24; the robot is at the other end of its\n"
+      "cable and has 192.168.123.161. docs/network.md has more.\n"
       "Any number of these can run side by side, isolated from each other and from real robots.\n"
       "Examples:\n"
       "  understudy exec go2 -- python3 go2_stand_example.py lo\n"

@@ -66,20 +66,21 @@ CtlCommand::CtlCommand(CLI::App* app, std::ostream* out) : out_(out) {
   ctl->require_subcommand(1);
   ctl->footer(
       "Examples:\n"
-      "  understudy ctl wait                     until the only robot sends its state\n"
+      "  understudy ctl wait                     until the robot sends its state\n"
       "  understudy ctl status --watch           a live screen; --json: one line for a script\n"
       "  understudy ctl pause                    time stands still; `step 10`, `resume`\n"
       "  understudy ctl --name left crane lower 0.2\n"
-      "If several robots run, it asks which one on a terminal.\n"
-      "Exits with 1 if there is no such robot, if several match, or if it refuses.");
+      "If several robots run, it asks for one on a terminal; elsewhere name one with --name.\n"
+      "Exits with 1 if no robot or more than one matches, or if the robot refuses the request.");
   client::AddRobotChoice(ctl, &robot_);
   AddReading(ctl);
   AddRequests(ctl);
 }
 
 void CtlCommand::AddReading(CLI::App* ctl) {
-  CLI::App* status = AddAction(ctl, "status", "Show what the robot does", [this] { ShowStatus(); });
-  status->add_flag("--watch", watch_, "Repeat with rates until interrupted");
+  CLI::App* status =
+      AddAction(ctl, "status", "Show what the robot is doing", [this] { ShowStatus(); });
+  status->add_flag("--watch", watch_, "Show it again and again, with rates, until Ctrl-C");
   status->add_option("--every", every_, "Seconds between two outputs, with --watch")
       ->capture_default_str()
       ->check(NumberWithin(0.1, kLongestWait));
@@ -95,14 +96,16 @@ void CtlCommand::AddReading(CLI::App* ctl) {
       ->check(NumberWithin(0, kLongestWait));
   wait->footer("Example: understudy run go2 & understudy ctl wait && ./my_program lo");
 
-  AddAction(ctl, "list", "Show the robots that run", [this] { ShowRobots(); });
+  AddAction(ctl, "list", "Show the robots that run", [this] {
+    ShowRobots();
+  })->footer("Example: understudy ctl list");
 
   CLI::App* snapshot = AddAction(ctl, "snapshot", "Print one instant of the robot as JSON",
                                  [this] { ShowSnapshots(); });
-  snapshot->add_flag("--watch", watch_, "Repeat, one line each, until interrupted");
-  snapshot->add_option("--hz", hz_, "At most this many a second, with --watch, 1 to 240")
+  snapshot->add_flag("--watch", watch_, "Print a line for each instant until Ctrl-C");
+  snapshot->add_option("--hz", hz_, "Lines per second at most, with --watch, 1 to 240")
       ->capture_default_str();
-  snapshot->add_option("--parts", parts_, "Only these, such as qpos,contacts,motors [all]")
+  snapshot->add_option("--parts", parts_, "Parts to print, such as qpos,contacts,motors [all]")
       ->check(CLI::Validator(
           [](std::string& text) -> std::string {
             const bool words = std::all_of(text.begin(), text.end(), [](char c) {
@@ -118,25 +121,27 @@ void CtlCommand::AddReading(CLI::App* ctl) {
   AddAction(ctl, "damage", "Show what the run would have done to the robot",
             [this] { Show("/snapshot?parts=damage", DamageText); })
       ->footer(
-          "Seconds at limits of torque, speed and temperature; rad/s at which a joint ran into its "
-          "end;\nrad of the largest jump of a command; J, A, m/s² of the whole robot since its "
-          "start.\nExamples:\n"
+          "For each motor: seconds at the limits of torque, speed and temperature, the speed at "
+          "which "
+          "it ran\ninto the end of its range (rad/s), and the largest jump of a command (rad). For "
+          "the "
+          "robot: energy (J),\npeak current (A) and hardest shock (m/s²). All since the start of "
+          "the run.\nExamples:\n"
           "  understudy ctl damage\n"
           "  understudy ctl damage --json | jq .damage.falls");
   AddAction(ctl, "faults", "Show what is wrong with the robot", [this] {
     Show("/snapshot?parts=faults", FaultsText);
-  })->footer("Example: understudy ctl faults; `ctl fault --help` tells how to cause some");
+  })->footer("Example: understudy ctl faults; `ctl fault --help` says how to cause one");
   AddAction(ctl, "scene", "Print the geometry of the robot and its surroundings as JSON", [this] {
     Show("/scene", JsonLine);
   })->footer("Example: understudy ctl scene | jq .bodies[].name");
 
   CLI::App* events =
       AddAction(ctl, "events", "Show the events of the robot", [this] { ShowEvents(); });
-  events->add_flag("--follow", watch_, "Then show new events until interrupted");
+  events->add_flag("--follow", watch_, "Then show new events until Ctrl-C");
   events->footer("Example: understudy ctl events --follow");
-  CLI::App* log =
-      AddAction(ctl, "log", "Show the log of a robot in the background, of run --detach",
-                [this] { ShowLog(); });
+  CLI::App* log = AddAction(ctl, "log", "Show the log of a robot that `run --detach` started",
+                            [this] { ShowLog(); });
   log->add_flag("--follow", watch_, "Then show new lines until the robot ends");
   log->footer("Example: understudy ctl log --follow");
   AddAction(ctl, "timings", "Show how punctual the ticks are", [this] {
@@ -211,7 +216,8 @@ void CtlCommand::ShowLog() const {
   const auto path = status.value("log", std::string());
   if (path.empty()) {
     throw ControlError(
-        "its log is where it was started; one of `understudy run --detach` has a file");
+        "its log is in the terminal where it was started; only `understudy run --detach` writes "
+        "one to a file");
   }
   std::ifstream file(path, std::ios::binary);
   if (!file) throw ControlError(path + ": " + std::strerror(errno));
@@ -261,7 +267,7 @@ void CtlCommand::Stop() const {
   const std::filesystem::path socket = client::ChosenSocket(robot_);
   const client::SocketProbe probe = client::ProbeSocket(socket);
   if (probe.pid == 0) {
-    throw ControlError("the robot's process is out of sight: end it where it was started");
+    throw ControlError("the robot's process is not visible from here: end it where it was started");
   }
   if (::kill(probe.pid, SIGTERM) != 0) {
     throw ControlError("process " + std::to_string(probe.pid) +

@@ -68,6 +68,7 @@ void CtlCommand::AddRequests(CLI::App* ctl) {
       } else {
         parent = ctl->add_subcommand(group, VerbsOf(group));
         parent->require_subcommand(1)->fallthrough();
+        parent->footer("Example: understudy ctl " + std::string(row.example));
       }
     }
     AddRequest(parent, std::string(row.name.substr(dot + 1)), row);

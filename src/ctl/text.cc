@@ -134,10 +134,10 @@ std::string ServiceText(const ordered_json& motion) {
 
 std::string FollowedText(const ordered_json& commands) {
   auto state = commands.at("state").get<std::string>();
-  if (state == "start") return "nobody yet: they hold the start pose or brake";
+  if (state == "start") return "nobody yet: the motors hold the start pose or brake";
   if (state == "following") return "LowCmd";
-  if (state == "damping") return "nobody: they brake until the next LowCmd";
-  if (state == "limp") return "nobody: no torque";
+  if (state == "damping") return "nobody: the motors brake until the next LowCmd";
+  if (state == "limp") return "nobody: the motors have no torque";
   if (state == "motion_service") return "the motion service";
   return state;
 }

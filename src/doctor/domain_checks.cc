@@ -185,11 +185,11 @@ Finding Quality(const Evidence& seen) {
                 figures);
   }
   if (!poor.empty()) {
-    return With(Warning(Listed(poor, "; ") + ": no reliable reader, such as ROS 2's, hears it",
+    return With(Warning(Listed(poor, "; ") + ": no reliable reader, such as ROS 2's, receives it",
                         "make the writer reliable, as the vendor's are"),
                 figures);
   }
-  return With(Ok("what others ask for matches the vendor's"), figures);
+  return With(Ok("the quality of service of all others matches the vendor's"), figures);
 }
 
 constexpr Check kDomainChecks[] = {

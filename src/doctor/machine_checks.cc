@@ -103,7 +103,7 @@ Finding ClockSource(const Evidence& seen) {
 Finding ClockSteps(const Evidence& seen) {
   const ClockCourse& clock = seen.clock;
   const Figures figures = {{"steps", clock.steps}, {"largest", clock.largest}};
-  if (clock.steps == 0) return With(Ok("the system's clock went evenly"), figures);
+  if (clock.steps == 0) return With(Ok("the system's clock did not jump"), figures);
   return With(Wrong(fmt::format("the system's clock jumped {} times, by {:+.3f} s at most",
                                 clock.steps, clock.largest),
                     "let one daemon alone set it, by slewing (chrony: makestep 1 3)"),
@@ -115,8 +115,8 @@ Finding ClockSynchronised(const Evidence& seen) {
   if (seen.sync->synchronised) {
     return With(Ok("to " + Ms(seen.sync->error)), {{"error", seen.sync->error}});
   }
-  if (IsLoopback(seen)) return Ok("it is not, and one machine needs none");
-  return Warning("no daemon keeps it: times that two machines write down do not compare",
+  if (IsLoopback(seen)) return Ok("no daemon keeps it right, and one machine needs none");
+  return Warning("no daemon keeps it right: times that two machines record cannot be compared",
                  "run chrony or ptp4l with phc2sys, on both machines");
 }
 
@@ -128,7 +128,7 @@ Finding ClockApart(const Evidence& seen) {
       fmt::format("the peer's is {:+.2f} ms ahead, to {}", offset.ahead * 1e3, Ms(offset.error));
   const Figures figures = {{"ahead", offset.ahead}, {"error", offset.error}};
   if (std::abs(offset.ahead) - offset.error <= kLatePeriod) return With(Ok(text), figures);
-  return With(Warning(text + ": times that the two write down do not compare",
+  return With(Warning(text + ": times that the two record cannot be compared",
                       "run chrony or ptp4l with phc2sys, on both machines"),
               figures);
 }

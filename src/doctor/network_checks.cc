@@ -32,7 +32,7 @@ Finding Interface(const Evidence& seen) {
     return Wrong(name + " is up and has no carrier",
                  "plug its cable in, and switch on what is at the other end");
   }
-  return Ok(name + " is up" + (seen.link->loopback ? ", and leads to this machine alone" : ""));
+  return Ok(name + " is up" + (seen.link->loopback ? ", and leads to this machine only" : ""));
 }
 
 Finding Addresses(const Evidence& seen) {
@@ -76,7 +76,7 @@ Finding MulticastFlag(const Evidence& seen) {
   if (seen.link->multicast) return Ok(name + " has it");
   const std::string on = "as root: ip link set " + name + " multicast on";
   if (seen.link->loopback) {
-    return Warning(name + " has none: about nine programs have room in a domain",
+    return Warning(name + " has none: about nine programs fit into a domain",
                    on + "; or use understudy exec");
   }
   return Wrong(name + " has none: DDS finds no program of another machine", on);
@@ -89,7 +89,7 @@ Finding MulticastRoute(const Evidence& seen) {
   const std::string where =
       seen.multicast_route->empty() ? "leads nowhere" : "leads to " + *seen.multicast_route;
   return Warning(
-      where + ": what a program sends that names no interface does not get to " + name,
+      where + ": multicast of programs that name no interface does not reach " + name,
       "name " + name + " to every program; or as root: ip route add 224.0.0.0/4 dev " + name);
 }
 

@@ -35,10 +35,11 @@ Finding Datagrams(const Evidence& seen, const Tally& tally, const std::string& r
   }
   switch (tally.error) {
     case EPERM:
-      return judged(Wrong(counts + ": a firewall of this machine forbids to send", kOwnFirewall));
+      return judged(
+          Wrong(counts + ": a firewall on this machine forbids it to send", kOwnFirewall));
     case ECONNREFUSED:
       return judged(
-          Wrong(counts + ": that machine is there, and no echo runs on it", EchoThere(seen)));
+          Wrong(counts + ": that machine is there, but no echo runs on it", EchoThere(seen)));
     case EHOSTUNREACH:
       return judged(Wrong(counts + ": no machine answers to that address on this network",
                           "check its address, and that it is on the same cable or switch"));
@@ -76,21 +77,21 @@ Finding Firewall(const Evidence& seen) {
   const auto forbidden = [](const Tally& tally) { return tally.error == EPERM; };
   const bool here = seen.self_multicast && forbidden(*seen.self_multicast);
   if (here || (seen.peer && (forbidden(seen.peer->unicast) || forbidden(seen.peer->multicast)))) {
-    return Wrong("this machine's forbids to send", kOwnFirewall);
+    return Wrong("this machine's firewall forbids it to send", kOwnFirewall);
   }
   if (!seen.peer) {
-    return NotSeen("its rules are not read", "name a --peer: packets tell");
+    return NotSeen("firewall rules are not read", "name a --peer: packets to it show what passes");
   }
   const Peer& peer = *seen.peer;
   const auto passes = [](const Tally& tally) { return tally.returned > 0; };
   if (passes(peer.unicast) && passes(peer.multicast) && passes(peer.from_peer)) {
-    return Ok("neither this machine's nor the peer's stops what was sent");
+    return Ok("neither this machine's firewall nor the peer's stops what was sent");
   }
   if (peer.found && !peer.no_address && !passes(peer.unicast) && peer.unicast.error == 0) {
     return Wrong("DDS finds the peer, and no datagram comes back from it",
                  std::string("there and here: ") + kOwnFirewall);
   }
-  return NotSeen("its rules are not read; the rows above tell what does not pass");
+  return NotSeen("firewall rules are not read; the rows above tell what does not pass");
 }
 
 Finding RoundTrip(const Evidence& seen) {

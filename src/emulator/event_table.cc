@@ -103,14 +103,14 @@ std::string SayUnheeded(const Event& event, std::uint64_t) {
   std::string text;
   switch (reason) {
     case authority::Unheeded::Reason::kNoMotionService:
-      text = who + ": no motion service is on to obey";
+      text = who + ": no motion service is on that could obey";
       if (!What(event).empty()) {
         text += "; `understudy ctl service call motion_switcher 1002 '{\"name\": \"" + What(event) +
                 "\"}'` switches it on";
       }
       break;
     case authority::Unheeded::Reason::kState:
-      text = who + (sticks ? " move nothing in " : " does nothing in ") +
+      text = who + (sticks ? " have no effect in " : " has no effect in ") +
              StateText(What(event), event.numbers[3]);
       break;
     case authority::Unheeded::Reason::kNotSimulated:
@@ -118,7 +118,8 @@ std::string SayUnheeded(const Event& event, std::uint64_t) {
              (sticks      ? " ask the robot to walk"
               : wish >= 0 ? " asks for state " + Printed("%.0f", wish) + " of the real robot"
                           : " asks for a motion") +
-             ", which is not modelled: it stays in " + StateText(What(event), event.numbers[3]);
+             ", which is not modelled: the robot stays in " +
+             StateText(What(event), event.numbers[3]);
       break;
   }
   return text;
@@ -138,7 +139,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "a command is refused"),
     Row(
         EventKind::kTolerated, "tolerated", kInfo, true, {{{"reason", kReason}, {"topic", kText}}},
-        [](const Event& e, std::uint64_t n) { return SayRefusal("took", ReasonOf(e), e, n); },
+        [](const Event& e, std::uint64_t n) { return SayRefusal("tolerated", ReasonOf(e), e, n); },
         "a lenient gate takes a command whose form is wrong"),
     Row(
         EventKind::kLostCommands, "lost_commands", kWarning, true,
@@ -156,7 +157,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "commands stop"),
     Row(
         EventKind::kFollowing, "following", kInfo, false, {{{"topic", kText}}},
-        [](const Event& e, std::uint64_t) { return "following " + MessageOf(e); },
+        [](const Event& e, std::uint64_t) { return "the motors follow " + MessageOf(e); },
         "the first command of a topic is taken"),
     Row(
         EventKind::kFirstCommand, "first_command", kSilent, false,
@@ -197,17 +198,17 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         "in this `state`, or `not_simulated`; `wish` is the state that is asked for, or -1"),
     Row(
         EventKind::kRemote, "remote", kSilent, false, {{{"keys", kKeys}}},
-        [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys let go"; },
+        [](const Event& e, std::uint64_t) { return On(e) ? Keys(e.numbers[0]) : "keys released"; },
         "keys of the remote controller go down or up"),
     Row(
         EventKind::kRequest, "request", kSilent, false, {},
         [](const Event& e, std::uint64_t) { return e.request.row ? Describe(e.request) : ""; },
-        "people ask for something that is no other event; told under the name of [the "
-        "request](control.md), as `push`"),
+        "somebody makes a request that has no event of its own; reported under the name of [the "
+        "request](requests.md), such as `push`"),
     Row(
         EventKind::kCrane, "crane", kSilent, false, {{{"attached", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
-          return On(e) ? "hangs from the crane" : "off the crane";
+          return On(e) ? "hangs from the crane" : "released from the crane";
         },
         "the robot is attached to the crane or released"),
     Row(
@@ -285,7 +286,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         [](const Event& e, std::uint64_t) {
           return "speed " + (On(e) ? Printed("%g", e.numbers[0]) : "as fast as possible");
         },
-        "another speed is wanted"),
+        "another speed is asked for"),
     Row(
         EventKind::kScript, "script", kSilent, false, {{{"event", kInteger}, {"where", kText}}},
         [](const Event& e, std::uint64_t) { return What(e); }, "a script's request is given"),
@@ -297,10 +298,11 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kScriptWait, "script_wait", kInfo, false,
         {{{"event", kInteger}, {"seconds", kNumber}, {"came", kBool}, {"condition", kText}}},
         [](const Event& e, std::uint64_t) {
-          return "script: '" + What(e) + (e.numbers[2] != 0 ? "' came" : "' had not come") +
-                 " after " + Printed("%.3f", e.numbers[1]) + " s";
+          const std::string seconds = Printed("%.3f s", e.numbers[1]);
+          return e.numbers[2] != 0 ? "script: waited " + seconds + " for '" + What(e) + "'"
+                                   : "script: waited " + seconds + " in vain for '" + What(e) + "'";
         },
-        "a script has what it waited for, or waits no longer"),
+        "what a script waited for has come, or the script waits no longer"),
     Row(
         EventKind::kDivergence, "divergence", kError, true, {},
         [](const Event& e, std::uint64_t n) {
@@ -310,7 +312,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kSilence, "silence", kWarning, false, {{{"on", kBool}}},
         [](const Event& e, std::uint64_t) -> std::string {
-          return On(e) ? "silent beside another robot" : "speaks again";
+          return On(e) ? "sends nothing, because another robot is on this network" : "sends again";
         },
         "the robot falls silent beside another robot, or speaks again"),
     Row(
@@ -324,20 +326,22 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         EventKind::kUnusedSlot, "unused_slot", kWarning, false, {},
         [](const Event&, std::uint64_t) -> std::string {
           return "a LowCmd commands slots without a motor, each differently; the robot ignores "
-                 "them. Is the program's motor order this robot's?";
+                 "them. Does the program use this robot's motor order?";
         },
         "a LowCmd has gains or torque in slots without a motor, and not the same in all of them, "
         "the first time"),
     Row(
         EventKind::kUnsetHead, "unset_head", kInfo, false, {},
         [](const Event&, std::uint64_t) -> std::string {
-          return "LowCmd comes without head and level_flag; it is taken, though nobody has shown "
-                 "that a real robot does";
+          return "LowCmd comes without head and level_flag; it is taken here, but nobody has shown "
+                 "that a real robot takes it";
         },
         "a LowCmd comes without head and level_flag, the first time"),
     Row(
         EventKind::kWriteFailure, "write_failure", kError, true, {{{"messages", kSum}}},
-        [](const Event& e, std::uint64_t) { return Plural(e.numbers[0], "message") + " not sent"; },
+        [](const Event& e, std::uint64_t) {
+          return Plural(e.numbers[0], "message") + " could not be sent";
+        },
         "the bus does not take messages"),
     Row(
         EventKind::kOverrun, "overrun", kSilent, true, {{{"worst", kWorst}}},
@@ -349,8 +353,8 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kStall, "stall", kWarning, true, {{{"seconds", kSum}}},
         [](const Event& e, std::uint64_t) {
-          return Printed("%.1f", e.numbers[0]) +
-                 " s behind wall time, which is not made up for: simulated time goes on late";
+          return "simulated time has fallen " + Printed("%.1f", e.numbers[0]) +
+                 " s behind wall time and does not catch up";
         },
         "a tick begins so late that it is not made up for"),
     Row(
@@ -362,7 +366,7 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
           return What(e) + " " + std::to_string(api) + " answers " + std::to_string(code) +
                  Times(n);
         },
-        "a service is called, leases left aside unless refused"),
+        "a service is called; calls about leases only if they are refused"),
     Row(EventKind::kCallRefused, "call_refused", kWarning, true,
         {{{"reason", kCallReason},
           {"code", kInteger},
@@ -372,12 +376,12 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
         SayCallRefusal, "a call of a service is refused or ignored, whatever is answered"),
     Row(
         EventKind::kProgramStart, "program_start", kInfo, false, {{{"command", kText}}},
-        [](const Event& e, std::uint64_t) { return "starts " + What(e); },
+        [](const Event& e, std::uint64_t) { return "starting " + What(e); },
         "a rehearsal starts the program under test"),
     Row(
         EventKind::kProgramEnd, "program_end", kInfo, false, {{{"code", kInteger}}},
         [](const Event& e, std::uint64_t) {
-          return "the program has ended with " + Printed("%.0f", e.numbers[0]);
+          return "the program ended with exit code " + Printed("%.0f", e.numbers[0]);
         },
         "that program has ended: its exit code, 128 + n if signal n ended it"),
     Row(
@@ -399,9 +403,9 @@ constexpr std::array<EventRow, kEventKinds> kRows = {{
     Row(
         EventKind::kLost, "lost", kWarning, true, {{{"events", kSum}}},
         [](const Event& e, std::uint64_t) {
-          return Plural(e.numbers[0], "event") + " came too fast to be told";
+          return Plural(e.numbers[0], "event") + " came too fast to be reported";
         },
-        "whoever tells of events was too slow"),
+        "events come faster than they can be reported"),
 }};
 
 static_assert([] {

@@ -98,7 +98,7 @@ struct RequestActs {
   static Answer Step(World& world, Robot&, Request& request, double) {
     if (!world.pace_.paused) return Error{"the robot is not paused"};
     if (world.steppers_.size() == world.steppers_.capacity()) {
-      return Error{"as many wait for their steps as can"};
+      return Error{"too many requests are waiting for their steps"};
     }
     world.pace_.steps_left += static_cast<std::int64_t>(request.number("steps"));
     return {};
@@ -129,7 +129,7 @@ struct RequestActs {
                                       ? request.vector("force")
                                       : request.vector("impulse") / request.number("for");
     if (!world.pushes_.Begin(*body, force, Until(world, request, t))) {
-      return Error{"as many pushes as there can be are under way"};
+      return Error{"too many pushes are under way"};
     }
     return {};
   }
@@ -139,7 +139,7 @@ struct RequestActs {
     if (!body) return body.error();
     if (!world.drags_.Pull(*body, request.vector("at"), request.vector("to"),
                            Until(world, request, t))) {
-      return Error{"as many bodies as there can be are dragged"};
+      return Error{"too many bodies are being dragged"};
     }
     return {};
   }
@@ -309,32 +309,40 @@ const std::vector<RequestRow>& RequestRows() {
           "Simulated time stands still: nothing is sent, requests and services are answered", {},
           Acts::Pause, "pause"),
       Row("resume", "Simulated time goes on", {}, Acts::Resume, "resume", false, kPeople),
-      Row("step", "Makes steps although paused, at the speed that is set",
-          {Or(1, Bare({"steps", kWhole, "", 1, kMostSteps, "How many, of 1 ms unless configured"})),
-           Or(1, {.key = "wait", .kind = kSwitch, .does = "Answer when they are made"})},
+      Row("step", "Makes steps while the robot is paused, at the speed that is set",
+          {Or(1, Bare({"steps", kWhole, "", 1, kMostSteps,
+                       "How many; a step is 1 ms unless configured"})),
+           Or(1, {.key = "wait",
+                  .kind = kSwitch,
+                  .does = "Whether to answer only when they are made"})},
           Acts::Step, "step 1000", kNoted),
-      Row("speed", "Sets how fast simulated time goes; changes no state",
-          {Needed(Bare(
-              {.key = "speed", .kind = kSpeed, .unit = "s/s", .does = "Simulated per wall time"}))},
+      Row("speed", "Sets how fast simulated time goes; changes nothing else",
+          {Needed(Bare({.key = "speed",
+                        .kind = kSpeed,
+                        .unit = "s/s",
+                        .does = "Simulated seconds per second of wall time"}))},
           Acts::SetSpeed, "speed 0.1"),
-      Row("reset", "Puts the robot back at rest; time and script go on, services stay on or off",
+      Row("reset",
+          "Puts the robot back into a start pose, at rest; time and script go on, and services "
+          "stay on or off",
           {Bare({.key = "pose",
                  .kind = kWord,
                  .does = "The start pose unless one is named",
                  .words = robot::kStartPoses})},
           Acts::Reset, "reset hanging", kNoted),
-      Row("push", "A force on a body's centre of mass for a time",
+      Row("push", "Pushes a body at its centre of mass with a force, for a time",
           {Bare({.key = "body",
                  .kind = kBody,
                  .does = "Of the model; the base unless one is named"}),
-           Bare({"force", kVector, "N", -kHardest, kHardest, "World axes"}),
+           Bare({"force", kVector, "N", -kHardest, kHardest, "Along the axes of the world"}),
            {"impulse", kVector, "N·s", -kHardest, kHardest,
-            "In place of a force: evenly over the time"},
+            "In place of a force; spread evenly over the time"},
            Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that it acts"))},
           Acts::Push, "push base_link 100 0 0 --for 0.2", kNoted, kBoth, OneOfForceAndImpulse),
       Row("drag",
-          "Pulls a point of a body to a place, as a mouse does: a spring as strong as the mass "
-          "that hangs on the body. Again within its time renews it",
+          "Pulls a point of a body to a place by a spring, as a mouse does; the spring suits the "
+          "mass "
+          "that hangs on the body. A repeated request prolongs it",
           {Needed(Bare({.key = "body", .kind = kBody, .does = "Of the model"})),
            Needed(Bare({"to", kVector, "m", -kInWorld, kInWorld, "In the world"})),
            Or(0, {"at", kVector, "m", -kOnBody, kOnBody,
@@ -342,109 +350,119 @@ const std::vector<RequestRow>& RequestRows() {
            Or(0.5, seconds(kLeastTime, kLongestDrag, "Simulated time that it lasts"))},
           Acts::Drag, "drag base_link 0 0 0.6 --for 5", kNoted),
       Row("let_go", "Ends a drag",
-          {Bare({.key = "body", .kind = kBody, .does = "Whose; all unless one is named"})},
+          {Bare({.key = "body",
+                 .kind = kBody,
+                 .does = "The body that is let go; all bodies unless one is named"})},
           Acts::LetGo, "let_go base_link", kNoted),
       Row("crane.lower", "Lowers the robot, at crane.speed", {metres}, Acts::LowerCrane,
           "crane lower 0.2", kNoted),
       Row("crane.raise", "Raises the robot, at crane.speed", {metres}, Acts::RaiseCrane,
           "crane raise 0.2", kNoted),
-      Row("crane.attach", "Hangs the robot from straight above, where it is", {}, Acts::AttachCrane,
-          "crane attach"),
-      Row("crane.release", "Releases the robot, which drops", {}, Acts::ReleaseCrane,
-          "crane release"),
+      Row("crane.attach", "Hangs the robot from the crane, whose hook is then straight above it",
+          {}, Acts::AttachCrane, "crane attach"),
+      Row("crane.release", "Releases the robot from the crane, so that it drops", {},
+          Acts::ReleaseCrane, "crane release"),
       Row("clamp", "Holds the base where it is, or lets it go",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is held"}))}, Acts::Clamp,
           "clamp on"),
       Row("joint",
           "Moves a joint of a clamped robot that no program commands, as somebody does who sets it "
-          "up: at 1 rad/s at most, with the gains that hold a start pose. Again within its time "
-          "renews it",
-          {Needed(Bare({.key = "joint", .kind = kName, .does = "Of a motor of the body"})),
+          "up: at 1 rad/s at most, with the gains that hold a start pose. A repeated "
+          "request prolongs it",
+          {Needed(Bare(
+               {.key = "joint", .kind = kName, .does = "A joint with a motor; not one of a hand"})),
            Needed(Bare({"angle", kNumber, "rad", -kMostAngle, kMostAngle,
                         "Within the range of the joint"})),
            Or(2, seconds(kLeastTime, kLongestDrag,
-                         "Simulated time after which whoever moved it before moves it again"))},
+                         "Simulated time for which it is held; then it is moved by whatever moved "
+                         "it before"))},
           Acts::MoveJoint, "joint FR_calf_joint -1.5 --for 5", kNoted),
       Row("power",
-          "Turns the robot's power switch. Off, its motors have no torque and nothing is sent, "
-          "heard or answered; on, it boots as on hardware, in the times of robot.boot",
+          "Switches the robot's power. Off, its motors have no torque and nothing is sent, "
+          "received or answered; on, it boots as on hardware, in the times of robot.boot",
           {Needed(Bare({.key = "on", .kind = kSwitch, .does = "Whether it is switched on"}))},
           Acts::SwitchPower, "power on"),
       Row("fault",
-          "Something is wrong with a component of the robot from now on, over resets too: "
-          "docs/faults.md",
+          "Makes a component of the robot faulty from now on, also after a reset: docs/faults.md",
           {Needed(Bare({.key = "component",
                         .kind = kName,
-                        .does = "A joint for its motor, JOINT.encoder, imu, foot.FR, battery, "
-                                "remote, a topic, service.sport; with none also all"})),
+                        .does = "JOINT (its motor), JOINT.encoder, imu, foot.FR, battery, remote, "
+                                "a topic, service.sport, ...; with the fault none also all"})),
            Needed(Bare({.key = "fault",
                         .kind = kWord,
-                        .does = "What is wrong with it; none takes its faults away",
+                        .does = "What is wrong with it; none removes all of its faults",
                         .words = robot::FaultNames()})),
            {"by", kNumber, "", -kMostFault, kMostFault,
-            "How much, in the unit of the fault; what is usual unless given"},
-           Or(0, seconds(0, kLongest, "Simulated time that it lasts; 0 is until taken away")),
-           Or(0, {"ramp", kNumber, "s", 0, kLongest, "In which it grows from nothing"}),
+            "How much, in the unit of the fault; a usual amount unless given"},
+           Or(0, seconds(0, kLongest, "Simulated time that it lasts; 0 is until it is removed")),
+           Or(0, {"ramp", kNumber, "s", 0, kLongest,
+                  "Simulated time in which it grows from nothing to its full amount"}),
            Or(1, {"probability", kNumber, "", 0, 1,
-                  "That it is there, drawn anew for each tenth of a second: a loose contact"})},
+                  "Probability that it is there, drawn anew every tenth of a second: for loose "
+                  "contacts"})},
           Acts::SetFault, "fault FR_calf_joint.encoder offset --by 0.1 --ramp 5"),
-      Lists("/settings",
-            Row("set", "Changes a setting of the running robot, from the next step on",
-                {Needed(Bare({.key = "key",
-                              .kind = kSetting,
-                              .does = "Of the configuration, as in --set; without any, `ctl set` "
-                                      "lists them"})),
-                 Needed(Bare({.key = "value",
-                              .kind = kValue,
-                              .does = "As in --set: docs/config.md has its unit and range"}))},
-                Acts::Set, "set sensors.noise_gain 3")),
-      Row("remote.press", "Keys go down together and up again",
+      Lists(
+          "/settings",
+          Row("set", "Changes a setting of the running robot, from the next step on",
+              {Needed(Bare({.key = "key",
+                            .kind = kSetting,
+                            .does = "Key of the configuration, as in --set; `ctl set` without one "
+                                    "lists all"})),
+               Needed(Bare({.key = "value",
+                            .kind = kValue,
+                            .does = "As in --set: docs/config.md has its unit and range"}))},
+              Acts::Set, "set sensors.noise_gain 3")),
+      Row("remote.press", "Presses keys together and releases them again",
           {keys, Or(0.1, seconds(kLeastTime, kLongest, "Simulated time that they stay down"))},
           Acts::PressKeys, "remote press L2+B"),
-      Row("remote.hold", "Keys go down and stay down", {keys}, Acts::HoldKeys, "remote hold L2"),
-      Row("remote.release", "Keys go up", {keys}, Acts::ReleaseKeys, "remote release L2"),
-      Row("remote.sticks", "Moves sticks; one that is not named stays",
+      Row("remote.hold", "Presses keys and keeps them down", {keys}, Acts::HoldKeys,
+          "remote hold L2"),
+      Row("remote.release", "Releases keys", {keys}, Acts::ReleaseKeys, "remote release L2"),
+      Row("remote.sticks", "Moves sticks; those that are not named stay where they are",
           {lx, ly, rx, ry,
            Or(0, seconds(0, kLongest,
-                         "Simulated time after which they come back to the middle; 0 is never"))},
+                         "Simulated time after which they return to the middle; 0 is never"))},
           Acts::MoveSticks, "remote sticks --ly 0.5 --for 2", false, kBoth, AnyStick),
       Row("remote.set",
-          "The whole remote at once, as it is in somebody's hands: keys that are not in it go up. "
-          "All is let go unless this is renewed, so that a program that died or hangs leaves "
-          "nothing held",
-          {{.key = "keys", .kind = kKeys, .does = "Joined by +; none unless given"},
+          "Sets all keys and sticks of the remote controller at once: keys that are not named are "
+          "released. Everything is released after the time unless this is asked again, so that a "
+          "program that has died or hangs leaves nothing pressed",
+          {{.key = "keys", .kind = kKeys, .does = "Joined by +; no key unless given"},
            lx,
            ly,
            rx,
            ry,
-           Needed(seconds(kLeastTime, kLongest, "Simulated time after which all is let go")),
+           Needed(
+               seconds(kLeastTime, kLongest, "Simulated time after which everything is released")),
            {"press", kWhole, "", 0, kMostPresses,
-            "Which press it is: keys that time has let go stay up until it is another, so that a "
-            "late renewal is no second press"}},
+            "Number of the press: keys that were released because the time was over stay released "
+            "until the number changes, so that a request that comes late is no second press"}},
           Acts::SetRemote, "remote set --keys A --for 1"),
-      Row("remote.on", "Switches the remote controller on; so does using it", {},
+      Row("remote.on", "Switches the remote controller on; using it does so, too", {},
           Acts::SwitchRemoteOn, "remote on"),
       Row("remote.off",
-          "As if it were not there: keys and sticks are let go and nothing is received", {},
-          Acts::SwitchRemoteOff, "remote off"),
+          "Switches the remote controller off: keys and sticks are released and the robot receives "
+          "nothing",
+          {}, Acts::SwitchRemoteOff, "remote off"),
       Row("record.start",
-          "Records from now on: all topics, the simulation's truth, the events: docs/recording.md",
+          "Starts a recording of all topics, the simulation's truth and the events: "
+          "docs/recording.md",
           {Bare({.key = "file",
                  .kind = kFile,
                  .does =
-                     "Its place; where the robot was started, named by robot and time, unless one "
-                     "is given"}),
+                     "File to write; unless given, one in the folder where the robot was started, "
+                     "named by robot and time"}),
            Or(0, {.key = "overwrite", .kind = kSwitch, .does = "Replace a file of that name"})},
           Acts::StartRecording, "record start walk.mcap --overwrite", kNoted),
-      Row("record.stop", "Ends the recording, whoever started it; its file is then whole", {},
+      Row("record.stop", "Ends the recording, whoever started it; its file is then complete", {},
           Acts::StopRecording, "record stop", kNoted),
       Row("service.call",
-          "Calls a service of the robot as a program does over DDS; what it answers but 0 is an "
-          "error",
-          {Needed(
-               Bare({.key = "service", .kind = kName, .does = "As in rt/api/<service>/request"})),
-           Needed(Bare({"api", kWhole, "", 0, kMostApi, "Its id"})),
-           Bare({.key = "parameter", .kind = kJson, .does = "Nothing unless given"})},
+          "Calls a service of the robot, as a program does over DDS; any answer but 0 is an error",
+          {Needed(Bare({.key = "service",
+                        .kind = kName,
+                        .does = "Name of the service, as in rt/api/<service>/request"})),
+           Needed(Bare({"api", kWhole, "", 0, kMostApi, "Id of the api"})),
+           Bare({.key = "parameter", .kind = kJson, .does = "Its parameter; none unless given"})},
           Acts::CallService, "service call motion_switcher 1003"),
   };
   return kRows;

@@ -13,9 +13,9 @@ std::string_view Explain(Refusal refusal) {
     case Refusal::kModePr:
       return "mode_pr must be 0 (PR) or 1 (AB)";
     case Refusal::kMotorMode:
-      return "a motor's mode byte is none that this robot knows";
+      return "a motor's mode byte has a value that this robot does not know";
     case Refusal::kMotorCount:
-      return "motor_cmd holds other than one entry per motor";
+      return "motor_cmd does not hold exactly one entry per motor";
     case Refusal::kNotFinite:
       return "a motor's q, dq, tau, kp or kd is not a finite number";
     case Refusal::kGain:
@@ -24,18 +24,19 @@ std::string_view Explain(Refusal refusal) {
       return "the robot's own motion service moves the motors; release it (MotionSwitcherClient "
              "ReleaseMode), or start with --released";
     case Refusal::kNoMotionService:
-      return "it counts beside a motion service only, and none is on; start one "
+      return "it has an effect only while a motion service is on, and none is; start one "
              "(MotionSwitcherClient SelectMode) or command by rt/lowcmd";
     case Refusal::kNotHandedOver:
       return "the motion service has not handed the motors over; LocoClient SwitchToUserCtrl does";
     case Refusal::kUndecoded:
-      return "its bytes are no message of the topic's type; was the program built with the "
+      return "its bytes are not a message of the topic's type; was the program built with the "
              "vendor's "
              "IDL?";
     case Refusal::kLost:
-      return "more came than the robot reads, 8 of a topic in a tick; newer ones replaced them";
+      return "more came than the robot reads, 8 of a topic in a tick, and newer ones replaced them";
     case Refusal::kUnmatched:
-      return "the writer's type or quality of service is not the topic's: nothing of it arrives";
+      return "the writer's type or quality of service does not match the topic: nothing of it "
+             "arrives";
     case Refusal::kNone:
     case Refusal::kCount:
       break;

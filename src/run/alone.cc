@@ -80,7 +80,7 @@ void RefuseToStartBeside(wire::StrangerWatch* watch, time::Clock::Time since,
   if (silent.empty()) return;
   const std::string what = wire::Describe(silent) + " can send rt/lowstate and has not done so yet";
   if (guard.on_stranger == config::StrangerAction::kWarn) {
-    spdlog::warn("{}; we start all the same (guard.on_stranger: warn)", what);
+    spdlog::warn("{}; starting anyway (guard.on_stranger: warn)", what);
     return;
   }
   throw NeighbourError(

@@ -47,7 +47,7 @@ int SeedOf(const robot::RandomizationSpec& randomization) {
     return randomization.seed;
   }
   const int seed = static_cast<int>(std::random_device()() & 0x7fffffffU);
-  spdlog::warn("randomized from seed {}, drawn now: --seed {} does the same again", seed, seed);
+  spdlog::warn("randomized from seed {}, drawn for this run: --seed {} repeats it", seed, seed);
   return seed;
 }
 

@@ -124,8 +124,9 @@ class Housekeeper {
     for (const bus::Neighbour& stranger : news.appeared) {
       spdlog::warn("{} has a writer of rt/lowstate, as a robot has", bus::Describe(stranger));
     }
-    constexpr const char* kWhatWeDo[] = {"we fall silent", "we go on (guard.on_stranger: warn)",
-                                         "we stop"};
+    constexpr const char* kWhatWeDo[] = {"this one sends nothing until that one is gone",
+                                         "this one goes on (guard.on_stranger: warn)",
+                                         "this one stops"};
     // Of two robots of this program the elder goes on, since the younger yields.
     using Kind = wire::StrangerWatch::Kind;
     const auto is = [this](Kind kind) {
@@ -136,13 +137,14 @@ class Housekeeper {
     const bool yields = action_ != config::StrangerAction::kWarn && now < began_ + kSameMoment &&
                         std::ranges::any_of(speaking, is(Kind::kElder));
     if (!news.spoke.empty()) {
-      const char* const what = !speaks  ? "it began to start after this one and yields, we go on"
-                               : yields ? "it began to start before this one, which yields"
-                                        : kWhatWeDo[static_cast<int>(action_)];
+      const char* const what =
+          !speaks  ? "it began to start after this one, so it has to yield, and this one goes on"
+          : yields ? "it began to start before this one, so this one stops"
+                   : kWhatWeDo[static_cast<int>(action_)];
       spdlog::critical("another robot speaks on this network: {}; {}", wire::Describe(news.spoke),
                        what);
     }
-    if (speaks_ && !speaks) spdlog::info("the other robot has gone");
+    if (speaks_ && !speaks) spdlog::info("the other robot is gone");
     speaks_ = speaks;
     must_silence_ = speaks && action_ == config::StrangerAction::kSilence;
     must_stop_ = must_stop_ || yields || (speaks && action_ == config::StrangerAction::kStop);
@@ -199,13 +201,6 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       std::chrono::nanoseconds(std::chrono::system_clock::now().time_since_epoch()).count();
   const bus::Participant participant(config.network.interface, config.network.domain,
                                      wire::AnnounceRobot(since));
-  if (!participant.multicast()) {
-    spdlog::info(
-        "{} has no multicast, so at most about nine programs can share a domain; to fix it: `ip "
-        "link "
-        "set {} multicast on` as root, or `understudy exec`",
-        config.network.interface, config.network.interface);
-  }
   if (bus::ReadsForeignTypes()) {
     spdlog::warn(
         "the libddsc of this system reads how others describe their types, at which it crashes "
@@ -294,6 +289,13 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
       spdlog::info("{} is on {}, domain {}; control socket {}", config.robot.name,
                    config.network.interface, config.network.domain, control.socket().string());
       if (!control.url().empty()) spdlog::info("panel: {}", control.url());
+      // On lo it matters only when a domain is full, and whoever then cannot join says so.
+      if (!participant.multicast() && participant.interface() != "lo") {
+        spdlog::warn(
+            "{} has no multicast, so programs on other machines do not find this robot; to fix it, "
+            "as root: ip link set {} multicast on",
+            participant.interface(), participant.interface());
+      }
       if (options.on_ready) options.on_ready(control.url());
       pacer.Resume(world.step(), world.pace().speed);
     }
@@ -315,10 +317,10 @@ ExitCode RunRobot(const config::Config& asked, const RunOptions& options) {
     if (options.should_stop(world.step(), &world.events())) break;
   }
   if (const emulator::Status status = world.status(); status.script_waiting > 0) {
-    spdlog::warn("script: {}: '{}' has not come", status.script_where.data(),
+    spdlog::warn("script: {}: was still waiting for '{}' at the end", status.script_where.data(),
                  status.script_waits_for.data());
   }
-  spdlog::info("{} is off the network after {:.1f} simulated seconds", config.robot.name,
+  spdlog::info("{} has left the network after {:.1f} simulated seconds", config.robot.name,
                world.time());
   return code;
 }

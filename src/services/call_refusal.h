@@ -48,14 +48,14 @@ constexpr std::string_view Explain(CallRefusal refusal) {
     case CallRefusal::kUnknownApi:
       return "the service has no such api; docs/services.md lists them";
     case CallRefusal::kLease:
-      return "another client holds the service's lease, or the caller's is over";
+      return "another client holds the service's lease, or the caller's has expired";
     case CallRefusal::kParameter:
       return "its parameter is not JSON, or a field is missing, of another type, out of range or "
              "too long";
     case CallRefusal::kState:
       return "the motion service does not do it in its present state";
     case CallRefusal::kIgnored:
-      return "it is taken without effect, as by the real robot in that state";
+      return "it is accepted and has no effect, as on the real robot in that state";
     case CallRefusal::kGoal:
       return "the motion service has no such state, action or number";
     case CallRefusal::kName:
@@ -65,17 +65,17 @@ constexpr std::string_view Explain(CallRefusal refusal) {
     case CallRefusal::kNotSimulated:
       return "it is not simulated";
     case CallRefusal::kFailed:
-      return "carrying it out failed";
+      return "it was tried and failed";
     case CallRefusal::kCode:
-      return "for the reason that its code says";
+      return "its code tells the reason";
     case CallRefusal::kNotServed:
       return "the program that serves it is off, or no motion service is on";
     case CallRefusal::kUndecoded:
-      return "its bytes are no request; was the program built with the vendor's IDL?";
+      return "its bytes are not a request; was the program built with the vendor's IDL?";
     case CallRefusal::kTooMany:
-      return "more came than the robot serves; the oldest are dropped";
+      return "more came than the robot can serve, and the oldest were dropped";
     case CallRefusal::kUnmatched:
-      return "the writer's type or quality of service is not the topic's";
+      return "the writer's type or quality of service does not match the topic";
     case CallRefusal::kNone:
     case CallRefusal::kCount:
       break;

@@ -75,7 +75,8 @@ void AddCamera(CLI::App* command, CameraChoice* camera) {
             90, "X")
       ->excludes(name);
   AddNumber(command, "--distance", &camera->distance,
-            "m from what is looked at [so that the robot fills it]", 0.01, 1000, "X")
+            "Distance from what is looked at, m [so that the robot fills the picture]", 0.01, 1000,
+            "X")
       ->excludes(name);
   CLI::Option* lookat =
       command->add_option("--lookat", camera->lookat, "X Y Z: a point of the world to look at, m")
@@ -130,14 +131,14 @@ CLI::Validator Ending(const std::vector<std::string>& endings) {
 
 void AddDrawing(CLI::App* command, DrawingArguments* drawing,
                 const std::vector<std::string>& endings) {
-  command->add_option("out", drawing->out, "The file to write")
+  command->add_option("out", drawing->out, "File to write")
       ->required()
       ->type_name("OUT" + endings.front())
       ->check(Ending(endings));
   client::AddRobotChoice(command, &drawing->robot);
   command
       ->add_option("--recording", drawing->recording,
-                   "An MCAP file of `understudy run --record` instead of a running robot")
+                   "Draw this MCAP file of `understudy run --record` instead of a running robot")
       ->type_name("FILE")
       ->excludes("--name")
       ->excludes("--socket");
@@ -165,7 +166,7 @@ CLI::App* AddViewCommand(CLI::App* app, ViewArguments* arguments) {
       "  understudy view                         the only robot that runs\n"
       "  understudy view --name left --show forces\n"
       "  understudy run go2 --view               a robot and its window\n"
-      "F1 in the window lists its keys. Closing it leaves the robot on the wire.");
+      "F1 in the window lists its keys. The robot runs on when the window is closed.");
   return view;
 }
 
@@ -193,8 +194,8 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   AddNumber(film, "--seconds", &arguments->seconds,
             "Simulated seconds of a running robot to film [10]", 0.1, kLongest, "S")
       ->excludes("--recording");
-  AddNumber(film, "--from", &arguments->from, "Second of the recording to begin at [its begin]", 0,
-            kLongestRun, "S")
+  AddNumber(film, "--from", &arguments->from, "Second of the recording to begin at [its beginning]",
+            0, kLongestRun, "S")
       ->needs("--recording");
   AddNumber(film, "--to", &arguments->to, "Second of the recording to end at [its end]", 0,
             kLongestRun, "S")
@@ -203,16 +204,17 @@ CLI::App* AddFilmCommand(CLI::App* app, FilmArguments* arguments) {
   AddNumber(film, "--speed", &arguments->speed,
             "Simulated seconds per second of the film; 0.25 is slow motion [1]", 0.01, 100, "X");
   AddNumber(film, "--orbit", &arguments->orbit,
-            "Degrees per second that the camera goes round what it looks at [0]", -360, 360, "X")
+            "Degrees per second at which the camera moves round what it looks at [0]", -360, 360,
+            "X")
       ->excludes("--camera");
-  film->add_flag("--plain", arguments->plain, "No clock and no events in the picture");
+  film->add_flag("--plain", arguments->plain, "Draw no clock and no events");
   film->footer(
       "Examples:\n"
       "  understudy film go2.mp4 --seconds 5\n"
       "  understudy film go2.webp --size 480x270 --fps 15    .webp and .gif for a page\n"
       "  understudy film slow.mp4 --recording run.mcap --from 10 --to 10.4 --speed 0.1 --fps 60\n"
-      "The simulated time and the last events stand in the picture; --plain leaves them out.\n"
-      "Ctrl-C ends the film where it is; what was filmed can be played.");
+      "The picture shows the simulated time and the last events; --plain leaves them out.\n"
+      "Ctrl-C ends the film early; what has been filmed until then can be played.");
   return film;
 }
 

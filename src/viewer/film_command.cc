@@ -96,7 +96,7 @@ void FilmRobot(const FilmArguments& arguments, const std::function<bool()>& shou
         if (!more || should_stop()) break;
       }
       const bool stands = std::chrono::steady_clock::now() - moved > kStandstill;
-      bar.Show(maker.seconds(), whole, stands ? "waiting: its time stands still" : "");
+      bar.Show(maker.seconds(), whole, stands ? "waiting: the robot is paused" : "");
       if (const std::string why = robot.gone(); more && !why.empty()) {
         std::fprintf(stderr, "understudy: the film ends early: %s\n", why.c_str());
         break;

@@ -44,7 +44,7 @@ std::string MotorsText(const nlohmann::json& status) {
                      status[id].is_number_integer();
   if (!tells) return {};
   const auto alias = status[service].get<std::string>();
-  if (alias.empty()) return "free for rt/lowcmd";
+  if (alias.empty()) return "none: motors follow rt/lowcmd";
   return alias + ", " + status[name].get<std::string>() + " (" +
          std::to_string(status[id].get<int>()) + ")";
 }
@@ -101,17 +101,17 @@ TextBlock HelpText() {
   TextBlock text;
   text.Add("F1", "this help");
   text.Add("Space", "pause, go on");
-  text.Add("Right", "a step while paused; with Shift 20");
+  text.Add("Right", "make a step while paused; with Shift 20");
   text.Add("+ -", "faster, slower");
   text.Add("Backspace", "back to the start pose");
   text.Add("C F M J X", "contacts, forces, centre of mass, joints, collision shapes");
   text.Add("T", "follow the robot, or the selected body");
   text.Add("[ ]", "cameras of the model");
-  text.Add("V", "the first look again");
+  text.Add("V", "back to the first view");
   text.Add("R", "keyboard as the remote controller, Esc ends it");
-  text.Add("Esc Q", "close; the robot stays on the wire");
-  text.Add("left drag", "turn; with Shift about the vertical");
-  text.Add("right drag", "move; with Shift over the ground");
+  text.Add("Esc Q", "close the window; the robot runs on");
+  text.Add("left drag", "turn the view; with Shift about the vertical");
+  text.Add("right drag", "move the view; with Shift along the ground");
   text.Add("wheel", "nearer, further");
   text.Add("double click", "select a body; right: look there");
   text.Add("Ctrl drag", "pull the selected body");

@@ -38,7 +38,7 @@ states published   0
 divergences        0
 power              on
 motion service     none
-motors follow      nobody yet: they hold the start pose or brake
+motors follow      nobody yet: the motors hold the start pose or brake
 rt/lowcmd writers  0
 commands taken     0
 commands refused   0
@@ -104,9 +104,9 @@ TEST(CtlTextTest, SaysWhomTheMotorsFollow) {
   status.gate = authority::GateState::kFollowing;
   EXPECT_THAT(TextOf(status), HasSubstr("motors follow      LowCmd\n"));
   status.gate = authority::GateState::kDamping;
-  EXPECT_THAT(TextOf(status), HasSubstr("nobody: they brake until the next LowCmd\n"));
+  EXPECT_THAT(TextOf(status), HasSubstr("nobody: the motors brake until the next LowCmd\n"));
   status.gate = authority::GateState::kLimp;
-  EXPECT_THAT(TextOf(status), HasSubstr("nobody: no torque\n"));
+  EXPECT_THAT(TextOf(status), HasSubstr("nobody: the motors have no torque\n"));
   status.gate = authority::GateState::kClosed;
   EXPECT_THAT(TextOf(status), HasSubstr("motors follow      the motion service\n"));
 }

@@ -255,7 +255,7 @@ Finding Unicast(int returned, int error) {
 }
 
 TEST(PeerCheckTest, TellsByTheKernelsErrorWhyNothingComesBack) {
-  EXPECT_THAT(Unicast(0, EPERM).text, HasSubstr("firewall of this machine"));
+  EXPECT_THAT(Unicast(0, EPERM).text, HasSubstr("firewall on this machine"));
   EXPECT_THAT(Unicast(0, ECONNREFUSED).text, HasSubstr("no echo runs"));
   EXPECT_THAT(Unicast(0, EHOSTUNREACH).text, HasSubstr("no machine answers"));
   EXPECT_THAT(Unicast(0, ENETUNREACH).text, HasSubstr("no route"));

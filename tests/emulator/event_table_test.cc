@@ -105,18 +105,20 @@ TEST(EventTableTest, SaysWhyTheRemoteControllerMovesNothing) {
     return Made(EventKind::kUnheeded, {static_cast<double>(reason), keys, wish, 4}, name);
   };
   using enum authority::Unheeded::Reason;
-  EXPECT_EQ(
-      Said(unheeded(kNotSimulated, kR2A, 801, "ready")),
-      "R2+A asks for state 801 of the real robot, which is not modelled: it stays in ready (4)");
+  EXPECT_EQ(Said(unheeded(kNotSimulated, kR2A, 801, "ready")),
+            "R2+A asks for state 801 of the real robot, which is not modelled: the robot stays in "
+            "ready (4)");
   EXPECT_EQ(Said(unheeded(kNotSimulated, kR2A, -1, "ready")),
-            "R2+A asks for a motion, which is not modelled: it stays in ready (4)");
-  EXPECT_EQ(Said(unheeded(kNotSimulated, 0, -1, "ready")),
-            "the sticks ask the robot to walk, which is not modelled: it stays in ready (4)");
-  EXPECT_EQ(Said(unheeded(kState, kR2A, -1, "ready")), "R2+A does nothing in ready (4)");
-  EXPECT_EQ(Said(unheeded(kState, 0, -1, "ready")), "the sticks move nothing in ready (4)");
-  EXPECT_EQ(Said(unheeded(kNoMotionService, kR2A, -1, "ai")),
-            "R2+A: no motion service is on to obey; `understudy ctl service call motion_switcher "
-            "1002 '{\"name\": \"ai\"}'` switches it on");
+            "R2+A asks for a motion, which is not modelled: the robot stays in ready (4)");
+  EXPECT_EQ(
+      Said(unheeded(kNotSimulated, 0, -1, "ready")),
+      "the sticks ask the robot to walk, which is not modelled: the robot stays in ready (4)");
+  EXPECT_EQ(Said(unheeded(kState, kR2A, -1, "ready")), "R2+A has no effect in ready (4)");
+  EXPECT_EQ(Said(unheeded(kState, 0, -1, "ready")), "the sticks have no effect in ready (4)");
+  EXPECT_EQ(
+      Said(unheeded(kNoMotionService, kR2A, -1, "ai")),
+      "R2+A: no motion service is on that could obey; `understudy ctl service call motion_switcher "
+      "1002 '{\"name\": \"ai\"}'` switches it on");
   EXPECT_EQ(Detail(unheeded(kState, kR2A, -1, "ready")),
             R"({"keys":"R2+A","name":"ready","reason":"state","state":4,"wish":-1})");
 }
@@ -191,7 +193,8 @@ TEST(EventDigestTest, KeepsTheWorstAndTheSumOfABurst) {
   }
   std::vector<std::string> said;
   for (const ToldEvent& told : digest.Rest()) said.push_back(told.text());
-  EXPECT_THAT(said, ElementsAre("3 ticks began late, the worst by 4.0 ms", "6 messages not sent"));
+  EXPECT_THAT(
+      said, ElementsAre("3 ticks began late, the worst by 4.0 ms", "6 messages could not be sent"));
 }
 
 TEST(EventDigestTest, WarnsOfLateTicksOnlyWhereTheyAreMany) {

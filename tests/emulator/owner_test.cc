@@ -176,7 +176,7 @@ TEST_F(OwnerTest, AChordThatNoServiceHearsIsToldWithWhatBringsItBack) {
   Tick(200);
   EXPECT_THAT(Told(EventKind::kUnheeded),
               testing::ElementsAre(testing::HasSubstr(
-                  "L2+A: no motion service is on to obey; `understudy ctl service call "
+                  "L2+A: no motion service is on that could obey; `understudy ctl service call "
                   "motion_switcher 1002 '{\"name\": \"normal\"}'` switches it on")));
 }
 

@@ -330,7 +330,7 @@ TEST_F(RequestsTest, AreEventsOfTheStepInWhichTheyAct) {
   }
   EXPECT_THAT(steps, testing::ElementsAre(0, 3, 4));
   EXPECT_THAT(Told(EventKind::kCrane),
-              testing::ElementsAre("hangs from the crane", "off the crane"));
+              testing::ElementsAre("hangs from the crane", "released from the crane"));
 }
 
 }  // namespace

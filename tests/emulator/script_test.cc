@@ -44,7 +44,7 @@ TEST_F(ScriptTest, AnEventWaitsForItsCondition) {
   holds_[0] = true;
   Tick();
   EXPECT_EQ(world_->status().script_done, 1U);
-  EXPECT_THAT(Told(EventKind::kScriptWait), testing::ElementsAre("script: 'a' came after 0.005 s"));
+  EXPECT_THAT(Told(EventKind::kScriptWait), testing::ElementsAre("script: waited 0.005 s for 'a'"));
   EXPECT_THAT(Told(EventKind::kScript), testing::ElementsAre("s:1"));
 }
 
@@ -79,7 +79,7 @@ TEST_F(ScriptTest, AnEventThatHasWaitedTooLongIsRefusedAndTheScriptGoesOn) {
   EXPECT_THAT(Told(EventKind::kScriptRefused),
               testing::ElementsAre("script: s:1: waited 0.01 s in vain: a > 1"));
   EXPECT_THAT(Told(EventKind::kScriptWait),
-              testing::ElementsAre("script: 'a > 1' had not come after 0.010 s"));
+              testing::ElementsAre("script: waited 0.010 s in vain for 'a > 1'"));
   Tick(5);
   EXPECT_EQ(world_->status().script_done, 2U);
   EXPECT_EQ(world_->status().script_refused, 1U);

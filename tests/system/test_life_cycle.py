@@ -29,7 +29,7 @@ def test_a_stop_signal_ends_a_run_in_good_order(play, runtime_dir, number):
 
     assert robot.exit_code(SOON) == 0
     assert sockets(runtime_dir) == []
-    robot.heard("off the network")
+    robot.heard("left the network")
 
 
 def test_ctl_stop_ends_the_robot_that_is_named_in_good_order_and_no_other(play, runtime_dir):
@@ -38,7 +38,7 @@ def test_ctl_stop_ends_the_robot_that_is_named_in_good_order_and_no_other(play, 
     left.ctl("stop")
 
     assert left.exit_code(SOON) == 0
-    left.heard("off the network")
+    left.heard("left the network")
     assert sockets(runtime_dir) == ["right.sock"]
     assert right.status()["ready"]
 
@@ -76,7 +76,7 @@ def test_a_run_ends_by_itself_after_its_duration(play, runtime_dir):
 
     assert robot.exit_code() == 0
     assert sockets(runtime_dir) == []
-    ended = robot.heard("off the network")["message"]
+    ended = robot.heard("left the network")["message"]
     assert float(re.search(r"after ([\d.]+) simulated", ended)[1]) == 1.5
 
 
@@ -217,7 +217,7 @@ def test_a_run_in_the_background_is_left_when_it_is_ready(behind, runtime_dir, t
         assert understudy("ctl", "stop").returncode == 0
         said, _ = follower.communicate(timeout=10)
     assert follower.returncode == 0
-    assert "off the network" in said.splitlines()[-1]
+    assert "left the network" in said.splitlines()[-1]
     assert sockets(runtime_dir) == []
 
 

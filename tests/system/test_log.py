@@ -12,6 +12,7 @@ import time
 
 import pytest
 
+import namespaces
 from peers import GoLowState as GoState
 from peers import GoLowCmd, go_command, listener, speaker
 
@@ -184,3 +185,21 @@ def test_a_file_gets_no_status_line(play):
     assert "\r" not in robot.said()
     assert "\x1b" not in robot.said()
     assert "LowState" not in robot.said()
+
+
+@pytest.fixture(name="without_multicast")
+def without_multicast_fixture():
+    """Two interfaces that have none: lo, and eth0 on a cable."""
+    with namespaces.cable(("eth0", "192.168.123.1/24"), ("far", "192.168.123.222/24")):
+        for name in ("lo", "eth0"):
+            namespaces.ip("link", "set", name, "multicast", "off")
+        yield
+        namespaces.ip("link", "set", "lo", "multicast", "on")
+
+
+def test_it_tells_of_missing_multicast_where_nobody_would_find_the_robot_and_not_on_lo(play, understudy,
+                                                                                      without_multicast):
+    on_a_cable = play("go2", "--interface", "eth0")
+    on_a_cable.heard("eth0 has no multicast, so programs on other machines do not find this robot", "warning")
+    assert "multicast" not in play("go2", "--interface", "lo", "--domain", 1).said()
+    assert "multicast" not in understudy("run", "go3").stderr

@@ -120,7 +120,7 @@ def test_a_stranger_that_speaks_silences_a_robot_that_moves_on_until_it_has_gone
         assert "silent" in said
 
     robot.becomes(lambda status: not status["silenced"])
-    robot.heard("has gone", "info")
+    robot.heard("is gone", "info")
     with listener() as ear:
         assert ear.wait()
     with stranger() as other:

@@ -30,7 +30,7 @@ def test_sliders_move_the_joints_of_a_clamped_robot_until_they_are_let_go(play, 
 
     page.becomes(f"Math.abs(panel.view.snapshot.motors[0].q - {hip + 0.4}) < 0.05")
     assert "holds 1 of 12" in page.text("#joints-state")
-    assert page.text("#joints-on") == "Let go of all joints"
+    assert page.text("#joints-on") == "Release all joints"
     page.becomes("panel.view.snapshot.command[0].kp > 0 && panel.view.snapshot.command[1].kp === 0")
     page.click("#joints-on")
     page.becomes("panel.view.snapshot.command[0].kp === 0")

@@ -124,7 +124,7 @@ def test_commands_that_stop_are_said_and_the_motors_damp(play):
     robot = play("go2", "--released")
     with speaker("rt/lowcmd", GoLowCmd) as client:
         client.write_for(0.5, go_command())
-        robot.heard("following LowCmd", "info")
+        robot.heard("the motors follow LowCmd", "info")
         status = robot.becomes(lambda now: now["commands"]["state"] == "damping")
 
     assert status["commands"]["timeouts"] >= 1

@@ -74,13 +74,13 @@ def test_what_a_script_waits_for_is_in_the_status_and_in_the_log(play, tmp_path)
     assert status["script"]["where"].endswith("waits.yaml:2")
     assert "waits.yaml:2: crane happens" in robot.ctl("status")
     robot.ctl("crane", "attach")
-    robot.heard("script: 'crane happens' came after")
+    robot.heard("for 'crane happens'")
     robot.heard("waits.yaml:3: waited 0.5 s in vain", "warning")
     status = robot.becomes(lambda now: now["script"]["waits_for"] == "lowcmd arrives")
     assert (status["script"]["done"], status["script"]["refused"]) == (2, 1)
     robot.send(signal.SIGINT)
     robot.exit_code()
-    assert "waits.yaml:4: 'lowcmd arrives' has not come" in robot.said()
+    assert "waits.yaml:4: was still waiting for 'lowcmd arrives' at the end" in robot.said()
 
 
 def test_a_script_names_the_joints_of_its_robot(understudy, tmp_path):

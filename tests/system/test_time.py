@@ -69,7 +69,7 @@ def test_a_long_stall_is_counted_and_not_made_up_for(play):
     assert rate < 800
     assert after["pace"]["shifts"] > first["pace"]["shifts"]
     assert after["pace"]["shifted"] > 1.4
-    robot.heard("not made up for", "warning")
+    robot.heard("does not catch up", "warning")
 
 
 def test_the_tick_is_in_milliseconds_whatever_the_speed(play):

@@ -26,7 +26,8 @@ TEST(ScreenTextTest, NamesTheStateOfTheServiceThatMovesTheMotors) {
   };
   EXPECT_EQ(said(R"({"motion": {"service": "mcf", "state": 1004, "name": "lying"}})"),
             "mcf, lying (1004)");
-  EXPECT_EQ(said(R"({"motion": {"service": "", "state": 0, "name": ""}})"), "free for rt/lowcmd");
+  EXPECT_EQ(said(R"({"motion": {"service": "", "state": 0, "name": ""}})"),
+            "none: motors follow rt/lowcmd");
   for (const char* untold : {"", "7", "{}", R"({"motion": 7})", R"({"motion": {"service": "mcf"}})",
                              R"({"motion": {"service": 7, "state": 1004, "name": "lying"}})"}) {
     EXPECT_EQ(said(untold), "") << untold;

@@ -77,7 +77,7 @@ export class Bar {
     byId("record").setAttribute("aria-pressed", on);
     setClass(byId("record"), state === "failed" ? "bad" : "");
     byId("record").title = on ? `${state === "failed" ? "failed: " : ""}${file}, ` +
-      `${number(bytes / 1e6, 1)} MB; a click ends it` :
+      `${number(bytes / 1e6, 1)} MB; click to stop` :
       "Record from now on, to a file where the robot was started";
   }
 

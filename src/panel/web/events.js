@@ -18,7 +18,7 @@ export function ownerOf(status) {
     case "damping":
       return { word: "nobody", level: "warn", text: "LowCmd stopped: damping" };
     case "limp":
-      return { word: "nobody", level: "warn", text: "limp, on the remote controller's wish" };
+      return { word: "nobody", level: "warn", text: "limp, as the remote controller asked" };
     default:
       return { word: status.commands.state, level: "", text: "" };
   }

@@ -97,7 +97,7 @@ export class Joints {
     const button = byId("joints-on");
     button.setAttribute("aria-pressed", this.on);
     button.disabled = this.why !== "" && !this.on;
-    setText(button, this.on ? "Let go of all joints" : "Move joints");
+    setText(button, this.on ? "Release all joints" : "Move joints");
     button.classList.toggle("damp", this.on);
     setText(byId("joints-state"), this.why ? `off: ${this.why}`
       : !this.on ? "off" : held ? `this page holds ${held} of ${this.sliders.length} joints`

@@ -58,7 +58,7 @@ export class Link {
   // Stays connected for as long as the page lives.
   async run() {
     for (let failures = 0; ; ) {
-      let why = "the robot hung up";
+      let why = "the robot closed the connection";
       try {
         await this.readStatus();
         await this.checkToken();
@@ -126,7 +126,7 @@ export class Link {
       let heard = performance.now();
       const watch = setInterval(() => {
         const silent = performance.now() - heard > SILENCE;
-        if (silent && !document.hidden) this.on.line("silent", "no news for 2 s");
+        if (silent && !document.hidden) this.on.line("silent", "nothing received for 2 s");
       }, SILENCE / 4);
       socket.onmessage = ({ data }) => {
         heard = performance.now();
@@ -175,7 +175,7 @@ export class Link {
       this.waiting.delete(answer.id);
     };
     socket.onclose = () => {
-      if (this.requests === socket) this.dropRequests("the line broke");
+      if (this.requests === socket) this.dropRequests("the connection broke");
     };
     this.requests = socket;
   }

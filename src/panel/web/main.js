@@ -27,10 +27,10 @@ import { View } from "./view.js";
 const TABLE_EVERY = 100; // ms: nobody reads faster
 const HIDDEN_HZ = 5; // snapshots a second while the page is out of sight: histories go on
 
-const STALE = "Another run has this address now and does not know this page's token: looking only. " +
-  "Open the new URL, which the robot printed at its start and `understudy ctl panel` tells.";
-const NO_TOKEN = "Looking only: this address has no token. To ask something of it too, open the URL that " +
-  "the robot printed at its start and `understudy ctl panel` tells.";
+const STALE = "Another run has this address now and does not know this page's token, so you can only look. " +
+  "Open the new URL, which the robot printed at its start and `understudy ctl panel` prints.";
+const NO_TOKEN = "You can only look: this address has no token. To control the robot, open the URL that " +
+  "the robot printed at its start and `understudy ctl panel` prints.";
 
 // What of the view can be switched on and off, and stays so.
 const TOGGLES = [
@@ -190,7 +190,7 @@ function showStatus(status) {
 function showLine(state, why) {
   bar.showLine(state, why);
   const text = { lost: `Connection lost (${why}). Trying again …`,
-                 silent: "The robot says nothing. Is its process stopped?" }[state];
+                 silent: "The robot does not answer. Has its process been stopped?" }[state];
   setText(byId("lost"), text ?? "");
   byId("lost").hidden = !text;
   document.body.classList.toggle("away", state === "lost");

@@ -78,7 +78,7 @@ class Row {
     if (!bad && (levels.casing || levels.winding)) words.push("warm");
     if (atLimit) words.push("torque limit");
     else if (!bad && levels.tau) words.push("heavy");
-    if (levels.q) words.push("pushes its stop");
+    if (levels.q) words.push("presses against its end stop");
     if (!reading.enabled) words.push("off");
     const level = words.length && reading.enabled ? "warn" : "muted";
     if (atStop && !levels.q) words.push("at stop");
