@@ -20,9 +20,10 @@ namespace {
 
 constexpr double kHeightsBase = 0.5;  // m of solid ground below the lowest point; assumed
 
-// Light, sky and colours as in models/scene/flat.xml.
+// Sky and floor as in models/scene/flat.xml. The sun stands lower, and height fields have one
+// colour, so that slopes of a few degrees differ visibly.
 constexpr char kHead[] = R"(  <visual>
-    <headlight ambient="0.25 0.25 0.25" diffuse="0.35 0.35 0.35" specular="0.1 0.1 0.1"/>
+    <headlight ambient="0.35 0.35 0.35" diffuse="0.2 0.2 0.2" specular="0.1 0.1 0.1"/>
     <rgba haze="0.82 0.86 0.9 1"/>
   </visual>
   <asset>
@@ -33,7 +34,7 @@ constexpr char kHead[] = R"(  <visual>
     <material name="floor" texture="checker" texuniform="true" texrepeat="2 2" reflectance="0.05"/>
 )";
 constexpr char kSun[] =
-    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.4 0.25 -0.9" diffuse="0.6 0.6 0.58"/>
+    R"(    <light name="sun" directional="true" pos="2 -1 4" dir="-0.8 0.4 -0.42" diffuse="1 1 0.96"/>
 )";
 // Neighbouring pieces differ in colour, so that edges are visible.
 constexpr std::array<const char*, 3> kColours = {"0.66 0.62 0.55 1", "0.6 0.57 0.52 1",
@@ -87,7 +88,7 @@ std::string Geom(const TerrainPiece& piece, std::size_t i, double floor) {
   if (piece.shape == PieceShape::kHeights) {
     const std::string at = Numbers({piece.x, piece.y, piece.top - thickness});
     return text + "hfield\" hfield=\"" + HeightsName(piece.heights) + "\" pos=\"" + at +
-           "\" material=\"floor\" rgba=\"1 0.92 0.8 1\"" + Contact(piece.friction) + "/>\n";
+           "\" rgba=\"0.72 0.66 0.55 1\"" + Contact(piece.friction) + "/>\n";
   }
   // The centre of a pitched plank is half its thickness below its top, along the top's normal.
   const double half = thickness / 2;
