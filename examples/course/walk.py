@@ -2,6 +2,10 @@
 
     understudy exec go2 --scene examples/course/course.yaml -- python3 examples/course/walk.py
 
+With `--seed 1 --record course.mcap` it was filmed for the README:
+
+    understudy film course.webp --recording course.mcap --from 18 --to 58 --speed 4 --size 480x270 --fps 15
+
 It is somewhere else than it believes in the end: the robot's odometry drifts. Exit code 1: a leg of the course took too
 long, or nothing was heard of a robot.
 """
