@@ -55,15 +55,19 @@ std::string NearestWord(std::string_view typed, const std::vector<std::string>& 
   return nearest;
 }
 
-std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words) {
-  std::string text;
+std::string NearestHint(std::string_view typed, const std::vector<std::string>& words) {
   const std::string nearest = NearestWord(typed, words);
-  if (!nearest.empty()) text += "; did you mean '" + nearest + "'?";
-  text += nearest.empty() ? "; valid: " : " (valid: ";
+  return nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+}
+
+std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words) {
+  std::string text = NearestHint(typed, words);
+  const bool none = text.empty();
+  text += none ? "; valid: " : " (valid: ";
   for (std::size_t i = 0; i < words.size(); ++i) {
     text += (i == 0 ? "" : ", ") + (words[i].empty() ? std::string("\"\"") : words[i]);
   }
-  return nearest.empty() ? text : text + ")";
+  return none ? text : text + ")";
 }
 
 }  // namespace understudy

@@ -12,7 +12,10 @@ namespace understudy {
 // always allowed). Ignores case.
 std::string NearestWord(std::string_view typed, const std::vector<std::string>& words);
 
-// Returns the end of an error line: "; did you mean 'timeout'? (valid: mode, timeout)", without the
+// Returns the end of an error line: "; did you mean 'timeout'?", or "" if no word is near.
+std::string NearestHint(std::string_view typed, const std::vector<std::string>& words);
+
+// Returns the same with all words: "; did you mean 'timeout'? (valid: mode, timeout)", without the
 // question if no word is near.
 std::string DidYouMean(std::string_view typed, const std::vector<std::string>& words);
 

@@ -42,9 +42,7 @@ std::string UnknownOption(const CLI::App& app, int argc, const char* const* argv
     }
     const std::string name = word.substr(0, word.find('='));
     if (!name.starts_with("--") || FindOption(path, name) != nullptr) continue;
-    const std::string nearest = NearestWord(name, OptionNames(path));
-    return "no option '" + name + "' of `" + of + "`" +
-           (nearest.empty() ? "" : "; did you mean '" + nearest + "'?");
+    return "no option '" + name + "' of `" + of + "`" + NearestHint(name, OptionNames(path));
   }
   return "";
 }

@@ -81,10 +81,9 @@ std::size_t Index(const YamlValue& key, const std::string& path,
   if (found != names.end() && !key.text.empty()) {
     return static_cast<std::size_t>(found - names.begin());
   }
-  const std::string nearest = index ? "" : NearestWord(key.text, names);
   throw ConfigError(key.where + ": " + path + ": has " + std::to_string(names.size()) +
                     " elements, counted from 0; there is no '" + OneLine(key.text) + "'" +
-                    (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+                    (index ? "" : NearestHint(key.text, names)));
 }
 
 }  // namespace
@@ -146,10 +145,9 @@ void Reader::Visit(const Row& row, const Slot& slot) {
   if (word != nullptr) read = ReadWord(*value, *word);
   if (read) return;
   const bool misspelt = word != nullptr && value->kind == Kind::kScalar;
-  const std::string hint = misspelt ? NearestWord(value->text, word->words) : "";
+  const std::string hint = misspelt ? NearestHint(value->text, word->words) : "";
   throw ConfigError(value->where + ": " + Path(row) + ": expected " + Expected(row, slot) +
-                    ", got " + Shown(*value) +
-                    (hint.empty() ? "" : "; did you mean '" + hint + "'?"));
+                    ", got " + Shown(*value) + hint);
 }
 
 template <class T>

@@ -92,8 +92,7 @@ Result<std::size_t> FindSetting(std::string_view key) {
   if (live != std::end(kLive)) return static_cast<std::size_t>(live - std::begin(kLive));
   std::vector<std::string> keys;
   for (const LiveSetting& one : kLive) keys.emplace_back(one.key);
-  const std::string nearest = NearestWord(key, keys);
-  const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
+  const std::string hint = NearestHint(key, keys);
   const auto* const fixed = std::ranges::find_if(
       kFixed, [&](const FixedSetting& one) { return key.starts_with(one.begins); });
   const std::string got = "expected a key that can change, got " + Shown(std::string(key));
@@ -114,9 +113,8 @@ Result<double> SettingNumber(const SettingKey& key, const Request& request) {
                                                  : text;
   const auto found = std::ranges::find(key.words, word);
   if (found != key.words.end()) return static_cast<double>(found - key.words.begin());
-  const std::string nearest = NearestWord(text, key.words);
   return Error{key.key + ": expected " + key.expected + ", got " + Shown(std::string(text)) +
-               (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+               NearestHint(text, key.words)};
 }
 
 }  // namespace understudy::emulator

@@ -130,10 +130,8 @@ Result<> ReadField(const Field& field, const json& value, Request* request) {
                                         : field.words.end();
     if (word == field.words.end()) {
       const std::vector<std::string> words(field.words.begin(), field.words.end());
-      const std::string nearest =
-          value.is_string() ? NearestWord(value.get<std::string>(), words) : "";
       Error error = Refused(field, value);
-      if (!nearest.empty()) error.why += "; did you mean '" + nearest + "'?";
+      if (value.is_string()) error.why += NearestHint(value.get<std::string>(), words);
       return error;
     }
     request->SetNumber(field.key, static_cast<double>(word - field.words.begin()));

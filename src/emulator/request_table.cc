@@ -14,9 +14,8 @@ namespace understudy::emulator {
 namespace {
 
 Error NoBody(const physics::World& world, std::string_view name) {
-  const std::string nearest = NearestWord(name, physics::BodyNames(world));
-  const std::string hint = nearest.empty() ? "" : "; did you mean '" + nearest + "'?";
-  return {"the model has no body '" + std::string(name) + "'" + hint};
+  return {"the model has no body '" + std::string(name) + "'" +
+          NearestHint(name, physics::BodyNames(world))};
 }
 
 // By its name in the world's model, or by the one that it has in the robot's own.

@@ -143,9 +143,8 @@ Result<> Robot::MoveJoint(std::string_view joint, double angle, double until, do
   if (motor == spec_.motors.end()) {
     std::vector<std::string> joints;
     for (const robot::MotorSpec& one : spec_.motors) joints.push_back(one.joint);
-    const std::string nearest = NearestWord(joint, joints);
     return Error{"no motor of the body has a joint '" + std::string(joint) + "'" +
-                 (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+                 NearestHint(joint, joints)};
   }
   const auto i = static_cast<std::size_t>(motor - spec_.motors.begin());
   const auto& [low, high] = ranges_[i];

@@ -110,9 +110,7 @@ std::vector<Parameter> Basis::Parameters(const std::vector<std::string>& names,
   for (const Quantity& quantity : kQuantities) valid.emplace_back(quantity.name);
   for (const std::string& name : names) {
     if (std::ranges::count(valid, name) == 0) {
-      const std::string nearest = NearestWord(name, valid);
-      throw ConfigError("--parameters: no '" + name + "'" +
-                        (nearest.empty() ? "" : "; did you mean '" + nearest + "'?"));
+      throw ConfigError("--parameters: no '" + name + "'" + NearestHint(name, valid));
     }
   }
   std::vector<Parameter> parameters;

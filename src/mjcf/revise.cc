@@ -34,10 +34,8 @@ MjcfElement& Require(MjcfElement* root, const std::string& kind, const std::stri
   if (MjcfElement* found = FindNamed(root, kind, name)) return *found;
   std::vector<std::string> names;
   CollectNames(*root, kind, &names);
-  const std::string nearest = NearestWord(name, names);
   throw ModelError(root->place.file + ": no " + kind + " '" + name + "'" +
-                   (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " (" + key +
-                   ".name names it)");
+                   NearestHint(name, names) + " (" + key + ".name names it)");
 }
 
 void ReviseBody(const robot::BodySpec& spec, const std::string& key, MjcfElement* root) {

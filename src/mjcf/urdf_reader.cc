@@ -144,9 +144,7 @@ class UrdfTree {
     if (links_.contains(link)) return link;
     std::vector<std::string> names;
     for (const auto& [name, ignored] : links_) names.push_back(name);
-    const std::string near = NearestWord(link, names);
-    FailAt(*element,
-           "no link '" + link + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+    FailAt(*element, "no link '" + link + "'" + NearestHint(link, names));
   }
 
   void ReadJoints() {

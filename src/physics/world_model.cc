@@ -87,10 +87,8 @@ class NameCheck {
   void Require(mjtObj type, const std::string& what, const std::string& name,
                const std::string& key) const {
     if (Has(type, name)) return;
-    const std::string nearest = NearestWord(name, Names(type));
-    throw ModelError(file_ + ": no " + what + " '" + name + "'" +
-                     (nearest.empty() ? "" : "; did you mean '" + nearest + "'?") + " (" + key +
-                     " names it)");
+    throw ModelError(file_ + ": no " + what + " '" + name + "'" + NearestHint(name, Names(type)) +
+                     " (" + key + " names it)");
   }
 
   [[noreturn]] void Refuse(const std::string& what) const { throw ModelError(file_ + ": " + what); }

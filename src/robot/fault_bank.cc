@@ -77,12 +77,12 @@ void FaultBank::Add(Component of, std::size_t element, std::string name) {
 Result<std::size_t> FaultBank::Find(std::string_view component) const {
   const auto found = std::ranges::find(names_, component);
   if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
-  const std::string nearest = NearestWord(component, names_);
+  const std::string hint = NearestHint(component, names_);
   return Error{"the robot has no '" + std::string(component) + "'" +
-               (nearest.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
-                                  "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or "
-                                  "mcu"
-                                : "; did you mean '" + nearest + "'?")};
+               (hint.empty() ? "; expected a joint, JOINT.encoder, imu, foot.NAME, battery, "
+                               "remote, a topic, service.NAME, bus.NAME, fan.NAME, mainboard or "
+                               "mcu"
+                             : hint)};
 }
 
 Result<const FaultKind*> FaultBank::FindKind(std::size_t component, std::string_view kind) const {

@@ -31,9 +31,7 @@ Error Unknown(const std::string& what, const std::string& word,
               const std::vector<std::string>& known) {
   constexpr std::size_t kFew = 12;
   if (known.size() <= kFew) return {"no " + what + " '" + word + "'" + DidYouMean(word, known)};
-  const std::string nearest = NearestWord(word, known);
-  return {"no " + what + " '" + word + "'" +
-          (nearest.empty() ? "" : "; did you mean '" + nearest + "'?")};
+  return {"no " + what + " '" + word + "'" + NearestHint(word, known)};
 }
 
 const EventRow* FindEvent(std::string_view kind) {
@@ -288,10 +286,10 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
       return EventValue(std::move(signal), kind, subject.substr(dot + 1));
     }
   }
-  const std::string nearest = NearestWord(subject, SignalWords());
-  return Error{"no signal '" + subject + "'" +
-               (nearest.empty() ? "; there are words such as base.height, TOPIC:FIELD, EVENT.FIELD"
-                                : "; did you mean '" + nearest + "'?")};
+  const std::string hint = NearestHint(subject, SignalWords());
+  return Error{
+      "no signal '" + subject + "'" +
+      (hint.empty() ? "; there are words such as base.height, TOPIC:FIELD, EVENT.FIELD" : hint)};
 }
 
 Result<double> ScaleTo(const std::string& unit, const std::string& from) {

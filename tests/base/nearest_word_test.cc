@@ -28,6 +28,11 @@ TEST(NearestWordTest, FindsNothingInWordsFarAway) {
   EXPECT_EQ(NearestWord(std::string(100000, 'x'), kWords), "");
 }
 
+TEST(NearestHintTest, AsksForTheNearestWordOrSaysNothing) {
+  EXPECT_EQ(NearestHint("timout", kWords), "; did you mean 'timeout'?");
+  EXPECT_EQ(NearestHint("colour", kWords), "");
+}
+
 TEST(DidYouMeanTest, ListsAllWords) {
   EXPECT_EQ(DidYouMean("timout", kWords),
             "; did you mean 'timeout'? (valid: mode, timeout, damping_kd)");
