@@ -1,4 +1,4 @@
-"""The `ros2 topic` that docs/recipes.md needs, without ROS 2: list, hz TOPIC, echo --once --field FIELD TOPIC [TYPE], pub --once.
+"""The `ros2 topic` that docs/recipes.md needs, without ROS 2: list, hz TOPIC, echo --once --field FIELD TOPIC [TYPE], pub --times COUNT.
 
 It speaks as rmw_cyclonedds_cpp does: the same Cyclone DDS, CYCLONEDDS_URI, topics with rt/ before ROS 2's names, types
 with msg::dds_:: in theirs.
@@ -20,7 +20,8 @@ from cyclonedds.topic import Topic
 from unitree_sdk2py.idl.unitree_api.msg import dds_ as api
 
 DISCOVERY = 2.0  # s
-WINDOW = 2.0  # s
+WINDOW = 1.0  # s, as ros2 has it
+PERIOD = 1.0  # s
 
 
 def request():
@@ -88,12 +89,13 @@ def echo(participant, field, topic, kind=None):
     print(functools.reduce(getattr, field.split("."), samples[0]))
 
 
-def publish(participant, topic, kind, values):
+def publish(participant, times, topic, kind, values):
     message = fill(EXAMPLES[kind](), json.loads(values))
     writer = DataWriter(participant, Topic(participant, f"rt{topic}", message_class(on_the_wire(kind))))
     time.sleep(DISCOVERY)
-    writer.write(message)
-    time.sleep(0.5)
+    for _ in range(times):
+        writer.write(message)
+        time.sleep(PERIOD)
 
 
 def main():
@@ -101,6 +103,7 @@ def main():
     parser.add_argument("topic", choices=["topic"])
     parser.add_argument("verb", choices=["list", "hz", "echo", "pub"])
     parser.add_argument("--once", action="store_true")
+    parser.add_argument("--times", type=int)
     parser.add_argument("--field")
     parser.add_argument("words", nargs="*")
     asked = parser.parse_intermixed_args()
@@ -112,7 +115,7 @@ def main():
     elif asked.verb == "echo":
         echo(participant, asked.field, *asked.words)
     else:
-        publish(participant, *asked.words)
+        publish(participant, asked.times, *asked.words)
 
 
 main()
