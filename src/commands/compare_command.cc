@@ -58,15 +58,13 @@ void AddCompareCommand(CLI::App* app, Chosen* chosen) {
           ->add_option(
               "--shift", arguments->shift,
               "Seconds that are added to the times of the second recording, each counted from its "
-              "first "
-              "LowState; negative makes it earlier [found from the movements of the joints]")
+              "first LowState; negative is earlier [found from the movements of the joints]")
           ->type_name("S")
           ->check(ctl::NumberWithin(-kLongestShift, kLongestShift));
   compare->add_flag("--json", arguments->json, "Print one JSON document");
   compare->footer(
-      "Aligns the two in time. Compares angle, speed and torque of each joint, how closely and "
-      "how\n"
-      "late it follows its commands (rt/lowcmd), the inertial unit and the battery.\n"
+      "Aligns the two in time. Compares angle, speed and torque of each joint, how closely\n"
+      "and how late it follows its commands (rt/lowcmd), the inertial unit and the battery.\n"
       "Examples:\n"
       "  understudy compare rehearsals/push/recording.mcap real.mcap\n"
       "  understudy compare sim.mcap real.mcap --out compare.html\n"

@@ -113,10 +113,8 @@ void AddDoctorCommand(CLI::App* app, Chosen* chosen) {
   echo->excludes(peer);
   doctor->add_flag("--json", arguments->json, "As one JSON document");
   doctor->footer(
-      "Prints a line for each check: ok, warning, wrong or not seen; what was found; what to do. "
-      "It "
-      "sends\n"
-      "nothing on the vendor's topics, so that it can be used beside a live robot.\n"
+      "Prints a line for each check: ok, warning, wrong or not seen; what was found; what to do.\n"
+      "It sends nothing on the vendor's topics, so that it can be used beside a live robot.\n"
       "Examples:\n"
       "  understudy doctor                                  before a rehearsal on this machine\n"
       "  understudy doctor --interface eth0 --robots 1      before a test with a robot on a cable\n"

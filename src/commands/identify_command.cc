@@ -176,11 +176,9 @@ void AddExciteCommand(CLI::App* app, Chosen* chosen) {
       "--on-a-real-robot", settings.on_a_real_robot,
       "Confirms that it is a real robot on a stand, and that nobody is within its reach");
   excite->footer(
-      "Sends rt/lowcmd at 500 Hz: a move to the hanging pose, chirps about it, "
-      "and\n"
-      "damping that sets in gently, also at Ctrl-C. Refuses while somebody else commands the "
-      "motors,\n"
-      "while a motion service moves them, and where the feet carry the robot. Record it "
+      "Sends rt/lowcmd at 500 Hz: a move to the hanging pose, chirps about it, and damping\n"
+      "that sets in gently, also at Ctrl-C. Refuses while somebody else commands the motors,\n"
+      "while a motion service moves them, and where the feet carry the robot. Record the robot\n"
       "meanwhile.\n"
       "Examples:\n"
       "  understudy run go2 --start clamped --released --record chirp.mcap\n"
@@ -234,11 +232,10 @@ void AddIdentifyCommand(CLI::App* app, Chosen* chosen) {
       ->type_name("FILE");
   identify->add_flag("--json", arguments->json, "Print one JSON document");
   identify->footer(
-      "Simulates short windows from measured states with the recorded commands (rt/lowcmd), and "
-      "looks\n"
-      "for figures with which the joints move as they did (docs/identify.md). What the data\n"
-      "do not tell is named and left as it is. A CSV has the columns time, JOINT.q, JOINT.q_des,\n"
-      "JOINT.dq_des, JOINT.kp, JOINT.kd, JOINT.tau_ff.\n"
+      "Simulates short windows from measured states with the recorded commands (rt/lowcmd),\n"
+      "and looks for figures with which the joints move as they did (docs/identify.md). What\n"
+      "the data do not tell is named and left as it is. A CSV has the columns time, JOINT.q,\n"
+      "JOINT.q_des, JOINT.dq_des, JOINT.kp, JOINT.kd, JOINT.tau_ff.\n"
       "Examples:\n"
       "  understudy identify chirp.mcap --robot go2 --out mine.yaml\n"
       "  understudy identify a.mcap b.mcap --robot go2 --hold-out c.mcap --by-joint\n"

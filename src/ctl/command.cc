@@ -121,12 +121,11 @@ void CtlCommand::AddReading(CLI::App* ctl) {
   AddAction(ctl, "damage", "Show what the run would have done to the robot",
             [this] { Show("/snapshot?parts=damage", DamageText); })
       ->footer(
-          "For each motor: seconds at the limits of torque, speed and temperature, the speed at "
-          "which "
-          "it ran\ninto the end of its range (rad/s), and the largest jump of a command (rad). For "
-          "the "
-          "robot: energy (J),\npeak current (A) and hardest shock (m/s²). All since the start of "
-          "the run.\nExamples:\n"
+          "For each motor: seconds at the limits of torque, speed and temperature, the speed\n"
+          "at which it ran into the end of its range (rad/s), and the largest jump of a\n"
+          "command (rad). For the robot: energy (J), peak current (A), hardest shock (m/s²).\n"
+          "All since the start of the run.\n"
+          "Examples:\n"
           "  understudy ctl damage\n"
           "  understudy ctl damage --json | jq .damage.falls");
   AddAction(ctl, "faults", "Show what is wrong with the robot", [this] {

@@ -68,7 +68,8 @@ void CtlCommand::AddRequests(CLI::App* ctl) {
       } else {
         parent = ctl->add_subcommand(group, VerbsOf(group));
         parent->require_subcommand(1)->fallthrough();
-        parent->footer("Example: understudy ctl " + std::string(row.example));
+        parent->footer("Example: understudy ctl " + group + " " +
+                       std::string(row.name.substr(dot + 1)) + " --help");
       }
     }
     AddRequest(parent, std::string(row.name.substr(dot + 1)), row);

@@ -340,8 +340,7 @@ const std::vector<RequestRow>& RequestRows() {
           Acts::Push, "push base_link 100 0 0 --for 0.2", kNoted, kBoth, OneOfForceAndImpulse),
       Row("drag",
           "Pulls a point of a body to a place by a spring, as a mouse does; the spring suits the "
-          "mass "
-          "that hangs on the body. A repeated request prolongs it",
+          "mass that hangs on the body. A repeated request prolongs it",
           {Needed(Bare({.key = "body", .kind = kBody, .does = "Of the model"})),
            Needed(Bare({"to", kVector, "m", -kInWorld, kInWorld, "In the world"})),
            Or(0, {"at", kVector, "m", -kOnBody, kOnBody,

@@ -30,9 +30,9 @@ CLI::App* AddRemoteCommand(CLI::App* app, RemoteArguments* arguments) {
                    "Show what is plugged in, and whether its buttons are known");
   remote->footer(
       "Keys: q L1, w L2, p R1, o R2, a b x y, arrows, Enter START, Tab SELECT, 1 F1, 2 F2;\n"
-      "e d s f the left stick, i k j l the right one, half-way with Shift. Space keeps the "
-      "next\n"
-      "key down until you press Space and that key again; Esc releases everything; Ctrl-C ends.\n"
+      "e d s f the left stick, i k j l the right one, half-way with Shift. Space keeps the\n"
+      "next key down until you press Space and that key again; Esc releases everything;\n"
+      "Ctrl-C ends.\n"
       "Everything is released when this program ends, however it ends.\n"
       "Examples:\n"
       "  understudy remote                         for the only robot that runs\n"

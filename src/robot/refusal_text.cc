@@ -30,8 +30,7 @@ std::string_view Explain(Refusal refusal) {
       return "the motion service has not handed the motors over; LocoClient SwitchToUserCtrl does";
     case Refusal::kUndecoded:
       return "its bytes are not a message of the topic's type; was the program built with the "
-             "vendor's "
-             "IDL?";
+             "vendor's IDL?";
     case Refusal::kLost:
       return "more came than the robot reads, 8 of a topic in a tick, and newer ones replaced them";
     case Refusal::kUnmatched:

@@ -47,6 +47,8 @@ def files_fixture(tmp_path_factory):
         assert done.returncode == 0, done.stderr
     for name in ("walk", "sim", "real", "before", "after", "real_robot", "chirp", "a", "b", "c"):
         (folder / f"{name}.mcap").symlink_to("excited.mcap")
+    (folder / "rehearsals" / "push").mkdir(parents=True)
+    (folder / "rehearsals" / "push" / "recording.mcap").symlink_to("../../run.mcap")
     (folder / "scenarios").mkdir()
     for name in ("walk.yaml", "scenarios/walk.yaml"):
         (folder / name).write_text(SCENARIO)

@@ -61,7 +61,7 @@ class Session:
             self._start(line, command)
         else:
             self._go_to(command, made)
-            if ENDLESS.search(command):
+            if ENDLESS.search(command) or "zsh" in command:
                 works(command, self.desk)
             else:
                 self._in_the_terminal(line, command)

@@ -5,20 +5,19 @@ import subprocess
 
 import pytest
 
+from console import Typed
 from desk import ETH0, FAR, ON_A_STAND, bash, go_on, prepare, works
 from helps import examples_of, verbs
 from namespaces import host_on_a_cable
-from page_session import Session, typed
+from page_session import Session
 from robots import understudy
 
-BESIDE_A_ROBOT = ("view", "picture", "film", "excite")
-# Of which robot.
-START = {"excite": ON_A_STAND, "ctl": ("--start", "hanging")}
-COMMANDS = [verb[0] for verb in verbs() if len(verb) == 1 and verb[0] not in ("ctl", "doctor", "run", "remote")]
+ALONE = ("ctl", "doctor", "remote")  # have a test of their own
+COMMANDS = [verb[0] for verb in verbs() if len(verb) == 1 and verb[0] not in ALONE]
 
 
 @pytest.mark.parametrize("command", COMMANDS)
-def test_every_example_of_a_help_works(command, desk, play, screen, monkeypatch):
+def test_every_example_of_a_help_works(command, desk, screen, monkeypatch):
     monkeypatch.setenv("DISPLAY", screen.name)
     if command == "judge":
         assert understudy("rehearse", "stand_up", cwd=desk, timeout=120).returncode == 0
@@ -26,30 +25,21 @@ def test_every_example_of_a_help_works(command, desk, play, screen, monkeypatch)
         for part in (1, 3, 4):
             assert understudy("rehearse", "shoves.yaml", "--shard", f"{part}/4", "--out", f"part{part}", cwd=desk,
                               timeout=120).returncode in (0, 10)
-    robot = None
-    if command in BESIDE_A_ROBOT:
-        robot = play("go2", *START.get(command, ()), name="left")
-    for line in examples_of(command):
-        if line.startswith("understudy run"):  # below
-            continue
-        if "--network-interface eth0" in line:
-            robot.end()
-            with host_on_a_cable(ETH0, FAR):
-                play("go2", *START[command], "--interface", "eth0")
-                works(line, desk)
-            continue
-        if "--commands" in line:  # to a robot of today
-            robot = play("go2", *START["excite"])
-        works(line, desk)
-
-
-def test_every_robot_of_a_help_starts_and_has_its_remote_controller(desk, screen, monkeypatch):
-    monkeypatch.setenv("DISPLAY", screen.name)
-    lines = [line for verb in verbs() for line in examples_of(*verb) if line.startswith("understudy run")]
     with Session(desk, {}) as session:
-        for line in dict.fromkeys(lines + examples_of("remote")):
-            if " & " not in line:  # that one is below
-                session.type(*typed("sh", line))
+        for line in examples_of(command):
+            if "--network-interface eth0" in line:
+                with host_on_a_cable(ETH0, FAR):
+                    session.type(Typed("", f"understudy run go2 {' '.join(ON_A_STAND)} --interface eth0", []))
+                    session.type(Typed("", line, []))
+                    session.stop_robots()
+            else:
+                session.type(Typed("", line, []))
+
+
+def test_every_example_of_the_remote_controller_works(desk):
+    with Session(desk, {}) as session:
+        for line in examples_of("remote"):
+            session.type(Typed("", line, []))
 
 
 def test_every_example_of_the_doctor_works(desk):
@@ -74,7 +64,7 @@ def ctl_examples():
 @pytest.fixture(name="left")
 def left_fixture(desk):
     """A robot in the background, which the last example of all stops."""
-    started = understudy("run", "go2", *START["ctl"], "--name", "left", "--detach")
+    started = understudy("run", "go2", "--start", "hanging", "--name", "left", "--detach")
     assert started.returncode == 0, started.stderr
     yield
     stop, = examples_of("ctl", "stop")
