@@ -146,7 +146,8 @@ TEST_F(CommandsTest, ToServicesThatComeToNothingAreToldWithReasonAndCode) {
       testing::ElementsAre(
           "refused 1 call of sport 1008 Move (state): the motion service does not do it in "
           "its present state, 0; code 4206",
-          "refused 1 call of sport 7104 SetStandHeight (ignored): it is accepted and has no effect, "
+          "refused 1 call of sport 7104 SetStandHeight (ignored): it is accepted and has no "
+          "effect, "
           "as on the real robot in that state, 0; code 0",
           "refused 7 calls of sport (too_many): more came than the robot can serve, and the "
           "oldest were dropped; not answered"));

@@ -38,6 +38,7 @@ ELSEWHERE = {
 # In place of what takes minutes.
 STAND_INS = {
     "tools/up": 'echo "building (release)"\nexec understudy run "$@"',
+    "tools/sdk_env": "test -f build/sdk-env/bin/activate",  # the tests run in it
     "bin/cmake": f"""case $1 in
 --preset) exec {{cmake}} --list-presets -S {ROOT} | grep -q "\\"$2\\"";;
 --build) grep -rq "understudy_test(${{4%_test}}$" {ROOT}/tests;;
