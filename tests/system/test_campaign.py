@@ -109,10 +109,10 @@ def test_ctrl_c_loses_nothing_and_the_same_command_goes_on(understudy, shoves, t
         _, said = process.communicate(timeout=20)
     there = len(list(tmp_path.glob("out/runs/*.json")))
     assert process.returncode in (FAILED, OPEN) and 0 < there < 8
-    assert f"interrupted with {8 - there} runs to go" in said
+    assert f"interrupted before {8 - there} runs" in said
     assert verdict("out")["missing"] == 8 - there
     done = understudy(*command[1:])
-    assert f"{there} runs were there already" in done.stderr
+    assert f"{there} runs have results already" in done.stderr
     assert reports("out") == reports("whole")
 
 

@@ -144,7 +144,7 @@ def test_a_firewall_that_forbids_to_send_is_told_and_holds_nobody_up(play):
         assert robot.exit_code() == 0
 
     assert verdicts(rows, "peer unicast", "peer multicast", "firewall") == ["wrong"] * 3
-    assert "forbids to send" in rows["firewall"]["finding"]
+    assert "forbids it to send" in rows["firewall"]["finding"]
 
 
 def test_a_firewall_of_the_peer_is_told(play):

@@ -78,7 +78,7 @@ def test_the_same_seed_draws_the_same_and_another_draws_otherwise(play, tmp_path
 def test_a_run_is_replayed_from_the_seed_it_told(play):
     """The first run draws its seed; the second is told that and sends the same states, bit for bit."""
     first, said = run()
-    seed = re.search(r"randomized from seed (\d+), drawn now: --seed \1 does the same", said).group(1)
+    seed = re.search(r"randomized from seed (\d+), drawn for this run: --seed \1 repeats it", said).group(1)
     again, _ = run("--seed", seed)
     common = first.keys() & again.keys()
     assert len(common) > 100
@@ -97,7 +97,7 @@ def test_exec_tells_a_seed_that_it_has_drawn(understudy):
     assert done.returncode == 0
     lines = [json.loads(line)["message"] for line in done.stderr.splitlines()
              if line.startswith("{")]
-    assert any("drawn now: --seed " in line for line in lines)
+    assert any("drawn for this run: --seed " in line for line in lines)
 
 
 def test_a_range_that_is_none_ends_the_program_before_it_starts(understudy, tmp_path):
