@@ -1,11 +1,14 @@
 #include "bus/foreign_types.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 
 #include <dds/dds.h>
+#include <dds/ddsi/ddsi_cdrstream.h>
+#include <dds/ddsi/ddsi_serdata_default.h>
 #include <dds/ddsi/ddsi_xqos.h>
 // After ddsi_xqos.h, whose types they take for granted.
 #include <dds/ddsi/ddsi_typelookup.h>
@@ -14,6 +17,24 @@
 #include <link.h>
 
 #include "base/errors.h"
+
+namespace {
+
+// The most bytes that are read of what an end tells of its type and of a question about types. Both
+// nest, and Cyclone follows them by recursion: 120 kB overflow the stack (measured). *Assumed*: a
+// question about a hundred types has 3 kB.
+constexpr std::uint32_t kMostBytes = 8192;
+
+constexpr std::string_view kQuestions = "DDS::Builtin::TypeLookup_Request";
+constexpr std::string_view kAnswers = "DDS::Builtin::TypeLookup_Reply";
+
+// Returns Cyclone's own function of that name, which the one here takes the place of.
+template <typename Function>
+Function* Cyclones(const char* name) {
+  return reinterpret_cast<Function*>(::dlsym(RTLD_NEXT, name));
+}
+
+}  // namespace
 
 // Functions of Cyclone's, which calls them by name: the dynamic linker finds a program's own before
 // a library's. A Cyclone that was linked to call its own, with -Bsymbolic-functions, does not.
@@ -45,9 +66,30 @@ dds_return_t ddsi_type_ref_proxy(ddsi_domaingv* domain, ddsi_type** type,
   ddsi_typeinfo_t hashes{};
   hashes.x.minimal.typeid_with_size = told->x.minimal.typeid_with_size;
   hashes.x.complete.typeid_with_size = told->x.complete.typeid_with_size;
-  static const auto cyclones =
-      reinterpret_cast<decltype(&ddsi_type_ref_proxy)>(::dlsym(RTLD_NEXT, "ddsi_type_ref_proxy"));
+  static auto* const cyclones = Cyclones<decltype(ddsi_type_ref_proxy)>("ddsi_type_ref_proxy");
   return cyclones(domain, type, &hashes, kind, endpoint);
+}
+
+// Checks a message of any topic before anything reads it.
+bool dds_stream_normalize(void* data, std::uint32_t size, bool bswap, std::uint32_t version,
+                          const ddsi_sertype_default* type, bool just_key, std::uint32_t* used) {
+  if (type->c.type_name == kQuestions && size > kMostBytes) return false;
+  if (type->c.type_name == kAnswers) {  // nothing reads them
+    *used = size;
+    return true;
+  }
+  static auto* const cyclones = Cyclones<decltype(dds_stream_normalize)>("dds_stream_normalize");
+  return cyclones(data, size, bswap, version, type, just_key, used);
+}
+
+// Checks, among others, what an end tells of its type.
+const std::uint32_t* dds_stream_normalize_data(char* data, std::uint32_t* offset,
+                                               std::uint32_t size, bool bswap,
+                                               std::uint32_t version, const std::uint32_t* ops) {
+  if (ops == DDS_XTypes_TypeInformation_desc.m_ops && size > kMostBytes) return nullptr;
+  static auto* const cyclones =
+      Cyclones<decltype(dds_stream_normalize_data)>("dds_stream_normalize_data");
+  return cyclones(data, offset, size, bswap, version, ops);
 }
 
 }  // extern "C"
@@ -55,6 +97,19 @@ dds_return_t ddsi_type_ref_proxy(ddsi_domaingv* domain, ddsi_type** type,
 
 namespace understudy::bus {
 namespace {
+
+struct Replaced {
+  const char* name;
+  void* ours;
+};
+
+const Replaced kReplaced[] = {
+    {"ddsi_tl_request_type", reinterpret_cast<void*>(&ddsi_tl_request_type)},
+    {"ddsi_tl_handle_reply", reinterpret_cast<void*>(&ddsi_tl_handle_reply)},
+    {"ddsi_type_ref_proxy", reinterpret_cast<void*>(&ddsi_type_ref_proxy)},
+    {"dds_stream_normalize", reinterpret_cast<void*>(&dds_stream_normalize)},
+    {"dds_stream_normalize_data", reinterpret_cast<void*>(&dds_stream_normalize_data)},
+};
 
 // The parts of a loaded library that tell which functions it calls by name.
 struct Calls {
@@ -105,20 +160,13 @@ int FindCall(dl_phdr_info* library, std::size_t, void* wanted) {
 
 bool CycloneCalls(std::string_view function) { return dl_iterate_phdr(&FindCall, &function) != 0; }
 
-bool ReadsForeignTypes() {
-  return !CycloneCalls("ddsi_tl_request_type") || !CycloneCalls("ddsi_tl_handle_reply") ||
-         !CycloneCalls("ddsi_type_ref_proxy");
-}
+bool ReadsForeignTypes() { return !std::ranges::all_of(kReplaced, CycloneCalls, &Replaced::name); }
 
 void RequireUnreadTypes() {
-  const auto is_ours = [](const char* name, auto* ours) {
-    return ::dlsym(RTLD_DEFAULT, name) == reinterpret_cast<void*>(ours);
+  const auto is_ours = [](const Replaced& one) {
+    return ::dlsym(RTLD_DEFAULT, one.name) == one.ours;
   };
-  if (is_ours("ddsi_tl_request_type", &ddsi_tl_request_type) &&
-      is_ours("ddsi_tl_handle_reply", &ddsi_tl_handle_reply) &&
-      is_ours("ddsi_type_ref_proxy", &ddsi_type_ref_proxy)) {
-    return;
-  }
+  if (std::ranges::all_of(kReplaced, is_ours)) return;
   throw BusError(
       "this build lets Cyclone DDS read what others tell of their types, at which it may crash: "
       "link it with --export-dynamic");

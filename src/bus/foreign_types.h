@@ -8,7 +8,10 @@
 // Here two things are known of another's type: its name and, of a Cyclone's, the hash by which
 // XTypes tells definitions apart. Two ends match if their names are equal and their hashes, where
 // both have one. Nobody is asked for a description, and none is read. Ours are announced as ever,
-// and given to whom asks.
+// and given to whom asks, if the question is not longer than any that makes sense.
+//
+// This holds where the library calls its own functions by name, as Debian's does; one that was
+// linked with -Bsymbolic-functions does not.
 #pragma once
 
 #include <array>

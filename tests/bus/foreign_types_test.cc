@@ -9,6 +9,8 @@ TEST(ForeignTypesTest, CycloneCallsWhatReadsThemByName) {
   EXPECT_TRUE(CycloneCalls("ddsi_tl_request_type"));
   EXPECT_TRUE(CycloneCalls("ddsi_tl_handle_reply"));
   EXPECT_TRUE(CycloneCalls("ddsi_type_ref_proxy"));
+  EXPECT_TRUE(CycloneCalls("dds_stream_normalize"));
+  EXPECT_TRUE(CycloneCalls("dds_stream_normalize_data"));
   EXPECT_FALSE(ReadsForeignTypes());
 }
 

@@ -11,13 +11,17 @@ from hashlib import md5
 
 GROUP = ("239.255.0.1", 7400)
 CYCLONE, FAST_DDS = b"\x01\x10", b"\x01\x0f"  # makers
-# Writer and reader of: participants, writers, answers about types.
+# Writer and reader of: participants, writers, questions and answers about types.
 PARTICIPANTS = (0x000100C2, 0x000100C7)
 WRITERS = (0x000003C2, 0x000003C7)
+QUESTIONS = (0x000300C3, 0x000300C4)
 ANSWERS = (0x000301C3, 0x000301C4)
+GET_TYPES = 0x018252D3
+FRAGMENT = 32_000  # bytes
+HEARTBEAT, DATA, DATA_FRAG = 0x07, 0x15, 0x16
 HAS_ALL = 0xFFFF  # of the built-in ends
 MINIMAL, COMPLETE, BOTH = 0xF1, 0xF2, 0xF3
-UINT8, STRUCTURE, PLAIN_ARRAY, PLAIN_MAP = 0x0D, 0x51, 0x90, 0xA0
+UINT8, STRUCTURE, PLAIN_SEQUENCE, PLAIN_ARRAY, PLAIN_MAP = 0x0D, 0x51, 0x80, 0x90, 0xA0
 
 
 class Cdr:
@@ -55,6 +59,15 @@ def map_from(key, element, kind):
     return lambda cdr: element(cdr.put("BBHB", PLAIN_MAP, kind, 0, 2)).put("HB", 0, key)
 
 
+def sequences(depth):
+    """Fills in the identifier of a sequence of sequences of sequences."""
+    def fill(cdr):
+        cdr.put("BBHB", PLAIN_SEQUENCE, MINIMAL, 0, 1)  # ends at an odd byte, as each further one does
+        cdr.raw(bytes((PLAIN_SEQUENCE, MINIMAL, 0, 0, 0, 1)) * (depth - 1))
+        return hashed(MINIMAL, bytes(14))(cdr)
+    return fill
+
+
 def structure(member):
     """The minimal description of a structure with one member, and its hash."""
     def body(cdr):
@@ -85,6 +98,19 @@ def information(minimal, complete):
     return Cdr().sized(members).bytes
 
 
+def member_id(name):
+    return int.from_bytes(md5(name).digest()[:4], "little") & 0x0FFFFFFF
+
+
+def question(asker, identifier):
+    """A question about a type."""
+    def arguments(cdr):
+        cdr.put("I", 4 << 28 | member_id(b"type_ids"))
+        cdr.sized(lambda one: one.sized(lambda ids: identifier(ids.put("I", 1))))
+    cdr = Cdr().raw(asker).put("iII", 0, 1, 1).raw(b"\0")
+    return cdr.sized(lambda call: call.put("i", GET_TYPES).sized(arguments)).bytes
+
+
 def answer(asker, pairs):
     """An answer about types: identifiers and descriptions."""
     def list_of_pairs(cdr):
@@ -92,12 +118,12 @@ def answer(asker, pairs):
         for identifier, description in pairs:
             identifier(cdr)
             cdr.raw(bytes(-len(cdr.bytes) % 4)).raw(description)
-    types = int.from_bytes(md5(b"types").digest()[:4], "little") & 0x0FFFFFFF
 
     def result(cdr):
-        cdr.put("i", 0).sized(lambda out: out.put("I", 4 << 28 | types).sized(lambda one: one.sized(list_of_pairs)))
+        cdr.put("i", 0).sized(lambda out: out.put("I", 4 << 28 | member_id(b"types")).sized(
+            lambda one: one.sized(list_of_pairs)))
     cdr = Cdr().raw(asker).put("iIi", 0, 1, 0)
-    return cdr.sized(lambda returned: returned.put("i", 0x018252D3).sized(result)).bytes
+    return cdr.sized(lambda returned: returned.put("i", GET_TYPES).sized(result)).bytes
 
 
 def parameters(*pairs):
@@ -130,13 +156,20 @@ class Stranger:
     def _send(self, ends, encoding, payload):
         """That a writer has sent nothing yet, and then its first message."""
         writer, reader = (struct.pack(">I", end) for end in ends)
-        beat = reader + writer + struct.pack("<iIiIi", 0, 1, 0, 0, 1)
+        first = reader + writer + struct.pack("<iI", 0, 1)
+        self._packet((HEARTBEAT, 1, first + struct.pack("<iIi", 0, 0, 1)))
         padding = -len(payload) % 4
-        data = (b"\0\0" + struct.pack("<H", 16) + reader + writer + struct.pack("<iI", 0, 1) +
-                encoding + bytes((0, padding)) + payload + bytes(padding))
-        self._socket.sendto(b"RTPS\x02\x02" + self._maker + self.prefix + b"".join(
-            bytes((kind, flags)) + struct.pack("<H", len(body)) + body
-            for kind, flags, body in ((0x07, 1, beat), (0x15, 5, data))), GROUP)
+        payload = encoding + bytes((0, padding)) + payload + bytes(padding)
+        if len(payload) <= 2 * FRAGMENT:
+            return self._packet((DATA, 5, b"\0\0" + struct.pack("<H", 16) + first + payload))
+        for start in range(0, len(payload), FRAGMENT):
+            which = struct.pack("<IHHI", start // FRAGMENT + 1, 1, FRAGMENT, len(payload))
+            self._packet((DATA_FRAG, 1, b"\0\0" + struct.pack("<H", 28) + first + which + payload[start:start + FRAGMENT]))
+
+    def _packet(self, message):
+        kind, flags, body = message
+        self._socket.sendto(b"RTPS\x02\x02" + self._maker + self.prefix + bytes((kind, flags)) +
+                            struct.pack("<H", len(body)) + body, GROUP)
 
     def joins(self):
         port = self._socket.getsockname()[1]
@@ -153,7 +186,11 @@ class Stranger:
             (0x1A, struct.pack("<IiI", 2, 0, 0)), (0x75, about_type)))
 
     def answers(self, pairs):
-        self._send(ANSWERS, b"\0\7", answer(self.prefix + struct.pack(">I", 0x000300C3), pairs))
+        self._send(ANSWERS, b"\0\7", answer(self.prefix + struct.pack(">I", QUESTIONS[0]), pairs))
+
+    def asks(self, identifier):
+        guid = self.prefix + struct.pack(">I", QUESTIONS[0])
+        self._send(QUESTIONS, b"\0\7", question(guid, identifier))
 
     def insists(self, topic, type_name, about_type, pairs, seconds):
         """Joins, writes and answers again and again, as nothing is heard of what others think of it."""

@@ -1,6 +1,8 @@
 """What strangers say of their types does no harm, and does not keep others from the robot."""
 
 import dataclasses
+import resource
+import time
 
 import pytest
 from cyclonedds import idl
@@ -41,6 +43,28 @@ def test_nor_does_one_in_place_of_the_hash_of_a_type(play, maker):
                          for kind in (rtps.MINIMAL, rtps.COMPLETE))
     with rtps.Stranger(maker) as stranger:
         stranger.insists("rt/lowcmd", TYPE, rtps.information(minimal, complete), [], seconds=0.6)
+
+    plays_on(robot)
+
+
+@MAKERS
+def test_nor_does_a_question_about_a_type_that_is_nested_deeper_than_a_stack(play, maker):
+    robot = play("go2")
+    with rtps.Stranger(maker) as stranger:
+        for _ in range(3):
+            stranger.joins()
+            time.sleep(0.1)
+            stranger.asks(rtps.sequences(30_000))
+            time.sleep(0.1)
+
+    plays_on(robot)
+
+
+def test_nor_does_one_that_says_so_of_its_own_type(play):
+    robot = play("go2", preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_STACK, (2 << 20, 2 << 20)))
+    with rtps.Stranger(rtps.CYCLONE) as stranger:
+        hashes = rtps.sequences(10_000), rtps.hashed(rtps.COMPLETE, bytes(14))
+        stranger.insists("rt/else", "else", rtps.information(*hashes), [], seconds=0.6)
 
     plays_on(robot)
 
