@@ -1,4 +1,4 @@
-"""A stranger on the network who says of its types what it likes: packets made by hand, after DDSI-RTPS 2.2 and XTypes 1.3.
+"""A stranger on the network who says of its types what it likes: packets made by hand, as DDSI-RTPS 2.2 has them.
 
 All go to the group that everybody in domain 0 listens to.
 """
@@ -164,7 +164,8 @@ class Stranger:
             return self._packet((DATA, 5, b"\0\0" + struct.pack("<H", 16) + first + payload))
         for start in range(0, len(payload), FRAGMENT):
             which = struct.pack("<IHHI", start // FRAGMENT + 1, 1, FRAGMENT, len(payload))
-            self._packet((DATA_FRAG, 1, b"\0\0" + struct.pack("<H", 28) + first + which + payload[start:start + FRAGMENT]))
+            part = payload[start:start + FRAGMENT]
+            self._packet((DATA_FRAG, 1, b"\0\0" + struct.pack("<H", 28) + first + which + part))
 
     def _packet(self, message):
         kind, flags, body = message

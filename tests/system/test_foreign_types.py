@@ -1,8 +1,10 @@
 """What strangers say of their types does no harm, and does not keep others from the robot."""
 
 import dataclasses
+import json
 import resource
 import time
+import urllib.request
 
 import pytest
 from cyclonedds import idl
@@ -22,6 +24,14 @@ def plays_on(robot):
     assert robot.process.poll() is None, robot.said()
     before = robot.status()["time"]
     return robot.becomes(lambda status: status["time"] > before)
+
+
+def mismatches(robot, topic):
+    """What the panel's tab of DDS shows as keeping apart who writes and who reads the topic."""
+    url = json.loads(robot.ctl("panel", "--json"))["url"].split("/#")[0]
+    with urllib.request.urlopen(f"{url}/bus", timeout=10) as reply:
+        found, = (one for one in json.load(reply)["topics"] if one["topic"] == topic)
+    return found["mismatches"]
 
 
 @MAKERS
@@ -90,6 +100,7 @@ def test_a_hash_that_is_not_ours_keeps_out_a_cyclones_writer_but_no_other_makers
         if not writers:
             robot.heard(f"another definition of {TYPE}", "warning")
         robot.becomes(lambda status: status["commands"]["writers"] == writers)
+        assert bool(mismatches(robot, "rt/lowcmd")) == (not writers)
 
 
 @dataclasses.dataclass
