@@ -2,8 +2,8 @@
 
 Each way is commanded as programs do it, again and again, and then left to end by itself. Prints one
 JSON object: for each way how far it came ahead and to the left of where it stood [m] and turned [rad],
-by rt/sportmodestate and by the simulation's truth; how fast it was in its second half, by both; and how
-fast it still was in the end.
+by rt/sportmodestate and by the simulation's truth; for how long it was commanded [s]; how fast it was
+in its second half, by both; and how fast it still was in the end.
 """
 
 import json
@@ -103,9 +103,12 @@ def way_from(before, now):
 def go(feed, command):
     """Commands for a while, then leaves the robot alone."""
     told, true, start, speeds, timed = feed.place(), Truth().read()[1], feed.clock, [], []
+    last = start
 
     def step():
+        nonlocal last
         command(feed.clock - start)
+        last = feed.clock
         if feed.clock > start + COMMANDED / 2:
             yaw = feed.state.imu_state.rpy[2]
             vx, vy = feed.state.velocity[:2]
@@ -118,6 +121,7 @@ def go(feed, command):
     feed.until(feed.clock + LEFT_ALONE)
     (since, before), (until, after) = (truth.read() for truth in timed)
     return {
+        "commanded": last - start,
         "told": way_from(told, feed.place()),
         "true": way_from(true, Truth().read()[1]),
         "speed": [sum(axis) / len(speeds) for axis in zip(*speeds)],
