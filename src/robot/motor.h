@@ -82,11 +82,11 @@ class MotorBank {
   // Returns the joint torques [N·m] in motor order for one instant, and takes their heat into
   // account. The span is valid until the next call. In JointSpace::kMotors the parallel pairs
   // follow their command in motor space. In JointSpace::kPitchRoll, and for other motors, a
-  // commanded q is kept within q_clamp and kd is multiplied by the fitted kd_share (spec.dynamics). Gains are scaled by the factors of
-  // MotorSpec. A motor that is not enabled brakes with its lock_kd. `strength` and a fault's share
-  // of torque act on a motor, of a pair on B in pitch's place and on A in roll's: it gives less
-  // for the same current. Where all together would take more than the supply's most_power, all
-  // give less by one share (*assumed*).
+  // commanded q is kept within q_clamp and kd is multiplied by the fitted kd_share (spec.dynamics).
+  // Gains are scaled by the factors of MotorSpec. A motor that is not enabled brakes with its
+  // lock_kd. `strength` and a fault's share of torque act on a motor, of a pair on B in pitch's
+  // place and on A in roll's: it gives less for the same current. Where all together would take
+  // more than the supply's most_power, all give less by one share (*assumed*).
   std::span<const double> Step(const MotorInstant& now);
 
   // Returns the torques of the last Step, zeros before.
