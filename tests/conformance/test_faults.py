@@ -119,7 +119,8 @@ SHOWS = {
     ("battery", "weak"): lambda now, sound: min(values(now, "volts")) < min(values(sound, "volts")) - 0.05,
     ("battery", "empty"): lambda now, sound: now[-1]["soc"] <= 5 < sound[-1]["soc"],
     ("remote", "off"): lambda now, sound: now[-1]["remote"] == [0, 0] and sound[-1]["remote"] == [0x55, 0x51],
-    ("rt/lowstate", "off"): lambda now, sound: len(now) == 0,
+    # But for what was under way.
+    ("rt/lowstate", "off"): lambda now, sound: len(now) < 0.05 * len(sound),
     ("rt/lowstate", "lost"): lambda now, sound: any(
         b["tick"] - a["tick"] > 3 for a, b in zip(now, now[1:])),
     ("rt/lowstate", "damaged"): lambda now, sound: 0 < sum(not s["crc"] for s in now) < len(now) / 2,
@@ -133,7 +134,7 @@ SHOWS = {
     ("bus.FR", "jittery"): lambda now, sound: 0.03 < lag(now, sound) < 0.37,
     ("fan.rear_right", "off"): lambda now, sound: now[-1]["fans"][3] and not sound[-1]["fans"][3],
     ("fan.rear_right", "weak"): lambda now, sound: now[-1]["board"] >= sound[-1]["board"] + 2 and not now[-1]["fans"][3],
-    ("mainboard", "off"): lambda now, sound: len(now) == 0,
+    ("mainboard", "off"): lambda now, sound: len(now) < 0.05 * len(sound),
     ("mainboard", "hot"): lambda now, sound: now[-1]["board"] > sound[-1]["board"] + 20,
     ("mcu", "off"): lambda now, sound: now[-1]["bits"] & 0x40 and not sound[-1]["bits"] & 0x40,
     ("service.motion_switcher", "off"): lambda now, sound: now[0]["code"] == 3104,  # the SDK's time-out

@@ -28,6 +28,10 @@ WITHOUT_A_CARD = ["--use-angle=swiftshader-webgl", "--disable-gpu-compositing",
                   "--disable-gpu-rasterization", "--disable-accelerated-2d-canvas"]
 
 
+# What a browser says of a connection that a page closed again at once, as it does where it changes what it follows.
+GIVEN_UP = "WebSocket is closed before the connection is established"
+
+
 class Navigated(Exception):
     """The page went elsewhere while it was asked."""
 
@@ -150,7 +154,8 @@ class Page:
         elif method == "Runtime.consoleAPICalled" and params["type"] in ("error", "warning"):
             self.errors.append(" ".join(str(a.get("value", a)) for a in params["args"]))
         elif method == "Log.entryAdded" and params["entry"]["level"] in ("error", "warning"):
-            self.errors.append(f"{params['entry']['text']} {params['entry'].get('url', '')}")
+            if GIVEN_UP not in params["entry"]["text"]:
+                self.errors.append(f"{params['entry']['text']} {params['entry'].get('url', '')}")
         elif method == "Network.requestWillBeSent":
             self.requests.append(params["request"]["url"])
 
