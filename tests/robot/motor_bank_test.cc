@@ -265,20 +265,19 @@ TEST_F(MotorBankTest, TakesACommandedAngleBeyondItsClampForTheEnd) {
 TEST_F(MotorBankTest, ClampsNoAngleOfAPairsOwnMotors) {
   RobotSpec spec = Spec();
   for (MotorSpec& motor : spec.motors) motor.q_clamp = {-0.5, 0.25};
-  MotorBank clamping(spec, kDt), bank(Spec(), kDt);
+  MotorBank clamping(spec, kDt);
   RobotCommand command = Torques(0, 0, 0);
   command.joint_space = JointSpace::kMotors;
   command.motors[1].q = command.motors[2].q = 0.7;
   command.motors[1].kp = command.motors[2].kp = 10;
-  EXPECT_EQ(TorquesOf(&clamping, command), TorquesOf(&bank, command));
+  EXPECT_EQ(TorquesOf(&clamping, command), TorquesOf(&bank_, command));
 }
 
 TEST_F(MotorBankTest, TakesAnyAngleWithoutAClamp) {
-  MotorBank bank(Spec(), kDt);
   RobotCommand command = Torques(0, 0, 0);
   command.motors[0].q = 9;
   command.motors[0].kp = 10;
-  EXPECT_EQ(Step(&bank, command)[0], 90);
+  EXPECT_EQ(Step(&bank_, command)[0], 90);
 }
 
 TEST_F(MotorBankTest, IgnoresMotorSpaceWhereNothingIsParallel) {
