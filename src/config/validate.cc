@@ -16,7 +16,7 @@
 #include "emulator/robot.h"
 #include "robot/fault_bank.h"
 #include "services/robot_services.h"
-#include "wire/state_topics.h"
+#include "wire/states.h"
 
 namespace understudy::config {
 namespace {

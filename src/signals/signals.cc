@@ -6,7 +6,7 @@
 #include "emulator/event_table.h"
 #include "emulator/robot.h"
 #include "signals/signal_rows.h"
-#include "wire/state_topics.h"
+#include "wire/states.h"
 #include "wire/topics.h"
 
 namespace understudy::signals {

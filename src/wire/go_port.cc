@@ -3,13 +3,13 @@
 #include "wire/go_codec.h"
 #include "wire/port.h"
 #include "wire/slots.h"
+#include "wire/state_rows.h"
 #include "wire/topics.h"
 
 namespace understudy::wire {
 
-void Port::OpenGo() {
+void Port::HearGo() {
   using LowCmd = unitree_go_msg_dds__LowCmd_;
-  using LowState = unitree_go_msg_dds__LowState_;
   CheckFits(spec_, kGoMotorSlots, kGoCells);
 
   Hear(robot::kLowCmdTopic, kGoLowCmd, [this](const LowCmd& message, robot::RobotCommand* command) {
@@ -23,24 +23,27 @@ void Port::OpenGo() {
            return DecodeUnsigned(message, spec_, command);
          });
   }
+}
 
-  const robot::RateSpec& rates = spec_.rates;
-  Tell({TopicRow{kGoLowState, rates.lowstate_hz}, {kGoLfLowState, rates.lf_hz}},
-       [this](const robot::RobotState& state, LowState* message) {
-         Encode(state, spec_, message);
-         return true;
-       });
-  TellMotion(kSportModeState, kLfSportModeState);
-  TellRemote();
-  if (spec_.error_list) {
-    Tell({TopicRow{kErrorList, rates.lf_hz}},
-         [list = ErrorList(spec_)](const robot::RobotState& state,
-                                   std_msgs_msg_dds__String_* message) mutable {
-           if (!list.Update(state)) return false;
-           message->data = list.text();
-           return true;
-         });
+std::vector<StateRow> GoStates(const robot::RobotSpec& spec) {
+  const robot::RateSpec& rates = spec.rates;
+  std::vector<StateRow> rows = {
+      RowOf({TopicRow{kGoLowState, rates.lowstate_hz}, {kGoLfLowState, rates.lf_hz}},
+            [&spec](const robot::RobotState& state, unitree_go_msg_dds__LowState_* message) {
+              Encode(state, spec, message);
+              return true;
+            }),
+      MotionRow(spec, kSportModeState, kLfSportModeState), RemoteRow(spec)};
+  if (spec.error_list) {
+    rows.push_back(RowOf({TopicRow{kErrorList, rates.lf_hz}},
+                         [list = ErrorList(spec)](const robot::RobotState& state,
+                                                  std_msgs_msg_dds__String_* message) mutable {
+                           if (!list.Update(state)) return false;
+                           message->data = list.text();
+                           return true;
+                         }));
   }
+  return rows;
 }
 
 }  // namespace understudy::wire

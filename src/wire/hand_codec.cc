@@ -49,14 +49,6 @@ HandStateMessage::HandStateMessage(const robot::HandSpec& spec)
       std::span(pads_[i].temperature)[t] = static_cast<float>(spec.temperature_c);
     }
   }
-  message_.motor_state = {._maximum = static_cast<std::uint32_t>(motors_.size()),
-                          ._length = static_cast<std::uint32_t>(motors_.size()),
-                          ._buffer = motors_.data(),
-                          ._release = false};
-  message_.press_sensor_state = {._maximum = static_cast<std::uint32_t>(pads_.size()),
-                                 ._length = static_cast<std::uint32_t>(pads_.size()),
-                                 ._buffer = pads_.data(),
-                                 ._release = false};
   message_.power_v = static_cast<float>(spec.supply_v);
 }
 
@@ -74,6 +66,18 @@ void HandStateMessage::Encode(std::span<const robot::MotorReading> reading) {
     wire.temperature[1] = Rounded<std::int16_t>(motor.winding_c);
     wire.motorstate = ErrorsOf(motor, kHgMotorErrors);
   }
+}
+
+unitree_hg_msg_dds__HandState_ HandStateMessage::message() {
+  message_.motor_state = {._maximum = static_cast<std::uint32_t>(motors_.size()),
+                          ._length = static_cast<std::uint32_t>(motors_.size()),
+                          ._buffer = motors_.data(),
+                          ._release = false};
+  message_.press_sensor_state = {._maximum = static_cast<std::uint32_t>(pads_.size()),
+                                 ._length = static_cast<std::uint32_t>(pads_.size()),
+                                 ._buffer = pads_.data(),
+                                 ._release = false};
+  return message_;
 }
 
 }  // namespace understudy::wire

@@ -34,13 +34,12 @@ class HandStateMessage {
   // contacts are not modelled. imu_state stays 0, as no unit is known; power_a, system_v, device_v
   // and errors are not modelled and stay 0.
   explicit HandStateMessage(const robot::HandSpec& spec);
-  HandStateMessage(HandStateMessage&&) = default;
-  HandStateMessage& operator=(HandStateMessage&&) = default;
 
   // Encodes the readings of its motors, in their order; ignores further ones.
   void Encode(std::span<const robot::MotorReading> reading);
 
-  const unitree_hg_msg_dds__HandState_& message() const { return message_; }
+  // Returns the message, whose sequences are of this object and valid as long as it is.
+  unitree_hg_msg_dds__HandState_ message();
 
   static constexpr float kUntouched = 100000;
   static constexpr float kNoTaxel = 30000;

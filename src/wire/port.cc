@@ -4,18 +4,16 @@
 #include <iterator>
 #include <utility>
 
-#include "wire/motion_codec.h"
-#include "wire/remote_codec.h"
-#include "wire/topics.h"
+#include "wire/states.h"
 
 namespace understudy::wire {
 
 Port::Port(const bus::Participant& participant, const robot::RobotSpec& spec, double timestep)
-    : participant_(participant),
-      spec_(spec),
-      timestep_(timestep),
-      lowstate_(spec.rates.lowstate_hz, timestep) {
-  spec.family == robot::WireFamily::kGo ? OpenGo() : OpenHg();
+    : participant_(participant), spec_(spec), lowstate_(spec.rates.lowstate_hz, timestep) {
+  spec.family == robot::WireFamily::kGo ? HearGo() : HearHg();
+  for (const StateRow& row : StateRows(spec)) {
+    publications_.push_back(row.open(participant, timestep));
+  }
 }
 
 bool Port::Take(std::size_t topic, robot::RobotCommand* command, robot::Refusal* form) {
@@ -80,26 +78,6 @@ void Port::NoteUnusedSlots(const UnusedSlots& slots) {
 
 void Port::NoteUnsetHead() {
   if (counts_.unset_heads++ == 0) news_.unset_head = true;
-}
-
-void Port::TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,
-                      const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow) {
-  const auto encode = [this, fields = MotionFieldsOf(spec_)](
-                          const robot::RobotState& state,
-                          unitree_go_msg_dds__SportModeState_* message) {
-    EncodeMotion(state, spec_, fields, message);
-    return true;
-  };
-  Tell({TopicRow{topic, spec_.rates.motion_hz}, {slow, spec_.rates.lf_hz}}, encode);
-}
-
-void Port::TellRemote() {
-  const auto encode = [](const robot::RobotState& state,
-                         unitree_go_msg_dds__WirelessController_* message) {
-    if (state.remote.there) EncodeRemote(state.remote, message);
-    return state.remote.there;
-  };
-  Tell({TopicRow{kWirelessController, spec_.rates.motion_hz}}, encode);
 }
 
 }  // namespace understudy::wire

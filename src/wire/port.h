@@ -4,13 +4,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <utility>
 #include <vector>
 
 #include "bus/participant.h"
-#include "idl/unitree_go.h"
 #include "robot/command_topics.h"
 #include "robot/rate.h"
 #include "robot/robot_spec.h"
@@ -22,7 +20,7 @@
 namespace understudy::wire {
 
 // Reads a robot's commands and publishes its states. Both lists of topics are made once, by
-// spec.family; go_port.cc and hg_port.cc have the rows.
+// spec.family, in go_port.cc and hg_port.cc.
 class Port final : public RobotPort {
  public:
   // `participant` and `spec` must outlive the port; `timestep` [s] is that of the physics. Throws
@@ -46,14 +44,9 @@ class Port final : public RobotPort {
   std::vector<const bus::ReaderCore*> readers() const;
 
  private:
-  void OpenGo();
-  void OpenHg();
-  // `first_motor` is its first index in motor order.
-  void OpenHand(std::size_t hand, std::size_t first_motor);
-  // Adds the topics that both families have with the same type.
-  void TellMotion(const bus::Topic<unitree_go_msg_dds__SportModeState_>& topic,
-                  const bus::Topic<unitree_go_msg_dds__SportModeState_>& slow);
-  void TellRemote();
+  // Add the readers of commands. Throw ModelError if the robot does not fit into the messages.
+  void HearGo();
+  void HearHg();
   // Of what a command of rt/lowcmd has beyond its motors.
   void NoteUnusedSlots(const UnusedSlots& slots);
   void NoteUnsetHead();
@@ -63,15 +56,8 @@ class Port final : public RobotPort {
     sources_[number] = std::make_unique<MessageSource<Msg, Decode>>(participant_, topic, decode);
   }
 
-  template <typename Msg, typename Encode>
-  void Tell(std::initializer_list<TopicRow<Msg>> rows, Encode encode) {
-    publications_.push_back(std::make_unique<MessagePublication<Msg, Encode>>(
-        participant_, timestep_, rows, std::move(encode)));
-  }
-
   const bus::Participant& participant_;
   const robot::RobotSpec& spec_;
-  double timestep_;
   robot::Rate lowstate_;
   std::array<std::unique_ptr<CommandSource>, robot::kMostCommandTopics> sources_;  // null: none
   std::vector<std::unique_ptr<Publication>> publications_;

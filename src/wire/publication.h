@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <initializer_list>
 #include <optional>
 #include <span>
 #include <string>
@@ -19,6 +18,12 @@
 
 namespace understudy::wire {
 
+struct StateTopic {
+  std::string name;
+  const dds_topic_descriptor* type;
+  double hz;  // of simulated time
+};
+
 class Publication {
  public:
   virtual ~Publication() = default;
@@ -33,29 +38,20 @@ class Publication {
   virtual const std::vector<std::string>& topics() const = 0;
 };
 
-// A topic and its rate [1/s of simulated time].
-template <typename Msg>
-struct TopicRow {
-  bus::Topic<Msg> topic;
-  double hz;
-};
-template <typename Msg>
-TopicRow(bus::Topic<Msg>, double)
-    -> TopicRow<Msg>;  // Clang deduces none for an aggregate before 17
-
 // Sends one message on topics of different rates, made once for all topics that are due in a step
 // by bool encode(const robot::RobotState&, Msg*), which returns false if there is nothing to send.
 // `encode` gets the same message each time, all zero before the first.
 template <typename Msg, typename Encode>
 class MessagePublication final : public Publication {
  public:
-  // Throws BusError if Cyclone refuses.
+  // `topics` have Msg for their type. Throws BusError if Cyclone refuses.
   MessagePublication(const bus::Participant& participant, double timestep,
-                     std::initializer_list<TopicRow<Msg>> rows, Encode encode)
+                     std::span<const StateTopic> topics, Encode encode)
       : encode_(std::move(encode)) {
-    for (const TopicRow<Msg>& row : rows) {
-      outlets_.push_back({bus::Writer(participant, row.topic), robot::Rate(row.hz, timestep)});
-      topics_.emplace_back(row.topic.name);
+    for (const StateTopic& topic : topics) {
+      outlets_.push_back({bus::Writer(participant, bus::Topic<Msg>{topic.name.c_str(), topic.type}),
+                          robot::Rate(topic.hz, timestep)});
+      topics_.push_back(topic.name);
     }
     timestep_ = timestep;
   }

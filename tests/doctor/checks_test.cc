@@ -11,7 +11,7 @@
 #include "doctor/vendor_topics.h"
 #include "healthy.h"
 #include "idl/type_table.h"
-#include "wire/state_topics.h"
+#include "wire/states.h"
 
 namespace understudy::doctor {
 namespace {
