@@ -49,7 +49,7 @@ def test_the_panel_shows_the_robot_and_that_it_moves(play, visit):
     robot.becomes(lambda now: not now["crane"]["attached"] and now["base"]["height"] < 0.4)
     page.becomes("panel.view.snapshot.bodies[panel.view.base][2] < 0.4")
     page.evaluate("panel.view.home()")
-    assert differing(before, page.evaluate(PIXELS)) > 0.02
+    assert differing(before, page.evaluate(PIXELS)) > 0.005
     host = url_of(robot).split("#")[0]
     assert [url for url in page.requests if not url.startswith(host)] == []
 
