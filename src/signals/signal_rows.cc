@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 
 #include "judge/margin.h"
+#include "robot/command_topics.h"
 #include "wire/imu_codec.h"
 #include "wire/rounded.h"
 
@@ -39,6 +40,10 @@ double InLowState(const robot::RobotState& sample, std::size_t joint,
   return static_cast<float>(sample.motors[joint].*value);
 }
 
+double TorqueInLowState(const robot::RobotState& sample, std::size_t joint) {
+  return InLowState(sample, joint, &robot::MotorReading::tau);
+}
+
 // Temperatures of motors as the messages of each family have them.
 double HottestInGoLowState(const robot::RobotState& sample, std::size_t joint) {
   if (joint >= sample.motors.size()) return judge::kUnknown;
@@ -50,98 +55,143 @@ double WindingInHgLowState(const robot::RobotState& sample, std::size_t joint) {
   return wire::Rounded<std::int16_t>(sample.motors[joint].winding_c);
 }
 
+using enum Signal::Source;
+
+constexpr std::string_view kLowCmd = robot::kCommandTopicNames[robot::kLowCmdTopic];
+constexpr std::string_view kLowState = "rt/lowstate";
+
 constexpr SignalRow kRows[] = {
-    {"base.x", "", "m", Origin::kTruth, "Position of the base in the world",
+    {"base.x", "", "m", kTruth, "Position of the base in the world",
      [](const Truth& t, std::size_t) { return t.qpos[0]; }},
-    {"base.y", "", "m", Origin::kTruth, "likewise",
-     [](const Truth& t, std::size_t) { return t.qpos[1]; }},
-    {"base.height", "", "m", Origin::kTruth, "likewise: z, over the origin of the world",
+    {"base.y", "", "m", kTruth, "likewise", [](const Truth& t, std::size_t) { return t.qpos[1]; }},
+    {"base.height", "", "m", kTruth, "likewise: z, over the origin of the world",
      [](const Truth& t, std::size_t) { return t.qpos[2]; }},
-    {"base.roll", "", "rad", Origin::kTruth, "Attitude of the base",
+    {"base.roll", "", "rad", kTruth, "Attitude of the base",
      [](const Truth& t, std::size_t) { return Angle(t, 0); }},
-    {"base.pitch", "", "rad", Origin::kTruth, "likewise",
+    {"base.pitch", "", "rad", kTruth, "likewise",
      [](const Truth& t, std::size_t) { return Angle(t, 1); }},
-    {"base.yaw", "", "rad", Origin::kTruth, "likewise, from -π to π",
+    {"base.yaw", "", "rad", kTruth, "likewise, from -π to π",
      [](const Truth& t, std::size_t) { return Angle(t, 2); }},
-    {"base.tilt", "", "rad", Origin::kTruth, "Angle between the z axes of base and world",
+    {"base.tilt", "", "rad", kTruth, "Angle between the z axes of base and world",
      [](const Truth& t, std::size_t) { return std::acos(std::clamp(UpInWorld(t).z(), -1., 1.)); }},
-    {"base.forward", "", "m/s", Origin::kTruth, "Velocity of the base along its heading",
+    {"base.forward", "", "m/s", kTruth, "Velocity of the base along its heading",
      [](const Truth& t, std::size_t) { return Level(t).x(); }},
-    {"base.left", "", "m/s", Origin::kTruth, "likewise, to the left of its heading",
+    {"base.left", "", "m/s", kTruth, "likewise, to the left of its heading",
      [](const Truth& t, std::size_t) { return Level(t).y(); }},
-    {"base.up", "", "m/s", Origin::kTruth, "likewise, upwards",
+    {"base.up", "", "m/s", kTruth, "likewise, upwards",
      [](const Truth& t, std::size_t) { return t.qvel[2]; }},
-    {"base.speed", "", "m/s", Origin::kTruth, "Horizontal speed of the base",
+    {"base.speed", "", "m/s", kTruth, "Horizontal speed of the base",
      [](const Truth& t, std::size_t) { return std::hypot(t.qvel[0], t.qvel[1]); }},
-    {"base.turn", "", "rad/s", Origin::kTruth, "Rate of turning about the world's z axis",
+    {"base.turn", "", "rad/s", kTruth, "Rate of turning about the world's z axis",
      [](const Truth& t, std::size_t) {
        return (Attitude(t) * Eigen::Vector3d(t.qvel[3], t.qvel[4], t.qvel[5])).z();
      }},
-    {"torque", "JOINT", "N·m", Origin::kTruth, "Torque that acts at a joint",
+    {"torque", "JOINT", "N·m", kTruth, "Torque that acts at a joint",
      [](const Truth& t, std::size_t joint) { return At(t.tau, joint); }},
     {.word = "torque_share",
      .argument = "JOINT",
      .unit = "",
-     .origin = Origin::kTruth,
+     .source = kTruth,
      .says = "likewise its size, as a share of the motor's torque_limit",
      .of = [](const Truth& t, std::size_t joint) { return At(t.tau, joint); },
      .share = true},
-    {"foot_force", "FOOT", "N", Origin::kTruth, "What presses on a foot",
+    {"foot_force", "FOOT", "N", kTruth, "What presses on a foot",
      [](const Truth& t, std::size_t foot) { return At(t.foot_force, foot); }},
-    {"feet.force", "", "N", Origin::kTruth, "What presses on all feet",
+    {"feet.force", "", "N", kTruth, "What presses on all feet",
      [](const Truth& t, std::size_t) { return Sum(t.foot_force); }},
-    {"crane.tension", "", "N", Origin::kTruth, "Pull of the tether, 0 off the crane",
+    {"crane.tension", "", "N", kTruth, "Pull of the tether, 0 off the crane",
      [](const Truth& t, std::size_t) { return t.crane_tension; }},
-    {"q", "JOINT", "rad", Origin::kMessages, "Angle of a joint in rt/lowstate", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::q);
-     }},
-    {"dq", "JOINT", "rad/s", Origin::kMessages, "likewise its rate", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::dq);
-     }},
-    {"tau_est", "JOINT", "N·m", Origin::kMessages, "likewise its torque", nullptr,
-     [](const robot::RobotState& s, std::size_t joint) {
-       return InLowState(s, joint, &robot::MotorReading::tau);
-     }},
+    {.word = "q",
+     .argument = "JOINT",
+     .unit = "rad",
+     .source = kField,
+     .says = "Angle of a joint in rt/lowstate",
+     .of_sample = [](const robot::RobotState& s,
+                     std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::q); },
+     .topic = kLowState,
+     .field = "q"},
+    {.word = "dq",
+     .argument = "JOINT",
+     .unit = "rad/s",
+     .source = kField,
+     .says = "likewise its rate",
+     .of_sample = [](const robot::RobotState& s,
+                     std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::dq); },
+     .topic = kLowState,
+     .field = "dq"},
+    {.word = "tau_est",
+     .argument = "JOINT",
+     .unit = "N·m",
+     .source = kField,
+     .says = "likewise its torque",
+     .of_sample = TorqueInLowState,
+     .topic = kLowState,
+     .field = "tau_est"},
     {.word = "tau_est_share",
      .argument = "JOINT",
      .unit = "",
-     .origin = Origin::kMessages,
+     .source = kField,
      .says = "likewise the size of that torque, as a share of the motor's torque_limit",
-     .of = nullptr,
-     .of_sample = [](const robot::RobotState& s,
-                     std::size_t joint) { return InLowState(s, joint, &robot::MotorReading::tau); },
+     .of_sample = TorqueInLowState,
+     .topic = kLowState,
      .field = "tau_est",
      .share = true},
     {.word = "temperature",
      .argument = "JOINT",
      .unit = "°C",
-     .origin = Origin::kMessages,
+     .source = kField,
      .says = "likewise the motor's temperature; in the hg family that of its winding",
-     .of = nullptr,
      .of_sample = HottestInGoLowState,
-     .of_hg_sample = WindingInHgLowState},
-    {"first_jump", "", "rad", Origin::kMessages,
-     "Largest difference between an angle that the first command of rt/lowcmd asks for and the "
-     "joint's in rt/lowstate; of a simulated robot the first command that is taken, of a recording "
-     "without its events the first that asks for an angle; unknown before",
-     nullptr},
-    {"rate", "TOPIC", "Hz", Origin::kMessages,
-     "Messages of a topic in the last second; unknown until a second after the first one", nullptr},
-    {"gap", "TOPIC", "s", Origin::kMessages,
-     "Time since the last message of a topic; unknown before "
-     "the first one",
-     nullptr},
-    {"count", "EVENT", "", Origin::kEvents, "Number of events of a kind so far", nullptr},
-    {"refusals", "", "", Origin::kEvents, "Commands refused so far: count(refused)", nullptr},
-    {"state", "", "", Origin::kEvents, "Of the motion service, by the vendor's id: motion.state",
-     nullptr},
-    {"gate", "", "", Origin::kEvents, "State of the gate of rt/lowcmd: gate.state", nullptr},
-    {"service", "", "", Origin::kEvents, "Motion service that is on: motion_service.service",
-     nullptr},
-    {"program.exit_code", "", "", Origin::kEvents, "Of the program under test: program_end.code",
-     nullptr},
+     .of_hg_sample = WindingInHgLowState,
+     .topic = kLowState,
+     .field = "temperature"},
+    {.word = "first_jump",
+     .argument = "",
+     .unit = "rad",
+     .source = kFirstJump,
+     .says = "Largest difference between an angle that the first command of rt/lowcmd asks for and "
+             "the joint's in rt/lowstate; of a simulated robot the first command that is taken, of "
+             "a recording without its events the first that asks for an angle; unknown before",
+     .topic = kLowCmd},
+    {"rate", "TOPIC", "Hz", kRate,
+     "Messages of a topic in the last second; unknown until a second after the first one"},
+    {"gap", "TOPIC", "s", kGap,
+     "Time since the last message of a topic; unknown before the first one"},
+    {"count", "EVENT", "", kEventCount, "Number of events of a kind so far"},
+    {.word = "refusals",
+     .argument = "",
+     .unit = "",
+     .source = kEventCount,
+     .says = "Commands refused so far: count(refused)",
+     .topic = "refused"},
+    {.word = "state",
+     .argument = "",
+     .unit = "",
+     .source = kEventField,
+     .says = "Of the motion service, by the vendor's id: motion.state",
+     .topic = "motion",
+     .field = "state"},
+    {.word = "gate",
+     .argument = "",
+     .unit = "",
+     .source = kEventField,
+     .says = "State of the gate of rt/lowcmd: gate.state",
+     .topic = "gate",
+     .field = "state"},
+    {.word = "service",
+     .argument = "",
+     .unit = "",
+     .source = kEventField,
+     .says = "Motion service that is on: motion_service.service",
+     .topic = "motion_service",
+     .field = "service"},
+    {.word = "program.exit_code",
+     .argument = "",
+     .unit = "",
+     .source = kEventField,
+     .says = "Of the program under test: program_end.code",
+     .topic = "program_end",
+     .field = "code"},
 };
 
 }  // namespace
@@ -164,7 +214,7 @@ std::string SignalsReference() {
   for (std::size_t i = 0; i < std::size(kRows); ++i) {
     const SignalRow& row = kRows[i];
     text += "| `" + words[i] + "` | " + std::string(row.unit) + " | " +
-            std::string(kOrigins[static_cast<std::size_t>(row.origin)]) + " | " +
+            std::string(kOrigins[static_cast<std::size_t>(Signal::OriginOf(row.source))]) + " | " +
             std::string(row.says) + " |\n";
   }
   return text;

@@ -18,16 +18,17 @@ struct SignalRow {
   std::string_view word;      // "base.height"; of one with an argument what stands before it
   std::string_view argument;  // "", JOINT, FOOT, TOPIC or EVENT
   std::string_view unit;
-  Origin origin;
+  Signal::Source source;
   std::string_view says;
-  // For Origin::kTruth: its value; `index` is that of the joint or foot.
-  double (*of)(const Truth& truth, std::size_t index);
-  // For Origin::kMessages: its value in the sample of which the message is made; null if it is not
-  // there.
+  // kTruth: its value; `index` is that of the joint or foot.
+  double (*of)(const Truth& truth, std::size_t index) = nullptr;
+  // kField: its value in the sample of which the message is made.
   double (*of_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
   // Of the hg family, where that is another.
   double (*of_hg_sample)(const robot::RobotState& sample, std::size_t joint) = nullptr;
-  // Likewise of a joint: its field in motor_state, where that is not the word.
+  // Of messages their topic, of events their kind, where it is not the argument.
+  std::string_view topic{};
+  // Its field in that; of a joint the field of its motor_state.
   std::string_view field{};
   bool share = false;  // its size as a share of the motor's torque_limit
 };

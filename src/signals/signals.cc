@@ -140,50 +140,48 @@ std::pair<std::string, std::string> Split(const std::string& subject) {
   return {subject.substr(0, open), subject.substr(open + 1, subject.size() - open - 2)};
 }
 
-Result<Signal> Fill(const SignalRow& row, const std::string& argument, Signal signal,
-                    const Names& names) {
+// A joint's signal: of the truth by its index, of messages by the field of its motor too.
+Result<Signal> OfJoint(const SignalRow& row, std::size_t joint, Signal signal, const Names& names) {
+  signal.index = joint;
+  if (row.share && !names.any_robot) signal.limit = names.torque_limits[joint];
+  if (row.source != Signal::Source::kField) return signal;
+  const bool winding = names.hg && row.of_hg_sample != nullptr;
+  signal.of_sample = winding ? row.of_hg_sample : row.of_sample;
+  if (names.any_robot) return signal;
+  if (joint >= names.slots.size()) {
+    return Error{signal.topic + " does not tell of " + names.joints[joint]};
+  }
+  signal.field = "motor_state[" + std::to_string(names.slots[joint]) + "]." +
+                 std::string(row.field) + (winding ? "[1]" : "");
+  return signal;
+}
+
+Result<Signal> OfRow(const SignalRow& row, const std::string& argument, Signal signal,
+                     const Names& names) {
+  signal.source = row.source;
   signal.unit = row.unit;
   signal.of = row.of;
+  signal.topic = row.topic;
+  if (row.source == Signal::Source::kFirstJump) signal.slots = names.slots;
+  if (row.source == Signal::Source::kEventField) {
+    return EventValue(std::move(signal), std::string(row.topic), std::string(row.field));
+  }
+  if (row.argument == "EVENT") return EventNumber(std::move(signal), row.source, argument);
   if (row.argument == "FOOT") {
     const auto foot = FindFoot(argument, names);
     if (!foot) return foot.error();
     signal.index = *foot;
   }
-  if (row.argument == "JOINT") {
-    const auto joint = FindJoint(argument, names);
-    if (!joint) return joint.error();
-    signal.index = *joint;
-    if (row.share && !names.any_robot) signal.limit = names.torque_limits[*joint];
-    if (row.origin != Origin::kMessages) return signal;
-    signal.source = Signal::Source::kField;
-    signal.topic = "rt/lowstate";
-    const bool winding = names.hg && row.of_hg_sample != nullptr;
-    signal.of_sample = winding ? row.of_hg_sample : row.of_sample;
-    if (names.any_robot) return signal;
-    if (*joint >= names.slots.size()) {
-      return Error{"rt/lowstate does not tell of " + names.joints[*joint]};
-    }
-    signal.field = "motor_state[" + std::to_string(names.slots[*joint]) + "]." +
-                   std::string(row.field.empty() ? row.word : row.field) + (winding ? "[1]" : "");
-  }
   if (row.argument == "TOPIC") {
     const auto topic = FindTopic(argument, names);
     if (!topic) return topic.error();
-    signal.source = row.word == "gap" ? Signal::Source::kGap : Signal::Source::kRate;
     signal.topic = *topic;
   }
-  if (row.word == "first_jump") {
-    signal.source = Signal::Source::kFirstJump;
-    signal.topic = robot::kCommandTopicNames[robot::kLowCmdTopic];
-    signal.slots = names.slots;
+  if (row.argument == "JOINT") {
+    const auto joint = FindJoint(argument, names);
+    if (!joint) return joint.error();
+    return OfJoint(row, *joint, std::move(signal), names);
   }
-  using enum Signal::Source;
-  if (row.word == "count") return EventNumber(std::move(signal), kEventCount, argument);
-  if (row.word == "refusals") return EventNumber(std::move(signal), kEventCount, "refused");
-  if (row.word == "state") return EventValue(std::move(signal), "motion", "state");
-  if (row.word == "gate") return EventValue(std::move(signal), "gate", "state");
-  if (row.word == "service") return EventValue(std::move(signal), "motion_service", "service");
-  if (row.word == "program.exit_code") return EventValue(std::move(signal), "program_end", "code");
   return signal;
 }
 
@@ -230,20 +228,21 @@ Names RecordedNames(const robot::RobotSpec& spec, Names::WrongField wrong_field)
   return names;
 }
 
-Origin Signal::origin() const {
+Origin Signal::OriginOf(Source source) {
+  using enum Source;
   switch (source) {
-    case Source::kTruth:
+    case kTruth:
       return Origin::kTruth;
-    case Source::kField:
-    case Source::kGap:
-    case Source::kRate:
-    case Source::kFirstJump:
-    case Source::kArrival:
+    case kField:
+    case kGap:
+    case kRate:
+    case kFirstJump:
+    case kArrival:
       return Origin::kMessages;
-    case Source::kEventField:
-    case Source::kEvent:
-    case Source::kPrint:
-    case Source::kEventCount:
+    case kEventField:
+    case kEvent:
+    case kPrint:
+    case kEventCount:
       break;
   }
   return Origin::kEvents;
@@ -276,7 +275,7 @@ Result<Signal> FindSignal(const judge::Comparison& comparison, const Names& name
   const auto row = std::ranges::find_if(rows, [&word = word, &argument = argument](const auto& r) {
     return r.word == word && r.argument.empty() == argument.empty();
   });
-  if (row != rows.end()) return Fill(*row, argument, std::move(signal), names);
+  if (row != rows.end()) return OfRow(*row, argument, std::move(signal), names);
   if (const std::size_t colon = subject.find(':'); colon != std::string::npos) {
     return FieldOf(std::move(signal), subject.substr(0, colon), subject.substr(colon + 1), names);
   }

@@ -79,7 +79,8 @@ struct Signal {
   double limit = 0;              // of whose share it is the size; 0: it is no share
   std::vector<int> slots{};      // kFirstJump: of the joints
 
-  Origin origin() const;
+  static Origin OriginOf(Source source);
+  Origin origin() const { return OriginOf(source); }
   // Returns what is said of it in its own unit.
   double Told(double value) const { return limit > 0 ? std::abs(value) / limit : value; }
   bool of_one_instant() const {

@@ -1,4 +1,4 @@
-// Reads wall time and sleeps. Tests use a manual clock.
+// Reads wall time and sleeps.
 #pragma once
 
 #include <chrono>
@@ -20,19 +20,6 @@ class SteadyClock final : public Clock {
  public:
   Time Now() override;
   void SleepUntil(Time deadline) override;
-};
-
-// Changes only by Advance and by SleepUntil, which sets it to the deadline.
-class ManualClock final : public Clock {
- public:
-  Time Now() override { return now_; }
-  void SleepUntil(Time deadline) override {
-    if (deadline > now_) now_ = deadline;
-  }
-  void Advance(Time by) { now_ += by; }
-
- private:
-  Time now_{0};
 };
 
 }  // namespace understudy::time

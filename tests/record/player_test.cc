@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "tests/record/mcap_files.h"
+#include "tests/support/manual_clock.h"
 
 namespace understudy::record {
 namespace {
@@ -39,7 +40,7 @@ class PlayerTest : public McapFilesTest {
   std::vector<std::pair<std::int64_t, std::string>> Played(const PlayOptions& options,
                                                            std::size_t most = 100) {
     const McapReader reader(File());
-    time::ManualClock clock;
+    test::ManualClock clock;
     std::vector<std::pair<std::int64_t, std::string>> played;
     Player player(&reader, options, &clock);
     player.Play([&](double, const McapMessage* message) {
@@ -75,7 +76,7 @@ TEST_F(PlayerTest, SaysAPartOnly) {
 }
 
 TEST_F(PlayerTest, IsSilentNoLongerThanTheRecordingIs) {
-  time::ManualClock clock;
+  test::ManualClock clock;
   const McapReader reader(File());
   double last = 0;
   Player(&reader, {.to = 1e300}, &clock).Play([&](double at, const McapMessage*) {
@@ -95,7 +96,7 @@ TEST_F(PlayerTest, PlaysNothingForTimesThatAreNone) {
 
 // Who listens has Ctrl-C to hear of.
 TEST_F(PlayerTest, AsksAtEveryEndWhetherToGoOn) {
-  time::ManualClock clock;
+  test::ManualClock clock;
   const McapReader reader(File());
   int asked = 0;
   Player player(&reader, {.from = 0.11, .to = 0.12, .speed = 0, .loop = true}, &clock);

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/manual_clock.h"
+
 namespace understudy::time {
 namespace {
 
 using namespace std::chrono_literals;  // NOLINT(google-build-using-namespace): 10ms reads best
 
 TEST(ManualClockTest, StandsStillUntilTold) {
-  ManualClock clock;
+  test::ManualClock clock;
   EXPECT_EQ(clock.Now(), 0ns);
   EXPECT_EQ(clock.Now(), 0ns);
   clock.Advance(3ms);
@@ -16,7 +18,7 @@ TEST(ManualClockTest, StandsStillUntilTold) {
 }
 
 TEST(ManualClockTest, SleepsToTheDeadlineAndNeverBack) {
-  ManualClock clock;
+  test::ManualClock clock;
   clock.SleepUntil(5ms);
   EXPECT_EQ(clock.Now(), 5ms);
   clock.SleepUntil(2ms);

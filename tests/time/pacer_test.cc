@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/manual_clock.h"
+
 namespace understudy::time {
 namespace {
 
@@ -22,7 +24,7 @@ struct Row {
 };
 
 void CheckPace(double speed, const std::vector<Row>& rows) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, speed);
   for (const Row& row : rows) {
     SCOPED_TRACE(testing::Message() << "step " << row.step);
@@ -85,7 +87,7 @@ TEST(PacerTest, CountsFromTheStepThatALongerStallEndedAt) {
 }
 
 TEST(PacerTest, CountsWhatItDoesNotMakeUpFor) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   clock.Advance(kMostMadeUp + 10ms);
   EXPECT_EQ(pacer.WaitFor(1).shift, 0);
@@ -100,7 +102,7 @@ TEST(PacerTest, CountsWhatItDoesNotMakeUpFor) {
 }
 
 TEST(PacerTest, IsNeverFurtherBehindOnAMachineThatIsTooSlow) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   for (std::int64_t step = 0; step < 1000; ++step) {  // a step of 10 ms costs 15
     pacer.WaitFor(step);
@@ -140,14 +142,14 @@ TEST(PacerTest, DoublesThePeriodAtHalfSpeed) {
 
 // Steps of a third of a millisecond: rounded one by one they would be 0.1 ms off after 100 s.
 TEST(PacerTest, DoesNotDriftWhenThePeriodIsNoWholeNumberOfNanoseconds) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, 1ms, 3);
   for (std::int64_t step = 0; step <= 300'000; ++step) pacer.WaitFor(step);
   EXPECT_EQ(clock.Now(), 100s);
 }
 
 TEST(PacerTest, NeverSleepsAtSpeedZero) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 0);
   for (std::int64_t step = 0; step < 1000; ++step) pacer.WaitFor(step);
   EXPECT_EQ(clock.Now(), 0ms);
@@ -156,7 +158,7 @@ TEST(PacerTest, NeverSleepsAtSpeedZero) {
 }
 
 TEST(PacerTest, RemembersTheWorstLateness) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   pacer.WaitFor(0);
   clock.Advance(40ms);
@@ -167,7 +169,7 @@ TEST(PacerTest, RemembersTheWorstLateness) {
 }
 
 TEST(PacerTest, CountsFromItsOwnBirthNotFromTheClocks) {
-  ManualClock clock;
+  test::ManualClock clock;
   clock.Advance(77s);
   Pacer pacer(&clock, kPeriod, 1);
   pacer.WaitFor(1);
@@ -175,7 +177,7 @@ TEST(PacerTest, CountsFromItsOwnBirthNotFromTheClocks) {
 }
 
 TEST(PacerTest, ForgetsAPauseOnResume) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   pacer.WaitFor(0);
   clock.Advance(60s);  // the pause
@@ -189,7 +191,7 @@ TEST(PacerTest, ForgetsAPauseOnResume) {
 }
 
 TEST(PacerTest, TakesANewSpeedOnResume) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   pacer.Resume(5, 10);
   EXPECT_EQ(pacer.speed(), 10);
@@ -198,7 +200,7 @@ TEST(PacerTest, TakesANewSpeedOnResume) {
 }
 
 TEST(PacerTest, KeepsItsCountsOnResume) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   clock.Advance(100ms);
   pacer.WaitFor(1);
@@ -208,7 +210,7 @@ TEST(PacerTest, KeepsItsCountsOnResume) {
 }
 
 TEST(PacerTest, HasNoRealTimeFactorBeforeASecondHasPassed) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   for (std::int64_t step = 0; step < 100; ++step) pacer.WaitFor(step);
   EXPECT_EQ(pacer.reading().real_time_factor, 0);
@@ -217,7 +219,7 @@ TEST(PacerTest, HasNoRealTimeFactorBeforeASecondHasPassed) {
 }
 
 TEST(PacerTest, MeasuresTheRealTimeFactorOfTheLastSecond) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 0);
   std::int64_t step = 0;
   for (; step < 250; ++step) {  // a step of 10 ms costs 20 ms of wall time
@@ -233,7 +235,7 @@ TEST(PacerTest, MeasuresTheRealTimeFactorOfTheLastSecond) {
 }
 
 TEST(PacerTest, WaitsNoLongerThanItIsToldForAStepThatIsFarOff) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 0.1);  // 100 ms a step
   EXPECT_TRUE(pacer.WaitFor(0, 30ms).due);
   for (const Clock::Time wall : {30ms, 60ms, 90ms}) {
@@ -246,7 +248,7 @@ TEST(PacerTest, WaitsNoLongerThanItIsToldForAStepThatIsFarOff) {
 
 // Steps while paused are made at the pace that is set, and what passed in between is no lateness.
 TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   Pace pace;
   EXPECT_TRUE(pacer.Follow(pace, 0, 2s).due);
@@ -273,7 +275,7 @@ TEST(PacerTest, FollowsAPauseWithoutABurstOrAnOverrun) {
 }
 
 TEST(PacerTest, FollowsANewSpeedFromTheStepThatIsNext) {
-  ManualClock clock;
+  test::ManualClock clock;
   Pacer pacer(&clock, kPeriod, 1);
   for (std::int64_t step = 0; step <= 10; ++step) pacer.Follow({.speed = 1}, step, 1s);
   EXPECT_EQ(clock.Now(), 100ms);
