@@ -23,6 +23,12 @@ struct Row {
   bool service = false;                                 // while a motion service is on
 };
 
+// Its groups.
+std::vector<Row> ValueRows();
+std::vector<Row> FormRows();
+std::vector<Row> TimeRows();
+std::vector<Row> WriterRows();
+
 const std::vector<Row>& Rows();
 
 // docs/bad_commands.md.
