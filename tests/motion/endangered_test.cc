@@ -2,6 +2,7 @@
 // how it is told. Their rules alone: protection_test.cc.
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -24,6 +25,12 @@ bool HasTold(const MotionRig& rig, const std::string& danger) {
 // What the status tells of a danger now.
 robot::Protection Does(const MotionRig& rig, robot::Danger danger) {
   return rig.state().dangers[static_cast<std::size_t>(danger)].does;
+}
+
+void Fault(MotionRig* rig, const std::string& component, const std::string& fault, double by = -1) {
+  nlohmann::json values = {{"component", component}, {"fault", fault}};
+  if (by >= 0) values["by"] = by;
+  rig->Request("fault", values);
 }
 
 TEST(EndangeredRobotTest, AGo2ThatIsThrownOverDampsAndTellsItsTilt) {
@@ -124,6 +131,66 @@ TEST(EndangeredRobotTest, EveryRobotDampsByItsRemote) {
       EXPECT_GT(rig.command().motors[i].kd, 0) << i;
     }
   }
+}
+
+TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  Fault(&rig, "FR_calf_joint", "hot", 90);
+  EXPECT_TRUE(rig.RunUntil(1004, 20));
+  EXPECT_EQ(rig.state().name, "lying down");
+  rig.Run(5);
+  EXPECT_LT(rig.height(), 0.15);
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kNotNow);
+  const std::vector<std::string> told = ToldDangers(rig);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
+  EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
+  Fault(&rig, "all", "none");
+  rig.Run(10);  // a thermometer lags
+  EXPECT_EQ(ToldDangers(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
+  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
+}
+
+TEST(ProtectedRobotTest, DampsWhenAMotorFallsSilentOrAnEncoderFails) {
+  for (const auto& [component, fault] :
+       {std::pair{"FL_thigh_joint", "off"}, std::pair{"FL_thigh_joint.encoder", "off"}}) {
+    QuadrupedRig rig("go2");
+    rig.Start("standing");
+    rig.Run(1);
+    Fault(&rig, component, fault);
+    rig.Run(0.15);
+    EXPECT_NE(rig.state().id, 1001);
+    rig.Run(0.15);
+    EXPECT_EQ(rig.state().id, 1001);
+    EXPECT_EQ(ToldDangers(rig).size(), 1U);
+  }
+}
+
+TEST(ProtectedRobotTest, StopsWhenTheRemoteThatSteersItIsGone) {
+  QuadrupedRig rig("go2");
+  rig.Start("standing");
+  rig.Run(1);
+  rig.Request("remote.sticks", {{"ly", 0.5}, {"for", 60}});
+  rig.Run(2);
+  EXPECT_EQ(rig.state().name, "walking");
+  Fault(&rig, "remote", "off");
+  rig.Run(3);
+  EXPECT_EQ(rig.state().name, "standing");
+  ASSERT_EQ(ToldDangers(rig).size(), 1U);
+  EXPECT_EQ(ToldDangers(rig)[0], "protection: remote; the robot stops");
+}
+
+TEST(ProtectedRobotTest, AHumanoidIsOnlyWarnedOfAHotWrist) {
+  MotionRig rig(ConfigOf("g1"));
+  rig.Start("hanging");
+  rig.Run(1);
+  const robot::MotionState before = rig.state();
+  Fault(&rig, "left_wrist_yaw_joint", "hot", 95);
+  rig.Run(20);
+  EXPECT_EQ(rig.state().id, before.id);
+  EXPECT_EQ(ToldDangers(rig).size(), 1U);
 }
 
 }  // namespace

@@ -1,17 +1,16 @@
-// What a motion service does by itself when something endangers the robot: each danger alone, then
-// in whole ticks.
+// What a motion service does by itself when something endangers the robot: each danger alone. In
+// whole ticks: endangered_test.cc.
 #include "motion/protection.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
 
-#include "tests/motion/quadruped/rig.h"
+#include "tests/motion/rig.h"
 #include "tests/support/robots.h"
 
 namespace understudy::motion {
@@ -320,85 +319,6 @@ TEST(ProtectionSpecTest, TiltIsThatOfTheBaseWhereverTheUnitIs) {
     const Eigen::Vector3d up = world.robot().Imu().R_WI * world.robot().imu_up();
     EXPECT_NEAR(std::acos(std::min(up.z(), 1.0)), world.robot().tilt(), 0.02) << robot;
   }
-}
-
-// Whole ticks.
-
-void Fault(MotionRig* rig, const std::string& component, const std::string& fault, double by = -1) {
-  nlohmann::json values = {{"component", component}, {"fault", fault}};
-  if (by >= 0) values["by"] = by;
-  rig->Request("fault", values);
-}
-
-TEST(ProtectedRobotTest, LiesDownBeforeAHotMotorTrips) {
-  QuadrupedRig rig("go2");
-  rig.Start("standing");
-  rig.Run(1);
-  Fault(&rig, "FR_calf_joint", "hot", 90);
-  EXPECT_TRUE(rig.RunUntil(1004, 20));
-  EXPECT_EQ(rig.state().name, "lying down");
-  rig.Run(5);
-  EXPECT_LT(rig.height(), 0.15);
-  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kNotNow);
-  const std::vector<std::string> told = ToldDangers(rig);
-  ASSERT_EQ(told.size(), 1U);
-  EXPECT_TRUE(told[0].starts_with("protection: heat 11")) << told[0];
-  EXPECT_TRUE(told[0].ends_with(" °C of FR_calf_joint; the robot lies down, if it can")) << told[0];
-  Fault(&rig, "all", "none");
-  rig.Run(10);  // a thermometer lags
-  EXPECT_EQ(ToldDangers(rig).back(), "protection: heat of FR_calf_joint is within its limit again");
-  EXPECT_EQ(rig.Ask(goal::StandUp{}), MotionVerdict::kTaken);
-}
-
-TEST(ProtectedRobotTest, DampsWhenAMotorFallsSilentOrAnEncoderFails) {
-  for (const auto& [component, fault] :
-       {std::pair{"FL_thigh_joint", "off"}, std::pair{"FL_thigh_joint.encoder", "off"}}) {
-    QuadrupedRig rig("go2");
-    rig.Start("standing");
-    rig.Run(1);
-    Fault(&rig, component, fault);
-    rig.Run(0.15);
-    EXPECT_NE(rig.state().id, 1001);
-    rig.Run(0.15);
-    EXPECT_EQ(rig.state().id, 1001);
-    EXPECT_EQ(ToldDangers(rig).size(), 1U);
-  }
-}
-
-TEST(ProtectedRobotTest, StopsWhenTheRemoteThatSteersItIsGone) {
-  QuadrupedRig rig("go2");
-  rig.Start("standing");
-  rig.Run(1);
-  rig.Request("remote.sticks", {{"ly", 0.5}, {"for", 60}});
-  rig.Run(2);
-  EXPECT_EQ(rig.state().name, "walking");
-  Fault(&rig, "remote", "off");
-  rig.Run(3);
-  EXPECT_EQ(rig.state().name, "standing");
-  ASSERT_EQ(ToldDangers(rig).size(), 1U);
-  EXPECT_EQ(ToldDangers(rig)[0], "protection: remote; the robot stops");
-}
-
-TEST(PoweredRobotTest, AGo2LiesLimpUntilItHasBootedAndStandsUpByItself) {
-  QuadrupedRig rig("go2", {"robot.boot={states: 1, services: 1.2, motion: 2}", "start.boot=true"});
-  rig.Run(1.5);
-  EXPECT_EQ(rig.state().id, 0) << "no motion service";
-  EXPECT_LT(rig.height(), 0.15);
-  EXPECT_EQ(*std::ranges::max_element(rig.robot().torque()), 0);
-  rig.Run(6);
-  EXPECT_EQ(rig.state().name, "standing");
-  EXPECT_GT(rig.height(), 0.28);
-}
-
-TEST(ProtectedRobotTest, AHumanoidIsOnlyWarnedOfAHotWrist) {
-  MotionRig rig(ConfigOf("g1"));
-  rig.Start("hanging");
-  rig.Run(1);
-  const robot::MotionState before = rig.state();
-  Fault(&rig, "left_wrist_yaw_joint", "hot", 95);
-  rig.Run(20);
-  EXPECT_EQ(rig.state().id, before.id);
-  EXPECT_EQ(ToldDangers(rig).size(), 1U);
 }
 
 }  // namespace

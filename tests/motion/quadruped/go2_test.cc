@@ -157,5 +157,16 @@ TEST(Go2LongStandTest, StandsAMinuteLockedAndBalanced) {
   }
 }
 
+TEST(PoweredRobotTest, AGo2LiesLimpUntilItHasBootedAndStandsUpByItself) {
+  QuadrupedRig rig("go2", {"robot.boot={states: 1, services: 1.2, motion: 2}", "start.boot=true"});
+  rig.Run(1.5);
+  EXPECT_EQ(rig.state().id, 0) << "no motion service";
+  EXPECT_LT(rig.height(), 0.15);
+  EXPECT_EQ(*std::ranges::max_element(rig.robot().torque()), 0);
+  rig.Run(6);
+  EXPECT_EQ(rig.state().name, "standing");
+  EXPECT_GT(rig.height(), 0.28);
+}
+
 }  // namespace
 }  // namespace understudy::motion
