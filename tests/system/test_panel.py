@@ -1,13 +1,12 @@
 """The panel in a browser, as a person uses it: looked at, dragged, pressed, in Debian's Chromium."""
 
 import pathlib
-import struct
 
 import pytest
 
 from panel_page import DOMAIN, browser, dog, dogs_page, page, show, url_of, visit
-from peers import GoLowCmd, go_command, listener, speaker
-from robots import eventually, understudy
+from peers import GoLowCmd, go_command, speaker
+from robots import understudy
 
 # A small copy of what the view shows now: [r, g, b, a, ...] of 48 x 32 points.
 PIXELS = """(() => {
@@ -87,85 +86,6 @@ def test_a_push_in_numbers_pushes_and_one_without_a_number_is_told_why_not(page)
     show(page, "remote")
 
 
-def remote_bytes(samples):
-    """Keys, and sticks in hundredths, as a program reads them from LowState."""
-    def read(message):
-        data = bytes(message.wireless_remote)
-        sticks = [round(100 * struct.unpack_from("<f", data, at)[0]) for at in (4, 8, 12, 20)]
-        return struct.unpack_from("<H", data, 2)[0], dict(zip(("lx", "rx", "ry", "ly"), sticks))
-
-    return [read(sample) for sample in samples]
-
-
-def test_keys_of_the_keyboard_reach_wireless_remote(page):
-    with listener(domain=DOMAIN) as program:
-        page.key("keyDown", "KeyA", "a")
-        page.key("keyDown", "KeyE", "e")
-        eventually(lambda: any(keys == 1 << 8 and sticks["ly"] == 100
-                               for keys, sticks in remote_bytes(program.take())), what="A, forward")
-        page.key("keyUp", "KeyA", "a")
-        page.key("keyUp", "KeyE", "e")
-
-        eventually(lambda: any(keys == 0 and sticks["ly"] == 0
-                               for keys, sticks in remote_bytes(program.take())), what="let go")
-
-
-def events_of(page, kind):
-    events = page.evaluate("fetch('/events').then((reply) => reply.json())")["events"]
-    return [event for event in events if event["kind"] == kind]
-
-
-def presses_of(page, keys):
-    """How often those keys have gone down together so far."""
-    return sum(event["detail"]["keys"] == keys for event in events_of(page, "remote"))
-
-
-STALL = "(() => { const end = performance.now() + %d; while (performance.now() < end); })()"
-
-
-def test_a_chord_is_one_press_however_slow_the_page_is(page):
-    before = presses_of(page, "L2+A")
-    page.key("keyDown", "KeyW", "w")
-    page.key("keyDown", "KeyA", "a")
-    eventually(lambda: presses_of(page, "L2+A") == before + 1)
-    page.evaluate(STALL % 1500)  # meanwhile the robot lets go
-    page.becomes("panel.view.snapshot.remote.keys === ''")
-    page.evaluate("new Promise((done) => setTimeout(done, 600))")  # and the page renews what is held
-    assert page.evaluate("document.querySelector('[data-key=A]').ariaPressed") == "true"
-    assert presses_of(page, "L2+A") == before + 1
-    page.key("keyUp", "KeyA", "a")
-    page.key("keyDown", "KeyA", "a")
-
-    eventually(lambda: presses_of(page, "L2+A") == before + 2)
-    page.key("keyUp", "KeyA", "a")
-    page.key("keyUp", "KeyW", "w")
-    page.becomes("panel.view.snapshot.remote.keys === ''")
-    assert presses_of(page, "L2+A") == before + 2
-
-
-def test_a_tap_is_heard_however_short_it_is(page):
-    before = presses_of(page, "X")
-    for count in range(1, 6):
-        page.evaluate("""["keydown", "keyup"].forEach((kind) => window.dispatchEvent(
-            new KeyboardEvent(kind, { code: "KeyX", key: "x" })))""")
-        eventually(lambda: presses_of(page, "X") == before + count)
-        eventually(lambda: events_of(page, "remote")[-1]["detail"]["keys"] == "")  # it has let go
-
-
-def test_a_gamepad_reaches_wireless_remote(page):
-    # As the browser shows one: L2 (button 6) and B (1) pressed, the right stick to the left.
-    page.evaluate("""navigator.getGamepads = () => [{ mapping: "standard", id: "pad",
-        buttons: Array.from({ length: 16 }, (_, i) => ({ pressed: i === 6 || i === 1 })),
-        axes: [0.01, 0, -1, 0] }], 0""")
-
-    with listener(domain=DOMAIN) as program:
-        eventually(lambda: any(
-            keys == (1 << 5 | 1 << 9) and sticks["rx"] == -100 and sticks["lx"] == 0
-            for keys, sticks in remote_bytes(program.take())), what="L2+B, left")
-    assert page.text("#gamepad") == "gamepad: pad"
-    page.evaluate("navigator.getGamepads = () => [], 0")
-
-
 def test_a_refused_command_is_an_event_with_its_reason(page):
     said = "document.getElementById('event-list').textContent.includes('LowCmd (crc): its crc')"
 
@@ -216,52 +136,6 @@ def test_a_recording_is_started_and_ended_by_one_button(page):
         assert understudy("recording", file).stdout.startswith(f"{file}: go2, ")
     finally:
         file.unlink()
-
-
-def test_a_drag_over_a_plot_zooms_and_holds_and_a_double_click_runs_on(page):
-    span = "(([from, to]) => to - from)(panel.plots.plots[0].dygraph.xAxisRange())"
-    page.becomes(f"panel.plots.plots[0].dygraph && {span} > 1")
-    before = page.evaluate(span)
-    x, y = page.middle(".chart")
-
-    page.mouse("mousePressed", x - 30, y)
-    page.mouse("mouseMoved", x + 30, y)
-    page.mouse("mouseReleased", x + 30, y, held=False)
-    page.becomes(f"panel.plots.held && {span} < {0.8 * before}")
-    for kind, held, count in (("mousePressed", True, 1), ("mouseReleased", False, 1),
-                              ("mousePressed", True, 2), ("mouseReleased", False, 2)):
-        page.mouse(kind, x, y, held, clickCount=count)
-
-    page.becomes("!panel.plots.held")
-
-
-def test_any_signal_can_be_added_to_a_plot_with_what_it_has_been(page):
-    page.becomes("panel.plots.history.end - panel.plots.history.begin > 50")
-
-    page.evaluate("(s => { s.value = 'battery voltage'; s.dispatchEvent(new Event('change')); })"
-                  "(document.querySelector('.plot input'))")
-
-    page.becomes("panel.plots.plots[0].names.includes('battery voltage') &&"
-                 "panel.plots.plots[0].dygraph.numRows() > 20")
-
-
-def test_a_part_of_a_signals_name_is_enough_and_one_that_none_has_is_marked(page):
-    page.evaluate("window.typed = (text) => (s => { s.value = text; s.dispatchEvent(new Event('change')); return s; })"
-                  "(document.querySelector('.plot input'))")
-
-    assert page.evaluate("typed('rl_calf POS').validity.valid")
-    assert page.evaluate("panel.plots.plots[0].names.includes('RL_calf position')")
-    assert not page.evaluate("typed('RL_clf').validity.valid")
-    assert page.evaluate("typed('').validity.valid")
-
-
-def test_a_line_that_broke_is_taken_up_again_and_plots_go_on(page):
-    before = page.evaluate("panel.plots.history.end")
-
-    page.evaluate("panel.link.snapshots.close(), 0")
-
-    page.becomes("panel.link.snapshots.readyState === 1 && document.getElementById('lost').hidden")
-    page.becomes(f"panel.plots.history.end > {before} + 20")
 
 
 def test_speed_is_chosen_in_the_bar(page):
@@ -377,23 +251,6 @@ def test_a_picture_asks_little_of_the_graphics_card(play, visit, options):
     })()""")
     assert 10 < drawn["calls"] < MOST_CALLS
     assert 10_000 < drawn["triangles"] < MOST_TRIANGLES
-
-
-def test_the_time_under_the_pointer_is_marked_in_every_plot(page):
-    page.becomes("panel.plots.history.end - panel.plots.history.begin > 20")
-    if page.evaluate("panel.plots.plots.length") < 2:
-        page.click("#plots-add")
-    page.evaluate("panel.plots.plots[1].addFound('battery voltage'), panel.plots.hold(true)")
-    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph)")
-    x, y = page.middle(".chart")
-    page.mouse("mouseMoved", x, y, held=False)
-
-    marked = "panel.plots.plots.map(({ dygraph }) => dygraph.getValue(dygraph.getSelection(), 0))"
-    page.becomes("panel.plots.plots.every(({ dygraph }) => dygraph.getSelection() >= 0)")
-    first, second = page.evaluate(marked)[:2]
-    assert abs(first - second) < 0.1
-    page.mouse("mouseMoved", x, y + 500, held=False)
-    page.evaluate("panel.plots.hold(false)")
 
 
 # The last one: the view still swings for a while after it.
