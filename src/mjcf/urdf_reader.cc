@@ -10,15 +10,14 @@
 #include <Eigen/Geometry>
 #include <tinyxml2.h>
 
-#include "base/errors.h"
 #include "base/nearest_word.h"
 #include "mjcf/joints.h"
+#include "mjcf/urdf_elements.h"
 
 namespace understudy::mjcf {
 namespace {
 
 using Eigen::Matrix3d;
-using Eigen::Quaterniond;
 using Eigen::Vector3d;
 using std::filesystem::path;
 
@@ -27,64 +26,6 @@ constexpr double kLeastInertia = 1e-6;        // kg·m²
 constexpr double kRotorInertia = 0.01;        // kg·m² at the joint, assumed
 constexpr std::size_t kMostLinksInARow = 90;  // of the levels that MuJoCo reads
 constexpr char kPackage[] = "package://";
-
-[[noreturn]] void FailAt(const MjcfElement& element, const std::string& what) {
-  throw ModelError(element.place.text() + ": " + what);
-}
-
-const MjcfElement* ChildOf(const MjcfElement& element, const std::string& name) {
-  const auto child = std::ranges::find(element.children, name, &MjcfElement::name);
-  return child == element.children.end() ? nullptr : &*child;
-}
-
-std::string NeededIn(const MjcfElement& element, const std::string& attribute) {
-  std::string value = element.Get(attribute);
-  if (value.empty()) FailAt(element, "<" + element.name + "> has no " + attribute);
-  return value;
-}
-
-// The numbers of an attribute; `otherwise` if the element or the attribute is missing.
-std::vector<double> NumbersIn(const MjcfElement* element, const std::string& attribute,
-                              std::vector<double> otherwise) {
-  const std::string* text = element == nullptr ? nullptr : element->Find(attribute);
-  if (text == nullptr) return otherwise;
-  return ReadNumbers({.attribute = attribute, .value = *text, .place = element->place}, attribute,
-                     otherwise.size());
-}
-
-double NumberIn(const MjcfElement* element, const std::string& attribute, double otherwise) {
-  return NumbersIn(element, attribute, {otherwise})[0];
-}
-
-Vector3d VectorIn(const MjcfElement* element, const std::string& attribute,
-                  const Vector3d& otherwise) {
-  const std::vector<double> n =
-      NumbersIn(element, attribute, {otherwise.x(), otherwise.y(), otherwise.z()});
-  return {n[0], n[1], n[2]};
-}
-
-struct UrdfOrigin {
-  Vector3d p{0, 0, 0};
-  Quaterniond r{1, 0, 0, 0};
-};
-
-UrdfOrigin OriginOf(const MjcfElement& element) {
-  const MjcfElement* origin = ChildOf(element, "origin");
-  const Vector3d rpy = VectorIn(origin, "rpy", Vector3d::Zero());
-  return {VectorIn(origin, "xyz", Vector3d::Zero()),
-          Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) *
-              Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
-              Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX())};
-}
-
-std::string TextOf(const Vector3d& v) { return NumbersText(std::span(v.data(), 3)); }
-std::string TextOf(double number) { return NumbersText({&number, 1}); }
-
-void SetPlace(const UrdfOrigin& origin, MjcfElement* element) {
-  if (!origin.p.isZero(0)) element->Set("pos", TextOf(origin.p));
-  const std::array<double, 4> q{origin.r.w(), origin.r.x(), origin.r.y(), origin.r.z()};
-  if (!origin.r.vec().isZero(0)) element->Set("quat", NumbersText(q));
-}
 
 class UrdfTree {
  public:
