@@ -17,6 +17,13 @@ const std::vector<std::string>& StartPoses();
 
 void Describe(Archive& archive, Config& config);
 void Describe(Archive& archive, robot::RobotSpec& robot);
+void DescribeMotorType(Archive& archive, robot::MotorTypeSpec& type);
+void DescribeMotor(Archive& archive, robot::MotorSpec& motor);
+void DescribeParallel(Archive& archive, robot::ParallelSpec& parallel);
+void DescribeDynamics(Archive& archive, robot::DynamicsSpec& dynamics);
+void DescribeBus(Archive& archive, robot::BusSpec& bus);
+void DescribeHand(Archive& archive, robot::HandSpec& hand);
+void DescribeThermal(Archive& archive, robot::ThermalSpec& thermal);
 void DescribeMotionService(Archive& archive, robot::MotionSpec& motion);
 void DescribeSensors(Archive& archive, sensors::SensorConfig& sensors);
 // Only `scene` and `terrain`, which are the keys that a scene's YAML file may have.
