@@ -1,50 +1,32 @@
-// The interface between a configuration struct and what processes its keys. A `Describe` function
-// lists each key of a struct once; reading, printing and documenting are archives that visit the
-// same rows.
+// The interface between a struct and what processes its keys. A `Describe` function lists each key
+// of a struct once; reading, printing and documenting are archives that visit the same rows.
 #pragma once
 
 #include <cstddef>
 #include <functional>
 #include <initializer_list>
-#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 
-namespace understudy::config {
+#include "schema/field.h"
 
-// The allowed values of a number, both ends included. Values outside, infinities and NaN are
-// refused.
-struct Range {
-  double min = -std::numeric_limits<double>::infinity();
-  double max = std::numeric_limits<double>::infinity();
-};
-
-// At least zero.
-inline constexpr Range kNotNegative{0, std::numeric_limits<double>::infinity()};
+namespace understudy::schema {
 
 // What the documentation says about a key.
 struct About {
   // NOLINTNEXTLINE(google-explicit-constructor): most keys have only a meaning
-  About(std::string_view meaning_in) : meaning(meaning_in) {}
-  About(std::string_view unit_in, Range range_in, std::string_view meaning_in)
-      : unit(unit_in), range(range_in), meaning(meaning_in) {}
+  About(std::string_view does_in) : does(does_in) {}
+  About(std::string_view unit_in, Range range_in, std::string_view does_in)
+      : unit(unit_in), range(range_in), does(does_in) {}
 
   std::string_view unit;  // "" if there is none
   Range range;            // of a number, or of each number of a list
-  std::string_view meaning;
-};
-
-// A key with its documentation.
-struct Row : About {
-  Row(std::string_view name_in, const About& about) : About(about), name(name_in) {}
-
-  std::string_view name;
+  std::string_view does;
 };
 
 // A value and its key.
@@ -58,23 +40,18 @@ Named(std::string_view, T*) -> Named<T>;
 
 // Names a key after its member, as in UNDERSTUDY_NVP(spec.mass), so that the two cannot differ.
 #define UNDERSTUDY_NVP(member) \
-  ::understudy::config::Named { ::understudy::config::AfterDot(#member), &(member) }
+  ::understudy::schema::Named { ::understudy::schema::AfterDot(#member), &(member) }
 
 constexpr std::string_view AfterDot(std::string_view expression) {
   return expression.substr(expression.rfind('.') + 1);
 }
 
-// A choice among words. `index` is the index of the chosen word, -1 for none.
-struct WordSlot {
-  std::vector<std::string> words;
-  int* index;
-};
-
-// Where a value is stored. A span is a list of fixed length, a vector a list of any length. A
-// number that may be left out is null in YAML.
-using Slot = std::variant<bool*, int*, double*, std::optional<double>*, std::string*, WordSlot,
-                          std::span<double>, std::vector<double>*, std::vector<int>*,
-                          std::vector<std::string>*>;
+// Where a value is stored. A span is a list of fixed length, a vector a list of any length. An int
+// is a whole number, or the index of a word, -1 for none. A number that may be left out is null in
+// YAML.
+using Slot =
+    std::variant<bool*, int*, double*, std::optional<double>*, std::string*, std::span<double>,
+                 std::vector<double>*, std::vector<int>*, std::vector<std::string>*>;
 
 // A list of structs, with its element type erased.
 struct ListSlot {
@@ -93,19 +70,19 @@ class Archive {
   // Visits a value of a type in Slot, or an Eigen vector or std::array of doubles.
   template <class T>
   void Key(Named<T> key, const About& about) {
-    const Row row(key.name, about);
     if constexpr (std::is_constructible_v<Slot, T*>) {
-      Visit(row, key.value);
+      VisitKey(key.name, about, key.value);
     } else {
-      Visit(row, std::span<double>(key.value->data(), static_cast<std::size_t>(key.value->size())));
+      const auto size = static_cast<std::size_t>(key.value->size());
+      VisitKey(key.name, about, std::span<double>(key.value->data(), size));
     }
   }
 
   // Visits an enum whose values count from 0 in the order of `words`.
   template <class E>
-  void Choice(Named<E> key, const About& about, std::initializer_list<std::string> words) {
+  void Choice(Named<E> key, const About& about, std::initializer_list<std::string_view> words) {
     int index = static_cast<int>(*key.value);
-    Visit(Row(key.name, about), WordSlot{words, &index});
+    VisitKey(key.name, about, &index, {words.begin(), words.size()});
     *key.value = static_cast<E>(index);
   }
 
@@ -117,7 +94,7 @@ class Archive {
   template <class T>
   void Section(Named<T> key, const About& about, void (*describe)(Archive&, T&),
                std::string_view scalar_key = {}) {
-    if (!Enter(Row(key.name, about), scalar_key)) return;
+    if (!Enter({.key = key.name, .does = about.does}, scalar_key)) return;
     describe(*this, *key.value);
     Leave();
   }
@@ -127,7 +104,7 @@ class Archive {
   void List(Named<std::vector<T>> key, const About& about, void (*describe)(Archive&, T&),
             std::string T::*name = nullptr) {
     std::vector<T>* values = key.value;
-    VisitList(Row(key.name, about),
+    VisitList({.key = key.name, .does = about.does},
               ListSlot{[values] { return values->size(); },
                        [values](std::size_t n) {
                          values->clear();
@@ -144,22 +121,17 @@ class Archive {
   }
 
  protected:
-  virtual void Visit(const Row& row, const Slot& slot) = 0;
-  virtual void VisitList(const Row& row, const ListSlot& slot) = 0;
-  virtual bool Enter(const Row& row, std::string_view scalar_key) = 0;
+  virtual void Visit(const Field& field, const Slot& slot) = 0;
+  virtual void VisitList(const Field& field, const ListSlot& slot) = 0;
+  virtual bool Enter(const Field& field, std::string_view scalar_key) = 0;
   virtual void Leave() = 0;
+
+ private:
+  void VisitKey(std::string_view key, const About& about, const Slot& slot,
+                std::span<const std::string_view> words = {});
 };
 
-// Returns the shortest text that reads back as the same number.
-std::string NumberText(double value);
-
 // Returns the value as YAML on one line; text is quoted if YAML would not read it back as text.
-std::string ValueText(const Slot& slot);
+std::string ValueText(const Field& field, const Slot& slot);
 
-// Returns what a value must be, for errors: "a number from 0 to 10 s", "one of strict, lenient".
-std::string Expected(const Row& row, const Slot& slot);
-
-// Returns what a value may be, for tables: "0 to 10", "strict, lenient", "text".
-std::string Allowed(const Row& row, const Slot& slot);
-
-}  // namespace understudy::config
+}  // namespace understudy::schema

@@ -3,12 +3,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-namespace understudy::config {
+namespace understudy::schema {
 
 // One value, with anchors, aliases and merge keys (`<<: *name`) resolved.
 struct YamlValue {
@@ -27,6 +28,9 @@ struct YamlValue {
     return const_cast<YamlValue*>(std::as_const(*this).Find(key));
   }
 };
+
+// Removes a key from a map and returns its value; nullopt if there is none or this is not a map.
+std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key);
 
 // Returns the mapping {key: value}; its `where` is that of the value.
 YamlValue MapOf(const std::string& key, YamlValue value);
@@ -51,4 +55,4 @@ YamlValue ReadYamlFile(const std::filesystem::path& path);
 // it cannot be read.
 std::vector<std::string> YamlNames(const std::filesystem::path& folder);
 
-}  // namespace understudy::config
+}  // namespace understudy::schema

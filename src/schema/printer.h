@@ -1,12 +1,12 @@
-// Prints the structs that a Describe function lists as YAML that a Reader can read back.
+// Prints the structs that a Describe function lists as YAML that a YamlReader can read back.
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "config/archive.h"
+#include "schema/archive.h"
 
-namespace understudy::config {
+namespace understudy::schema {
 
 // Prints a list of structs one line per element, including the lists within it. With comments, it
 // adds meaning, unit and range above each key, and once above a list for all its elements.
@@ -17,9 +17,9 @@ class Printer : public Archive {
   const std::string& text() const { return text_; }
 
  protected:
-  void Visit(const Row& row, const Slot& slot) override;
-  void VisitList(const Row& row, const ListSlot& slot) override;
-  bool Enter(const Row& row, std::string_view scalar_key) override;
+  void Visit(const Field& field, const Slot& slot) override;
+  void VisitList(const Field& field, const ListSlot& slot) override;
+  bool Enter(const Field& field, std::string_view scalar_key) override;
   void Leave() override { --depth_; }
 
  private:
@@ -27,7 +27,7 @@ class Printer : public Archive {
   enum class Mode { kLine, kElement, kElementComment };
 
   std::string Indent() const { return std::string(2 * depth_, ' '); }
-  void Comment(const Row& row, const std::string& allowed);
+  void Comment(const std::string& of, const Field& field, const std::string& allowed);
   std::string Element(const ListSlot& slot, std::size_t i);  // in braces
 
   bool with_comments_;
@@ -37,4 +37,4 @@ class Printer : public Archive {
   std::string element_;
 };
 
-}  // namespace understudy::config
+}  // namespace understudy::schema

@@ -1,4 +1,4 @@
-#include "config/yaml_document.h"
+#include "schema/yaml_document.h"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@
 #include "base/errors.h"
 #include "base/unique_fd.h"
 
-namespace understudy::config {
+namespace understudy::schema {
 namespace {
 
 constexpr std::size_t kMaxBytes = 1 << 20;
@@ -221,6 +221,18 @@ const YamlValue* YamlValue::Find(std::string_view key) const {
   return nullptr;
 }
 
+std::optional<YamlValue> TakeOut(YamlValue* map, std::string_view key) {
+  for (std::size_t i = 0; i < map->keys.size(); ++i) {
+    if (map->keys[i].text != key) continue;
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    YamlValue value = std::move(map->items[i]);
+    map->keys.erase(map->keys.begin() + at);
+    map->items.erase(map->items.begin() + at);
+    return value;
+  }
+  return std::nullopt;
+}
+
 YamlValue MapOf(const std::string& key, YamlValue value) {
   YamlValue map;
   map.kind = YamlValue::Kind::kMap;
@@ -312,4 +324,4 @@ std::vector<std::string> YamlNames(const std::filesystem::path& folder) {
   return names;
 }
 
-}  // namespace understudy::config
+}  // namespace understudy::schema
