@@ -1,4 +1,4 @@
-// The robot's power switch: what of it works when, from switched off to booted.
+// The power sequence of a robot: which parts are up in each power state.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 #include "robot/robot_spec.h"
 
-namespace understudy::emulator {
+namespace understudy::robot {
 
 enum class PowerState : std::uint8_t { kOn, kBooting, kOff };
 
@@ -22,7 +22,7 @@ constexpr std::string_view Name(PowerState state) {
 class Power {
  public:
   // `spec` must outlive it.
-  explicit Power(const robot::BootSpec& spec) : spec_(spec) {}
+  explicit Power(const BootSpec& spec) : spec_(spec) {}
 
   void SwitchOff() { state_ = PowerState::kOff; }
   // Begins to boot at t, unless it is on.
@@ -34,7 +34,7 @@ class Power {
   // On and booted at once.
   void Skip() { state_ = PowerState::kOn; }
 
-  // Goes on to t; returns whether its motion service is to start now.
+  // Goes on to t; returns whether the motion service must start now.
   bool Step(double t) {
     now_ = t;
     if (state_ != PowerState::kBooting || t - since_ < spec_.motion) return false;
@@ -60,10 +60,10 @@ class Power {
   }
 
  private:
-  const robot::BootSpec& spec_;
+  const BootSpec& spec_;
   PowerState state_ = PowerState::kOn;
   double since_ = 0;
   double now_ = 0;
 };
 
-}  // namespace understudy::emulator
+}  // namespace understudy::robot

@@ -1,8 +1,8 @@
-#include "emulator/remote.h"
+#include "robot/remote.h"
 
 #include <algorithm>
 
-namespace understudy::emulator {
+namespace understudy::robot {
 namespace {
 
 bool Has(std::uint16_t keys, std::size_t key) { return (keys >> key & 1U) != 0; }
@@ -21,22 +21,21 @@ void Remote::Move(std::size_t stick, double value, double until) {
   sticks_[stick] = {.value = std::clamp(value, -1.0, 1.0), .until = until};
 }
 
-void Remote::Set(const robot::RemoteReading& reading, double until) {
+void Remote::Set(const RemoteReading& reading, double until) {
   Release(0xFFFF);
   Press(reading.keys, until);
   const double values[] = {reading.lx, reading.ly, reading.rx, reading.ry};
   for (std::size_t i = 0; i < sticks_.size(); ++i) Move(i, values[i], until);
 }
 
-void Remote::Renew(const robot::RemoteReading& reading, std::int64_t press, double t,
-                   double until) {
+void Remote::Renew(const RemoteReading& reading, std::int64_t press, double t, double until) {
   unsigned lapsed = 0;
   for (std::size_t key = 0; press == press_ && key < down_until_.size(); ++key) {
     if (Has(renewed_, key) && down_until_[key] <= t) lapsed |= 1U << key;
   }
   press_ = press;
   renewed_ = reading.keys;
-  robot::RemoteReading held = reading;
+  RemoteReading held = reading;
   held.keys = static_cast<std::uint16_t>(reading.keys & ~lapsed);
   Set(held, until);
 }
@@ -46,7 +45,7 @@ void Remote::Switch(bool on) {
   reading_.there = on;
 }
 
-const robot::RemoteReading& Remote::Read(double t) {
+const RemoteReading& Remote::Read(double t) {
   if (!reading_.there) return reading_;
   unsigned keys = 0;
   for (std::size_t key = 0; key < down_until_.size(); ++key) {
@@ -61,4 +60,4 @@ const robot::RemoteReading& Remote::Read(double t) {
   return reading_;
 }
 
-}  // namespace understudy::emulator
+}  // namespace understudy::robot

@@ -1,12 +1,12 @@
 // The power switch alone, without a robot.
+#include "robot/power.h"
+
 #include <gtest/gtest.h>
 
-#include "emulator/power.h"
-
-namespace understudy::emulator {
+namespace understudy::robot {
 namespace {
 
-constexpr robot::BootSpec kBoot{.states = 2, .services = 3, .motion = 5};
+constexpr BootSpec kBoot{.states = 2, .services = 3, .motion = 5};
 
 TEST(PowerSwitchTest, IsOnAndBootedUnlessItIsSwitched) {
   Power power(kBoot);
@@ -87,4 +87,4 @@ TEST(PowerSwitchTest, CanSkipTheBootAndBeSwitchedOffInIt) {
 }
 
 }  // namespace
-}  // namespace understudy::emulator
+}  // namespace understudy::robot

@@ -1,8 +1,8 @@
-#include "emulator/remote.h"
+#include "robot/remote.h"
 
 #include <gtest/gtest.h>
 
-namespace understudy::emulator {
+namespace understudy::robot {
 namespace {
 
 constexpr std::uint16_t kL2 = 0x20, kB = 0x200;
@@ -84,7 +84,7 @@ TEST(RemoteTest, IsAsItWasSetAndNothingElse) {
 
 TEST(RemoteTest, IsLetGoByWhoeverDoesNotSayAgainThatItIsHeld) {
   Remote remote;
-  const robot::RemoteReading held{.keys = kL2, .ry = 1};
+  const RemoteReading held{.keys = kL2, .ry = 1};
   remote.Set(held, 0.5);
   remote.Set(held, 0.9);
   EXPECT_EQ(remote.Read(0.8).keys, kL2);
@@ -106,4 +106,4 @@ TEST(RemoteTest, ForgetsEverythingWhenItGoes) {
 }
 
 }  // namespace
-}  // namespace understudy::emulator
+}  // namespace understudy::robot

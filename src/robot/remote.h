@@ -8,11 +8,11 @@
 
 #include "robot/robot_values.h"
 
-namespace understudy::emulator {
+namespace understudy::robot {
 
 inline constexpr double kForever = std::numeric_limits<double>::infinity();  // s
 
-// The remote controller. It is off until the first use. Keys are bits (robot/remote_keys.h); times
+// A remote controller. It is off until the first use. Keys are bits (robot/remote_keys.h); times
 // are simulated [s] and never go back. Allocates nothing.
 class Remote {
  public:
@@ -23,15 +23,15 @@ class Remote {
   void Move(std::size_t stick, double value, double until);
   // Sets all keys and sticks as in `reading`, and releases them after `until`. Ignores
   // `reading.there`: the remote is on.
-  void Set(const robot::RemoteReading& reading, double until);
+  void Set(const RemoteReading& reading, double until);
   // As Set at time t, for a client that repeats what it holds and numbers its presses: keys that
   // time has released stay up until `press` is another number.
-  void Renew(const robot::RemoteReading& reading, std::int64_t press, double t, double until);
+  void Renew(const RemoteReading& reading, std::int64_t press, double t, double until);
   // Switches it on or off. Off, keys and sticks are released and nothing is received.
   void Switch(bool on);
 
   // Returns its state at time t [s].
-  const robot::RemoteReading& Read(double t);
+  const RemoteReading& Read(double t);
 
  private:
   struct Stick {
@@ -43,7 +43,7 @@ class Remote {
   std::array<Stick, 4> sticks_{};        // lx, ly, rx, ry
   std::int64_t press_ = -1;              // of the last Renew
   std::uint16_t renewed_ = 0;            // its keys
-  robot::RemoteReading reading_;
+  RemoteReading reading_;
 };
 
-}  // namespace understudy::emulator
+}  // namespace understudy::robot
