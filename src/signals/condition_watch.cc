@@ -1,4 +1,4 @@
-#include "signals/watch.h"
+#include "signals/condition_watch.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,6 @@
 
 #include "emulator/world.h"
 #include "judge/condition.h"
-#include "physics/world_reading.h"
 
 namespace understudy::signals {
 namespace {
@@ -15,21 +14,22 @@ using Source = Signal::Source;
 
 }  // namespace
 
-Watch::Watch(signals::Conditions conditions, const emulator::World& world)
+ConditionWatch::ConditionWatch(signals::Conditions conditions, const emulator::World& world)
     : conditions_(std::move(conditions)),
       slots_(conditions_.signals.size()),
       events_(&world.events()),
-      qpos_(physics::PositionCount(world.physics())),
-      qvel_(physics::RateCount(world.physics())),
-      foot_force_(world.robot().spec().feet.size()) {
-  const std::vector<std::string>& topics = world.robot().topics();
+      measured_(world.robot_count()) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];
     Slot& slot = slots_[i];
+    const emulator::Robot& robot = world.robot(signal.robot);
+    if (signal.source == Source::kTruth) measured_[signal.robot].asked = true;
+    measured_[signal.robot].foot_force.resize(robot.spec().feet.size());
     values_.push_back(
         signal.of_one_instant() || signal.source == Source::kEventCount ? 0 : judge::kUnknown);
     slot.word = judge::WordNumber(signal.printed);
-    slot.topic = static_cast<std::size_t>(std::ranges::find(topics, signal.topic) - topics.begin());
+    slot.topic = static_cast<std::size_t>(std::ranges::find(robot.topics(), signal.topic) -
+                                          robot.topics().begin());
     if (signal.source == Source::kRate) {
       slot.recent =
           RecentArrivals(static_cast<std::size_t>(std::ceil(1 / world.physics().timestep())));
@@ -53,7 +53,7 @@ Watch::Watch(signals::Conditions conditions, const emulator::World& world)
   }
 }
 
-void Watch::Look(const emulator::World& world, bool measure) {
+void ConditionWatch::Look(const emulator::World& world, bool measure) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     if (conditions_.signals[i].of_one_instant()) values_[i] = 0;
   }
@@ -62,16 +62,18 @@ void Watch::Look(const emulator::World& world, bool measure) {
   if (measure) Measure(world);
 }
 
-bool Watch::Holds(std::size_t condition) const {
+bool ConditionWatch::Holds(std::size_t condition) const {
   const double margin = judge::MarginOf(conditions_.formulas[condition], values_);
   return judge::IsKnown(margin) && judge::Holds(margin);
 }
 
-void Watch::Take(const emulator::Event& event) {
+void ConditionWatch::Take(const emulator::Event& event) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Slot& slot = slots_[i];
     if (slot.row == nullptr || slot.row->kind != event.kind) continue;
     if (slot.request != nullptr && slot.request != event.request.row) continue;
+    const bool other = event.robot != conditions_.signals[i].robot;
+    if (other && !emulator::IsOfWorld(event.kind)) continue;
     switch (conditions_.signals[i].source) {
       case Source::kEventField:
       case Source::kFirstJump:
@@ -87,12 +89,12 @@ void Watch::Take(const emulator::Event& event) {
   }
 }
 
-void Watch::Hear(const emulator::World& world) {
+void ConditionWatch::Hear(const emulator::World& world) {
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Source source = conditions_.signals[i].source;
     if (source != Source::kArrival && source != Source::kGap && source != Source::kRate) continue;
     Slot& slot = slots_[i];
-    const std::uint64_t heard = world.robot().heard(slot.topic);
+    const std::uint64_t heard = world.robot(conditions_.signals[i].robot).heard(slot.topic);
     const auto arrived = static_cast<double>(heard - slot.heard);
     if (source == Source::kArrival) values_[i] = arrived;
     if (source == Source::kGap && heard > 0) {
@@ -108,28 +110,26 @@ void Watch::Hear(const emulator::World& world) {
   }
 }
 
-void Watch::Measure(const emulator::World& world) {
-  const auto from = [this](Origin origin) {
-    return std::ranges::any_of(
-        conditions_.signals, [origin](const Signal& signal) { return signal.origin() == origin; });
-  };
-  Truth truth;
-  if (from(Origin::kTruth)) {
-    const physics::Crane& crane = world.robot().crane();
-    physics::ReadPositions(world.physics(), qpos_);
-    physics::ReadRates(world.physics(), qvel_);
-    world.physics().robot().FootForces(foot_force_);
-    truth = {.qpos = qpos_,
-             .qvel = qvel_,
-             .tau = world.robot().torque(),
-             .foot_force = foot_force_,
-             .crane_tension = crane.attached() ? crane.tension() : 0};
+void ConditionWatch::Measure(const emulator::World& world) {
+  for (std::size_t i = 0; i < measured_.size(); ++i) {
+    Measured& of = measured_[i];
+    if (!of.asked) continue;
+    const emulator::Robot& robot = world.robot(i);
+    const physics::RobotBody& body = world.physics().robot(i);
+    body.FootForces(of.foot_force);
+    of.truth = {.base_position = body.base_position(),
+                .base_velocity = body.base_velocity(),
+                .tau = robot.torque(),
+                .foot_force = of.foot_force,
+                .crane_tension = robot.crane().attached() ? robot.crane().tension() : 0};
   }
   for (std::size_t i = 0; i < slots_.size(); ++i) {
     const Signal& signal = conditions_.signals[i];
-    if (signal.source == Source::kTruth) values_[i] = signal.Told(signal.of(truth, signal.index));
+    if (signal.source == Source::kTruth) {
+      values_[i] = signal.Told(signal.of(measured_[signal.robot].truth, signal.index));
+    }
     if (signal.source == Source::kField) {
-      values_[i] = signal.Told(signal.of_sample(world.robot().sampled(), signal.index));
+      values_[i] = signal.Told(signal.of_sample(world.robot(signal.robot).sampled(), signal.index));
     }
   }
 }

@@ -19,13 +19,13 @@ struct Conditions {
   std::vector<judge::Formula> formulas{};  // by number, over those signals; none looks ahead
 };
 
-// Follows the signals of the first robot of a world. Everything that happened in a tick, and the
+// Follows the signals of the robots of a world. Everything that happened in a tick, and the
 // truth at its end, is seen at the beginning of the next. Equal runs give equal answers bit for
 // bit; allocates nothing after construction.
-class Watch final : public emulator::Conditions {
+class ConditionWatch final : public emulator::ScriptConditions {
  public:
   // `world` must outlive it and has made no tick yet.
-  Watch(signals::Conditions conditions, const emulator::World& world);
+  ConditionWatch(signals::Conditions conditions, const emulator::World& world);
 
   void Look(const emulator::World& world, bool measure) override;
   bool Holds(std::size_t condition) const override;
@@ -43,15 +43,22 @@ class Watch final : public emulator::Conditions {
     RecentArrivals recent;                          // kRate
   };
 
+  // What conditions ask of a robot's truth.
+  struct Measured {
+    bool asked = false;
+    std::vector<double> foot_force;
+    TruthView truth;
+  };
+
   void Take(const emulator::Event& event);
   void Hear(const emulator::World& world);
   void Measure(const emulator::World& world);
 
   signals::Conditions conditions_;
   std::vector<Slot> slots_;     // by signal
-  std::vector<double> values_;  // likewise; NaN: nobody has said it yet
+  std::vector<double> values_;  // by signal; NaN: not known yet
   emulator::EventRing::Reader events_;
-  std::vector<double> qpos_, qvel_, foot_force_;
+  std::vector<Measured> measured_;  // by robot
 };
 
 }  // namespace understudy::signals
