@@ -1,7 +1,6 @@
-#include "viewer/recording.h"
+#include "viewer/recorded_states.h"
 
 #include <algorithm>
-#include <string>
 #include <utility>
 #include <vector>
 
@@ -17,20 +16,29 @@ constexpr double kRounding = 1e-6;  // s between what is asked for and what is t
 
 }  // namespace
 
-mjcf::ModelHandle Recording::ReadModel() const {
+mjcf::ModelHandle RecordedStates::ReadModel() const {
   const std::vector<std::byte> bytes = truth_.reader().ReadAttachment(kModelName);
   return mjcf::ReadBinaryModel({reinterpret_cast<const char*>(bytes.data()), bytes.size()},
                                truth_.reader().path().string() + ", " + kModelName);
 }
 
-void Recording::Refuse(double time) const {
+std::string RecordedStates::robot() const {
+  const auto& metadata = truth_.reader().contents().metadata;
+  const auto about = metadata.find("understudy");
+  if (about == metadata.end()) return {};
+  const auto name = about->second.find("name");
+  return name == about->second.end() ? "" : name->second;
+}
+
+void RecordedStates::Refuse(double time) const {
   const Span& whole = truth_.whole();
   throw SetupError(truth_.reader().path().string() + ": it has no second " + std::to_string(time) +
                    "; it goes from " + std::to_string(whole.from) + " to " +
                    std::to_string(whole.to));
 }
 
-Recording::Span Recording::Cut(std::optional<double> from, std::optional<double> to) const {
+RecordedStates::Span RecordedStates::Cut(std::optional<double> from,
+                                         std::optional<double> to) const {
   const Span& whole = truth_.whole();
   const Span span{.from = std::max(from.value_or(whole.from), whole.from),
                   .to = std::min(to.value_or(whole.to), whole.to)};
@@ -42,7 +50,7 @@ Recording::Span Recording::Cut(std::optional<double> from, std::optional<double>
   Refuse(from && *from >= whole.to ? *from : to.value_or(whole.to));
 }
 
-SceneState Recording::At(std::optional<double> time, std::size_t nq) const {
+SceneState RecordedStates::At(std::optional<double> time, std::size_t nq) const {
   const Span& whole = truth_.whole();
   const double at = std::max(time.value_or(whole.to), whole.from);
   if (at > whole.to + kRounding) Refuse(at);
@@ -56,9 +64,9 @@ SceneState Recording::At(std::optional<double> time, std::size_t nq) const {
   return last;
 }
 
-void Recording::Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell,
-                     double before) const {
-  const auto tell_picture = [&tell](record::Event event) {
+void RecordedStates::Read(const Span& span, std::size_t nq, const Visit& visit, const Tell& tell,
+                          double before) const {
+  const auto tell_picture = [&tell](record::RecordedEvent event) {
     if (!record::IsForPictures(event.kind)) return;
     tell({.time = event.time, .text = std::move(event.text)});
   };
