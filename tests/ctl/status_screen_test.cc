@@ -1,4 +1,4 @@
-#include "ctl/watch.h"
+#include "ctl/status_screen.h"
 
 #include "gmock/gmock.h"
 #include "gtest/gtest.h"
@@ -25,8 +25,8 @@ emulator::Status Running() {
   return status;
 }
 
-TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
-  Watch dut;
+TEST(StatusScreenTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
+  StatusScreen dut;
   emulator::Status status = Running();
   EXPECT_THAT(dut.Text(Json(status), milliseconds(1000)),
               AllOf(StartsWith("g1, process 42: ready\n12.500 s, 0.75 x real time of 1.000\n"),
@@ -38,8 +38,8 @@ TEST(WatchTest, FirstShowsTotalsAndThenRatesBetweenTwo) {
                     HasSubstr("commands refused   100         53     crc 52, gain 1")));
 }
 
-TEST(WatchTest, SaysThatTheRobotIsPaused) {
-  Watch dut;
+TEST(StatusScreenTest, SaysThatTheRobotIsPaused) {
+  StatusScreen dut;
   emulator::Status status = Running();
   status.paused = true;
   EXPECT_THAT(dut.Text(Json(status), milliseconds(1)), HasSubstr("12.500 s, paused\n"));
@@ -47,15 +47,15 @@ TEST(WatchTest, SaysThatTheRobotIsPaused) {
   EXPECT_THAT(dut.Text(Json(status), milliseconds(2)), HasSubstr("paused, 7 steps to make\n"));
 }
 
-TEST(WatchTest, ANumberThatIsNotFiniteIsADash) {
-  Watch dut;
+TEST(StatusScreenTest, ANumberThatIsNotFiniteIsADash) {
+  StatusScreen dut;
   nlohmann::ordered_json status = Json(Running());
   status["base"]["tilt"] = nullptr;
   EXPECT_THAT(dut.Text(status, milliseconds(1)), HasSubstr("tilted by - rad"));
 }
 
-TEST(WatchTest, AStatusOfAnotherShapeThrows) {
-  Watch dut;
+TEST(StatusScreenTest, AStatusOfAnotherShapeThrows) {
+  StatusScreen dut;
   EXPECT_THROW(dut.Text({{"robot", "g1"}}, milliseconds(1)), nlohmann::json::exception);
 }
 
