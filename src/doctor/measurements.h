@@ -36,7 +36,7 @@ struct DropCounts {
   std::uint64_t buffer_full = 0;        // UDP: found no room in a socket's receive buffer
 };
 
-struct Link {
+struct LinkState {
   bool up = false;
   bool running = false;  // has a carrier: a cable, and something that is on at its other end
   bool multicast = false;
@@ -44,10 +44,10 @@ struct Link {
 };
 
 // Datagrams of the probe (probe.h).
-struct Tally {
+struct DatagramCount {
   int sent = 0;
   int returned = 0;
-  int error = 0;  // the last errno of sending or, as ICMP tells it, of arriving; 0 for none
+  int error = 0;  // the last errno of sending or, from ICMP, of arriving; 0 for none
 };
 
 // Durations, s.
@@ -84,7 +84,7 @@ struct ClockSync {
 };
 
 // A participant that writes rt/lowstate.
-struct Robot {
+struct StateWriter {
   std::string who;
   bool speaks = false;
 };
@@ -105,27 +105,27 @@ struct ClockOffset {
 // The peer that was named.
 struct Peer {
   bool found = false;                       // by discovery
-  std::string who{};                        // as discovery tells
+  std::string who{};                        // by discovery
   std::optional<std::string> no_address{};  // why its address is not known; else the probe went out
-  Tally unicast{};                          // there and back
-  Tally multicast{};                        // to the group, answered to us
-  Tally from_peer{};                        // of `unicast`, answered to the group too
+  DatagramCount unicast{};                  // there and back
+  DatagramCount multicast{};                // to the group, answered to us
+  DatagramCount from_peer{};                // of `unicast`, answered to the group too
   int sent = 0;                             // messages of the round trip
   int returned = 0;
   Spread there_and_back{};
   std::optional<ClockOffset> offset{};
 };
 
-struct Evidence {
+struct Measurements {
   Question question{};
-  std::vector<std::string> interfaces{};         // of this machine
-  std::optional<Link> link{};                    // empty: there is no interface of that name
-  std::vector<Address> addresses{};              // of all interfaces
-  std::optional<std::string> multicast_route{};  // the interface it leads to; "" to none
-  std::optional<Tally> self_multicast{};         // to the group and back to ourselves
-  std::optional<DropCounts> dropped{};           // during the test
+  std::vector<std::string> interfaces{};          // of this machine
+  std::optional<LinkState> link{};                // empty: there is no interface of that name
+  std::vector<Address> addresses{};               // of all interfaces
+  std::optional<std::string> multicast_route{};   // the interface it leads to; "" to none
+  std::optional<DatagramCount> self_multicast{};  // to the group and back to ourselves
+  std::optional<DropCounts> dropped{};            // during the test
   std::optional<int> receive_buffer{};  // bytes that a socket gets which asks for kCycloneReceive
-  std::optional<int> send_buffer{};     // likewise for kCycloneSend
+  std::optional<int> send_buffer{};     // bytes that a socket gets which asks for kCycloneSend
   std::optional<Rights> rights{};
   std::vector<std::string> governors{};  // of the cores, each once; empty: not seen
   std::optional<double> load{};          // programs that wanted to run in the last minute
@@ -137,7 +137,7 @@ struct Evidence {
   std::string no_bus{};  // why there is none; "" if we joined
   std::vector<bus::Neighbour> participants{};
   std::vector<bus::Endpoint> endpoints{};
-  std::vector<Robot> robots{};
+  std::vector<StateWriter> robots{};
   States states{};
   std::optional<Peer> peer{};
 };

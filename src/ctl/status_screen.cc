@@ -1,4 +1,4 @@
-#include "ctl/watch.h"
+#include "ctl/status_screen.h"
 
 #include <cstdint>
 #include <vector>
@@ -37,7 +37,7 @@ std::string Pace(const ordered_json& status) {
 
 }  // namespace
 
-std::string Watch::Text(const ordered_json& status, std::chrono::nanoseconds now) {
+std::string StatusScreen::Text(const ordered_json& status, std::chrono::nanoseconds now) {
   const double wall = std::chrono::duration<double>(now - then_).count();
   const auto row = [&](const char* label, const char* field, const std::string& note = "") {
     const std::int64_t total = CountAt(status, field);

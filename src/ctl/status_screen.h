@@ -9,7 +9,7 @@
 namespace understudy::ctl {
 
 // Formats successive statuses, with rates.
-class Watch {
+class StatusScreen {
  public:
   // Formats `status`, the JSON of StatusJson, taken at wall time `now`, which must not go back.
   // Rates are those since the last call, "-" in the first. Throws json::exception for any other
